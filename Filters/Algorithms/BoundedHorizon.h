@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the stages inside the boundary work on.
+
+#ifndef SeismicHorizonsBoundedHorizon_h
+#define SeismicHorizonsBoundedHorizon_h
+
+#include "Types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A horizon inside its boundary. The arrays have one entry per point.
+struct BoundedHorizon
+{
+  std::vector<PlanePoint> Plane;   // sub-voxels
+  std::vector<double> Height;      // lattice units
+  std::vector<std::int32_t> Patch; // points of different patches are never merged
+  std::vector<std::int64_t> Count; // how many points of the original horizon each one stands for
+  Loops Boundary;
+  std::int32_t SubVoxelsPerColumn = 1;
+};
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The names under which the stages hand data to each other. Documentation/DataModel.md gives their meaning.
+
+#ifndef SeismicHorizonsDataModel_h
+#define SeismicHorizonsDataModel_h
+
+namespace SeismicHorizons
+{
+namespace PointArray
+{
+constexpr const char* SurfaceId = "SurfaceId";
+constexpr const char* VerticalIndex = "VerticalIndex";
+constexpr const char* Thickness = "Thickness";
+constexpr const char* Amplitude = "Amplitude";
+constexpr const char* RealZ = "RealZ";
+constexpr const char* PatchId = "PatchId";
+constexpr const char* Boundary = "Boundary";
+constexpr const char* PointCount = "PointCount";
+}
+
+namespace FieldArray
+{
+constexpr const char* LatticeDimensions = "LatticeDimensions";
+constexpr const char* LatticeToWorld = "LatticeToWorld";
+constexpr const char* DroppedDuplicates = "DroppedDuplicates";
+constexpr const char* BoundaryDeviation = "BoundaryDeviation";
+}
+
+/// The values of the Boundary array.
+enum class BoundaryKind : unsigned char
+{
+  Inside = 0,
+  Exterior = 1,
+  Hole = 2
+};
+}
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Lattice.h"
+
+#include "Errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Coordinates stay below 2^29, half a column outside the lattice included (see PlanePoint).
+constexpr int CoordinateBits = 29;
+constexpr int MaximumLatticeBits = 28;
+// Finer than a millionth of a column nothing is gained, and small numbers are quicker to work with.
+constexpr int MaximumSubVoxelBits = 20;
+
+int BitsFor(int size)
+{
+  int bits = 0;
+  while ((std::int64_t(1) << bits) < size + 1)
+  {
+    ++bits;
+  }
+  return bits;
+}
+
+void CheckDimensions(const std::array<int, 3>& dimensions)
+{
+  const int largest = std::max(dimensions[0], dimensions[1]);
+  const int smallest = std::min({ dimensions[0], dimensions[1], dimensions[2] });
+  if (smallest < 1 || BitsFor(largest) > MaximumLatticeBits)
+  {
+    std::ostringstream text;
+    text << "lattice of " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
+         << " cells, expected at least 1 and less than 2^" << MaximumLatticeBits << " columns a side";
+    throw InputError(text.str());
+  }
+}
+
+void CheckMap(const Eigen::Matrix4d& toWorld)
+{
+  if (!toWorld.allFinite() || toWorld.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+  {
+    throw InputError("lattice-to-world matrix that is not affine, expected finite numbers and a last row of 0 0 0 1");
+  }
+  if (toWorld(0, 2) != 0.0 || toWorld(1, 2) != 0.0 || toWorld(2, 0) != 0.0 || toWorld(2, 1) != 0.0)
+  {
+    throw InputError("lattice-to-world matrix that tilts the columns, expected vertical columns over a level plane");
+  }
+  // Relative to the steps, so that survey units do not matter: the sine of the angle between the two step vectors.
+  const Eigen::Matrix2d steps = toWorld.topLeftCorner<2, 2>();
+  const double size = steps.col(0).norm() * steps.col(1).norm();
+  if (toWorld(2, 2) == 0.0 || !(std::abs(steps.determinant()) > 1e-9 * size))
+  {
+    throw InputError("lattice-to-world matrix that can not be inverted, expected two column steps that are not "
+                     "parallel and a vertical step that is not 0");
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Lattice::Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& toWorld)
+  : Dimensions(dimensions)
+{
+  CheckDimensions(dimensions);
+  CheckMap(toWorld);
+  this->IntoWorld.matrix() = toWorld;
+  this->FromWorld = this->IntoWorld.inverse(Eigen::Affine);
+  this->SubVoxelBits =
+    std::min(MaximumSubVoxelBits, CoordinateBits - BitsFor(std::max(dimensions[0], dimensions[1])));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
+{
+  const bool inside = lattice.allFinite() && lattice.x() >= -0.5 && lattice.x() <= this->Dimensions[0] - 0.5 &&
+    lattice.y() >= -0.5 && lattice.y() <= this->Dimensions[1] - 0.5;
+  if (!inside)
+  {
+    std::ostringstream text;
+    text << "point " << point << " at column (" << lattice.x() << ", " << lattice.y() << "), height " << lattice.z()
+         << ", expected a place on the lattice of " << this->Dimensions[0] << " x " << this->Dimensions[1]
+         << " columns";
+    throw InputError(text.str());
+  }
+  const double scale = this->SubVoxelsPerColumn();
+  return { std::int32_t(std::lround(lattice.x() * scale)), std::int32_t(std::lround(lattice.y() * scale)) };
+}
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Predicates.h"
+
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// a, b and c as seen from d.
+struct Triangle
+{
+  std::int64_t X[3];
+  std::int64_t Y[3];
+};
+
+Triangle SeenFrom(const PlanePoint& d, const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+{
+  const std::int64_t x = d.X;
+  const std::int64_t y = d.Y;
+  return { { a.X - x, b.X - x, c.X - x }, { a.Y - y, b.Y - y, c.Y - y } };
+}
+
+/// The determinant of the rows (x, y, lift) for the three points.
+template <typename Lift>
+int DeterminantSign(const Triangle& t, Lift&& lift)
+{
+  Int128 sum = 0;
+  for (int n = 0; n < 3; ++n)
+  {
+    const int next = (n + 1) % 3;
+    const int last = (n + 2) % 3;
+    sum += Int128(t.X[next] * t.Y[last] - t.X[last] * t.Y[next]) * lift(t.X[n], t.Y[n]);
+  }
+  return Sign(sum);
+}
+
+/// The same for the lift x^2 + y^2 in plain doubles; 0 when rounding might have changed the sign. The coordinates are
+/// exact, so the bound only covers a handful of roundings, each at most 2^-53 of the sum of absolute terms.
+int FilteredDeterminantSign(const Triangle& t)
+{
+  double sum = 0.0;
+  double size = 0.0;
+  for (int n = 0; n < 3; ++n)
+  {
+    const int next = (n + 1) % 3;
+    const int last = (n + 2) % 3;
+    const double left = double(t.X[next]) * double(t.Y[last]);
+    const double right = double(t.X[last]) * double(t.Y[next]);
+    const double lift = double(t.X[n]) * double(t.X[n]) + double(t.Y[n]) * double(t.Y[n]);
+    sum += (left - right) * lift;
+    size += (std::abs(left) + std::abs(right)) * lift;
+  }
+  const double bound = size * (16.0 / 9007199254740992.0);
+  return sum > bound ? 1 : (sum < -bound ? -1 : 0);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int InCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
+{
+  const Triangle seen = SeenFrom(d, a, b, c);
+  if (const int sign = FilteredDeterminantSign(seen))
+  {
+    return sign;
+  }
+  if (const int sign = DeterminantSign(seen, [](std::int64_t x, std::int64_t y) { return x * x + y * y; }))
+  {
+    return sign;
+  }
+  if (const int sign = DeterminantSign(seen, [](std::int64_t x, std::int64_t y) { return x * y; }))
+  {
+    return sign;
+  }
+  return DeterminantSign(seen, [](std::int64_t x, std::int64_t) { return x * x; });
+}
+}

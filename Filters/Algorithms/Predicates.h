@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The questions of plane geometry that decide how a mesh is connected. All answers are exact for coordinates below
+// 2^29 in size (PlanePoint): signed areas fit 64 bits, in-circle determinants 128.
+
+#ifndef SeismicHorizonsPredicates_h
+#define SeismicHorizonsPredicates_h
+
+#include "Types.h"
+
+
+namespace SeismicHorizons
+{
+__extension__ typedef __int128 Int128;
+
+/// Twice the signed area of the triangle a, b, c: positive when it turns counter-clockwise.
+inline std::int64_t SignedArea(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+{
+  const std::int64_t bx = std::int64_t(b.X) - a.X;
+  const std::int64_t by = std::int64_t(b.Y) - a.Y;
+  const std::int64_t cx = std::int64_t(c.X) - a.X;
+  const std::int64_t cy = std::int64_t(c.Y) - a.Y;
+  return bx * cy - by * cx;
+}
+
+/// -1, 0 or 1.
+template <typename Number>
+int Sign(Number value)
+{
+  return int(value > 0) - int(value < 0);
+}
+
+/// True when the open segments a-b and c-d cross in one point that is inside both.
+inline bool ProperlyCross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
+{
+  return Sign(SignedArea(a, b, c)) * Sign(SignedArea(a, b, d)) < 0 &&
+    Sign(SignedArea(c, d, a)) * Sign(SignedArea(c, d, b)) < 0;
+}
+
+/// True when p lies on the open segment a-b.
+inline bool OnOpenSegment(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
+{
+  if (p == a || p == b || SignedArea(a, b, p) != 0)
+  {
+    return false;
+  }
+  const std::int64_t along =
+    (std::int64_t(p.X) - a.X) * (std::int64_t(b.X) - p.X) + (std::int64_t(p.Y) - a.Y) * (std::int64_t(b.Y) - p.Y);
+  return along > 0;
+}
+
+/// Positive when d lies inside the circle through a, b, c, which must turn counter-clockwise; negative when outside;
+/// never 0 for a d that makes a convex quadrangle with them.
+///
+/// On a lattice four points on one circle are the rule, and a triangulation has to cut all of them in ways that fit
+/// together. Circles here are therefore those of the metric x^2 + y^2 + e x y + e^2 x^2 with e > 0 infinitely small:
+/// the mesh is the Delaunay triangulation after a shear too small to see. Two quadrangles that all three terms leave
+/// undecided would need parallel diagonals, which no quadrangle has. The rule depends on the places of the points
+/// alone: not on their order, not on the search that finds them, not on where the origin is.
+int InCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
+}
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonAlgorithm
+ * @brief   what all stages that work on horizons have in common
+ *
+ * A horizon is a vtkPolyData with the lattice in its field data (see Documentation/DataModel.md). A stage takes one
+ * horizon, or a composite dataset of them, and gives the same kind of dataset with the same structure and names. A
+ * subclass only says what happens to one horizon.
+ *
+ * A horizon without points gives an empty result. When one horizon can not be processed, one error names it and says
+ * what was found and what was expected, and the whole output stays empty: never a half result. Progress runs over all
+ * horizons, and a request to stop is obeyed between and within them.
+ *
+ * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonRoughSimplification
+ * vtkHorizonTriangulation
+ */
+
+#ifndef vtkHorizonAlgorithm_h
+#define vtkHorizonAlgorithm_h
+
+#include "vtkDataObjectAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+namespace SeismicHorizons
+{
+class Monitor;
+}
+class vtkPolyData;
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonAlgorithm : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHorizonAlgorithm, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The output as a single horizon; null when it is a composite dataset.
+  vtkPolyData* GetPolyDataOutput();
+
+protected:
+  vtkHorizonAlgorithm() = default;
+  ~vtkHorizonAlgorithm() override = default;
+
+  /// Turns one horizon that has points into another. Throws SeismicHorizons::InputError on input that breaks the
+  /// contract of the stage.
+  virtual void ProcessHorizon(
+    vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) = 0;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHorizonAlgorithm(const vtkHorizonAlgorithm&) = delete;
+  void operator=(const vtkHorizonAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonBoundarySimplification.h"
+
+#include "BoundarySimplification.h"
+#include "DataModel.h"
+#include "HorizonData.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+using namespace SeismicHorizons;
+
+std::vector<SpacePoint> ToSpacePoints(const LatticePoints& points)
+{
+  std::vector<SpacePoint> places;
+  places.reserve(points.Plane.size());
+  for (std::size_t point = 0; point < points.Plane.size(); ++point)
+  {
+    places.push_back({ points.Grid.ToLatticeUnits(points.Plane[point].X),
+      points.Grid.ToLatticeUnits(points.Plane[point].Y), points.Height[point] });
+  }
+  return places;
+}
+
+/// Closes the ranks of the points that stay.
+Reduction ToReduction(const BoundarySimplification& simplified, const LatticePoints& points)
+{
+  Reduction reduction;
+  std::vector<PointId> number(simplified.Target.size(), NoPoint);
+  for (std::size_t point = 0; point < number.size(); ++point)
+  {
+    if (simplified.Target[point] == PointId(point))
+    {
+      number[point] = PointId(reduction.Source.size());
+      reduction.Source.push_back(PointId(point));
+      reduction.Plane.push_back(points.Plane[point]);
+      reduction.Height.push_back(points.Height[point]);
+    }
+  }
+  reduction.Averaged.assign(reduction.Source.size(), false);
+  for (const PointId target : simplified.Target)
+  {
+    reduction.Target.push_back(number[std::size_t(target)]);
+  }
+  reduction.Boundary = simplified.Boundary.Renumbered(number);
+  return reduction;
+}
+
+void AddDeviation(double deviation, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(FieldArray::BoundaryDeviation);
+  array->InsertNextValue(deviation);
+  output->GetFieldData()->AddArray(array);
+}
+}
+
+vtkStandardNewMacro(vtkHorizonBoundarySimplification);
+
+//------------------------------------------------------------------------------
+void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonBoundarySimplification::ProcessHorizon(
+  vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+{
+  const LatticePoints points = ReadPoints(input);
+  monitor.Progress(0.2);
+  const BoundarySimplification simplified =
+    SimplifyBoundary(ToSpacePoints(points), ReadBoundary(input), this->DistanceThreshold, monitor.Step(0.2, 0.7));
+  WriteReduction(input, points.Grid, ToReduction(simplified, points), Merging::DropsPoints, output);
+  AddDeviation(simplified.Deviation, output);
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonBoundarySimplification
+ * @brief   fewer points on the outlines of a horizon, where they run straight
+ *
+ * Input: what vtkHorizonExteriorBoundary gives. Output: the same without the boundary points that were dropped, which
+ * leave the surface altogether; points inside are untouched. PointCount of a dropped point goes to the nearer end of
+ * the boundary edge that now spans it. New field data:
+ *  - BoundaryDeviation (1 double): the largest distance in space, in lattice units, of a dropped point to the edge
+ *    that spans it.
+ *
+ * A loop is split into runs that are straight seen from above; the ends of a run stay. Within a run the middle one of
+ * three points in succession is dropped when its distance in space from the line through the other two is less than
+ * DistanceThreshold, pass after pass until nothing is dropped (thesis 3.4, Alg. 3.3). So the outline seen from above
+ * does not change at all. Points where a loop touches itself, and the points of spurs, stay.
+ *
+ * @warning The threshold holds for each single step. Over many passes distances add up, and the largest can exceed it:
+ * BoundaryDeviation says by how much. Outlines that run slantwise over the lattice are staircases without straight
+ * runs, and stay as they are.
+ *
+ * Errors: a threshold below 0, no boundary loops, no lattice in the field data.
+ *
+ * @sa vtkHorizonExteriorBoundary vtkHorizonRoughSimplification
+ */
+
+#ifndef vtkHorizonBoundarySimplification_h
+#define vtkHorizonBoundarySimplification_h
+
+#include "vtkHorizonAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonBoundarySimplification : public vtkHorizonAlgorithm
+{
+public:
+  static vtkHorizonBoundarySimplification* New();
+  vtkTypeMacro(vtkHorizonBoundarySimplification, vtkHorizonAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * A boundary point nearer than this to the line through its two neighbours is dropped (thesis: t). In lattice units:
+   * 1 is one column sideways or one vertical index up or down. At least 0, and 0 drops nothing. Default: 0.4.
+   */
+  vtkSetMacro(DistanceThreshold, double);
+  vtkGetMacro(DistanceThreshold, double);
+  ///@}
+
+protected:
+  vtkHorizonBoundarySimplification() = default;
+  ~vtkHorizonBoundarySimplification() override = default;
+
+  void ProcessHorizon(
+    vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonBoundarySimplification(const vtkHorizonBoundarySimplification&) = delete;
+  void operator=(const vtkHorizonBoundarySimplification&) = delete;
+
+  double DistanceThreshold = 0.4;
+};
+
+#endif
