@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What must be true of boundaries and meshes, checked with none of the code that makes them. Each check gives an empty
+// text when all is well, else what is wrong first.
+
+#ifndef SeismicHorizonsMeshChecker_h
+#define SeismicHorizonsMeshChecker_h
+
+#include "BoundedHorizon.h"
+#include "ExteriorBoundary.h"
+#include "Types.h"
+
+#include <string>
+#include <vector>
+
+namespace MeshChecker
+{
+/// Loops hop between neighbouring columns, do not cross themselves, run clockwise from their least point, and visit
+/// just those points of a patch that have empty outside beside them; patches are what hangs together once enclosed
+/// holes are filled.
+std::string CheckExteriorBoundary(
+  const std::vector<SeismicHorizons::PlanePoint>& columns, const SeismicHorizons::ExteriorBoundary& boundary);
+
+/// Whether a place is inside a set of loops, on them, or outside: 1, 0 or -1.
+int Locate(const std::vector<SeismicHorizons::PlanePoint>& places, const SeismicHorizons::Loops& boundary,
+  const SeismicHorizons::PlanePoint& place);
+
+/// Triangles turn counter-clockwise; every edge has at most one triangle on each side; the edges with one triangle are
+/// the boundary hops; areas sum to that of the boundary (with the former: no overlap, nothing outside, no gap); all
+/// points are used; every other edge is locally Delaunay; Euler's formula holds patch by patch.
+std::string CheckMesh(const SeismicHorizons::BoundedHorizon& horizon,
+  const std::vector<SeismicHorizons::PointId>& triangles);
+}
+
+#endif

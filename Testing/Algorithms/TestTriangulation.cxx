@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Check.h"
+#include "MeshChecker.h"
+#include "RoughSimplification.h"
+#include "TestHorizons.h"
+#include "Triangulation.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+using namespace TestHorizons;
+
+namespace
+{
+BoundedHorizon FromPicture(const std::vector<std::string>& picture)
+{
+  const Patches::Columns columns = Patches::FromPicture(picture);
+  return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+}
+
+/// A horizon of one patch with one loop over its first points.
+BoundedHorizon FromPolygon(const std::vector<PlanePoint>& places, int loopLength)
+{
+  BoundedHorizon horizon;
+  horizon.Plane = places;
+  horizon.Height.assign(places.size(), 0.0);
+  horizon.Patch.assign(places.size(), 0);
+  horizon.Count.assign(places.size(), 1);
+  for (int point = 0; point < loopLength; ++point)
+  {
+    horizon.Boundary.Append(point);
+  }
+  horizon.Boundary.Close();
+  return horizon;
+}
+
+std::string Mesh(const BoundedHorizon& horizon)
+{
+  return MeshChecker::CheckMesh(horizon, Triangulate(horizon));
+}
+
+void TestSmallMeshes()
+{
+  CHECK(Triangulate(FromPicture({ "#" })).empty());
+  CHECK(Triangulate(FromPicture({ "####" })).empty());
+  CHECK_EQUAL(Triangulate(FromPicture({ "##", "##" })).size(), 6u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "##", "#." })).size(), 3u);
+  // Four triangles around the middle one, eight when its square is full, two fewer when it is missing.
+  CHECK_EQUAL(Triangulate(FromPicture({ ".#.", "###", ".#." })).size(), 12u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "###", "###", "###" })).size(), 24u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "###", "#.#", "###" })).size(), 18u);
+}
+
+/// By hand: of the quadrangle's two diagonals the one that leaves the circles empty.
+void TestDelaunayDiagonal()
+{
+  const std::vector<PointId> triangles = Triangulate(FromPolygon({ { 0, 0 }, { 5, 2 }, { 10, 0 }, { 5, -2 } }, 4));
+  CHECK_EQUAL(triangles.size(), 6u);
+  // Both triangles have the short diagonal from point 1 to point 3.
+  CHECK_EQUAL(std::count(triangles.begin(), triangles.end(), 1), 2);
+  CHECK_EQUAL(std::count(triangles.begin(), triangles.end(), 3), 2);
+}
+
+/// An edge that is not Delaunay, but a boundary: a deep notch whose tip lies in the circles around it.
+void TestConstrainedEdges()
+{
+  const BoundedHorizon notch =
+    FromPolygon({ { 0, 0 }, { 0, 40 }, { 19, 40 }, { 20, 3 }, { 21, 40 }, { 40, 40 }, { 40, 0 }, { 20, 1 } }, 7);
+  CHECK_EQUAL(Mesh(notch), std::string());
+}
+
+void TestRandomPatches()
+{
+  Patches::Random random(4);
+  for (int shape = 0; shape < int(Patches::Shape::Count); ++shape)
+  {
+    for (int n = 0; n < 200; ++n)
+    {
+      const Patches::Columns columns = Patches::Make(Patches::Shape(shape), random);
+      const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
+      CHECK_EQUAL(Mesh(full), std::string());
+      const BoundedHorizon straight =
+        Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+      CHECK_EQUAL(Mesh(straight), std::string());
+      const BoundedHorizon rough = Reduce(straight, SimplifyRough(straight, 1 + random.Below(7)));
+      CHECK_EQUAL(Mesh(rough), std::string());
+      CHECK_EQUAL(Mesh(Reduce(rough, SimplifyRough(rough, 1 + random.Below(9)))), std::string());
+    }
+  }
+}
+
+/// Points at random inside a square frame, many of them nearly on one line or on one circle.
+void TestHardPoints()
+{
+  Patches::Random random(5);
+  for (int n = 0; n < 300; ++n)
+  {
+    const std::int32_t size = 1 << (4 + random.Below(25));
+    std::vector<PlanePoint> places = { { 0, 0 }, { 0, size }, { size, size }, { size, 0 } };
+    std::set<PlanePoint> taken(places.begin(), places.end());
+    for (int point = 0; point < 60; ++point)
+    {
+      const double angle = 6.2831853 * random.Fraction();
+      const double along = 0.1 + 0.8 * random.Fraction();
+      const PlanePoint place = n % 3 == 0
+        ? PlanePoint{ std::int32_t(size * along), std::int32_t(size * along) + random.Below(2) }
+        : (n % 3 == 1 ? PlanePoint{ std::int32_t(size * (0.5 + 0.4 * std::cos(angle))),
+                          std::int32_t(size * (0.5 + 0.4 * std::sin(angle))) }
+                      : PlanePoint{ 1 + random.Below(size - 1), 1 + random.Below(size - 1) });
+      if (place.X > 0 && place.Y > 0 && place.X < size && place.Y < size && taken.insert(place).second)
+      {
+        places.push_back(place);
+      }
+    }
+    CHECK_EQUAL(Mesh(FromPolygon(places, 4)), std::string());
+  }
+}
+
+/// Triangles with the numbers their points had before they were put into another order, sorted.
+std::set<std::array<PointId, 3>> Canonical(const std::vector<PointId>& triangles, const std::vector<PointId>& number)
+{
+  std::set<std::array<PointId, 3>> result;
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    std::array<PointId, 3> triangle;
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      triangle[n] = number[std::size_t(triangles[corner + n])];
+    }
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    result.insert(triangle);
+  }
+  return result;
+}
+
+void TestOrderOfPointsIsNoMatter()
+{
+  Patches::Random random(6);
+  for (int n = 0; n < 100; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape::Blob, random);
+    const std::size_t size = columns.size();
+    std::vector<PointId> same(size);
+    std::vector<PointId> reversed(size);
+    for (std::size_t point = 0; point < size; ++point)
+    {
+      same[point] = PointId(point);
+      reversed[point] = PointId(size - 1 - point);
+    }
+    const Patches::Columns turned(columns.rbegin(), columns.rend());
+    const std::vector<double> heights(size, 0.0);
+    CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)), same) ==
+      Canonical(Triangulate(MakeHorizon(turned, heights)), reversed));
+  }
+}
+
+void TestErrors()
+{
+  const std::vector<PlanePoint> square = { { 0, 0 }, { 0, 8 }, { 8, 8 }, { 8, 0 } };
+  std::vector<PlanePoint> places = square;
+  places.push_back({ 3, 3 });
+  places.push_back({ 3, 3 });
+  CHECK_THROWS_WITH(Triangulate(FromPolygon(places, 4)), "points 4 and 5 in one place in plan");
+  places = square;
+  places.push_back({ 0, 3 });
+  CHECK_THROWS_WITH(Triangulate(FromPolygon(places, 4)), "point 4 lies on boundary edge 0 - 1");
+  places = square;
+  places.push_back({ 9, 3 });
+  CHECK_THROWS_WITH(Triangulate(FromPolygon(places, 4)), "point 4 lies outside the boundary of its patch");
+  CHECK_THROWS_WITH(Triangulate(FromPolygon({ { 0, 0 }, { 8, 8 }, { 0, 8 }, { 8, 0 } }, 4)),
+    "boundary edge 2 - 3 crosses boundary edge 0 - 1");
+  // The same square the wrong way round.
+  CHECK_THROWS_WITH(
+    Triangulate(FromPolygon({ { 0, 0 }, { 8, 0 }, { 8, 8 }, { 0, 8 } }, 4)), "no surface to the left of the edge");
+  BoundedHorizon horizon = FromPolygon(square, 4);
+  horizon.Patch[2] = 1;
+  CHECK_THROWS_WITH(Triangulate(horizon), "boundary loop 0 runs from patch 0 to patch 1 at point 2");
+  horizon.Patch[2] = -5;
+  CHECK_THROWS_WITH(Triangulate(horizon), "patch numbers from -5 to 0, expected numbers from 0");
+}
+
+void TestAbort()
+{
+  const Monitor stop([](double) { return false; });
+  CHECK_THROWS_WITH(Triangulate(FromPicture({ "###", "###" }), stop), "stopped on request");
+}
+}
+
+int TestTriangulation(int, char*[])
+{
+  TestSmallMeshes();
+  TestDelaunayDiagonal();
+  TestConstrainedEdges();
+  TestRandomPatches();
+  TestHardPoints();
+  TestOrderOfPointsIsNoMatter();
+  TestErrors();
+  TestAbort();
+  return Check::Result();
+}
