@@ -6,11 +6,11 @@
 #include "AdvancingFront.h"
 #include "CellGrid.h"
 #include "Errors.h"
+#include "FullBlocks.h"
 #include "ThirdPointSearch.h"
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 namespace SeismicHorizons
 {
@@ -154,6 +154,8 @@ public:
   void Run(const Monitor& monitor)
   {
     this->AddBoundary();
+    this->AddFullBlocks();
+    monitor.Progress(0.5);
     const std::size_t expected = 2 * this->Used.size();
     const std::size_t begin = this->Triangles.size();
     Hop edge;
@@ -162,7 +164,7 @@ public:
       const std::size_t made = (this->Triangles.size() - begin) / 3;
       if (made % 4096 == 0)
       {
-        monitor.Progress(std::min(1.0, double(made) / double(expected)));
+        monitor.Progress(std::min(1.0, 0.5 + 0.5 * double(made) / double(expected)));
       }
       const PointId third = this->Search.Find(edge.From, edge.To);
       // By Euler's formula a plane mesh has less than two triangles per point.
@@ -187,10 +189,7 @@ private:
       [this](PointId from, PointId to)
       {
         this->Used[std::size_t(from)] = true;
-        if (!this->Front.Remove(from, to))
-        {
-          this->Front.Add(to, from);
-        }
+        this->AddSide(from, to);
       });
     for (std::size_t loop = 0; loop < this->TriangulatedPatch.Boundary.Size(); ++loop)
     {
@@ -198,19 +197,35 @@ private:
     }
   }
 
+  void AddFullBlocks()
+  {
+    const FullBlocks blocks(this->TriangulatedPatch.Places, this->TriangulatedPatch.Boundary);
+    blocks.Visit([this](PointId a, PointId b, PointId c) { this->AddCorners(a, b, c); },
+      [this](PointId from, PointId to) { this->AddSide(from, to); });
+  }
+
   void AddTriangle(PointId a, PointId b, PointId c)
+  {
+    this->AddCorners(a, b, c);
+    this->AddSide(b, c);
+    this->AddSide(c, a);
+  }
+
+  void AddCorners(PointId a, PointId b, PointId c)
   {
     for (const PointId point : { a, b, c })
     {
       this->Used[std::size_t(point)] = true;
       this->Triangles.push_back(this->TriangulatedPatch.Points[std::size_t(point)]);
     }
-    for (const auto& side : { std::make_pair(b, c), std::make_pair(c, a) })
+  }
+
+  /// A side of a triangle to its left: either it waited for this triangle, or its reverse waits for another one now.
+  void AddSide(PointId from, PointId to)
+  {
+    if (!this->Front.Remove(from, to))
     {
-      if (!this->Front.Remove(side.first, side.second))
-      {
-        this->Front.Add(side.second, side.first);
-      }
+      this->Front.Add(to, from);
     }
   }
 

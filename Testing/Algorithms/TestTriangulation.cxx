@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <set>
 
 using namespace TestHorizons;
@@ -157,6 +158,26 @@ void TestOrderOfPointsIsNoMatter()
   }
 }
 
+/// Full blocks are cut without a search. Three times as far apart, points have no neighbouring columns, and all
+/// triangles are searched for: the mesh must be the same.
+void TestFullBlocksAreWhatTheSearchFinds()
+{
+  Patches::Random random(9);
+  for (int n = 0; n < 300; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+    std::vector<PointId> same(columns.size());
+    std::iota(same.begin(), same.end(), 0);
+    const auto blocks = Canonical(Triangulate(horizon), same);
+    for (PlanePoint& place : horizon.Plane)
+    {
+      place = { 3 * place.X, 3 * place.Y };
+    }
+    CHECK(blocks == Canonical(Triangulate(horizon), same));
+  }
+}
+
 void TestErrors()
 {
   const std::vector<PlanePoint> square = { { 0, 0 }, { 0, 8 }, { 8, 8 }, { 8, 0 } };
@@ -197,6 +218,7 @@ int TestTriangulation(int, char*[])
   TestRandomPatches();
   TestHardPoints();
   TestOrderOfPointsIsNoMatter();
+  TestFullBlocksAreWhatTheSearchFinds();
   TestErrors();
   TestAbort();
   return Check::Result();
