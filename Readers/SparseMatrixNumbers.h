@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tokens and numbers of the sparse-matrix format, independent of the locale. All text ends in a newline, which ends
+// every token: so no function needs to know where the text ends.
+
+#ifndef SeismicHorizonsSparseMatrixNumbers_h
+#define SeismicHorizonsSparseMatrixNumbers_h
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <system_error>
+
+namespace SeismicHorizons
+{
+/// A carriage return is a blank, so lines may end the Windows way.
+inline bool IsBlank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+inline bool EndsToken(char c)
+{
+  return IsBlank(c) || c == '\n';
+}
+
+inline bool IsDigit(char c)
+{
+  return c >= '0' && c <= '9';
+}
+
+inline const char* SkipBlanks(const char* text)
+{
+  while (IsBlank(*text))
+  {
+    ++text;
+  }
+  return text;
+}
+
+/// The token that starts at `text`.
+inline std::string_view TokenAt(const char* text)
+{
+  const char* last = text;
+  while (!EndsToken(*last))
+  {
+    ++last;
+  }
+  return std::string_view(text, static_cast<std::size_t>(last - text));
+}
+
+/// Takes the digits at `text` onto `number` and returns their end.
+inline const char* ReadDigits(const char* text, std::uint64_t& number)
+{
+  for (; IsDigit(*text); ++text)
+  {
+    number = 10 * number + static_cast<std::uint64_t>(*text - '0');
+  }
+  return text;
+}
+
+/// Reads a number without exponent and of few digits, as nearly all are. Its digits are an integer that a double holds
+/// exactly, and so is the power of ten that divides them: one division rounds correctly. Returns the end of the token,
+/// or null when it is anything else.
+inline const char* ReadPlainNumber(const char* text, double& value)
+{
+  constexpr std::array<double, 20> powersOfTen = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+    1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19 };
+  constexpr std::uint64_t largestExact = std::uint64_t(1) << std::numeric_limits<double>::digits;
+  constexpr std::ptrdiff_t mostDigits = std::numeric_limits<std::uint64_t>::digits10;
+
+  const bool negative = *text == '-';
+  const char* const first = text + (negative || *text == '+' ? 1 : 0);
+  std::uint64_t digits = 0;
+  const char* last = ReadDigits(first, digits);
+  std::ptrdiff_t numberOfDigits = last - first;
+  std::ptrdiff_t decimals = 0;
+  if (*last == '.')
+  {
+    const char* const point = last;
+    last = ReadDigits(point + 1, digits);
+    decimals = last - point - 1;
+    numberOfDigits += decimals;
+  }
+  if (numberOfDigits == 0 || numberOfDigits > mostDigits || digits > largestExact || !EndsToken(*last))
+  {
+    return nullptr;
+  }
+  value = static_cast<double>(digits);
+  if (decimals > 0)
+  {
+    value /= powersOfTen[static_cast<std::size_t>(decimals)];
+  }
+  value = negative ? -value : value;
+  return last;
+}
+
+/// Tells a number too small for a double from one too large, when it is known to be one of them.
+inline bool IsTiny(std::string_view number)
+{
+  const std::size_t exponent = number.find_first_of("eE");
+  return exponent != std::string_view::npos ? number[exponent + 1] == '-'
+                                            : number.find('.') < number.find_first_of("123456789");
+}
+
+/// The token without a leading plus sign, which the standard library does not take.
+inline std::string_view WithoutPlus(std::string_view token)
+{
+  return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
+}
+
+enum class NumberKind
+{
+  Finite,
+  NotFinite,
+  NotANumber
+};
+
+inline NumberKind ReadAnyNumber(std::string_view token, double& value)
+{
+  const std::string_view number = WithoutPlus(token);
+  const char* const last = number.data() + number.size();
+  const auto [end, error] = std::from_chars(number.data(), last, value);
+  if (error == std::errc::invalid_argument || end != last)
+  {
+    return NumberKind::NotANumber;
+  }
+  if (error == std::errc::result_out_of_range)
+  {
+    value = IsTiny(number) ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  return std::isfinite(value) ? NumberKind::Finite : NumberKind::NotFinite;
+}
+
+/// A positive integer of 32 bits, or 0 when the token is anything else.
+inline int ReadPositiveInteger(std::string_view token)
+{
+  int value = 0;
+  const std::string_view number = WithoutPlus(token);
+  const char* const last = number.data() + number.size();
+  const auto [end, error] = std::from_chars(number.data(), last, value);
+  return error == std::errc() && end == last ? std::max(value, 0) : 0;
+}
+}
+
+#endif

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVerneySparseMatrixReader
+ * @brief   reads horizons from a sparse-matrix file (.vsm)
+ *
+ * The file holds the voxels of seismic horizons, column by column of a lattice of nX x nY x nZ cells, each with a
+ * vertical index, a surface ID, a thickness, an amplitude and a real z (Documentation/FileFormat.md). It is a list of
+ * voxels per column, not a sparse matrix of linear algebra; the name is that of the thesis it comes from.
+ *
+ * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, by ascending
+ * surface ID, named "Horizon <ID>". Its partition is a vtkPolyData with one point and one vertex cell per voxel.
+ *
+ * Point data, one component each:
+ * - SurfaceId (int): the ID of the horizon
+ * - VerticalIndex (int): k, from 0 to nZ - 1
+ * - Thickness, Amplitude, RealZ (double): as in the file
+ * - PointCount (vtkIdType): the number of input points a point stands for, here 1
+ *
+ * Field data, one tuple each:
+ * - LatticeDimensions (int, 3 components): nX, nY, nZ
+ * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row. Its columns
+ *   are (ColumnStep, 0), (RowStep, 0), (0, 0, VerticalStep) and Origin.
+ * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
+ *   column, see DuplicatePolicy
+ *
+ * The file is read twice: first to check it and to list its horizons, then to load those that are selected. The list is
+ * kept as long as the name, the size and the modification time of the file stay. Time is linear in the size of the
+ * file. The peak of memory is 36 bytes per loaded voxel plus 72 bytes per voxel of the output; what was loaded is freed
+ * horizon by horizon.
+ *
+ * When pieces are asked for, the horizons are dealt out among them in turn. In each piece the other horizons are
+ * partitioned datasets without a partition. Every process reads the whole file.
+ *
+ * A file that is missing or breaks the format gives one error, which starts with the name of the file and has the
+ * number of the line; the output is empty then.
+ *
+ * @sa vtkHorizonExteriorBoundary
+ */
+
+#ifndef vtkVerneySparseMatrixReader_h
+#define vtkVerneySparseMatrixReader_h
+
+#include "vtkNew.h" // for the selection
+#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+
+namespace SeismicHorizons
+{
+class Monitor;
+}
+class vtkDataArraySelection;
+
+class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkPartitionedDataSetCollectionAlgorithm
+{
+public:
+  static vtkVerneySparseMatrixReader* New();
+  vtkTypeMacro(vtkVerneySparseMatrixReader, vtkPartitionedDataSetCollectionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The path of the file, in UTF-8. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /**
+   * 1 when the first line of the file is what the format asks for: three positive integers, apart by blanks, within the
+   * first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of the file is looked at.
+   */
+  int CanReadFile(VTK_FILEPATH const char* fileName);
+
+  /// Where the z coordinate of a point comes from.
+  enum ElevationSource
+  {
+    VerticalIndex = 0,
+    RealZ = 1
+  };
+
+  ///@{
+  /**
+   * The z coordinate of the points. VerticalIndex: Origin's z plus VerticalStep times the vertical index. RealZ: the
+   * real z of the voxel as in the file, in its unit. LatticeToWorld does not depend on it. Default: VerticalIndex.
+   */
+  vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
+  vtkGetMacro(Elevation, int);
+  void SetElevationToVerticalIndex() { this->SetElevation(VerticalIndex); }
+  void SetElevationToRealZ() { this->SetElevation(RealZ); }
+  ///@}
+
+  ///@{
+  /**
+   * The world coordinates of the centre of cell (0, 0, 0). Finite. Default: 0, 0, 0.
+   */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /**
+   * The step in x and y from a cell to the next one along i, in world units. Finite, and not parallel to RowStep.
+   * Default: 1, 0.
+   */
+  vtkSetVector2Macro(ColumnStep, double);
+  vtkGetVector2Macro(ColumnStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * The step in x and y from a cell to the next one along j, in world units. Finite, and not parallel to ColumnStep.
+   * Default: 0, 1.
+   */
+  vtkSetVector2Macro(RowStep, double);
+  vtkGetVector2Macro(RowStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * The step in z from a vertical index to the next one, in world units. Finite, not 0; negative when the indices count
+   * downwards. Default: 1.
+   */
+  vtkSetMacro(VerticalStep, double);
+  vtkGetMacro(VerticalStep, double);
+  ///@}
+
+  /// Which voxel stays when a horizon has several in one column.
+  enum DuplicateChoice
+  {
+    StrongestAmplitude = 0,
+    Topmost = 1,
+    Lowest = 2
+  };
+
+  ///@{
+  /**
+   * Which voxel stays when a horizon has several in one column. StrongestAmplitude: the one of largest absolute
+   * amplitude, of equal ones that of smallest vertical index. Topmost: that of smallest vertical index. Lowest: that of
+   * largest vertical index. The others are left out and counted in DroppedDuplicates. Default: StrongestAmplitude.
+   */
+  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Lowest);
+  vtkGetMacro(DuplicatePolicy, int);
+  void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
+  void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
+  void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
+  ///@}
+
+  ///@{
+  /**
+   * Which horizons are loaded, by the names "Horizon <ID>". UpdateInformation() fills the list. A choice stays when the
+   * file changes but still has that horizon, and may be made before the list is there. Default: all enabled.
+   */
+  vtkDataArraySelection* GetHorizonSelection();
+  int GetNumberOfHorizons();
+  const char* GetHorizonName(int index);
+  int GetHorizonStatus(const char* name);
+  void SetHorizonStatus(const char* name, int status);
+  void EnableAllHorizons();
+  void DisableAllHorizons();
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkVerneySparseMatrixReader();
+  ~vtkVerneySparseMatrixReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkVerneySparseMatrixReader(const vtkVerneySparseMatrixReader&) = delete;
+  void operator=(const vtkVerneySparseMatrixReader&) = delete;
+
+  template <typename Work>
+  int Guard(vtkInformationVector* outputVector, Work work);
+  void CheckParameters() const;
+  void UpdateSummary(const SeismicHorizons::Monitor& monitor);
+  void Load(int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output);
+
+  char* FileName = nullptr;
+  int Elevation = VerticalIndex;
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double ColumnStep[2] = { 1.0, 0.0 };
+  double RowStep[2] = { 0.0, 1.0 };
+  double VerticalStep = 1.0;
+  int DuplicatePolicy = StrongestAmplitude;
+  vtkNew<vtkDataArraySelection> HorizonSelection;
+
+  struct FileSummary;
+  std::unique_ptr<FileSummary> Summary; // what the last scan found
+};
+
+#endif

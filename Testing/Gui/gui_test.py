@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drives the window of ParaView through a script of events, and compares what its view shows.
+
+Every event of the script has to find its menu entry, button or field.
+"""
+
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import image_compare
+
+
+def fill_in(template, script, values):
+    text = template.read_text(encoding="utf-8")
+    for key, value in values.items():
+        text = text.replace("@%s@" % key, value)
+    script.write_text(text, encoding="utf-8")
+
+
+def play(paraview, script, folder):
+    """Plays the script and returns the picture of the view.
+
+    ParaView writes the picture when it finds no baseline, so it is given none: its own comparison is too lenient.
+    The exit code says no more than that, and the log tells whether all events found their object.
+    """
+    home = folder / "home"
+    home.mkdir()
+    os.chmod(home, 0o700)
+    environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home), XDG_RUNTIME_DIR=str(home))
+    command = [paraview, "--dr", "--test-directory=%s" % folder, "--test-script=%s" % script,
+               "--test-baseline=%s" % (folder / "no-such-baseline.png"), "--test-threshold=1", "--exit"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=100, env=environment)
+    log = done.stdout + done.stderr
+    picture = image_compare.load(folder / "no-such-baseline.png")
+    if "Success =  true" not in log or "critical:" in log or picture is None:
+        print(log)
+        sys.exit("the script was not played to its end")
+    return picture
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--paraview", required=True)
+    parser.add_argument("--template", type=pathlib.Path, required=True)
+    parser.add_argument("--data", type=pathlib.Path, required=True)
+    parser.add_argument("--output", type=pathlib.Path, required=True)
+    parser.add_argument("--changed", action="store_true")
+    options = parser.parse_args()
+    name = "Gui-" + options.template.name.split(".")[0] + ("-changed" if options.changed else "")
+    folder = options.output / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    script = folder / "events.xml"
+    fill_in(options.template, script, {
+        "SAMPLE": str(options.data / "sample.vsm"), "CELL_SIZE": "4" if options.changed else "3"})
+    picture = play(options.paraview, script, folder)
+    baseline = options.data / "Baseline" / (name.replace("-changed", "") + ".png")
+    sys.exit(0 if image_compare.check(picture, baseline, options.output, name, options.changed) else 1)
+
+
+if __name__ == "__main__":
+    main()

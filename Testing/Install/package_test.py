@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The installed Python package does the whole way. Arguments: the install prefix and the folder of the data."""
+
+import pathlib
+import sys
+
+import seismichorizons
+
+import mesh_checks
+import pipelines
+
+
+def main():
+    prefix, data = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    assert prefix in pathlib.Path(seismichorizons.__file__).resolve().parents, seismichorizons.__file__
+    maps = pathlib.Path("/proc/self/maps").read_text(encoding="utf-8")
+    libraries = {line.split()[-1] for line in maps.splitlines() if "libvtkSeismicHorizons" in line}
+    assert libraries and all(str(prefix) in library for library in libraries), libraries
+    meshes = mesh_checks.blocks(pipelines.with_classes(data / "sample.vsm")[-1])
+    assert len(meshes) >= 2
+    for name, mesh in meshes.items():
+        print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
+
+
+main()

@@ -1,0 +1,156 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The batch program as a user runs it. Arguments: program, folder of the data, work folder, then the interpreter."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import image_compare
+import mesh_checks
+import wrong_files
+
+PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+INTERPRETER = sys.argv[4:]
+SAMPLE = DATA / "sample.vsm"
+
+
+def run(*arguments, **environment):
+    command = [*INTERPRETER, str(PROGRAM), *(str(a) for a in arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=100, env={**os.environ, **environment})
+    # Some versions of OpenMPI remark on the machine they run on.
+    errors = [line for line in done.stderr.splitlines() if line.startswith("horizon_mesh: ")]
+    return done, errors
+
+
+def files(folder):
+    return sorted(p.name for p in folder.iterdir()) if folder.exists() else []
+
+
+def read(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+class BatchTest(unittest.TestCase):
+    def setUp(self):
+        self.output = FOLDER / self.id().split(".")[-1]
+        shutil.rmtree(self.output, ignore_errors=True)
+
+    def succeed(self, *arguments):
+        done, errors = run("--output-folder", self.output, *arguments)
+        self.assertEqual((done.returncode, errors), (0, []), done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        return done
+
+    def fail(self, *arguments, **environment):
+        """Runs the program with a wrong input and returns its one message."""
+        done, errors = run("--output-folder", self.output, *arguments, **environment)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(len(errors), 1, done.stderr)
+        self.assertTrue(errors[0].startswith("horizon_mesh: error: "), done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        self.assertNotIn("ERR|", done.stderr)
+        return errors[0]
+
+    def test_sample(self):
+        done = self.succeed(SAMPLE)
+        meshes = sorted(self.output.glob("*.vtp"))
+        self.assertGreaterEqual(len(meshes), 2)
+        self.assertEqual(files(self.output), sorted([m.name for m in meshes] + ["sample.png"]))
+        for path in meshes:
+            self.assertRegex(path.name, r"^sample_horizon_\d+\.vtp$")
+            mesh = read(path)
+            self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+            row = next(line.split() for line in done.stdout.splitlines()
+                       if line.split()[:1] == [path.stem.split("_")[-1]])
+            self.assertEqual(int(row[1]), mesh_checks.array(mesh, "PointCount").sum())
+            self.assertEqual([int(row[5]), int(row[6])], [mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()])
+        picture = image_compare.load(self.output / "sample.png")
+        self.assertEqual(picture.shape[1], 5 * 480)
+        self.assertGreater(len(set(map(tuple, picture[::7, ::7].reshape(-1, 3)))), 100)
+
+    def test_options(self):
+        self.succeed(SAMPLE, "--no-pictures", "--threads", "1", "--horizons", "1", "--elevation", "RealZ",
+                     "--duplicate-policy", "Lowest", "--origin", "10", "20", "30", "--column-step", "2", "1",
+                     "--row-step", "-1", "2", "--vertical-step", "-4", "--distance-threshold", "0", "--skip-rough")
+        self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
+        mesh = read(self.output / "sample_horizon_1.vtp")
+        self.assertEqual(mesh_checks.array(mesh, "PointCount").sum(), mesh.GetNumberOfPoints())
+        self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+
+    def test_any_number_of_threads(self):
+        bytes_of = []
+        for threads in ("1", "2"):
+            self.succeed(SAMPLE, "--no-pictures", "--threads", threads, "--horizons", "1")
+            bytes_of.append((self.output / "sample_horizon_1.vtp").read_bytes())
+        self.assertEqual(*bytes_of)
+
+    def test_folder_with_a_wrong_file(self):
+        """The good file of a folder is done although another one is wrong."""
+        folder = self.output.with_name("mixed")
+        folder.mkdir(parents=True, exist_ok=True)
+        shutil.copy(SAMPLE, folder / "good.vsm")
+        (folder / "bad.vsm").write_bytes(b"1 1\n")
+        message = self.fail(folder, "--no-pictures", "--horizons", "1")
+        self.assertIn("bad.vsm", message)
+        self.assertEqual(files(self.output), ["good_horizon_1.vtp"])
+
+    def test_wrong_files(self):
+        for path, parts in wrong_files.write(FOLDER / "wrong"):
+            if path.is_dir():
+                parts = [path.name]
+            with self.subTest(path.name):
+                message = self.fail(path)
+                for part in parts:
+                    self.assertIn(part, message)
+                self.assertEqual(files(self.output), [])
+
+    def test_no_such_horizon(self):
+        message = self.fail(SAMPLE, "--horizons", "4711")
+        self.assertIn("4711", message)
+        self.assertEqual(files(self.output), [])
+
+    def test_no_display(self):
+        message = self.fail(SAMPLE, DISPLAY=":4711")
+        self.assertIn("--no-pictures", message)
+        self.assertEqual(files(self.output), [])
+
+    def test_output_folder_is_a_file(self):
+        self.output.parent.mkdir(parents=True, exist_ok=True)
+        self.output.write_text("in the way")
+        self.assertIn(self.output.name, self.fail(SAMPLE))
+        self.output.unlink()
+
+    def test_wrong_options(self):
+        for arguments in (["--cell-size", "0"], ["--cell-size", "two"], ["--distance-threshold", "-1"],
+                          ["--distance-threshold", "nan"], ["--vertical-step", "0"], ["--elevation", "Depth"],
+                          ["--no-such-option"], ["--column-step", "1"], ["--column-step", "0", "1"]):
+            with self.subTest(arguments):
+                self.fail(SAMPLE, *arguments)
+                self.assertEqual(files(self.output), [])
+
+    def test_same_results_twice(self):
+        other = self.output.with_name("other")
+        other.mkdir(parents=True, exist_ok=True)
+        shutil.copy(SAMPLE, other)
+        self.assertIn("same results", self.fail(SAMPLE, other))
+
+    def test_help(self):
+        done, errors = run("--help")
+        self.assertEqual((done.returncode, errors), (0, []))
+        for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
+                       "--column-step", "--row-step", "--vertical-step", "--duplicate-policy", "--horizons",
+                       "--skip-rough", "--no-pictures", "--threads"):
+            self.assertIn(option, done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["batch_test"], verbosity=2)

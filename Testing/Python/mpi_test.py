@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvbatch on two ranks: the horizons are dealt to the ranks, and the result is that of one process.
+
+Arguments: the folder of the data and a folder for results.
+"""
+
+import pathlib
+import sys
+
+from paraview import servermanager, simple
+from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
+
+import mesh_checks
+import pipelines
+
+
+def ranks_with_points(proxy, ranks):
+    """How many points each rank has."""
+    return [proxy.GetRankDataInformation(rank).GetNumberOfPoints() for rank in range(ranks)]
+
+
+def gather(proxy, path):
+    """The horizons of all ranks, by way of a file that all of them write."""
+    simple.SaveData(str(path), proxy)
+    reader = vtkXMLPartitionedDataSetCollectionReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return mesh_checks.blocks(reader.GetOutputDataObject(0))
+
+
+def main():
+    folder = pathlib.Path(sys.argv[2])
+    folder.mkdir(exist_ok=True)
+    sample = pathlib.Path(sys.argv[1]) / "sample.vsm"
+    ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+    assert ranks == 2, "%d ranks, expected 2" % ranks
+    proxies = pipelines.with_proxies(sample)
+    for proxy, serial in zip(proxies, pipelines.with_classes(sample)):
+        expected = mesh_checks.blocks(serial)
+        gathered = gather(proxy, folder / (proxy.GetXMLName() + ".vtpc"))
+        assert sorted(gathered) == sorted(expected), (gathered.keys(), expected.keys())
+        for name, horizon in expected.items():
+            pipelines.assert_same(gathered[name], horizon)
+        shares = ranks_with_points(proxy, ranks)
+        print("%s: points per rank %s" % (proxy.GetXMLName(), shares))
+        assert all(shares) and sum(shares) == sum(h.GetNumberOfPoints() for h in expected.values()), shares
+
+
+main()

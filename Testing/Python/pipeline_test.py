@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvpython: from file to mesh through the proxies of ParaView. Argument: the folder of the data."""
+
+import pathlib
+import sys
+
+# Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
+import seismichorizons  # noqa: F401
+
+import mesh_checks
+import pipelines
+
+
+def fetch(proxy):
+    """The data of a proxy; the server is this process itself, so they are at hand."""
+    return mesh_checks.blocks(proxy.GetClientSideObject().GetOutputDataObject(0))
+
+
+def check_arrays(number, horizon):
+    expected = pipelines.POINT_ARRAYS + (pipelines.BOUNDARY_ARRAYS if number else ())
+    for name in expected:
+        assert horizon.GetPointData().GetArray(name) is not None, "stage %d lacks %s" % (number, name)
+    for name in pipelines.FIELD_ARRAYS:
+        assert horizon.GetFieldData().GetArray(name) is not None, "stage %d lacks %s" % (number, name)
+
+
+def check_counts(stages):
+    """Each stage thins out or keeps, and no point of the file is lost from the counts."""
+    points = [horizon.GetNumberOfPoints() for horizon in stages]
+    assert points[0] == points[1] >= points[2] > points[3] == points[4], points
+    total = [int(mesh_checks.array(horizon, "PointCount").sum()) for horizon in stages]
+    assert len(set(total)) == 1 and total[0] == points[0], total
+    outlines = [len(mesh_checks.loops(horizon)) for horizon in stages[1:]]
+    assert len(set(outlines)) == 1 and outlines[0] >= 1, outlines
+    dots = [sum(len(loop) for loop in mesh_checks.loops(horizon)) for horizon in stages[1:]]
+    assert dots[0] > dots[1] == dots[2] == dots[3], dots
+
+
+def check_selection(reader, names):
+    """Only the horizons that are switched on are loaded."""
+    reader.Horizons = [names[0]]
+    reader.UpdatePipeline()
+    assert list(fetch(reader)) == [names[0]]
+    reader.Horizons = names
+    reader.UpdatePipeline()
+    assert list(fetch(reader)) == names
+
+
+def check_reader_properties(reader):
+    """The panel's choices reach the reader."""
+    name, before = next(iter(fetch(reader).items()))
+    points = mesh_checks.coordinates(before).copy()
+    reader.Origin = [1000.0, 2000.0, -50.0]
+    reader.ColumnStep = [20.0, 5.0]
+    reader.RowStep = [-5.0, 20.0]
+    reader.VerticalStep = -4.0
+    reader.UpdatePipeline()
+    moved = mesh_checks.coordinates(fetch(reader)[name])
+    i, j, k = points.T
+    assert abs(moved[:, 0] - (1000.0 + 20.0 * i - 5.0 * j)).max() < 1e-9
+    assert abs(moved[:, 1] - (2000.0 + 5.0 * i + 20.0 * j)).max() < 1e-9
+    assert abs(moved[:, 2] - (-50.0 - 4.0 * k)).max() < 1e-9
+    reader.Elevation = "Real Z"
+    reader.UpdatePipeline()
+    horizon = fetch(reader)[name]
+    assert (mesh_checks.coordinates(horizon)[:, 2] == mesh_checks.array(horizon, "RealZ")).all()
+
+
+def main():
+    sample = pathlib.Path(sys.argv[1]) / "sample.vsm"
+    proxies = pipelines.with_proxies(sample)
+    outputs = [fetch(proxy) for proxy in proxies]
+    names = list(outputs[0])
+    assert len(names) >= 2 and names == sorted(names, key=lambda n: int(n.split()[-1])), names
+    for number, output in enumerate(outputs):
+        assert list(output) == names, output.keys()
+        for horizon in output.values():
+            check_arrays(number, horizon)
+    direct = mesh_checks.blocks(pipelines.with_classes(sample)[-1])
+    for name in names:
+        check_counts([output[name] for output in outputs])
+        mesh = outputs[-1][name]
+        print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
+        pipelines.assert_same(mesh, direct[name])
+    check_selection(proxies[0], names)
+    check_reader_properties(proxies[0])
+
+
+main()

@@ -1,0 +1,320 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of horizons, stage by stage: rows of panels, each showing one horizon in one style.
+
+All panels of a row share camera, vertical exaggeration and colours, so that they can be compared. Drawing needs an
+X server, but no window comes up.
+"""
+
+from collections import namedtuple
+import math
+
+import numpy as np
+# Importing these two registers the implementations of rendering and of text.
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
+    vtkWindowToImageFilter)
+
+POINTS = "points"
+OUTLINE = "outline"
+MESH = "mesh"
+
+# What a panel shows: a title, a line below it, the horizon, and one of the styles above. `behind` is a horizon whose
+# points are shown in pale grey, or None.
+Panel = namedtuple("Panel", "title caption horizon style behind", defaults=[None])
+
+PANEL_SIZE = (480, 400)
+HEIGHT_SHARE = 0.22  # height of a horizon on show, in parts of its width
+VIEW_AZIMUTH = math.radians(-62.0)
+VIEW_ELEVATION = math.radians(38.0)
+LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
+EXTERIOR_COLOR = (0.78, 0.11, 0.16)
+HOLE_COLOR = (0.95, 0.55, 0.05)
+PALE_COLOR = (0.72, 0.75, 0.79)
+TEXT_COLOR = (0.13, 0.16, 0.20)
+OUTLINE_OFFSET = -800.0  # steps of the depth buffer
+
+
+def draw(rows, text=True, panel_size=PANEL_SIZE):
+    """Draws rows of panels and returns the picture as vtkImageData."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    columns = max(len(row) for row in rows)
+    window.SetSize(columns * panel_size[0], len(rows) * panel_size[1])
+    for number, row in enumerate(rows):
+        frame = _Frame(row, panel_size)
+        bottom = 1.0 - (number + 1) / len(rows)
+        top = 1.0 - number / len(rows)
+        for column, panel in enumerate(row):
+            renderer = _renderer(frame, panel, text)
+            renderer.SetViewport(column / columns, bottom, (column + 1) / columns, top)
+            window.AddRenderer(renderer)
+    window.Render()
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    grabber.Update()
+    image = grabber.GetOutput()
+    window.Finalize()
+    return image
+
+
+def write(image, path):
+    """Writes a picture as PNG. Raises OSError when that fails."""
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+    if writer.GetErrorCode():
+        raise OSError("cannot write the picture %s" % path)
+
+
+class _Frame:
+    """What the panels of a row have in common."""
+
+    def __init__(self, row, panel_size):
+        points = [_coordinates(panel.horizon) for panel in row]
+        points = [p for p in points if len(p)] or [np.zeros((1, 3))]
+        self.points = max(points, key=len)
+        self.low = np.min([p.min(axis=0) for p in points], axis=0)
+        self.high = np.max([p.max(axis=0) for p in points], axis=0)
+        self.panel_size = panel_size
+        self.count = len(self.points)
+        # A few extreme points should not eat up the colours.
+        low, high = np.percentile(self.points[:, 2], (1.0, 99.0))
+        self.color_range = (low, max(high, low + 1e-9))
+        extent = self.high - self.low
+        width = max(extent[0], extent[1], 1e-9)
+        # Rounded, as the caption names it.
+        exaggeration = HEIGHT_SHARE * width / extent[2] if extent[2] > 0 else 1.0
+        self.exaggeration = float("%.2g" % exaggeration)
+
+    def scale(self):
+        return (1.0, 1.0, self.exaggeration)
+
+    def point_size(self):
+        """So large that the points of a full horizon just close up."""
+        pixels = 0.45 * self.panel_size[0] * self.panel_size[1]
+        return max(1.5, min(6.0, 0.9 * math.sqrt(pixels / self.count)))
+
+    def place_camera(self, camera):
+        """Looks at the horizon from above and aside, and fills the panel with it."""
+        toward = np.array([
+            math.cos(VIEW_ELEVATION) * math.cos(VIEW_AZIMUTH),
+            math.cos(VIEW_ELEVATION) * math.sin(VIEW_AZIMUTH),
+            math.sin(VIEW_ELEVATION)])
+        right = np.cross([0.0, 0.0, 1.0], toward)
+        right /= np.linalg.norm(right)
+        axes = np.column_stack([right, np.cross(toward, right), toward])
+        seen = (self.points * self.scale()) @ axes
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        center = axes @ ((low + high) / 2.0)
+        depth = max(np.linalg.norm(high - low), 1e-9)
+        width, height = self.panel_size
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(*center)
+        camera.SetPosition(*(center + 2.0 * depth * toward))
+        camera.SetViewUp(0.0, 0.0, 1.0)
+        # A little lower than the middle, for the text above it.
+        camera.SetWindowCenter(0.0, 0.08)
+        camera.SetParallelScale(max(0.65 * (high - low)[1], 0.53 * (high - low)[0] * height / width, 1e-9))
+        camera.SetClippingRange(0.5 * depth, 4.0 * depth)
+
+
+def _coordinates(horizon):
+    points = horizon.GetPoints()
+    if points is None or points.GetNumberOfPoints() == 0:
+        return np.zeros((0, 3))
+    return vtk_to_numpy(points.GetData())
+
+
+def _renderer(frame, panel, text):
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.90, 0.92, 0.95)
+    renderer.SetBackground2(0.99, 0.99, 1.0)
+    renderer.GradientBackgroundOn()
+    _light(renderer)
+    for actor in _actors(frame, panel):
+        actor.SetScale(*frame.scale())
+        renderer.AddActor(actor)
+    if text:
+        renderer.AddViewProp(_text(panel.title, 17, frame.panel_size[1] - 30, bold=True))
+        renderer.AddViewProp(_text(panel.caption, 13, frame.panel_size[1] - 50))
+        renderer.AddViewProp(_text("heights x %g" % frame.exaggeration, 11, 8))
+    frame.place_camera(renderer.GetActiveCamera())
+    return renderer
+
+
+def _light(renderer):
+    """One light low from the side brings out the relief, a weak one from the eye the shadows."""
+    renderer.AutomaticLightCreationOff()
+    side = vtkLight()
+    side.SetLightTypeToCameraLight()
+    side.SetPosition(-1.2, 0.9, 0.9)
+    side.SetIntensity(0.75)
+    renderer.AddLight(side)
+    eye = vtkLight()
+    eye.SetLightTypeToHeadlight()
+    eye.SetIntensity(0.55)
+    renderer.AddLight(eye)
+
+
+def _text(text, size, height, bold=False):
+    actor = vtkTextActor()
+    actor.SetInput(text)
+    actor.SetPosition(14, height)
+    style = actor.GetTextProperty()
+    style.SetFontSize(size)
+    style.SetBold(bold)
+    style.SetColor(*TEXT_COLOR)
+    return actor
+
+
+def _actors(frame, panel):
+    actors = []
+    if panel.behind is not None:
+        actors.append(_plain_points(panel.behind, frame.point_size(), PALE_COLOR))
+    if panel.style == POINTS:
+        actors.append(_colored_points(frame, panel.horizon))
+    elif panel.style == OUTLINE:
+        actors.extend(_outline(panel.horizon, dots=True))
+    else:
+        actors.extend(_mesh(frame, panel.horizon))
+    return actors
+
+
+def _actor(data):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputDataObject(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def _part(horizon, verts=None, lines=None, polys=None):
+    """The points of a horizon with some of its cells, and no arrays."""
+    part = vtkPolyData()
+    part.SetPoints(horizon.GetPoints())
+    part.SetVerts(verts)
+    part.SetLines(lines)
+    part.SetPolys(polys)
+    return part
+
+
+def _color_by_height(frame, actor):
+    """Colours from the height itself: every stage has it, whatever arrays it carries."""
+    data = actor.GetMapper().GetInput()
+    heights = numpy_to_vtk(np.ascontiguousarray(_coordinates(data)[:, 2]), deep=True)
+    data.GetPointData().SetScalars(heights)
+    colors = vtkColorTransferFunction()
+    low, high = frame.color_range
+    for number, color in enumerate(LOW_TO_HIGH):
+        red, green, blue = (int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
+        colors.AddRGBPoint(low + (high - low) * number / (len(LOW_TO_HIGH) - 1), red, green, blue)
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetLookupTable(colors)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOff()
+
+
+def _plain_points(horizon, size, color):
+    actor = _actor(_part(horizon, verts=horizon.GetVerts()))
+    actor.GetProperty().SetPointSize(size)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def _colored_points(frame, horizon):
+    size = frame.point_size()
+    if horizon.GetNumberOfPoints() < frame.count:
+        size = max(2.0, min(4.0, 0.6 * size * math.sqrt(frame.count / max(1, horizon.GetNumberOfPoints()))))
+    actor = _plain_points(horizon, size, PALE_COLOR)
+    if horizon.GetNumberOfPoints():
+        _color_by_height(frame, actor)
+    return actor
+
+
+def _outline(horizon, dots=False):
+    """The outlines as lines, in front of everything they lie on; with dots on their points when asked for."""
+    lines = _part(horizon, lines=horizon.GetLines())
+    kinds = horizon.GetPointData().GetArray("Boundary")
+    colors = vtkUnsignedCharArray()
+    colors.SetNumberOfComponents(3)
+    cells = horizon.GetLines()
+    for cell in range(cells.GetNumberOfCells()):
+        hole = kinds is not None and kinds.GetTuple1(_first_point(cells, cell)) == 2
+        colors.InsertNextTuple3(*(255.0 * c for c in (HOLE_COLOR if hole else EXTERIOR_COLOR)))
+    lines.GetCellData().SetScalars(colors)
+    line_actor = _actor(lines)
+    line_actor.GetMapper().ScalarVisibilityOn()
+    line_actor.GetProperty().SetLineWidth(1.5)
+    actors = [line_actor]
+    if dots:
+        # As vertices of their own: a line also has points that are drawn nowhere else.
+        dot_actor = _actor(_part(horizon, verts=_vertices(cells)))
+        dot_actor.GetProperty().SetPointSize(max(2.0, min(4.0, 1000.0 / max(1, cells.GetNumberOfConnectivityIds()))))
+        dot_actor.GetProperty().SetColor(*(0.75 * c for c in EXTERIOR_COLOR))
+        actors.append(dot_actor)
+    for actor in actors:
+        actor.GetProperty().LightingOff()
+        _bring_forward(actor.GetMapper())
+    return actors
+
+
+def _bring_forward(mapper):
+    """Before what lies at the same place, but still behind what is clearly nearer."""
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, OUTLINE_OFFSET)
+    mapper.SetRelativeCoincidentTopologyPointOffsetParameter(OUTLINE_OFFSET)
+
+
+def _vertices(cells):
+    """One vertex for each point of the cells."""
+    vertices = vtkCellArray()
+    ids = cells.GetConnectivityArray()
+    for number in range(ids.GetNumberOfTuples()):
+        vertices.InsertNextCell(1, [int(ids.GetTuple1(number))])
+    return vertices
+
+
+def _first_point(cells, cell):
+    offsets = cells.GetOffsetsArray()
+    return int(cells.GetConnectivityArray().GetTuple1(int(offsets.GetTuple1(cell))))
+
+
+def _mesh(frame, horizon):
+    """The shaded surface, and its edges as strongly as their number allows."""
+    triangles = horizon.GetPolys()
+    surface = _part(horizon, polys=triangles)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(surface)
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    shaded = _actor(normals.GetOutput())
+    if horizon.GetNumberOfPoints():
+        _color_by_height(frame, shaded)
+    shaded.GetProperty().SetAmbient(0.15)
+    shaded.GetProperty().SetSpecular(0.12)
+    shaded.GetProperty().SetSpecularPower(12.0)
+
+    edges = _actor(surface)
+    edges.GetProperty().SetRepresentationToWireframe()
+    edges.GetProperty().SetColor(0.05, 0.07, 0.10)
+    edges.GetProperty().LightingOff()
+    edges.GetProperty().SetOpacity(max(0.05, min(0.4, 1500.0 / max(1, triangles.GetNumberOfCells()))))
+    mapper = edges.GetMapper()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -2.0)
+    return [shaded, edges, *_outline(horizon)]
