@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Turns the voxels of a horizon into the dataset that the stages work on. Documentation/DataModel.md describes it.
+// Turns the voxels of a horizon into the point surface that the stages work on (Documentation/DataModel.md), and holds
+// what its datasets of any kind have in common.
 
 #ifndef SeismicHorizonsHorizonDataSet_h
 #define SeismicHorizonsHorizonDataSet_h
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -101,8 +103,17 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints)
   return vertices;
 }
 
-/// Makes the dataset of a horizon and uses the voxels up.
-inline vtkSmartPointer<vtkPolyData> MakeHorizonDataSet(
+/// What every dataset of a horizon says of it.
+inline void AddHorizonFields(
+  vtkFieldData* data, const SparseMatrixSize& size, const LatticeMatrix& toWorld, std::int64_t droppedDuplicates)
+{
+  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, size);
+  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, toWorld);
+  AddConstant<vtkIdTypeArray>(data, FieldArray::DroppedDuplicates, 1, static_cast<vtkIdType>(droppedDuplicates));
+}
+
+/// Makes the point surface of a horizon and uses the voxels up.
+inline vtkSmartPointer<vtkPolyData> MakeHorizonPoints(
   HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
 {
   auto horizon = vtkSmartPointer<vtkPolyData>::New();
@@ -122,11 +133,7 @@ inline vtkSmartPointer<vtkPolyData> MakeHorizonDataSet(
       ? MakeVertices<vtkTypeInt32Array>(numberOfPoints)
       : MakeVertices<vtkTypeInt64Array>(numberOfPoints));
 
-  vtkFieldData* const fieldData = horizon->GetFieldData();
-  AddTuple<vtkIntArray>(fieldData, FieldArray::LatticeDimensions, size);
-  AddTuple<vtkDoubleArray>(fieldData, FieldArray::LatticeToWorld, toWorld);
-  AddConstant<vtkIdTypeArray>(
-    fieldData, FieldArray::DroppedDuplicates, 1, static_cast<vtkIdType>(voxels.DroppedDuplicates));
+  AddHorizonFields(horizon->GetFieldData(), size, toWorld, voxels.DroppedDuplicates);
   return horizon;
 }
 }

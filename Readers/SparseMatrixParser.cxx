@@ -361,7 +361,7 @@ SparseMatrixSummary ScanSparseMatrix(std::istream& stream, const Monitor& monito
 {
   CountingVisitor visitor;
   const SparseMatrixSize size = ParseSparseMatrix(stream, visitor, monitor, blockSize);
-  return { size, visitor.GetCounts() };
+  return { size, visitor.GetCounts(), visitor.GetVerticalFit() };
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -60,10 +60,18 @@ SparseMatrixSize ParseSparseMatrix(std::istream& stream, SparseMatrixVisitor& vi
 /// Voxels per surface ID, all of them: duplicates count as well.
 using SparseMatrixCounts = std::map<int, std::int64_t>;
 
+/// The straight line real z = Offset + Step * vertical index.
+struct SparseMatrixVerticalFit
+{
+  double Offset = 0.0;
+  double Step = 0.0; ///< 0 when there is no such line: real z is the same everywhere, or vertical indices are
+};
+
 struct SparseMatrixSummary
 {
   SparseMatrixSize Size = {};
   SparseMatrixCounts VoxelCounts;
+  SparseMatrixVerticalFit VerticalFit; ///< by least squares, through all voxels
 };
 
 /// Checks a whole file and tells which horizons it has.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the parser's two uses do with the columns: count the voxels of each horizon, or load some horizons.
+// What the parser's two uses do with the columns: count the voxels of each horizon and see how real z goes with the
+// vertical index, or load some horizons.
 
 #ifndef SeismicHorizonsSparseMatrixVisitors_h
 #define SeismicHorizonsSparseMatrixVisitors_h
@@ -56,6 +57,47 @@ private:
   std::array<Answer, 64> Recent;
 };
 
+/// Fits a line through pairs of vertical index and real z.
+class VerticalFitter
+{
+public:
+  void Add(const SparseMatrixVoxel& voxel)
+  {
+    // Relative to the first voxel: sums of large numbers that hardly differ would lose what is asked for.
+    if (this->Count++ == 0)
+    {
+      this->First = voxel;
+    }
+    const double k = double(voxel.VerticalIndex) - this->First.VerticalIndex;
+    const double z = voxel.RealZ - this->First.RealZ;
+    this->SumK += k;
+    this->SumZ += z;
+    this->SumKK += k * k;
+    this->SumKZ += k * z;
+  }
+
+  SparseMatrixVerticalFit GetFit() const
+  {
+    const double count = static_cast<double>(this->Count);
+    const double spread = count * this->SumKK - this->SumK * this->SumK;
+    const double step = spread > 0.0 ? (count * this->SumKZ - this->SumK * this->SumZ) / spread : 0.0;
+    if (step == 0.0 || !std::isfinite(step))
+    {
+      return {};
+    }
+    const double offset = (this->SumZ - step * this->SumK) / count;
+    return { this->First.RealZ + offset - step * this->First.VerticalIndex, step };
+  }
+
+private:
+  std::int64_t Count = 0;
+  SparseMatrixVoxel First;
+  double SumK = 0.0;
+  double SumZ = 0.0;
+  double SumKK = 0.0;
+  double SumKZ = 0.0;
+};
+
 class CountingVisitor : public SparseMatrixVisitor
 {
 public:
@@ -71,12 +113,15 @@ public:
         this->Counts.emplace_back(voxel.SurfaceId, 0);
       }
       ++this->Counts[static_cast<std::size_t>(position)].second;
+      this->Fitter.Add(voxel);
     }
   }
 
   SparseMatrixCounts GetCounts() const { return SparseMatrixCounts(this->Counts.begin(), this->Counts.end()); }
+  SparseMatrixVerticalFit GetVerticalFit() const { return this->Fitter.GetFit(); }
 
 private:
+  VerticalFitter Fitter;
   SurfacePositions Positions;
   std::vector<std::pair<int, std::int64_t>> Counts;
 };

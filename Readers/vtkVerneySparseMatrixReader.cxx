@@ -7,6 +7,7 @@
 #include "vtkVerneySparseMatrixReader.h"
 
 #include "HorizonDataSet.h"
+#include "HorizonImage.h"
 #include "ProgressMonitor.h"
 #include "SparseMatrixParser.h"
 #include "vtkCompositeDataSet.h"
@@ -331,6 +332,20 @@ void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SeismicHorizons::LatticeMatrix vtkVerneySparseMatrixReader::MakeLatticeToWorld() const
+{
+  SparseMatrixVerticalFit vertical{ this->Origin[2], this->VerticalStep };
+  if (this->Elevation == RealZ && this->Summary->Content.VerticalFit.Step != 0.0)
+  {
+    vertical = this->Summary->Content.VerticalFit;
+  }
+  return { this->ColumnStep[0], this->RowStep[0], 0.0, this->Origin[0], //
+    this->ColumnStep[1], this->RowStep[1], 0.0, this->Origin[1], //
+    0.0, 0.0, vertical.Step, vertical.Offset, //
+    0.0, 0.0, 0.0, 1.0 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -355,17 +370,24 @@ void vtkVerneySparseMatrixReader::Load(int piece, int numberOfPieces, vtkPartiti
         static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.5, 0.9));
     });
 
-  const LatticeMatrix toWorld = { this->ColumnStep[0], this->RowStep[0], 0.0, this->Origin[0], //
-    this->ColumnStep[1], this->RowStep[1], 0.0, this->Origin[1], //
-    0.0, 0.0, this->VerticalStep, this->Origin[2], //
-    0.0, 0.0, 0.0, 1.0 };
+  const LatticeMatrix toWorld = this->MakeLatticeToWorld();
+  const bool useRealZ = this->Elevation == RealZ;
   vtkNew<vtkPartitionedDataSetCollection> horizons;
   AddNames(horizons, selected);
   for (HorizonVoxels& voxels : matrix.Horizons)
   {
     const auto position = static_cast<unsigned int>(std::distance(selected.begin(), selected.find(voxels.SurfaceId)));
-    horizons->SetPartition(
-      position, 0, MakeHorizonDataSet(std::move(voxels), matrix.Size, toWorld, this->Elevation == RealZ));
+    HorizonVoxels taken = std::move(voxels); // so that memory is freed horizon by horizon
+    vtkSmartPointer<vtkDataObject> horizon;
+    if (this->OutputType == Images)
+    {
+      horizon = MakeHorizonImage(taken, matrix.Size, toWorld, useRealZ);
+    }
+    else
+    {
+      horizon = MakeHorizonPoints(std::move(taken), matrix.Size, toWorld, useRealZ);
+    }
+    horizons->SetPartition(position, 0, horizon);
     monitor.Progress(0.9 + 0.1 * (position + 1) / static_cast<double>(selected.size()));
   }
   output->ShallowCopy(horizons);
@@ -385,10 +407,12 @@ int vtkVerneySparseMatrixReader::RequestData(
 //----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
 {
+  constexpr std::array<const char*, 2> types = { "Points", "Images" };
   constexpr std::array<const char*, 2> elevations = { "VerticalIndex", "RealZ" };
   constexpr std::array<const char*, 3> policies = { "StrongestAmplitude", "Topmost", "Lowest" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';
   os << indent << "Elevation: " << elevations[static_cast<std::size_t>(this->Elevation)] << '\n';
   os << indent << "Origin: " << ToText(this->Origin, 3) << '\n';
   os << indent << "ColumnStep: " << ToText(this->ColumnStep, 2) << '\n';

@@ -9,18 +9,26 @@
  * voxels per column, not a sparse matrix of linear algebra; the name is that of the thesis it comes from.
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, by ascending
- * surface ID, named "Horizon <ID>". Its partition is a vtkPolyData with one point and one vertex cell per voxel.
+ * surface ID, named "Horizon <ID>". Its partition is a vtkPolyData with one point and one vertex cell per voxel: what
+ * the stages work on. On request (OutputType) it is a map instead, a vtkImageData.
  *
- * Point data, one component each:
+ * Point data of the vtkPolyData, one component each:
  * - SurfaceId (int): the ID of the horizon
  * - VerticalIndex (int): k, from 0 to nZ - 1
  * - Thickness, Amplitude, RealZ (double): as in the file
  * - PointCount (vtkIdType): the number of input points a point stands for, here 1
  *
+ * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at the
+ * height of vertical index 0:
+ * - SurfaceId (int)
+ * - Elevation (double): the world z the point has in the vtkPolyData; warp by it to see the surface
+ * - VerticalIndex, Thickness, Amplitude, RealZ (double): as above
+ * - vtkGhostType (unsigned char): blanks the columns without a voxel, where all arrays of doubles are nan
+ *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components): nX, nY, nZ
  * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row. Its columns
- *   are (ColumnStep, 0), (RowStep, 0), (0, 0, VerticalStep) and Origin.
+ *   are (ColumnStep, 0), (RowStep, 0), (0, 0, VerticalStep) and Origin; see Elevation for the last two.
  * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
  *   column, see DuplicatePolicy
  *
@@ -45,11 +53,13 @@
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <array>  // for LatticeMatrix
 #include <memory> // for std::unique_ptr
 
 namespace SeismicHorizons
 {
 class Monitor;
+using LatticeMatrix = std::array<double, 16>;
 }
 class vtkDataArraySelection;
 
@@ -74,6 +84,24 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
+  /// What a horizon comes as.
+  enum OutputKind
+  {
+    Points = 0,
+    Images = 1
+  };
+
+  ///@{
+  /**
+   * What a horizon comes as. Points: a vtkPolyData, for the stages. Images: a map as vtkImageData, whose ColumnStep and
+   * RowStep must be perpendicular. Default: Points.
+   */
+  vtkSetClampMacro(OutputType, int, Points, Images);
+  vtkGetMacro(OutputType, int);
+  void SetOutputTypeToPoints() { this->SetOutputType(Points); }
+  void SetOutputTypeToImages() { this->SetOutputType(Images); }
+  ///@}
+
   /// Where the z coordinate of a point comes from.
   enum ElevationSource
   {
@@ -84,7 +112,10 @@ public:
   ///@{
   /**
    * The z coordinate of the points. VerticalIndex: Origin's z plus VerticalStep times the vertical index. RealZ: the
-   * real z of the voxel as in the file, in its unit. LatticeToWorld does not depend on it. Default: VerticalIndex.
+   * real z of the voxel as in the file, in its unit; in place of Origin's z and VerticalStep, LatticeToWorld then holds
+   * the straight line that fits real z over the vertical index best, for all voxels of the file, so that a height of 1
+   * in lattice units is one vertical index all the same. (Where real z or the index is the same everywhere there is no
+   * such line, and Origin and VerticalStep hold.) Default: VerticalIndex.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
   vtkGetMacro(Elevation, int);
@@ -178,10 +209,12 @@ private:
   template <typename Work>
   int Guard(vtkInformationVector* outputVector, Work work);
   void CheckParameters() const;
+  SeismicHorizons::LatticeMatrix MakeLatticeToWorld() const;
   void UpdateSummary(const SeismicHorizons::Monitor& monitor);
   void Load(int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output);
 
   char* FileName = nullptr;
+  int OutputType = Points;
   int Elevation = VerticalIndex;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double ColumnStep[2] = { 1.0, 0.0 };

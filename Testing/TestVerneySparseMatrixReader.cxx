@@ -11,6 +11,7 @@
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -200,6 +201,63 @@ void ElevationCanBeRealZ()
   reader->SetElevationToVerticalIndex();
   reader->Update();
   CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == 12.0);
+}
+
+/// With real z, a height of 1 on the lattice is one vertical index: z is 4 ms per index here, from 100 ms.
+void RealZIsFitted()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(
+    WriteFile("fit.vsm", "2 2 10\n3 1 1 1 112\n4 1 1 1 116\n7 1 1 1 128 2 5 1 1 108\n9 5 1 1 136\n").c_str());
+  reader->SetElevationToRealZ();
+  reader->SetOrigin(10.0, 20.0, 30.0);
+  reader->Update();
+  auto toWorld = GetArray<vtkDoubleArray>(GetHorizon(reader, 0)->GetFieldData(), "LatticeToWorld", 1, 16);
+  CHECK(std::abs(toWorld->GetValue(10) - 4.0) < 1e-12);
+  CHECK(std::abs(toWorld->GetValue(11) - 100.0) < 1e-12);
+  CHECK(toWorld->GetValue(3) == 10.0 && toWorld->GetValue(7) == 20.0);
+  // It is the same line for all horizons, and it is not there when real z is the same everywhere.
+  auto other = GetArray<vtkDoubleArray>(GetHorizon(reader, 1)->GetFieldData(), "LatticeToWorld", 1, 16);
+  CHECK(other->GetValue(10) == toWorld->GetValue(10) && other->GetValue(11) == toWorld->GetValue(11));
+  reader->SetFileName(WriteFile("flat.vsm", "2 1 10\n3 1 1 1 0\n4 1 1 1 0\n").c_str());
+  reader->Update();
+  toWorld = GetArray<vtkDoubleArray>(GetHorizon(reader, 0)->GetFieldData(), "LatticeToWorld", 1, 16);
+  CHECK(toWorld->GetValue(10) == 1.0 && toWorld->GetValue(11) == 30.0);
+}
+
+// ---- Images ------------------------------------------------------------------------------------------------------
+void ImagesAreMaps()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(WriteFile("map.vsm", "4 3 10\n\n\n\n\n\n3 1 1.5 10 12.5\n\n\n\n\n5 1 2 20 20.5\n\n").c_str());
+  reader->SetOutputTypeToImages();
+  reader->SetOrigin(1000.0, 2000.0, 50.0);
+  reader->SetColumnStep(0.0, 25.0);
+  reader->SetRowStep(-12.5, 0.0);
+  reader->SetVerticalStep(-4.0);
+  reader->Update();
+  auto image = vtkImageData::SafeDownCast(reader->GetOutput()->GetPartitionAsDataObject(0, 0));
+  CHECK(image != nullptr);
+  // Columns (1, 1) and (2, 2), and the two blank ones beside them.
+  int extent[6];
+  image->GetExtent(extent);
+  CHECK(extent[0] == 1 && extent[1] == 2 && extent[2] == 1 && extent[3] == 2 && extent[4] == 0 && extent[5] == 0);
+  vtkPointData* const data = image->GetPointData();
+  CHECK(GetArray<vtkDoubleArray>(data, "Elevation", 4, 1)->GetValue(0) == 50.0 - 3 * 4.0);
+  CHECK(GetArray<vtkDoubleArray>(data, "Amplitude", 4, 1)->GetValue(3) == 20.0);
+  CHECK(std::isnan(GetArray<vtkDoubleArray>(data, "RealZ", 4, 1)->GetValue(1)));
+  CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 4, 1)->GetValue(3) == 1);
+  CHECK(image->IsPointVisible(0) && !image->IsPointVisible(1) && image->IsPointVisible(3));
+  CHECK(GetArray<vtkDoubleArray>(image->GetFieldData(), "LatticeToWorld", 1, 16)->GetValue(1) == -12.5);
+  double point[3];
+  image->GetPoint(3, point); // i = 2, j = 2
+  CHECK(std::abs(point[0] - 975.0) < 1e-9 && std::abs(point[1] - 2050.0) < 1e-9 && point[2] == 50.0);
+
+  Errors errors(reader);
+  reader->SetRowStep(-12.5, 1.0);
+  reader->Update();
+  CHECK(errors.WasOne("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for images"));
+  CHECK(IsEmpty(reader));
 }
 
 void DuplicatePolicyChoosesTheVoxel()
@@ -430,9 +488,10 @@ void PrintListsEveryProperty()
   reader->SetDuplicatePolicyToLowest();
   reader->SetHorizonStatus("Horizon 12", 1);
   std::ostringstream stream;
+  reader->SetOutputTypeToImages();
   reader->Print(stream);
   for (const char* text :
-    { "FileName: some.vsm", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)",
+    { "FileName: some.vsm", "OutputType: Images", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)",
       "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "DuplicatePolicy: Lowest", "HorizonSelection:", "Horizon 12" })
   {
     Check(stream.str().find(text) != std::string::npos, text, __LINE__);
@@ -465,6 +524,8 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   FieldDataDescribeTheLattice();
   RotatedSurveyKeepsDoublePrecision();
   ElevationCanBeRealZ();
+  RealZIsFitted();
+  ImagesAreMaps();
   DuplicatePolicyChoosesTheVoxel();
   SelectionIsObeyed();
   SelectionMayComeFirstAndOutlivesTheFile();

@@ -287,6 +287,8 @@ def write_mesh(mesh, path):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputDataObject(0, mesh)
+    # Not the default, which appends raw bytes: readers of VTK up to 9.2 stumble over them with a recent Expat library.
+    writer.SetDataModeToBinary()
     stage = Stage(writer, "%s: writing" % path.name)
     try:
         written = writer.Write()

@@ -24,6 +24,7 @@ as_root() {
   if [ "$(id -u)" -eq 0 ]; then
     env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@" >"$log" 2>&1 || status=$?
   elif command -v sudo >/dev/null 2>&1; then
+    # shellcheck disable=SC2024  # the log is ours, not root's
     sudo env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@" >"$log" 2>&1 || status=$?
   else
     echo "setup: installing packages needs root or sudo" >"$log"
