@@ -252,7 +252,8 @@ std::vector<PlanePoint> ToColumns(const LatticePoints& points)
     if (std::abs(x - std::round(x)) > tolerance || std::abs(y - std::round(y)) > tolerance)
     {
       throw InputError("point " + std::to_string(columns.size()) + " at (" + std::to_string(x) + ", " +
-        std::to_string(y) + ") in lattice units, expected whole columns: the boundary is found before points are "
+        std::to_string(y) +
+        ") in lattice units, expected whole columns: the boundary is found before points are "
         "merged");
     }
     columns.push_back({ std::int32_t(std::lround(x)), std::int32_t(std::lround(y)) });

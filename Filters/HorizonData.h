@@ -25,7 +25,7 @@ struct LatticePoints
 {
   Lattice Grid;
   std::vector<PlanePoint> Plane; // sub-voxels
-  std::vector<double> Height;    // lattice units
+  std::vector<double> Height; // lattice units
 };
 
 LatticePoints ReadPoints(vtkPolyData* horizon);
@@ -58,8 +58,8 @@ enum class Merging
 /// Makes `output` the reduced `input`: points, vertices, loops, and all point data. PointCount is summed. At averaged
 /// points floating point arrays and VerticalIndex (which is then of type double) are averaged, weighted by
 /// PointCount; all other arrays, being labels, are taken from the nearest point that was merged.
-void WriteReduction(vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging,
-  vtkPolyData* output);
+void WriteReduction(
+  vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output);
 }
 
 #endif

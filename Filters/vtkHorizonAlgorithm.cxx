@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@
 namespace
 {
 using HorizonPairs = std::vector<std::pair<vtkPolyData*, vtkSmartPointer<vtkPolyData>>>;
+
+constexpr const char* NoMemory = "not enough memory, expected a horizon whose bounding box has fewer columns";
 
 /// Every horizon of the input with an empty one for it, which is put at the same place of the output.
 HorizonPairs MakePairs(vtkDataObject* input, vtkDataObject* output)
@@ -137,7 +140,11 @@ int vtkHorizonAlgorithm::RequestData(
   }
   catch (const std::bad_alloc&)
   {
-    problem = "not enough memory";
+    problem = NoMemory;
+  }
+  catch (const std::length_error&) // more than any memory could hold
+  {
+    problem = NoMemory;
   }
   output->Initialize();
   vtkErrorMacro(<< name << problem);

@@ -43,8 +43,7 @@ protected:
 
   /// Turns one horizon that has points into another. Throws SeismicHorizons::InputError on input that breaks the
   /// contract of the stage.
-  virtual void ProcessHorizon(
-    vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) = 0;
+  virtual void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) = 0;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

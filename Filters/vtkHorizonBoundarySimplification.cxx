@@ -72,8 +72,7 @@ void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonBoundarySimplification::ProcessHorizon(
-  vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+void vtkHorizonBoundarySimplification::ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
 {
   const LatticePoints points = ReadPoints(input);
   monitor.Progress(0.2);

@@ -36,7 +36,8 @@ void AddBoundary(const SeismicHorizons::Loops& loops, vtkPolyData* output)
   array->FillValue(static_cast<unsigned char>(SeismicHorizons::BoundaryKind::Inside));
   for (std::size_t loop = 0; loop < loops.Size(); ++loop)
   {
-    std::for_each(loops.begin(loop), loops.end(loop), [&array](SeismicHorizons::PointId point)
+    std::for_each(loops.begin(loop), loops.end(loop),
+      [&array](SeismicHorizons::PointId point)
       { array->SetValue(point, static_cast<unsigned char>(SeismicHorizons::BoundaryKind::Exterior)); });
   }
   output->GetPointData()->AddArray(array);

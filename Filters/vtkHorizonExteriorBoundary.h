@@ -42,8 +42,7 @@ protected:
   vtkHorizonExteriorBoundary() = default;
   ~vtkHorizonExteriorBoundary() override = default;
 
-  void ProcessHorizon(
-    vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonExteriorBoundary(const vtkHorizonExteriorBoundary&) = delete;

@@ -27,6 +27,5 @@ void vtkHorizonRoughSimplification::ProcessHorizon(
   monitor.Progress(0.2);
   const SeismicHorizons::Reduction reduction =
     SeismicHorizons::SimplifyRough(horizon, this->CellSize, monitor.Step(0.2, 0.8));
-  SeismicHorizons::WriteReduction(
-    input, points.Grid, reduction, SeismicHorizons::Merging::AveragesPoints, output);
+  SeismicHorizons::WriteReduction(input, points.Grid, reduction, SeismicHorizons::Merging::AveragesPoints, output);
 }

@@ -49,8 +49,7 @@ protected:
   vtkHorizonRoughSimplification() = default;
   ~vtkHorizonRoughSimplification() override = default;
 
-  void ProcessHorizon(
-    vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonRoughSimplification(const vtkHorizonRoughSimplification&) = delete;

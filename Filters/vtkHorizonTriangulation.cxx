@@ -28,8 +28,7 @@ void vtkHorizonTriangulation::ProcessHorizon(
   const SeismicHorizons::LatticePoints points = SeismicHorizons::ReadPoints(input);
   const SeismicHorizons::BoundedHorizon horizon = SeismicHorizons::ReadBoundedHorizon(input, points);
   monitor.Progress(0.1);
-  std::vector<SeismicHorizons::PointId> triangles =
-    SeismicHorizons::Triangulate(horizon, monitor.Step(0.1, 0.9));
+  std::vector<SeismicHorizons::PointId> triangles = SeismicHorizons::Triangulate(horizon, monitor.Step(0.1, 0.9));
   // On a mirrored lattice what is counter-clockwise there is clockwise in the world.
   for (std::size_t corner = 0; !points.Grid.KeepsOrientation() && corner < triangles.size(); corner += 3)
   {

@@ -41,8 +41,7 @@ protected:
   vtkHorizonTriangulation() = default;
   ~vtkHorizonTriangulation() override = default;
 
-  void ProcessHorizon(
-    vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonTriangulation(const vtkHorizonTriangulation&) = delete;

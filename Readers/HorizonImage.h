@@ -102,8 +102,8 @@ inline vtkSmartPointer<vtkImageData> MakeHorizonImage(
   pixels.Add<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude, missing);
   pixels.Add<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ, missing);
   const std::vector<unsigned char> shown(voxels.I.size(), 0);
-  pixels.Add<vtkUnsignedCharArray>(data, vtkDataSetAttributes::GhostArrayName(), shown,
-    static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT));
+  pixels.Add<vtkUnsignedCharArray>(
+    data, vtkDataSetAttributes::GhostArrayName(), shown, static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT));
   return image;
 }
 }

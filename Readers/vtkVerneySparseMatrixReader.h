@@ -18,8 +18,8 @@
  * - Thickness, Amplitude, RealZ (double): as in the file
  * - PointCount (vtkIdType): the number of input points a point stands for, here 1
  *
- * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at the
- * height of vertical index 0:
+ * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at
+ * the height of vertical index 0:
  * - SurfaceId (int)
  * - Elevation (double): the world z the point has in the vtkPolyData; warp by it to see the surface
  * - VerticalIndex, Thickness, Amplitude, RealZ (double): as above
@@ -53,7 +53,7 @@
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <array>  // for LatticeMatrix
+#include <array> // for LatticeMatrix
 #include <memory> // for std::unique_ptr
 
 namespace SeismicHorizons

@@ -120,10 +120,7 @@ public:
     algorithm->AddObserver(vtkCommand::ErrorEvent, this->Collect);
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Ignore);
   }
-  ~Errors()
-  {
-    this->Collect->SetClientData(nullptr);
-  }
+  ~Errors() { this->Collect->SetClientData(nullptr); }
   std::size_t Count() const { return this->Messages.size(); }
   bool FirstContains(const std::string& text) const
   {

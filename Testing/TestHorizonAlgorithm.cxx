@@ -162,6 +162,18 @@ void TestWrongInput()
   }
 }
 
+/// Two points at opposite corners of the largest lattice there is.
+void TestNotEnoughMemory()
+{
+  auto input = FromPicture({ "##" }, 1, UnitSurvey());
+  const int largest = (1 << 28) - 1;
+  const int dimensions[3] = { largest, largest, 1 };
+  HorizonFixtures::AddLattice(input, dimensions, UnitSurvey());
+  input->GetPoints()->SetPoint(1, largest - 1, largest - 1, 0);
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  CheckRefused(boundary, input, "not enough memory, expected a horizon whose bounding box has fewer columns");
+}
+
 void TestMissingBoundary()
 {
   vtkNew<vtkHorizonBoundarySimplification> straight;
@@ -271,6 +283,7 @@ int TestHorizonAlgorithm(int, char*[])
   TestInputMayChangeItsKind();
   TestOneBadHorizonLeavesNoHalfResult();
   TestWrongInput();
+  TestNotEnoughMemory();
   TestMissingBoundary();
   TestInputIsNotChanged();
   TestProgressAndAbort();

@@ -57,11 +57,11 @@ void TestThresholdIsInLatticeUnits()
 {
   for (const double threshold : { 0.0, 0.3, 0.6, 2.0 })
   {
-    CHECK_EQUAL(Simplified(threshold, HorizonFixtures::UnitSurvey(), HorizonFixtures::FoldedHeight)->GetNumberOfPoints(),
+    CHECK_EQUAL(
+      Simplified(threshold, HorizonFixtures::UnitSurvey(), HorizonFixtures::FoldedHeight)->GetNumberOfPoints(),
       Simplified(threshold, HorizonFixtures::RotatedSurvey(), HorizonFixtures::FoldedHeight)->GetNumberOfPoints());
   }
-  CHECK_EQUAL(
-    Simplified(0.0, HorizonFixtures::UnitSurvey(), HorizonFixtures::FoldedHeight)->GetNumberOfPoints(), 54);
+  CHECK_EQUAL(Simplified(0.0, HorizonFixtures::UnitSurvey(), HorizonFixtures::FoldedHeight)->GetNumberOfPoints(), 54);
 }
 
 void TestPrint()

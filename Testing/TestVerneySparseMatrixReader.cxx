@@ -490,9 +490,9 @@ void PrintListsEveryProperty()
   std::ostringstream stream;
   reader->SetOutputTypeToImages();
   reader->Print(stream);
-  for (const char* text :
-    { "FileName: some.vsm", "OutputType: Images", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)",
-      "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "DuplicatePolicy: Lowest", "HorizonSelection:", "Horizon 12" })
+  for (const char* text : { "FileName: some.vsm", "OutputType: Images", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)",
+         "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "DuplicatePolicy: Lowest",
+         "HorizonSelection:", "Horizon 12" })
   {
     Check(stream.str().find(text) != std::string::npos, text, __LINE__);
   }

@@ -36,8 +36,8 @@ struct BoundarySimplification
 /// `points` are in lattice units, `threshold` too (at least 0, InputError otherwise; with 0 nothing is dropped).
 /// Linear in the points; the passes over a run add a factor that grows with the logarithm of its length where a run
 /// is flat, and with its length at the very worst.
-BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary, double threshold,
-  const Monitor& monitor = Monitor());
+BoundarySimplification SimplifyBoundary(
+  const std::vector<SpacePoint>& points, const Loops& boundary, double threshold, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -16,8 +16,8 @@ namespace SeismicHorizons
 /// A horizon inside its boundary. The arrays have one entry per point.
 struct BoundedHorizon
 {
-  std::vector<PlanePoint> Plane;   // sub-voxels
-  std::vector<double> Height;      // lattice units
+  std::vector<PlanePoint> Plane; // sub-voxels
+  std::vector<double> Height; // lattice units
   std::vector<std::int32_t> Patch; // points of different patches are never merged
   std::vector<std::int64_t> Count; // how many points of the original horizon each one stands for
   Loops Boundary;

@@ -51,7 +51,9 @@ HopLists SortByCell(const CellGrid& grid, const std::vector<PlanePoint>& points,
         [&](PointId from, PointId to)
         {
           grid.ForEachCellAlong(points[std::size_t(from)], points[std::size_t(to)],
-            [&](std::int64_t cell) { add(cell, Hop{ from, to }); });
+            [&](std::int64_t cell) {
+              add(cell, Hop{ from, to });
+            });
         });
     });
 }

@@ -75,15 +75,15 @@ private:
   {
     Nothing = 0,
     Turn = 1, // between this block and the one to its left the inside begins or ends
-    Cut = 2,  // a boundary edge runs through it, or close by
+    Cut = 2, // a boundary edge runs through it, or close by
     Full = 4
   };
 
   std::int64_t Width = 0;
   std::int64_t Height = 0;
-  std::vector<PointId> Points;       // by column
+  std::vector<PointId> Points; // by column
   std::vector<unsigned char> Blocks; // by the column of the lower left corner
-  const bool Rising;                 // which diagonal cuts a block
+  const bool Rising; // which diagonal cuts a block
 };
 }
 

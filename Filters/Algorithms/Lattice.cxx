@@ -71,8 +71,7 @@ Lattice::Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& to
   CheckMap(toWorld);
   this->IntoWorld.matrix() = toWorld;
   this->FromWorld = this->IntoWorld.inverse(Eigen::Affine);
-  this->SubVoxelBits =
-    std::min(MaximumSubVoxelBits, CoordinateBits - BitsFor(std::max(dimensions[0], dimensions[1])));
+  this->SubVoxelBits = std::min(MaximumSubVoxelBits, CoordinateBits - BitsFor(std::max(dimensions[0], dimensions[1])));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

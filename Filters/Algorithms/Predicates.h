@@ -9,7 +9,6 @@
 
 #include "Types.h"
 
-
 namespace SeismicHorizons
 {
 __extension__ typedef __int128 Int128;

@@ -98,8 +98,7 @@ private:
     }
     for (auto first = this->Cell.cbegin(); first != this->Cell.cend();)
     {
-      const auto last =
-        std::find_if(first, this->Cell.cend(), [&](PointId point) { return differs(*first, point); });
+      const auto last = std::find_if(first, this->Cell.cend(), [&](PointId point) { return differs(*first, point); });
       this->SimplifyGroup(cell, first, last);
       first = last;
     }
@@ -126,8 +125,8 @@ private:
   /// in a large cell only those near in x need a look.
   void DropInnerPoints(Iterator first, Iterator last)
   {
-    std::sort(this->Kept.begin(), this->Kept.end(),
-      [this](PointId a, PointId b) { return this->Plane(a) < this->Plane(b); });
+    std::sort(
+      this->Kept.begin(), this->Kept.end(), [this](PointId a, PointId b) { return this->Plane(a) < this->Plane(b); });
     for (auto point = first; point != last; ++point)
     {
       if (!this->OnBoundary[std::size_t(*point)])
@@ -173,12 +172,11 @@ private:
   {
     const Barycentre barycentre = this->FindBarycentre(first, last);
     const PointId nearest = *std::min_element(first, last,
-      [&](PointId a, PointId b)
-      { return SquaredDistance(this->Plane(a), barycentre.Place) < SquaredDistance(this->Plane(b), barycentre.Place); });
-    const bool average =
-      std::distance(first, last) > 1 && this->IsInside(cell, barycentre.Place, nearest);
-    const PointId target =
-      average ? this->AddPoint(nearest, barycentre, true) : this->AddInputPoint(nearest);
+      [&](PointId a, PointId b) {
+        return SquaredDistance(this->Plane(a), barycentre.Place) < SquaredDistance(this->Plane(b), barycentre.Place);
+      });
+    const bool average = std::distance(first, last) > 1 && this->IsInside(cell, barycentre.Place, nearest);
+    const PointId target = average ? this->AddPoint(nearest, barycentre, true) : this->AddInputPoint(nearest);
     std::for_each(first, last, [&](PointId point) { this->Result.Target[std::size_t(point)] = target; });
   }
 

@@ -108,8 +108,8 @@ void ThirdPointSearch::CheckEdges(const std::vector<PointId>& names) const
         [&](const Hop& other) { return ProperlyCross(from, to, this->At(other.From), this->At(other.To)); });
       if (crossing != hop)
       {
-        throw InputError(Name(*hop, names) + " crosses " + Name(*crossing, names) +
-          ", expected edges that meet only at their ends");
+        throw InputError(
+          Name(*hop, names) + " crosses " + Name(*crossing, names) + ", expected edges that meet only at their ends");
       }
       const PointId* const point = std::find_if(this->PointsInCell.begin(cell), this->PointsInCell.end(cell),
         [&](PointId other) { return OnOpenSegment(from, to, this->At(other)); });

@@ -33,8 +33,7 @@ int SignOf(Wide value)
 /// By cofactors of the 4 x 4 determinant: positive when d is inside the circle of the counter-clockwise a, b, c.
 int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
 {
-  const auto lift = [&d](const PlanePoint& p)
-  { return Wide(p.X - d.X) * (p.X - d.X) + Wide(p.Y - d.Y) * (p.Y - d.Y); };
+  const auto lift = [&d](const PlanePoint& p) { return Wide(p.X - d.X) * (p.X - d.X) + Wide(p.Y - d.Y) * (p.Y - d.Y); };
   return SignOf(lift(a) * Turn(d, b, c) - lift(b) * Turn(d, a, c) + lift(c) * Turn(d, a, b));
 }
 
@@ -45,8 +44,8 @@ bool Cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const 
 
 bool Between(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
 {
-  return Turn(a, b, p) == 0 && std::min(a.X, b.X) <= p.X && p.X <= std::max(a.X, b.X) &&
-    std::min(a.Y, b.Y) <= p.Y && p.Y <= std::max(a.Y, b.Y);
+  return Turn(a, b, p) == 0 && std::min(a.X, b.X) <= p.X && p.X <= std::max(a.X, b.X) && std::min(a.Y, b.Y) <= p.Y &&
+    p.Y <= std::max(a.Y, b.Y);
 }
 
 std::string Describe(const char* what, PointId a, PointId b)
@@ -76,7 +75,8 @@ public:
     {
       this->At(columns[point].X, columns[point].Y) = int(point);
     }
-    this->Flood(-1, -1, 4, [](int cell) { return cell == Empty; }, [](int& cell) { cell = Outside; });
+    this->Flood(
+      -1, -1, 4, [](int cell) { return cell == Empty; }, [](int& cell) { cell = Outside; });
   }
 
   int& At(int x, int y) { return this->Cells[std::size_t((y + 1) * this->Width + x + 1)]; }
@@ -129,7 +129,8 @@ std::string CheckPatches(const std::vector<PlanePoint>& columns, const std::vect
     // Holes are filled here: all that is not outside hangs together.
     std::set<std::int32_t> numbers;
     std::size_t size = 0;
-    map.Flood(columns[point].X, columns[point].Y, 8, [](int cell) { return cell != Map::Outside; },
+    map.Flood(
+      columns[point].X, columns[point].Y, 8, [](int cell) { return cell != Map::Outside; },
       [&](int& cell)
       {
         if (cell >= 0)
@@ -183,8 +184,8 @@ std::string CollectEdges(
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
   {
     const PointId* const t = triangles.data() + corner;
-    const Wide size = Turn(
-      horizon.Plane[std::size_t(t[0])], horizon.Plane[std::size_t(t[1])], horizon.Plane[std::size_t(t[2])]);
+    const Wide size =
+      Turn(horizon.Plane[std::size_t(t[0])], horizon.Plane[std::size_t(t[1])], horizon.Plane[std::size_t(t[2])]);
     area += size;
     for (int n = 0; n < 3; ++n)
     {
@@ -216,8 +217,7 @@ std::set<Edge> CollectHops(const BoundedHorizon& horizon, Wide& area)
   return hops;
 }
 
-std::string CheckEdges(
-  const BoundedHorizon& horizon, const EdgeTriangles& edges, const std::set<Edge>& hops)
+std::string CheckEdges(const BoundedHorizon& horizon, const EdgeTriangles& edges, const std::set<Edge>& hops)
 {
   const auto at = [&](PointId point) { return horizon.Plane[std::size_t(point)]; };
   for (const auto& [edge, third] : edges)
@@ -290,7 +290,8 @@ std::string CheckExteriorBoundary(
     for (const PointId point : points)
     {
       visited[std::size_t(point)] = true;
-      wrong = boundary.Patch[std::size_t(point)] == std::int32_t(loop) ? wrong : "number of loop " + std::to_string(loop);
+      wrong =
+        boundary.Patch[std::size_t(point)] == std::int32_t(loop) ? wrong : "number of loop " + std::to_string(loop);
     }
     wrong = wrong.empty() ? CheckLoop(columns, points) : wrong;
   }

@@ -142,8 +142,7 @@ void Draw(Picture& picture, Shape shape, Random& random)
       picture.Fill([](int x, int y) { return (x + y) % 2 == 0; });
       break;
     case Shape::Rings:
-      picture.Fill(
-        [&](int x, int y)
+      picture.Fill([&](int x, int y)
         { return std::max(std::abs(x - picture.Width / 2), std::abs(y - picture.Height / 2)) % period == 0; });
       picture.Fill([&](int, int) { return random.Chance(0.03); }, false);
       break;

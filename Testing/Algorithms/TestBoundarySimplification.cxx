@@ -98,8 +98,7 @@ void TestDroppedPointsAreCounted()
 std::vector<PlanePoint> Dropped(const std::vector<std::string>& picture)
 {
   const Patches::Columns columns = Patches::FromPicture(picture);
-  const BoundarySimplification result =
-    Simplify(MakeHorizon(columns, std::vector<double>(columns.size(), 0.0)), 0.4);
+  const BoundarySimplification result = Simplify(MakeHorizon(columns, std::vector<double>(columns.size(), 0.0)), 0.4);
   std::vector<PlanePoint> dropped;
   for (std::size_t point = 0; point < columns.size(); ++point)
   {

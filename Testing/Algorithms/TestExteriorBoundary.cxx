@@ -22,8 +22,7 @@ std::string Text(const std::vector<PlanePoint>& columns, const Loops& loops)
   {
     text << (loop == 0 ? "" : "|");
     std::for_each(loops.begin(loop), loops.end(loop),
-      [&](PointId point)
-      { text << ' ' << columns[std::size_t(point)].X << ',' << columns[std::size_t(point)].Y; });
+      [&](PointId point) { text << ' ' << columns[std::size_t(point)].X << ',' << columns[std::size_t(point)].Y; });
   }
   return text.str();
 }
@@ -55,8 +54,7 @@ void TestSpur()
 void TestPinchAtFirstPoint()
 {
   CHECK_EQUAL(LoopsOf({ ".#", "#.", ".#" }), " 0,1 1,2 0,1 1,0");
-  CHECK_EQUAL(LoopsOf({ ".##", ".##", "#..", ".##", ".##" }),
-    " 0,2 1,3 1,4 2,4 2,3 1,3 0,2 1,1 2,1 2,0 1,0 1,1");
+  CHECK_EQUAL(LoopsOf({ ".##", ".##", "#..", ".##", ".##" }), " 0,2 1,3 1,4 2,4 2,3 1,3 0,2 1,1 2,1 2,0 1,0 1,1");
 }
 
 void TestSeveralPatches()

@@ -61,8 +61,7 @@ void TestNotDelaunay()
   mesh.Triangles = Triangulate(mesh.Horizon);
   CHECK_EQUAL(mesh.Check(), std::string());
   // The ends of the diagonal stay; one of the other two points moves inwards or outwards.
-  const auto count = [&mesh](PointId point)
-  { return std::count(mesh.Triangles.begin(), mesh.Triangles.end(), point); };
+  const auto count = [&mesh](PointId point) { return std::count(mesh.Triangles.begin(), mesh.Triangles.end(), point); };
   const PointId moved = count(0) == 1 ? 3 : 2;
   const PlanePoint corner = mesh.Horizon.Plane[std::size_t(moved)];
   const int step = moved == 3 ? 100 : -100;

@@ -99,8 +99,9 @@ void TestBarycentreOutside()
 {
   BoundedHorizon horizon;
   horizon.SubVoxelsPerColumn = SubVoxelsPerColumn;
-  const auto add = [&horizon](int x, int y)
-  { horizon.Plane.push_back({ x * SubVoxelsPerColumn, y * SubVoxelsPerColumn }); };
+  const auto add = [&horizon](int x, int y) {
+    horizon.Plane.push_back({ x * SubVoxelsPerColumn, y * SubVoxelsPerColumn });
+  };
   // A frame of 24 columns with an inlet from above between x = 15 and 17.
   const int outline[][2] = { { 0, 0 }, { 0, 24 }, { 15, 24 }, { 16, 1 }, { 17, 24 }, { 32, 24 }, { 32, 0 } };
   for (const auto& corner : outline)
@@ -133,8 +134,7 @@ void TestPlaneStaysAPlane()
     const Reduction result = SimplifyRough(horizon, size);
     for (std::size_t point = 0; point < result.Plane.size(); ++point)
     {
-      const double plane =
-        (double(result.Plane[point].X) + 10.0 * double(result.Plane[point].Y)) / SubVoxelsPerColumn;
+      const double plane = (double(result.Plane[point].X) + 10.0 * double(result.Plane[point].Y)) / SubVoxelsPerColumn;
       CHECK(std::abs(result.Height[point] - plane) < 11.0 / SubVoxelsPerColumn);
     }
   }
