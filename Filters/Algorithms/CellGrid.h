@@ -43,8 +43,19 @@ public:
   std::int64_t Size() const { return this->CellsX * this->CellsY; }
 
   /// The column and the row of cells at a coordinate; outside the box that of the nearest cell.
-  std::int64_t CellX(double x) const { return Clamp((x - this->MinX) / this->CellSize, this->CellsX); }
-  std::int64_t CellY(double y) const { return Clamp((y - this->MinY) / this->CellSize, this->CellsY); }
+  std::int64_t CellX(double x) const { return Clamp(this->InCellsX(x), this->CellsX); }
+  std::int64_t CellY(double y) const { return Clamp(this->InCellsY(y), this->CellsY); }
+
+  /// A coordinate in units of cells from the least corner.
+  double InCellsX(double x) const { return (x - this->MinX) / this->CellSize; }
+  double InCellsY(double y) const { return (y - this->MinY) / this->CellSize; }
+
+  /// The least corner of a cell.
+  PlanePoint CornerOf(std::int64_t cellX, std::int64_t cellY) const
+  {
+    return { std::int32_t(this->MinX + cellX * this->CellSize), std::int32_t(this->MinY + cellY * this->CellSize) };
+  }
+  std::int64_t GetCellSize() const { return this->CellSize; }
 
   std::int64_t Index(std::int64_t cellX, std::int64_t cellY) const { return cellY * this->CellsX + cellX; }
   std::int64_t CellOf(const PlanePoint& p) const
@@ -110,6 +121,9 @@ public:
   }
 
   const Item* begin(std::int64_t cell) const { return this->Items.data() + (cell == 0 ? 0 : this->Ends[cell - 1]); }
+  /// Whether the cells from one to another, both included, have nothing.
+  bool AreEmpty(std::int64_t first, std::int64_t last) const { return this->begin(first) == this->end(last); }
+
   const Item* end(std::int64_t cell) const { return this->Items.data() + this->Ends[std::size_t(cell)]; }
 
 private:

@@ -25,28 +25,42 @@ bool RunsBetweenBlocks(const PlanePoint& a, const PlanePoint& b)
 
 //----------------------------------------------------------------------------------------------------------------------
 FullBlocks::FullBlocks(const std::vector<PlanePoint>& points, const Loops& boundary)
-  : Rising(InCircle({ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }) < 0)
+  : BlockDiagonal(InCircle({ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }) < 0 ? 0 : 1)
+  , RingDiagonal(InCircle({ 1, 0 }, { 2, 1 }, { 1, 2 }, { 0, 1 }) < 0 ? 0 : 1)
 {
   for (const PlanePoint& point : points)
   {
     this->Width = std::max(this->Width, std::int64_t(point.X) + 1);
     this->Height = std::max(this->Height, std::int64_t(point.Y) + 1);
   }
-  if (this->Width * this->Height > MostColumnsPerPoint * std::int64_t(points.size()))
+  if (this->Width * this->Height > MostColumnsPerPoint * std::int64_t(points.size()) || !this->PlacePoints(points))
   {
     this->Width = 0;
     this->Height = 0;
     return;
   }
-  this->Points.assign(std::size_t(this->Width * this->Height), NoPoint);
   this->Blocks.assign(this->Points.size(), Nothing);
+  this->MarkCutBlocks(points, boundary);
+  this->MarkTurns(points, boundary);
+  this->MarkOpen();
+  this->FindFull();
+  this->FindRings();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool FullBlocks::PlacePoints(const std::vector<PlanePoint>& points)
+{
+  this->Points.assign(std::size_t(this->Width * this->Height), NoPoint);
   for (std::size_t point = 0; point < points.size(); ++point)
   {
-    this->Points[this->Place(points[point].X, points[point].Y)] = PointId(point);
+    PointId& place = this->Points[this->Place(points[point].X, points[point].Y)];
+    if (place != NoPoint)
+    {
+      return false;
+    }
+    place = PointId(point);
   }
-  this->MarkCutBlocks(points, boundary);
-  this->MarkInside(points, boundary);
-  this->FindFull();
+  return true;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -68,7 +82,7 @@ void FullBlocks::MarkCutBlocks(const std::vector<PlanePoint>& points, const Loop
 //----------------------------------------------------------------------------------------------------------------------
 // Along the middle of a row of blocks, each hop that crosses it is where the inside begins or ends for all blocks whose
 // middle is further to the right. A hop through the middle of a block has cut it.
-void FullBlocks::MarkInside(const std::vector<PlanePoint>& points, const Loops& boundary)
+void FullBlocks::MarkTurns(const std::vector<PlanePoint>& points, const Loops& boundary)
 {
   boundary.ForEachHop(
     [&](PointId from, PointId to)
@@ -84,21 +98,65 @@ void FullBlocks::MarkInside(const std::vector<PlanePoint>& points, const Loops& 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FullBlocks::FindFull()
+void FullBlocks::MarkOpen()
 {
   for (std::int64_t y = 0; y + 1 < this->Height; ++y)
   {
     bool inside = false;
     for (std::int64_t x = 0; x + 1 < this->Width; ++x)
     {
-      const std::size_t place = this->Place(x, y);
-      unsigned char& block = this->Blocks[place];
+      unsigned char& block = this->Blocks[this->Place(x, y)];
       inside = inside != ((block & Turn) != 0);
-      const std::size_t above = place + std::size_t(this->Width);
-      const bool occupied = this->Points[place] != NoPoint && this->Points[place + 1] != NoPoint &&
-        this->Points[above] != NoPoint && this->Points[above + 1] != NoPoint;
-      block = inside && occupied && (block & Cut) == 0 ? Full : Nothing;
+      block = inside && (block & Cut) == 0 ? Open : Nothing;
     }
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FullBlocks::FindFull()
+{
+  for (std::int64_t y = 0; y + 1 < this->Height; ++y)
+  {
+    const PointId* const below = this->Points.data() + this->Place(0, y);
+    const PointId* const above = below + this->Width;
+    unsigned char* const blocks = this->Blocks.data() + this->Place(0, y);
+    for (std::int64_t x = 0; x + 1 < this->Width; ++x)
+    {
+      // NoPoint is the only negative number, so that one sign tells of all four.
+      const bool full = (blocks[x] & Open) != 0 && (below[x] | below[x + 1] | above[x] | above[x + 1]) >= 0;
+      blocks[x] |= full ? Full : Nothing;
+      this->Triangles += full ? 2 : 0;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FullBlocks::FindRings()
+{
+  for (std::int64_t y = 1; y + 1 < this->Height; ++y)
+  {
+    for (std::int64_t x = 1; x + 1 < this->Width; ++x)
+    {
+      if (this->At(x, y) == NoPoint && this->IsRing(x, y))
+      {
+        for (const std::int64_t row : { y - 1, y })
+        {
+          this->Blocks[this->Place(x - 1, row)] |= Ring;
+          this->Blocks[this->Place(x, row)] |= Ring;
+        }
+        this->Triangles += 6;
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool FullBlocks::IsRing(std::int64_t x, std::int64_t y) const
+{
+  const PointId around = this->At(x - 1, y - 1) | this->At(x, y - 1) | this->At(x + 1, y - 1) | this->At(x - 1, y) |
+    this->At(x + 1, y) | this->At(x - 1, y + 1) | this->At(x, y + 1) | this->At(x + 1, y + 1);
+  const unsigned char open = this->Blocks[this->Place(x - 1, y - 1)] & this->Blocks[this->Place(x, y - 1)] &
+    this->Blocks[this->Place(x - 1, y)] & this->Blocks[this->Place(x, y)];
+  return around >= 0 && (open & Open) != 0;
 }
 }

@@ -5,25 +5,28 @@
 
 #include "Errors.h"
 #include "Predicates.h"
+#include "VoxelWalk.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// The size of cells that hold one point each on average.
-std::int64_t CellSizeFor(const std::vector<PlanePoint>& points)
+/// The size of voxels that hold one point each on average: the nearest power of two, which makes all that is computed
+/// of them exact.
+std::int64_t VoxelSizeFor(const std::vector<PlanePoint>& points)
 {
   PlanePoint size;
   for (const PlanePoint& point : points)
   {
-    size.X = std::max(size.X, point.X);
-    size.Y = std::max(size.Y, point.Y);
+    size = { std::max(size.X, point.X), std::max(size.Y, point.Y) };
   }
   const double area = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
-  return std::max(std::int64_t(1), std::int64_t(std::ceil(std::sqrt(area / double(points.size())))));
+  return std::int64_t(1) << std::max(0L, std::lround(0.5 * std::log2(area / double(points.size()))));
 }
 
 PlanePoint Doubled(const PlanePoint& p)
@@ -31,73 +34,133 @@ PlanePoint Doubled(const PlanePoint& p)
   return { 2 * p.X, 2 * p.Y };
 }
 
-std::string Name(const Hop& hop, const std::vector<PointId>& names)
+/// The cotangent of the angle at which a point sees an edge from a to b, which is positive for points to the left of
+/// it: the smaller, the smaller is the part of the point's circle with the edge that lies to the left. 1/2 of it times
+/// the length of the edge is how far the centre of that circle lies to the left.
+double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
 {
-  return "boundary edge " + std::to_string(names[std::size_t(hop.From)]) + " - " +
-    std::to_string(names[std::size_t(hop.To)]);
+  const std::int64_t ax = std::int64_t(a.X) - point.X;
+  const std::int64_t ay = std::int64_t(a.Y) - point.Y;
+  const std::int64_t bx = std::int64_t(b.X) - point.X;
+  const std::int64_t by = std::int64_t(b.Y) - point.Y;
+  return double(ax * bx + ay * by) / double(area);
+}
+
+/// Up to a factor: the thesis's C without 4 sqrt(3) / 2 (eq. 5.9).
+double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
+{
+  const auto squared = [](const PlanePoint& p, const PlanePoint& q)
+  {
+    const double x = double(p.X) - q.X;
+    const double y = double(p.Y) - q.Y;
+    return x * x + y * y;
+  };
+  return double(area) / (squared(a, b) + squared(b, c) + squared(c, a));
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-struct ThirdPointSearch::Edge
-{
-  PlanePoint A;
-  PlanePoint B;
-  /// The middle of the edge in doubled coordinates, where it is a whole number.
-  PlanePoint DoubledMiddle() const { return { this->A.X + this->B.X, this->A.Y + this->B.Y }; }
-};
-
-/// A block of cells, the last row and column included.
+/// A block of voxels, the last row and column included.
 struct ThirdPointSearch::Box
 {
   std::int64_t FirstX;
   std::int64_t FirstY;
   std::int64_t LastX;
   std::int64_t LastY;
+};
 
-  bool Contains(const Box& other) const
+/// An edge, and how far the search for its third point is.
+struct ThirdPointSearch::Task
+{
+  Task(const PlanePoint& a, const PlanePoint& b, const CellGrid& grid, std::vector<WalkedVoxel>* walk)
+    : A(a)
+    , B(b)
+    , DoubledMiddle{ a.X + b.X, a.Y + b.Y }
+    , MiddleX(grid.InCellsX(0.5 * this->DoubledMiddle.X))
+    , MiddleY(grid.InCellsY(0.5 * this->DoubledMiddle.Y))
+    , Size(std::max(
+        { std::int64_t(1), std::abs(grid.CellX(a.X) - grid.CellX(b.X)), std::abs(grid.CellY(a.Y) - grid.CellY(b.Y)) }))
+    , Walk(walk)
   {
-    return this->FirstX <= other.FirstX && this->FirstY <= other.FirstY && this->LastX >= other.LastX &&
-      this->LastY >= other.LastY;
   }
-  bool HasRow(std::int64_t row) const { return this->FirstY <= row && row <= this->LastY; }
+
+  const PlanePoint A;
+  const PlanePoint B;
+  const PlanePoint DoubledMiddle; // where it is a whole number
+  const double MiddleX; // in voxels
+  const double MiddleY;
+  const std::int64_t Size; // of the edge, in voxels: the thesis's k
+  std::vector<WalkedVoxel>* const Walk;
+  int Dilatation = 0; // of the voxels that are being looked into
+  bool OnlyVisible = false;
+  PointId Best = NoPoint;
+  double BestCotangent = 0.0;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::ThirdPointSearch(
-  const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names)
-  : Points(points)
-  , Grid(points, 1, CellSizeFor(points))
-  , PointsInCell(SortByCell(this->Grid, points))
-  , HopsInCell(SortByCell(this->Grid, points, boundary))
+ThirdPointSearch::ThirdPointSearch(const std::vector<PlanePoint>& points, const Loops& boundary,
+  const std::vector<PointId>& names, SearchStrategy strategy)
+  : Strategy(strategy)
+  , Grid(points, 1, VoxelSizeFor(points))
+  , Sorted(this->Grid, points, names)
+  , HopsInCell(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
-  this->CheckPlaces(names);
-  this->CheckEdges(names);
+  this->CheckPlaces();
+  this->CheckEdges();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::CheckPlaces(const std::vector<PointId>& names) const
+ThirdPointSearch::SortedPoints::SortedPoints(
+  const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names)
+  : Places(points.size())
+  , Names(points.size())
+  , Starts(std::size_t(grid.Size()) + 1, 0)
+  , Numbers(points.size())
 {
-  const auto isBefore = [this](PointId a, PointId b) { return this->At(a) < this->At(b); };
-  const auto coincide = [this](PointId a, PointId b) { return this->At(a) == this->At(b); };
-  std::vector<PointId> points;
+  for (const PlanePoint& point : points)
+  {
+    ++this->Starts[std::size_t(grid.CellOf(point)) + 1];
+  }
+  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+  std::vector<PointId> next(this->Starts.begin(), this->Starts.end() - 1);
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    const PointId number = next[std::size_t(grid.CellOf(points[point]))]++;
+    this->Numbers[point] = number;
+    this->Places[std::size_t(number)] = points[point];
+    this->Names[std::size_t(number)] = names[point];
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::CheckPlaces() const
+{
+  std::vector<PointId> numbers;
   for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
   {
-    points.assign(this->PointsInCell.begin(cell), this->PointsInCell.end(cell));
-    std::sort(points.begin(), points.end(), isBefore);
-    const auto twin = std::adjacent_find(points.begin(), points.end(), coincide);
-    if (twin != points.end())
+    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
+    if (numbers.size() < 2)
     {
-      throw InputError("points " + std::to_string(names[std::size_t(*twin)]) + " and " +
-        std::to_string(names[std::size_t(*(twin + 1))]) +
+      continue;
+    }
+    std::iota(numbers.begin(), numbers.end(), this->FirstIn(cell));
+    std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
+    const auto twin = std::adjacent_find(
+      numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) == this->At(b); });
+    if (twin != numbers.end())
+    {
+      const auto names = std::minmax({ this->NameOf(*twin), this->NameOf(*(twin + 1)) });
+      throw InputError("points " + std::to_string(names.first) + " and " + std::to_string(names.second) +
         " in one place in plan, expected at most one point of a horizon above each place");
     }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::CheckEdges(const std::vector<PointId>& names) const
+void ThirdPointSearch::CheckEdges() const
 {
+  const auto name = [this](const Hop& hop)
+  { return "boundary edge " + std::to_string(this->NameOf(hop.From)) + " - " + std::to_string(this->NameOf(hop.To)); };
   for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
   {
     for (const Hop* hop = this->HopsInCell.begin(cell); hop != this->HopsInCell.end(cell); ++hop)
@@ -108,56 +171,131 @@ void ThirdPointSearch::CheckEdges(const std::vector<PointId>& names) const
         [&](const Hop& other) { return ProperlyCross(from, to, this->At(other.From), this->At(other.To)); });
       if (crossing != hop)
       {
-        throw InputError(
-          Name(*hop, names) + " crosses " + Name(*crossing, names) + ", expected edges that meet only at their ends");
+        throw InputError(name(*hop) + " crosses " + name(*crossing) + ", expected edges that meet only at their ends");
       }
-      const PointId* const point = std::find_if(this->PointsInCell.begin(cell), this->PointsInCell.end(cell),
-        [&](PointId other) { return OnOpenSegment(from, to, this->At(other)); });
-      if (point != this->PointsInCell.end(cell))
+      for (PointId point = this->FirstIn(cell); point < this->EndOf(cell); ++point)
       {
-        throw InputError("point " + std::to_string(names[std::size_t(*point)]) + " lies on " + Name(*hop, names) +
-          ", expected no point between the ends of a boundary edge");
+        if (OnOpenSegment(from, to, this->At(point)))
+        {
+          throw InputError("point " + std::to_string(this->NameOf(point)) + " lies on " + name(*hop) +
+            ", expected no point between the ends of a boundary edge");
+        }
       }
     }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PointId ThirdPointSearch::Find(PointId a, PointId b) const
+PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
 {
-  const Edge edge{ this->At(a), this->At(b) };
-  const Box everything = this->Everything();
-  PointId best = NoPoint;
-  Box done{ 0, 0, -1, -1 };
-  for (std::int64_t radius = 0; best == NoPoint && !done.Contains(everything); radius = 2 * radius + 1)
+  Task task(this->At(a), this->At(b), this->Grid, walk);
+  this->Search(task);
+  if (task.Best != NoPoint && !this->IsVisible(task, task.Best))
   {
-    const Box square = this->SquareAround(edge, radius);
-    this->SearchBox(edge, square, done, best);
-    done = square;
+    task.OnlyVisible = true;
+    task.Best = NoPoint;
+    this->Search(task);
   }
-  if (best != NoPoint)
+  return task.Best;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::Search(Task& task) const
+{
+  if (this->Strategy == SearchStrategy::VoxelTraversal)
+  {
+    this->TraverseBox(task);
+  }
+  else
+  {
+    this->CompareBox(task);
+  }
+  task.Dilatation = -1;
+  if (task.Best == NoPoint)
+  {
+    this->SearchSquares(task);
+  }
+  if (task.Best != NoPoint)
   {
     // The part to the left of an edge of the circle through a better point lies inside that of a worse one.
-    const Box circle = this->LeftPartOfCircle(edge, best);
-    if (!done.Contains(circle))
+    this->SearchBox(task, this->LeftPartOfCircle(task));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The bisector, then one line of voxels more on each side of it at a time, up to the border of the box.
+void ThirdPointSearch::TraverseBox(Task& task) const
+{
+  for (int dilatation = 0; task.Best == NoPoint && dilatation <= task.Size; ++dilatation)
+  {
+    task.Dilatation = dilatation;
+    this->SearchDilatation(task, dilatation);
+    if (dilatation > 0)
     {
-      this->SearchBox(edge, circle, done, best);
+      this->SearchDilatation(task, -dilatation);
     }
   }
-  return best;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::Box ThirdPointSearch::Everything() const
+// A dilatation is the bisector's line of voxels, moved sideways: along the axis on which it advances less.
+void ThirdPointSearch::SearchDilatation(Task& task, std::int64_t shift) const
 {
-  return { 0, 0, this->Grid.SizeX() - 1, this->Grid.SizeY() - 1 };
+  const double x = double(task.A.Y) - task.B.Y;
+  const double y = double(task.B.X) - task.A.X;
+  const std::int64_t shiftX = std::abs(x) < std::abs(y) ? shift : 0;
+  const std::int64_t shiftY = shift - shiftX;
+  VoxelWalk walk(task.MiddleX, task.MiddleY, x, y);
+  const std::int64_t startX = walk.X();
+  const std::int64_t startY = walk.Y();
+  for (; std::max(std::abs(walk.X() - startX), std::abs(walk.Y() - startY)) <= task.Size; walk.Next())
+  {
+    const std::int64_t cellX = walk.X() + shiftX;
+    const std::int64_t cellY = walk.Y() + shiftY;
+    if (cellX >= 0 && cellX < this->Grid.SizeX() && cellY >= 0 && cellY < this->Grid.SizeY())
+    {
+      this->SearchRow(task, cellY, cellX, cellX);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::Box ThirdPointSearch::SquareAround(const Edge& edge, std::int64_t radius) const
+void ThirdPointSearch::CompareBox(Task& task) const
 {
-  const std::int64_t x = this->Grid.CellX(0.5 * edge.DoubledMiddle().X);
-  const std::int64_t y = this->Grid.CellY(0.5 * edge.DoubledMiddle().Y);
+  double most = 0.0;
+  const Box box = this->SquareAround(task, task.Size);
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->VisitRow(task, row, box.FirstX, box.LastX,
+      [&](PointId point)
+      {
+        const std::int64_t area = SignedArea(task.A, task.B, this->At(point));
+        const double compactness = Compactness(task.A, task.B, this->At(point), area);
+        if (compactness > most && (!task.OnlyVisible || this->IsVisible(task, point)))
+        {
+          most = compactness;
+          task.Best = point;
+          task.BestCotangent = Cotangent(task.A, task.B, this->At(point), area);
+        }
+      });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchSquares(Task& task) const
+{
+  const std::int64_t everything = std::max(this->Grid.SizeX(), this->Grid.SizeY());
+  for (std::int64_t radius = task.Size; task.Best == NoPoint && radius < 2 * everything; radius = 2 * radius + 1)
+  {
+    this->SearchBox(task, this->SquareAround(task, radius));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ThirdPointSearch::Box ThirdPointSearch::SquareAround(const Task& task, std::int64_t radius) const
+{
+  const std::int64_t x = std::int64_t(task.MiddleX);
+  const std::int64_t y = std::int64_t(task.MiddleY);
   return { std::max<std::int64_t>(x - radius, 0), std::max<std::int64_t>(y - radius, 0),
     std::min(x + radius, this->Grid.SizeX() - 1), std::min(y + radius, this->Grid.SizeY() - 1) };
 }
@@ -165,20 +303,15 @@ ThirdPointSearch::Box ThirdPointSearch::SquareAround(const Edge& edge, std::int6
 //----------------------------------------------------------------------------------------------------------------------
 // The box of the circle's part to the left of the edge: around its ends, and those of the circle's four outermost
 // points that are to the left. Plain doubles, and as much wider as their rounding can be wrong.
-ThirdPointSearch::Box ThirdPointSearch::LeftPartOfCircle(const Edge& edge, PointId third) const
+ThirdPointSearch::Box ThirdPointSearch::LeftPartOfCircle(const Task& task) const
 {
-  const double bx = double(edge.B.X) - edge.A.X;
-  const double by = double(edge.B.Y) - edge.A.Y;
-  const double cx = double(this->At(third).X) - edge.A.X;
-  const double cy = double(this->At(third).Y) - edge.A.Y;
-  const double area = 2.0 * double(SignedArea(edge.A, edge.B, this->At(third)));
-  const double b2 = bx * bx + by * by;
-  const double c2 = cx * cx + cy * cy;
-  const double x = (cy * b2 - by * c2) / area;
-  const double y = (bx * c2 - cx * b2) / area;
-  const double radius = std::hypot(x, y);
-  const double margin =
-    1.0 + 1e-14 * ((std::abs(cx) + std::abs(cy)) * b2 + (std::abs(bx) + std::abs(by)) * c2) / area + 1e-14 * radius;
+  const double bx = double(task.B.X) - task.A.X;
+  const double by = double(task.B.Y) - task.A.Y;
+  // The centre and the end of the edge, as seen from its start.
+  const double x = 0.5 * (bx - by * task.BestCotangent);
+  const double y = 0.5 * (by + bx * task.BestCotangent);
+  const double radius = std::sqrt(x * x + y * y);
+  const double margin = 1.0 + 1e-12 * radius;
 
   double minX = std::min(0.0, bx);
   double minY = std::min(0.0, by);
@@ -196,65 +329,107 @@ ThirdPointSearch::Box ThirdPointSearch::LeftPartOfCircle(const Edge& edge, Point
       maxY = std::max(maxY, point[1]);
     }
   }
-  return { this->Grid.CellX(edge.A.X + minX - margin), this->Grid.CellY(edge.A.Y + minY - margin),
-    this->Grid.CellX(edge.A.X + maxX + margin), this->Grid.CellY(edge.A.Y + maxY + margin) };
+  return { this->Grid.CellX(task.A.X + minX - margin), this->Grid.CellY(task.A.Y + minY - margin),
+    this->Grid.CellX(task.A.X + maxX + margin), this->Grid.CellY(task.A.Y + maxY + margin) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::SearchBox(const Edge& edge, const Box& box, const Box& done, PointId& best) const
+void ThirdPointSearch::SearchBox(Task& task, const Box& box) const
 {
   for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
   {
-    if (done.HasRow(row))
-    {
-      this->SearchRow(edge, row, box.FirstX, std::min(box.LastX, done.FirstX - 1), best);
-      this->SearchRow(edge, row, std::max(box.FirstX, done.LastX + 1), box.LastX, best);
-    }
-    else
-    {
-      this->SearchRow(edge, row, box.FirstX, box.LastX, best);
-    }
+    this->SearchRow(task, row, box.FirstX, box.LastX);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The cells of a row stand one after the other, and so do their points.
-void ThirdPointSearch::SearchRow(
-  const Edge& edge, std::int64_t row, std::int64_t first, std::int64_t last, PointId& best) const
+void ThirdPointSearch::SearchRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const
 {
-  if (first > last)
+  this->VisitRow(task, row, first, last, [&](PointId point) { this->Consider(task, point); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The voxels of a row stand one after the other, and so do their points.
+template <typename Visitor>
+void ThirdPointSearch::VisitRow(
+  Task& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
+{
+  for (std::int64_t column = first; task.Walk && column <= last; ++column)
+  {
+    task.Walk->push_back({ column, row, task.Dilatation });
+  }
+  const PointId end = this->EndOf(this->Grid.Index(last, row));
+  for (PointId point = this->FirstIn(this->Grid.Index(first, row)); point < end; ++point)
+  {
+    visit(point);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::Consider(Task& task, PointId candidate) const
+{
+  const PlanePoint& place = this->At(candidate);
+  const std::int64_t area = SignedArea(task.A, task.B, place);
+  if (area <= 0)
   {
     return;
   }
-  const PointId* const end = this->PointsInCell.end(this->Grid.Index(last, row));
-  for (const PointId* point = this->PointsInCell.begin(this->Grid.Index(first, row)); point != end; ++point)
+  const double cotangent = Cotangent(task.A, task.B, place, area);
+  if (this->IsBetter(task, candidate, cotangent) && (!task.OnlyVisible || this->IsVisible(task, candidate)))
   {
-    if (this->IsBetter(edge, *point, best) && this->IsVisible(edge, *point))
-    {
-      best = *point;
-    }
+    task.Best = candidate;
+    task.BestCotangent = cotangent;
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool ThirdPointSearch::IsBetter(const Edge& edge, PointId candidate, PointId best) const
+// Cotangents are right to some units in the last place; only those that are closer to each other need InCircle.
+bool ThirdPointSearch::IsBetter(const Task& task, PointId candidate, double cotangent) const
 {
-  const PlanePoint& place = this->At(candidate);
-  return SignedArea(edge.A, edge.B, place) > 0 &&
-    (best == NoPoint || InCircle(edge.A, edge.B, this->At(best), place) > 0);
+  if (task.Best == NoPoint)
+  {
+    return true;
+  }
+  const double difference = cotangent - task.BestCotangent;
+  const double uncertain = 1e-14 * (std::abs(cotangent) + std::abs(task.BestCotangent));
+  if (std::abs(difference) > uncertain)
+  {
+    return difference < 0.0;
+  }
+  return candidate != task.Best && InCircle(task.A, task.B, this->At(task.Best), this->At(candidate)) > 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool ThirdPointSearch::HasHops(const SegmentEnd& from, const SegmentEnd& to) const
+{
+  const std::int64_t first = this->Grid.CellX(std::min(from.X, to.X));
+  const std::int64_t last = this->Grid.CellX(std::max(from.X, to.X));
+  const std::int64_t lastRow = this->Grid.CellY(std::max(from.Y, to.Y));
+  for (std::int64_t row = this->Grid.CellY(std::min(from.Y, to.Y)); row <= lastRow; ++row)
+  {
+    if (!this->HopsInCell.AreEmpty(this->Grid.Index(first, row), this->Grid.Index(last, row)))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // A segment that runs through the end of a boundary edge does not cross it. That does no harm: the end is nearer, so
 // that the circle of the point behind it can not be empty.
-bool ThirdPointSearch::IsVisible(const Edge& edge, PointId candidate) const
+bool ThirdPointSearch::IsVisible(const Task& task, PointId candidate) const
 {
-  const PlanePoint middle = edge.DoubledMiddle();
+  const SegmentEnd middle{ 0.5 * task.DoubledMiddle.X, 0.5 * task.DoubledMiddle.Y };
+  if (!this->HasHops(middle, this->At(candidate)))
+  {
+    return true;
+  }
   const PlanePoint target = Doubled(this->At(candidate));
   bool visible = true;
   const auto blocks = [&](const Hop& hop)
-  { return ProperlyCross(Doubled(this->At(hop.From)), Doubled(this->At(hop.To)), middle, target); };
-  this->Grid.ForEachCellAlong({ 0.5 * middle.X, 0.5 * middle.Y }, this->At(candidate),
+  { return ProperlyCross(Doubled(this->At(hop.From)), Doubled(this->At(hop.To)), task.DoubledMiddle, target); };
+  this->Grid.ForEachCellAlong(middle, this->At(candidate),
     [&](std::int64_t cell)
     { visible = visible && std::none_of(this->HopsInCell.begin(cell), this->HopsInCell.end(cell), blocks); });
   return visible;

@@ -4,10 +4,9 @@
 #include "Triangulation.h"
 
 #include "AdvancingFront.h"
-#include "CellGrid.h"
 #include "Errors.h"
 #include "FullBlocks.h"
-#include "ThirdPointSearch.h"
+#include "PatchList.h"
 
 #include <algorithm>
 #include <string>
@@ -16,159 +15,59 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// One patch with its own numbers for its points.
-struct Patch
+/// The points of a patch that a search has to know: those which full blocks do not cover. What is left to mesh is
+/// bounded by the boundary and by sides of full blocks, and these end in such points.
+struct LoosePoints
 {
-  std::vector<PointId> Points; // for each of its points the number in the horizon
-  std::vector<PlanePoint> Places;
-  Loops Boundary;
-};
-
-/// Moves the places to the origin and drops the factor of two they share, so that on whole columns numbers are as
-/// small as the patch: neither changes any answer.
-void Normalise(std::vector<PlanePoint>& places)
-{
-  PlanePoint least = places.front();
-  for (const PlanePoint& place : places)
+  LoosePoints(const Patch& patch, const FullBlocks& blocks)
+    : Numbers(patch.Points.size(), NoPoint)
   {
-    least = { std::min(least.X, place.X), std::min(least.Y, place.Y) };
-  }
-  std::int32_t bits = 0;
-  for (PlanePoint& place : places)
-  {
-    place = { place.X - least.X, place.Y - least.Y };
-    bits |= place.X | place.Y;
-  }
-  int shift = 0;
-  while (bits != 0 && ((bits >> shift) & 1) == 0)
-  {
-    ++shift;
-  }
-  for (PlanePoint& place : places)
-  {
-    place = { place.X >> shift, place.Y >> shift };
-  }
-}
-
-/// Deals points and loops out to their patches.
-class PatchList
-{
-public:
-  explicit PatchList(const BoundedHorizon& horizon)
-    : Horizon(horizon)
-    , Patches(CountPatches(horizon.Patch))
-    , Points(this->Patches, [&](auto&& add) { this->ForEachPoint(add); })
-    , LoopsOf(this->Patches, [&](auto&& add) { this->ForEachLoop(add); })
-    , LocalNumber(horizon.Patch.size(), NoPoint)
-  {
-  }
-
-  std::int64_t Size() const { return this->Patches; }
-
-  Patch Get(std::int64_t number)
-  {
-    Patch patch;
-    patch.Points.assign(this->Points.begin(number), this->Points.end(number));
-    for (const PointId point : patch.Points)
+    for (std::size_t point = 0; point < patch.Points.size(); ++point)
     {
-      this->LocalNumber[std::size_t(point)] = PointId(patch.Places.size());
-      patch.Places.push_back(this->Horizon.Plane[std::size_t(point)]);
-    }
-    if (!patch.Places.empty())
-    {
-      Normalise(patch.Places);
-    }
-    for (const std::size_t* loop = this->LoopsOf.begin(number); loop != this->LoopsOf.end(number); ++loop)
-    {
-      this->AddLoop(*loop, std::int32_t(number), patch);
-    }
-    return patch;
-  }
-
-private:
-  static std::int64_t CountPatches(const std::vector<std::int32_t>& patches)
-  {
-    const auto range = std::minmax_element(patches.begin(), patches.end());
-    if (*range.first < 0 || std::size_t(*range.second) >= patches.size())
-    {
-      throw InputError("patch numbers from " + std::to_string(*range.first) + " to " + std::to_string(*range.second) +
-        ", expected numbers from 0 that are less than the " + std::to_string(patches.size()) + " points");
-    }
-    return std::int64_t(*range.second) + 1;
-  }
-
-  template <typename Add>
-  void ForEachPoint(Add&& add) const
-  {
-    for (std::size_t point = 0; point < this->Horizon.Patch.size(); ++point)
-    {
-      add(this->Horizon.Patch[point], PointId(point));
-    }
-  }
-
-  template <typename Add>
-  void ForEachLoop(Add&& add) const
-  {
-    const Loops& boundary = this->Horizon.Boundary;
-    for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-    {
-      add(this->Horizon.Patch[std::size_t(*boundary.begin(loop))], loop);
-    }
-  }
-
-  void AddLoop(std::size_t loop, std::int32_t number, Patch& patch) const
-  {
-    const Loops& boundary = this->Horizon.Boundary;
-    for (const PointId* point = boundary.begin(loop); point != boundary.end(loop); ++point)
-    {
-      if (this->Horizon.Patch[std::size_t(*point)] != number)
+      if (!blocks.Covers(patch.Places[point]))
       {
-        throw InputError("boundary loop " + std::to_string(loop) + " runs from patch " + std::to_string(number) +
-          " to patch " + std::to_string(this->Horizon.Patch[std::size_t(*point)]) + " at point " +
-          std::to_string(*point) + ", expected loops that stay in one patch");
+        this->Numbers[point] = PointId(this->Places.size());
+        this->Places.push_back(patch.Places[point]);
+        this->Names.push_back(patch.Points[point]);
       }
-      patch.Boundary.Append(this->LocalNumber[std::size_t(*point)]);
     }
-    patch.Boundary.Close();
   }
 
-  const BoundedHorizon& Horizon;
-  const std::int64_t Patches;
-  const PointLists Points;
-  const CellLists<std::size_t> LoopsOf;
-  std::vector<PointId> LocalNumber; // of the patches that were asked for already
+  std::vector<PointId> Numbers; // by the number in the patch
+  std::vector<PlanePoint> Places;
+  std::vector<PointId> Names; // their numbers in the horizon
 };
 
+/// Meshes a patch from its boundary inwards, around its full blocks.
 class PatchTriangulator
 {
 public:
-  PatchTriangulator(const Patch& patch, std::vector<PointId>& triangles)
-    : TriangulatedPatch(patch)
+  PatchTriangulator(const Patch& patch, SearchStrategy strategy, std::vector<PointId>& triangles)
+    : Blocks(patch.Places, patch.Boundary)
+    , Loose(patch, this->Blocks)
+    , Search(this->Loose.Places, patch.Boundary.Renumbered(this->Loose.Numbers), this->Loose.Names, strategy)
+    , Front(this->Loose.Places.size())
+    , Used(this->Loose.Places.size(), false)
     , Triangles(triangles)
-    , Search(patch.Places, patch.Boundary, patch.Points)
-    , Front(patch.Places.size())
-    , Used(patch.Places.size(), false)
   {
+    this->AddBlocks(patch);
+    this->AddBoundary(patch.Boundary);
   }
 
   void Run(const Monitor& monitor)
   {
-    this->AddBoundary();
-    this->AddFullBlocks();
     monitor.Progress(0.5);
-    const std::size_t expected = 2 * this->Used.size();
-    const std::size_t begin = this->Triangles.size();
-    Hop edge;
-    while (this->Front.TakeNewest(edge))
+    // By Euler's formula a plane mesh has less than two triangles per point.
+    const std::size_t most = 2 * this->Used.size();
+    std::size_t made = 0;
+    for (Hop edge; this->Front.TakeNewest(edge); ++made)
     {
-      const std::size_t made = (this->Triangles.size() - begin) / 3;
       if (made % 4096 == 0)
       {
-        monitor.Progress(std::min(1.0, 0.5 + 0.5 * double(made) / double(expected)));
+        monitor.Progress(std::min(1.0, 0.5 + 0.5 * double(made) / double(most)));
       }
       const PointId third = this->Search.Find(edge.From, edge.To);
-      // By Euler's formula a plane mesh has less than two triangles per point.
-      if (third == NoPoint || made > expected)
+      if (third == NoPoint || made > most)
       {
         throw InputError("no surface to the left of the edge from point " + this->Name(edge.From) + " to point " +
           this->Name(edge.To) + ", expected closed boundary loops with the surface to their right");
@@ -179,48 +78,57 @@ public:
   }
 
 private:
-  std::string Name(PointId point) const { return std::to_string(this->TriangulatedPatch.Points[std::size_t(point)]); }
+  std::string Name(PointId point) const { return std::to_string(this->Search.NameOf(point)); }
 
-  /// The surface lies to the right of each boundary hop, so its reverse waits for a triangle. Of a hop that the
-  /// boundary walks in both directions neither side has surface.
-  void AddBoundary()
+  /// The number in the search of a point of the patch that is loose.
+  PointId Number(PointId point) const { return this->Search.NumberOf(this->Loose.Numbers[std::size_t(point)]); }
+
+  void AddBlocks(const Patch& patch)
   {
-    this->TriangulatedPatch.Boundary.ForEachHop(
-      [this](PointId from, PointId to)
+    const std::size_t before = this->Triangles.size();
+    this->Triangles.resize(before + 3 * this->Blocks.NumberOfTriangles());
+    PointId* corner = this->Triangles.data() + before;
+    this->Blocks.Visit(
+      [&](PointId a, PointId b, PointId c)
       {
-        this->Used[std::size_t(from)] = true;
-        this->AddSide(from, to);
-      });
-    for (std::size_t loop = 0; loop < this->TriangulatedPatch.Boundary.Size(); ++loop)
+        *corner++ = patch.Points[std::size_t(a)];
+        *corner++ = patch.Points[std::size_t(b)];
+        *corner++ = patch.Points[std::size_t(c)];
+      },
+      [&](PointId from, PointId to) { this->AddSide(this->Number(from), this->Number(to)); });
+    for (std::size_t point = 0; point < patch.Points.size(); ++point)
     {
-      this->Used[std::size_t(*this->TriangulatedPatch.Boundary.begin(loop))] = true;
+      if (this->Loose.Numbers[point] != NoPoint && this->Blocks.Touches(patch.Places[point]))
+      {
+        this->Used[std::size_t(this->Number(PointId(point)))] = true;
+      }
     }
   }
 
-  void AddFullBlocks()
+  /// The surface lies to the right of each boundary hop, so its reverse waits for a triangle. Of a hop that the
+  /// boundary walks in both directions neither side has surface.
+  void AddBoundary(const Loops& boundary)
   {
-    const FullBlocks blocks(this->TriangulatedPatch.Places, this->TriangulatedPatch.Boundary);
-    blocks.Visit([this](PointId a, PointId b, PointId c) { this->AddCorners(a, b, c); },
-      [this](PointId from, PointId to) { this->AddSide(from, to); });
+    boundary.ForEachHop([this](PointId from, PointId to) { this->AddSide(this->Number(from), this->Number(to)); });
+    for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+    {
+      std::for_each(boundary.begin(loop), boundary.end(loop),
+        [this](PointId point) { this->Used[std::size_t(this->Number(point))] = true; });
+    }
   }
 
   void AddTriangle(PointId a, PointId b, PointId c)
   {
-    this->AddCorners(a, b, c);
+    for (const PointId point : { a, b, c })
+    {
+      this->Used[std::size_t(point)] = true;
+      this->Triangles.push_back(this->Search.NameOf(point));
+    }
     this->AddSide(b, c);
     this->AddSide(c, a);
   }
 
-  void AddCorners(PointId a, PointId b, PointId c)
-  {
-    for (const PointId point : { a, b, c })
-    {
-      this->Used[std::size_t(point)] = true;
-      this->Triangles.push_back(this->TriangulatedPatch.Points[std::size_t(point)]);
-    }
-  }
-
-  /// A side of a triangle to its left: either it waited for this triangle, or its reverse waits for another one now.
+  /// A side of something to its left: either it waited for that, or its reverse waits for something now.
   void AddSide(PointId from, PointId to)
   {
     if (!this->Front.Remove(from, to))
@@ -239,19 +147,19 @@ private:
     }
   }
 
-  const Patch& TriangulatedPatch;
-  std::vector<PointId>& Triangles;
+  const FullBlocks Blocks;
+  const LoosePoints Loose;
   const ThirdPointSearch Search;
   AdvancingFront Front;
-  std::vector<bool> Used;
+  std::vector<bool> Used; // loose points, by the numbers of the search, as in the front
+  std::vector<PointId>& Triangles;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PointId> Triangulate(const BoundedHorizon& horizon, const Monitor& monitor)
+std::vector<PointId> Triangulate(const BoundedHorizon& horizon, SearchStrategy strategy, const Monitor& monitor)
 {
   std::vector<PointId> triangles;
-  triangles.reserve(6 * horizon.Plane.size());
   PatchList patches(horizon);
   std::size_t pointsDone = 0;
   for (std::int64_t number = 0; number < patches.Size(); ++number)
@@ -264,7 +172,7 @@ std::vector<PointId> Triangulate(const BoundedHorizon& horizon, const Monitor& m
     const double first = double(pointsDone) / double(horizon.Plane.size());
     pointsDone += patch.Points.size();
     const double last = double(pointsDone) / double(horizon.Plane.size());
-    PatchTriangulator(patch, triangles).Run(monitor.Step(first, last));
+    PatchTriangulator(patch, strategy, triangles).Run(monitor.Step(first, last));
   }
   return triangles;
 }

@@ -3,17 +3,19 @@
 //
 // The constrained Delaunay triangulation, in plan, of the inside of the boundary (thesis chapter 5).
 //
-// Triangles grow inwards from the boundary: an edge of the front is joined with the one point that makes a
-// constrained Delaunay triangle with it (ThirdPointSearch), and the new sides join the front, or leave it where
-// another triangle waits. As each third point follows from the edge alone, by exact predicates that know no ties
-// (Predicates.h), triangles fit together whatever order they are found in, and none is ever found outside: there is
-// nothing to delete afterwards, as the thesis has to (5.3.8).
+// Where the lattice is full, triangles are there without a search (FullBlocks). Into the rest they grow from the edges
+// of what is there and from the boundary: an edge of the front is joined with the one point that makes a constrained
+// Delaunay triangle with it (ThirdPointSearch), and the new sides join the front, or leave it where another triangle
+// waits. As each third point follows from the edge alone, by exact predicates that know no ties (Predicates.h),
+// triangles fit together whatever order they are found in, and none is ever found outside: there is nothing to delete
+// afterwards, as the thesis has to (5.3.8).
 
 #ifndef SeismicHorizonsTriangulation_h
 #define SeismicHorizonsTriangulation_h
 
 #include "BoundedHorizon.h"
 #include "Monitor.h"
+#include "ThirdPointSearch.h"
 
 #include <vector>
 
@@ -21,12 +23,13 @@ namespace SeismicHorizons
 {
 /// Three points per triangle, counter-clockwise seen from +z on the lattice. Every boundary hop is an edge of the
 /// mesh unless the surface lies on neither side of it (a spur, walked out and back); every point inside the boundary
-/// is a vertex; every other edge is locally Delaunay.
+/// is a vertex; every other edge is locally Delaunay. The strategy makes no difference to the mesh.
 ///
 /// Patches are meshed one after the other, a patch being the points and the loops with one patch number. Throws
 /// InputError when two points are in one place, a point lies on or outside the boundary of its patch, or boundary
 /// edges cross or leave a gap. Time is near linear in the points where their density in a patch is even.
-std::vector<PointId> Triangulate(const BoundedHorizon& horizon, const Monitor& monitor = Monitor());
+std::vector<PointId> Triangulate(const BoundedHorizon& horizon,
+  SearchStrategy strategy = SearchStrategy::VoxelTraversal, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -38,9 +38,40 @@ BoundedHorizon FromPolygon(const std::vector<PlanePoint>& places, int loopLength
   return horizon;
 }
 
+/// Triangles with the numbers their points had before they were put into another order, sorted.
+std::set<std::array<PointId, 3>> Canonical(const std::vector<PointId>& triangles, const std::vector<PointId>& number)
+{
+  std::set<std::array<PointId, 3>> result;
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    std::array<PointId, 3> triangle;
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      triangle[n] = number[std::size_t(triangles[corner + n])];
+    }
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    result.insert(triangle);
+  }
+  return result;
+}
+
+std::vector<PointId> Unchanged(std::size_t size)
+{
+  std::vector<PointId> numbers(size);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// What is wrong with the mesh of a horizon; with that of the other strategy too, which must be the same.
 std::string Mesh(const BoundedHorizon& horizon)
 {
-  return MeshChecker::CheckMesh(horizon, Triangulate(horizon));
+  const std::vector<PointId> triangles = Triangulate(horizon, SearchStrategy::VoxelTraversal);
+  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
+  if (Canonical(triangles, same) != Canonical(Triangulate(horizon, SearchStrategy::Compactness), same))
+  {
+    return "the strategies differ";
+  }
+  return MeshChecker::CheckMesh(horizon, triangles);
 }
 
 void TestSmallMeshes()
@@ -120,23 +151,6 @@ void TestHardPoints()
   }
 }
 
-/// Triangles with the numbers their points had before they were put into another order, sorted.
-std::set<std::array<PointId, 3>> Canonical(const std::vector<PointId>& triangles, const std::vector<PointId>& number)
-{
-  std::set<std::array<PointId, 3>> result;
-  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
-  {
-    std::array<PointId, 3> triangle;
-    for (std::size_t n = 0; n < 3; ++n)
-    {
-      triangle[n] = number[std::size_t(triangles[corner + n])];
-    }
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    result.insert(triangle);
-  }
-  return result;
-}
-
 void TestOrderOfPointsIsNoMatter()
 {
   Patches::Random random(6);
@@ -144,13 +158,8 @@ void TestOrderOfPointsIsNoMatter()
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape::Blob, random);
     const std::size_t size = columns.size();
-    std::vector<PointId> same(size);
-    std::vector<PointId> reversed(size);
-    for (std::size_t point = 0; point < size; ++point)
-    {
-      same[point] = PointId(point);
-      reversed[point] = PointId(size - 1 - point);
-    }
+    const std::vector<PointId> same = Unchanged(size);
+    const std::vector<PointId> reversed(same.rbegin(), same.rend());
     const Patches::Columns turned(columns.rbegin(), columns.rend());
     const std::vector<double> heights(size, 0.0);
     CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)), same) ==
@@ -163,12 +172,16 @@ void TestOrderOfPointsIsNoMatter()
 void TestFullBlocksAreWhatTheSearchFinds()
 {
   Patches::Random random(9);
-  for (int n = 0; n < 300; ++n)
+  for (int n = 0; n < 500; ++n)
   {
-    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    // With few points missing, so that most that are miss alone.
+    Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const double missing = 0.2 * random.Fraction();
+    columns.erase(
+      std::remove_if(columns.begin() + 1, columns.end(), [&](const PlanePoint&) { return random.Chance(missing); }),
+      columns.end());
     BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
-    std::vector<PointId> same(columns.size());
-    std::iota(same.begin(), same.end(), 0);
+    const std::vector<PointId> same = Unchanged(columns.size());
     const auto blocks = Canonical(Triangulate(horizon), same);
     for (PlanePoint& place : horizon.Plane)
     {
@@ -206,7 +219,8 @@ void TestErrors()
 void TestAbort()
 {
   const Monitor stop([](double) { return false; });
-  CHECK_THROWS_WITH(Triangulate(FromPicture({ "###", "###" }), stop), "stopped on request");
+  CHECK_THROWS_WITH(
+    Triangulate(FromPicture({ "###", "###" }), SearchStrategy::VoxelTraversal, stop), "stopped on request");
 }
 }
 
