@@ -12,50 +12,68 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
 {
-using HorizonPairs = std::vector<std::pair<vtkPolyData*, vtkSmartPointer<vtkPolyData>>>;
+struct Horizon
+{
+  vtkPolyData* Input;
+  std::vector<vtkPolyData*> Outputs; // by port
+};
 
 constexpr const char* NoMemory = "not enough memory, expected a horizon whose bounding box has fewer columns";
 
-/// Every horizon of the input with an empty one for it, which is put at the same place of the output.
-HorizonPairs MakePairs(vtkDataObject* input, vtkDataObject* output)
+/// Every horizon of a composite input with an empty one for it at the same place of each output.
+std::vector<Horizon> MakeHorizons(vtkDataObjectTree* input, const std::vector<vtkDataObject*>& outputs)
 {
-  HorizonPairs pairs;
-  if (vtkPolyData* const horizon = vtkPolyData::SafeDownCast(input))
+  std::vector<Horizon> horizons;
+  for (vtkDataObject* output : outputs)
   {
-    pairs.emplace_back(horizon, vtkPolyData::SafeDownCast(output));
-    return pairs;
+    vtkDataObjectTree::SafeDownCast(output)->CopyStructure(input);
   }
-  vtkDataObjectTree* const tree = vtkDataObjectTree::SafeDownCast(input);
-  vtkDataObjectTree* const result = vtkDataObjectTree::SafeDownCast(output);
-  result->CopyStructure(tree);
-  auto iterator = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  auto iterator = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(input->NewTreeIterator());
   iterator->SkipEmptyNodesOn();
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkDataObject* const leaf = iterator->GetCurrentDataObject();
-    vtkPolyData* const horizon = vtkPolyData::SafeDownCast(leaf);
-    if (!horizon)
+    horizons.push_back({ vtkPolyData::SafeDownCast(leaf), {} });
+    if (!horizons.back().Input)
     {
       throw SeismicHorizons::InputError(
         std::string("a ") + leaf->GetClassName() + " in the composite dataset, expected only vtkPolyData");
     }
-    auto empty = vtkSmartPointer<vtkPolyData>::New();
-    result->SetDataSet(iterator, empty);
-    pairs.emplace_back(horizon, empty);
+    for (vtkDataObject* output : outputs)
+    {
+      vtkNew<vtkPolyData> empty;
+      vtkDataObjectTree::SafeDownCast(output)->SetDataSet(iterator, empty);
+      horizons.back().Outputs.push_back(empty);
+    }
   }
-  return pairs;
+  return horizons;
+}
+
+std::vector<Horizon> MakeHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
+{
+  if (vtkDataObjectTree* const tree = vtkDataObjectTree::SafeDownCast(input))
+  {
+    return MakeHorizons(tree, outputs);
+  }
+  Horizon horizon{ vtkPolyData::SafeDownCast(input), {} };
+  for (vtkDataObject* output : outputs)
+  {
+    horizon.Outputs.push_back(vtkPolyData::SafeDownCast(output));
+  }
+  return { horizon };
 }
 
 /// How messages call a horizon: by the surface ID of its points, when they have one.
@@ -81,6 +99,16 @@ vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 }
 
 //------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ProcessHorizonPorts(
+  vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor)
+{
+  this->ProcessHorizon(input, outputs.front(), monitor);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ProcessHorizon(vtkPolyData*, vtkPolyData*, const SeismicHorizons::Monitor&) {}
+
+//------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -94,11 +122,14 @@ int vtkHorizonAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0], 0);
-  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
-  if (input && (!output || !output->IsA(input->GetClassName())))
+  for (int port = 0; input && port < this->GetNumberOfOutputPorts(); ++port)
   {
-    auto fresh = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
-    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
+    vtkDataObject* const output = vtkDataObject::GetData(outputVector, port);
+    if (!output || !output->IsA(input->GetClassName()))
+    {
+      auto fresh = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+      outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), fresh);
+    }
   }
   return 1;
 }
@@ -108,30 +139,42 @@ int vtkHorizonAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0], 0);
-  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
+  std::vector<vtkDataObject*> outputs;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs.push_back(vtkDataObject::GetData(outputVector, port));
+  }
+  const auto clear = [&outputs]()
+  { std::for_each(outputs.begin(), outputs.end(), [](vtkDataObject* output) { output->Initialize(); }); };
   const SeismicHorizons::Monitor monitor = SeismicHorizons::MakeMonitor(this);
   std::string name;
   std::string problem;
   try
   {
-    const HorizonPairs pairs = MakePairs(input, output);
-    for (std::size_t n = 0; n < pairs.size(); ++n)
+    const std::vector<Horizon> horizons = MakeHorizons(input, outputs);
+    for (std::size_t n = 0; n < horizons.size(); ++n)
     {
-      vtkPolyData* const horizon = pairs[n].first;
-      name = Name(horizon);
-      pairs[n].second->GetFieldData()->PassData(horizon->GetFieldData());
-      if (horizon->GetNumberOfPoints() > 0)
+      const Horizon& horizon = horizons[n];
+      name = Name(horizon.Input);
+      for (vtkPolyData* output : horizon.Outputs)
       {
-        const double size = double(pairs.size());
-        this->ProcessHorizon(horizon, pairs[n].second, monitor.Step(double(n) / size, double(n + 1) / size));
+        output->GetFieldData()->PassData(horizon.Input->GetFieldData());
+      }
+      if (horizon.Input->GetNumberOfPoints() > 0)
+      {
+        const double size = double(horizons.size());
+        this->ProcessHorizonPorts(horizon.Input, horizon.Outputs, monitor.Step(double(n) / size, double(n + 1) / size));
       }
     }
-    output->GetFieldData()->PassData(input->GetFieldData());
+    for (vtkDataObject* output : outputs)
+    {
+      output->GetFieldData()->PassData(input->GetFieldData());
+    }
     return 1;
   }
   catch (const SeismicHorizons::Aborted&)
   {
-    output->Initialize();
+    clear();
     return 1;
   }
   catch (const SeismicHorizons::InputError& error)
@@ -146,7 +189,7 @@ int vtkHorizonAlgorithm::RequestData(
   {
     problem = NoMemory;
   }
-  output->Initialize();
+  clear();
   vtkErrorMacro(<< name << problem);
   return 0;
 }

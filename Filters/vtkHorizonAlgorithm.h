@@ -22,6 +22,8 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <vector> // for the outputs
+
 namespace SeismicHorizons
 {
 class Monitor;
@@ -41,9 +43,16 @@ protected:
   vtkHorizonAlgorithm() = default;
   ~vtkHorizonAlgorithm() override = default;
 
+  /// The outputs of one horizon, by port.
+  using Outputs = std::vector<vtkPolyData*>;
+
+  /// For stages with several outputs, all of the same structure: override this one in place of ProcessHorizon, which it
+  /// calls otherwise.
+  virtual void ProcessHorizonPorts(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor);
+
   /// Turns one horizon that has points into another. Throws SeismicHorizons::InputError on input that breaks the
   /// contract of the stage.
-  virtual void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) = 0;
+  virtual void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -3,39 +3,145 @@
 
 #include "vtkHorizonTriangulation.h"
 
+#include "ConvexHull.h"
+#include "DataModel.h"
 #include "HorizonData.h"
+#include "TriangleQuality.h"
 #include "Triangulation.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <array>
+#include <limits>
 #include <utility>
 
+namespace
+{
+using namespace SeismicHorizons;
+
+BoundedHorizon ReadHull(LatticePoints points)
+{
+  BoundedHorizon horizon;
+  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+  horizon.Patch.assign(points.Plane.size(), 0);
+  horizon.Boundary = FindConvexHull(points.Plane);
+  horizon.Plane = std::move(points.Plane);
+  return horizon;
+}
+
+/// Triangles of a mirrored lattice turn clockwise in the world.
+void TurnOver(std::vector<PointId>& triangles)
+{
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    std::swap(triangles[corner + 1], triangles[corner + 2]);
+  }
+}
+
+void AddQuality(const char* name, const std::vector<double>& values, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(output->GetNumberOfCells());
+  array->FillValue(std::numeric_limits<double>::quiet_NaN());
+  std::copy(values.begin(), values.end(), array->GetPointer(output->GetNumberOfLines()));
+  output->GetCellData()->AddArray(array);
+}
+
+template <typename Array, typename Value>
+void AddFigure(const char* name, Value value, vtkPolyData* output)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->GetFieldData()->AddArray(array);
+}
+
+/// The voxels as squares at the height of the horizon's first point.
+void WriteWalk(const std::vector<TracedVoxel>& walk, const Lattice& grid, double height, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> squares;
+  vtkNew<vtkIntArray> dilatation;
+  dilatation->SetName(CellArray::Dilatation);
+  for (const TracedVoxel& voxel : walk)
+  {
+    const double x0 = grid.ToLatticeUnits(voxel.Least.X);
+    const double y0 = grid.ToLatticeUnits(voxel.Least.Y);
+    const double x1 = grid.ToLatticeUnits(voxel.Greatest.X);
+    const double y1 = grid.ToLatticeUnits(voxel.Greatest.Y);
+    std::array<vtkIdType, 4> ids;
+    const std::array<Eigen::Vector3d, 4> corners = { Eigen::Vector3d(x0, y0, height), { x1, y0, height },
+      { x1, y1, height }, { x0, y1, height } };
+    for (std::size_t n = 0; n < 4; ++n)
+    {
+      ids[n] = points->InsertNextPoint(grid.ToWorld(corners[n]).data());
+    }
+    squares->InsertNextCell(4, ids.data());
+    dilatation->InsertNextValue(voxel.Dilatation);
+  }
+  output->SetPoints(points);
+  output->SetPolys(squares);
+  output->GetCellData()->AddArray(dilatation);
+}
+}
+
 vtkStandardNewMacro(vtkHorizonTriangulation);
+
+//------------------------------------------------------------------------------
+vtkHorizonTriangulation::vtkHorizonTriangulation()
+{
+  this->SetNumberOfOutputPorts(2);
+}
 
 //------------------------------------------------------------------------------
 void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SearchStrategy: " << (this->SearchStrategy == Compactness ? "Compactness" : "VoxelTraversal")
+     << "\n";
+  os << indent << "ConvexHull: " << (this->ConvexHull ? "On" : "Off") << "\n";
+  os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonTriangulation::ProcessHorizon(
-  vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor)
+void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
-  const SeismicHorizons::LatticePoints points = SeismicHorizons::ReadPoints(input);
-  const SeismicHorizons::BoundedHorizon horizon = SeismicHorizons::ReadBoundedHorizon(input, points);
+  const LatticePoints points = ReadPoints(input);
+  const BoundedHorizon horizon = this->ConvexHull ? ReadHull(points) : ReadBoundedHorizon(input, points);
   monitor.Progress(0.1);
-  std::vector<SeismicHorizons::PointId> triangles = SeismicHorizons::Triangulate(horizon, monitor.Step(0.1, 0.9));
-  // On a mirrored lattice what is counter-clockwise there is clockwise in the world.
-  for (std::size_t corner = 0; !points.Grid.KeepsOrientation() && corner < triangles.size(); corner += 3)
+  TriangulationOptions options;
+  options.Strategy = static_cast<SeismicHorizons::SearchStrategy>(this->SearchStrategy);
+  options.MostTriangles = std::size_t(this->MaximumNumberOfTriangles);
+  Triangulation mesh = Triangulate(horizon, options, monitor.Step(0.1, 0.8));
+  const TriangleQuality quality = MeasureQuality(horizon.Plane, mesh.Triangles);
+  monitor.Progress(0.9);
+  if (!points.Grid.KeepsOrientation())
   {
-    std::swap(triangles[corner + 1], triangles[corner + 2]);
+    TurnOver(mesh.Triangles);
   }
+
+  vtkPolyData* const output = outputs.front();
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
-  output->SetLines(input->GetLines());
-  output->SetPolys(SeismicHorizons::MakeTriangles(triangles));
+  output->SetLines(MakePolylines(horizon.Boundary));
+  output->SetPolys(MakeTriangles(mesh.Triangles));
+  AddQuality(CellArray::Compactness, quality.Compactness, output);
+  AddQuality(CellArray::Quality, quality.Shape, output);
+  AddFigure<vtkIdTypeArray>(FieldArray::TriangleCount, vtkIdType(mesh.Triangles.size() / 3), output);
+  AddFigure<vtkIdTypeArray>(FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges), output);
+  AddFigure<vtkIdTypeArray>(FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges), output);
+  AddFigure<vtkDoubleArray>(FieldArray::SmallestAngle, quality.SmallestAngle, output);
+  WriteWalk(mesh.Walk, points.Grid, points.Height.front(), outputs[1]);
 }

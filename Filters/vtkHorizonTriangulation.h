@@ -4,19 +4,35 @@
  * @class   vtkHorizonTriangulation
  * @brief   the constrained Delaunay triangulation of a horizon inside its outlines
  *
- * Input: what vtkHorizonExteriorBoundary or any simplification after it gives. Output: the same points with all their
- * arrays, the boundary loops as polylines, and triangles, all facing +z in the world.
+ * Input: what vtkHorizonExteriorBoundary or any simplification after it gives; with ConvexHull any horizon.
+ *
+ * Output 0: the same points with all their arrays, the boundary loops as polylines, and triangles, all facing +z in the
+ * world. New cell data, nan for the polylines; in plan, in lattice units:
+ *  - Compactness (double): 4 sqrt(3) area / (sum of squared sides) of a triangle (thesis eq. 5.9), from 0 to 1
+ *  - Quality (double): 2 sqrt(3) area / (longest side x half the perimeter) (thesis eq. 5.10), from 0 to 1
+ * New field data, one value each:
+ *  - TriangleCount, BoundaryEdgeCount (vtkIdType): boundary edges with surface on one side
+ *  - NonDelaunayEdgeCount (vtkIdType): boundary edges that are there because they are boundary: every circle through
+ *    their ends holds a point
+ *  - SmallestAngle (double): in degrees
+ *
+ * Output 1, with MaximumNumberOfTriangles: the voxels that the search for the last triangle looked into, as squares, in
+ * their order, with the cell data Dilatation (int): 0 on the perpendicular bisector, n on its n-th dilatation, -1 in
+ * the box of the edge for the strategy Compactness, in squares around it, or in the circle of a candidate. Empty
+ * otherwise.
  *
  * Every boundary edge is an edge of the mesh (those of spurs, which have surface on neither side, belong to no
  * triangle); every point inside is a vertex; no triangle lies outside; every other edge is locally Delaunay, seen from
  * above in lattice units. Holes without loops close.
  *
- * Triangles grow inwards from the boundary; the third point for an edge is searched in a grid of cells around it
- * (thesis chapter 5). All decisions are exact: places are taken as integers, columns being cut into up to 2^20 parts
- * (Lattice.h), and ties between points on one circle, of which a lattice is full, are settled by one rule that looks
- * at the places alone (Predicates.h). So the result is unique: the order of the points does not matter.
+ * Where the lattice is full, triangles come without a search, at the speed of memory. Into the rest they grow from the
+ * boundary inwards; the third point for an edge is searched in a grid of voxels around it (thesis chapter 5). All
+ * decisions are exact: places are taken as integers, columns being cut into up to 2^20 parts (Lattice.h), and ties
+ * between points on one circle, of which a lattice is full, are settled by one rule that looks at the places alone
+ * (Predicates.h). So the result is unique: neither the order of the points nor the strategy matters.
  *
- * Near linear in the points; about 150 bytes per point beyond input and output.
+ * Near linear in the points; about 60 bytes per point beyond input and output on full lattices, 150 where all points
+ * have to be searched for.
  *
  * Errors: no boundary loops, loops that cross or are not closed or leave their patch, points in one place, on a
  * boundary edge or outside the boundary, no PatchId, no lattice in the field data.
@@ -37,15 +53,58 @@ public:
   vtkTypeMacro(vtkHorizonTriangulation, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// How the third point of a triangle is looked for.
+  enum SearchStrategyType
+  {
+    VoxelTraversal = 0,
+    Compactness = 1
+  };
+
+  ///@{
+  /**
+   * How the first candidate for the third point of a triangle is found: VoxelTraversal, along the perpendicular
+   * bisector of the edge and its dilatations (thesis 5.3.6), or Compactness, as the point in the square box of the edge
+   * that makes the most compact triangle (5.4). Both give the same mesh. Default: VoxelTraversal.
+   */
+  vtkSetClampMacro(SearchStrategy, int, VoxelTraversal, Compactness);
+  vtkGetMacro(SearchStrategy, int);
+  void SetSearchStrategyToVoxelTraversal() { this->SetSearchStrategy(VoxelTraversal); }
+  void SetSearchStrategyToCompactness() { this->SetSearchStrategy(Compactness); }
+  ///@}
+
+  ///@{
+  /**
+   * Mesh the convex hull of all points of a horizon, whatever its patches and loops are, and whether it has any; the
+   * polylines of the output are then the hull. Default: off.
+   */
+  vtkSetMacro(ConvexHull, bool);
+  vtkGetMacro(ConvexHull, bool);
+  vtkBooleanMacro(ConvexHull, bool);
+  ///@}
+
+  ///@{
+  /**
+   * To look inside: stop each patch after so many triangles, and show in output 1 how the last one was found. The short
+   * cut of full blocks is not taken then. At least 0, and 0 makes all triangles. Default: 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfTriangles, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfTriangles, int);
+  ///@}
+
 protected:
-  vtkHorizonTriangulation() = default;
+  vtkHorizonTriangulation();
   ~vtkHorizonTriangulation() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizonPorts(
+    vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonTriangulation(const vtkHorizonTriangulation&) = delete;
   void operator=(const vtkHorizonTriangulation&) = delete;
+
+  int SearchStrategy = VoxelTraversal;
+  bool ConvexHull = false;
+  int MaximumNumberOfTriangles = 0;
 };
 
 #endif

@@ -21,12 +21,23 @@ constexpr const char* Boundary = "Boundary";
 constexpr const char* PointCount = "PointCount";
 }
 
+namespace CellArray
+{
+constexpr const char* Compactness = "Compactness";
+constexpr const char* Quality = "Quality";
+constexpr const char* Dilatation = "Dilatation";
+}
+
 namespace FieldArray
 {
 constexpr const char* LatticeDimensions = "LatticeDimensions";
 constexpr const char* LatticeToWorld = "LatticeToWorld";
 constexpr const char* DroppedDuplicates = "DroppedDuplicates";
 constexpr const char* BoundaryDeviation = "BoundaryDeviation";
+constexpr const char* TriangleCount = "TriangleCount";
+constexpr const char* BoundaryEdgeCount = "BoundaryEdgeCount";
+constexpr const char* NonDelaunayEdgeCount = "NonDelaunayEdgeCount";
+constexpr const char* SmallestAngle = "SmallestAngle";
 }
 
 /// The values of the Boundary array.

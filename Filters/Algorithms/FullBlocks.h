@@ -29,6 +29,9 @@ namespace SeismicHorizons
 class FullBlocks
 {
 public:
+  /// None at all.
+  FullBlocks() = default;
+
   /// `points` have coordinates from 0, `boundary` runs over them with the surface to the right of its hops. When the
   /// points are so few in their bounding box that there can not be many full blocks, or when two of them are in one
   /// place, none is found.
@@ -163,8 +166,8 @@ private:
   std::vector<PointId> Points; // by column
   std::vector<unsigned char> Blocks; // by the column of the lower left corner
   // Which diagonal cuts a square: that between its first and third corner (0) or between the others (1).
-  const std::size_t BlockDiagonal;
-  const std::size_t RingDiagonal;
+  std::size_t BlockDiagonal = 0;
+  std::size_t RingDiagonal = 0;
 };
 }
 

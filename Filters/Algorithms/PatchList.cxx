@@ -49,7 +49,7 @@ CellLists<std::size_t> DealOutLoops(const BoundedHorizon& horizon, std::int64_t 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void Normalise(std::vector<PlanePoint>& places)
+Frame Normalise(std::vector<PlanePoint>& places)
 {
   PlanePoint least = places.front();
   for (const PlanePoint& place : places)
@@ -70,6 +70,7 @@ void Normalise(std::vector<PlanePoint>& places)
   {
     place = { (place.X - least.X) >> shift, (place.Y - least.Y) >> shift };
   }
+  return { least, shift };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -95,7 +96,7 @@ Patch PatchList::Get(std::int64_t number)
   }
   if (!patch.Places.empty())
   {
-    Normalise(patch.Places);
+    patch.PlacesFrame = Normalise(patch.Places);
   }
   for (const std::size_t* loop = this->LoopsOf.begin(number); loop != this->LoopsOf.end(number); ++loop)
   {

@@ -13,17 +13,25 @@
 
 namespace SeismicHorizons
 {
+/// Where normalised places were before: (place << Shift) + Origin.
+struct Frame
+{
+  PlanePoint Origin;
+  int Shift = 0;
+};
+
+/// Moves the places to the origin and drops the power of two they share, so that on whole columns numbers are as small
+/// as the patch is. Neither changes any answer of the predicates.
+Frame Normalise(std::vector<PlanePoint>& places);
+
 /// One patch with numbers of its own for its points.
 struct Patch
 {
   std::vector<PointId> Points; // for each of its points the number in the horizon
   std::vector<PlanePoint> Places;
+  Frame PlacesFrame;
   Loops Boundary;
 };
-
-/// Moves the places to the origin and drops the power of two they share, so that on whole columns numbers are as small
-/// as the patch is. Neither changes any answer of the predicates.
-void Normalise(std::vector<PlanePoint>& places);
 
 class PatchList
 {

@@ -200,6 +200,30 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// The circle through the best point to the left has no point in its left part, and of all such circles the smallest
+// right part. Seen from the right the edge is reversed, and the cotangent has the other sign.
+bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
+{
+  Task left(this->At(a), this->At(b), this->Grid, nullptr);
+  this->Search(left);
+  Task right(this->At(b), this->At(a), this->Grid, nullptr);
+  right.BestCotangent = -left.BestCotangent;
+  const Box box = this->LeftPartOfCircle(right);
+  bool empty = true;
+  for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
+  {
+    this->VisitRow(right, row, box.FirstX, box.LastX,
+      [&](PointId point)
+      {
+        empty = empty &&
+          (SignedArea(right.A, right.B, this->At(point)) <= 0 ||
+            InCircle(left.A, left.B, this->At(left.Best), this->At(point)) <= 0);
+      });
+  }
+  return empty;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void ThirdPointSearch::Search(Task& task) const
 {
   if (this->Strategy == SearchStrategy::VoxelTraversal)

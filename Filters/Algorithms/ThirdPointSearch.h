@@ -61,6 +61,10 @@ public:
   /// given, takes the voxels that were looked into, in their order.
   PointId Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk = nullptr) const;
 
+  /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it
+  /// would be an edge of the triangulation without being asked for. There must be a point to the left of it.
+  bool IsDelaunay(PointId a, PointId b) const;
+
   /// The grid of voxels.
   const CellGrid& GetVoxels() const { return this->Grid; }
 

@@ -42,16 +42,19 @@ struct LoosePoints
 class PatchTriangulator
 {
 public:
-  PatchTriangulator(const Patch& patch, SearchStrategy strategy, std::vector<PointId>& triangles)
-    : Blocks(patch.Places, patch.Boundary)
+  PatchTriangulator(const Patch& patch, const TriangulationOptions& options, Triangulation& result)
+    : Input(patch)
+    , Options(options)
+    , Blocks(options.MostTriangles > 0 ? FullBlocks() : FullBlocks(patch.Places, patch.Boundary))
     , Loose(patch, this->Blocks)
-    , Search(this->Loose.Places, patch.Boundary.Renumbered(this->Loose.Numbers), this->Loose.Names, strategy)
+    , Search(this->Loose.Places, patch.Boundary.Renumbered(this->Loose.Numbers), this->Loose.Names, options.Strategy)
     , Front(this->Loose.Places.size())
     , Used(this->Loose.Places.size(), false)
-    , Triangles(triangles)
+    , Result(result)
+    , Triangles(result.Triangles)
   {
-    this->AddBlocks(patch);
-    this->AddBoundary(patch.Boundary);
+    this->AddBlocks();
+    this->AddBoundary();
   }
 
   void Run(const Monitor& monitor)
@@ -59,22 +62,27 @@ public:
     monitor.Progress(0.5);
     // By Euler's formula a plane mesh has less than two triangles per point.
     const std::size_t most = 2 * this->Used.size();
+    const std::size_t wanted = this->Options.MostTriangles > 0 ? this->Options.MostTriangles : most + 1;
     std::size_t made = 0;
-    for (Hop edge; this->Front.TakeNewest(edge); ++made)
+    for (Hop edge; made < wanted && this->Front.TakeNewest(edge); ++made)
     {
       if (made % 4096 == 0)
       {
         monitor.Progress(std::min(1.0, 0.5 + 0.5 * double(made) / double(most)));
       }
-      const PointId third = this->Search.Find(edge.From, edge.To);
-      if (third == NoPoint || made > most)
+      const PointId third = this->FindThird(edge, made + 1 == this->Options.MostTriangles);
+      if (third == NoPoint || made >= most)
       {
         throw InputError("no surface to the left of the edge from point " + this->Name(edge.From) + " to point " +
           this->Name(edge.To) + ", expected closed boundary loops with the surface to their right");
       }
       this->AddTriangle(edge.From, edge.To, third);
     }
-    this->CheckAllUsed();
+    if (this->Options.MostTriangles == 0)
+    {
+      this->CheckAllUsed();
+      this->CountEdges();
+    }
   }
 
 private:
@@ -83,8 +91,32 @@ private:
   /// The number in the search of a point of the patch that is loose.
   PointId Number(PointId point) const { return this->Search.NumberOf(this->Loose.Numbers[std::size_t(point)]); }
 
-  void AddBlocks(const Patch& patch)
+  PointId FindThird(const Hop& edge, bool traced)
   {
+    if (!traced)
+    {
+      return this->Search.Find(edge.From, edge.To);
+    }
+    std::vector<WalkedVoxel> walk;
+    const PointId third = this->Search.Find(edge.From, edge.To, &walk);
+    const CellGrid& voxels = this->Search.GetVoxels();
+    const auto before = [this](const PlanePoint& place)
+    {
+      const Frame& frame = this->Input.PlacesFrame;
+      return PlanePoint{ (place.X << frame.Shift) + frame.Origin.X, (place.Y << frame.Shift) + frame.Origin.Y };
+    };
+    this->Result.Walk.clear();
+    for (const WalkedVoxel& voxel : walk)
+    {
+      this->Result.Walk.push_back({ before(voxels.CornerOf(voxel.X, voxel.Y)),
+        before(voxels.CornerOf(voxel.X + 1, voxel.Y + 1)), voxel.Dilatation });
+    }
+    return third;
+  }
+
+  void AddBlocks()
+  {
+    const Patch& patch = this->Input;
     const std::size_t before = this->Triangles.size();
     this->Triangles.resize(before + 3 * this->Blocks.NumberOfTriangles());
     PointId* corner = this->Triangles.data() + before;
@@ -107,8 +139,9 @@ private:
 
   /// The surface lies to the right of each boundary hop, so its reverse waits for a triangle. Of a hop that the
   /// boundary walks in both directions neither side has surface.
-  void AddBoundary(const Loops& boundary)
+  void AddBoundary()
   {
+    const Loops& boundary = this->Input.Boundary;
     boundary.ForEachHop([this](PointId from, PointId to) { this->AddSide(this->Number(from), this->Number(to)); });
     for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
     {
@@ -147,19 +180,69 @@ private:
     }
   }
 
+  /// Which hops have surface on one side, and which of them are not Delaunay. Two points no further apart than the
+  /// diagonal of a sub-voxel, which on whole columns is that of a block, have no point in the circle around them.
+  void CountEdges()
+  {
+    std::vector<Hop> longHops;
+    AdvancingFront walked(this->Input.Points.size());
+    this->Input.Boundary.ForEachHop(
+      [&](PointId from, PointId to)
+      {
+        if (!walked.Remove(to, from))
+        {
+          walked.Add(from, to);
+        }
+      });
+    for (Hop hop; walked.TakeNewest(hop); ++this->Result.BoundaryEdges)
+    {
+      const PlanePoint& from = this->Input.Places[std::size_t(hop.From)];
+      const PlanePoint& to = this->Input.Places[std::size_t(hop.To)];
+      if (std::max(std::abs(from.X - to.X), std::abs(from.Y - to.Y)) > 1)
+      {
+        longHops.push_back({ hop.To, hop.From });
+      }
+    }
+    this->CountNonDelaunay(longHops);
+  }
+
+  /// All points may be in the way here, also those which full blocks cover.
+  void CountNonDelaunay(const std::vector<Hop>& hops)
+  {
+    if (hops.empty())
+    {
+      return;
+    }
+    const auto isNot = [&hops](const ThirdPointSearch& search, auto&& number)
+    {
+      return std::size_t(std::count_if(hops.begin(), hops.end(),
+        [&](const Hop& hop) { return !search.IsDelaunay(number(hop.From), number(hop.To)); }));
+    };
+    if (this->Blocks.NumberOfTriangles() == 0)
+    {
+      this->Result.NonDelaunayEdges += isNot(this->Search, [this](PointId point) { return this->Number(point); });
+      return;
+    }
+    const ThirdPointSearch all(this->Input.Places, Loops(), this->Input.Points, this->Options.Strategy);
+    this->Result.NonDelaunayEdges += isNot(all, [&all](PointId point) { return all.NumberOf(point); });
+  }
+
+  const Patch& Input;
+  const TriangulationOptions Options;
   const FullBlocks Blocks;
   const LoosePoints Loose;
   const ThirdPointSearch Search;
   AdvancingFront Front;
   std::vector<bool> Used; // loose points, by the numbers of the search, as in the front
+  Triangulation& Result;
   std::vector<PointId>& Triangles;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PointId> Triangulate(const BoundedHorizon& horizon, SearchStrategy strategy, const Monitor& monitor)
+Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options, const Monitor& monitor)
 {
-  std::vector<PointId> triangles;
+  Triangulation result;
   PatchList patches(horizon);
   std::size_t pointsDone = 0;
   for (std::int64_t number = 0; number < patches.Size(); ++number)
@@ -172,8 +255,8 @@ std::vector<PointId> Triangulate(const BoundedHorizon& horizon, SearchStrategy s
     const double first = double(pointsDone) / double(horizon.Plane.size());
     pointsDone += patch.Points.size();
     const double last = double(pointsDone) / double(horizon.Plane.size());
-    PatchTriangulator(patch, strategy, triangles).Run(monitor.Step(first, last));
+    PatchTriangulator(patch, options, result).Run(monitor.Step(first, last));
   }
-  return triangles;
+  return result;
 }
 }

@@ -21,15 +21,42 @@
 
 namespace SeismicHorizons
 {
-/// Three points per triangle, counter-clockwise seen from +z on the lattice. Every boundary hop is an edge of the
-/// mesh unless the surface lies on neither side of it (a spur, walked out and back); every point inside the boundary
-/// is a vertex; every other edge is locally Delaunay. The strategy makes no difference to the mesh.
+struct TriangulationOptions
+{
+  /// How the third point of an edge is looked for. It makes no difference to the mesh.
+  SearchStrategy Strategy = SearchStrategy::VoxelTraversal;
+  /// To look inside: stops when a patch has so many triangles, without the short cut of full blocks; 0 makes all.
+  std::size_t MostTriangles = 0;
+};
+
+/// A voxel that the search for the last triangle looked into, as a square in sub-voxels.
+struct TracedVoxel
+{
+  PlanePoint Least;
+  PlanePoint Greatest;
+  int Dilatation = 0; // as in WalkedVoxel
+};
+
+struct Triangulation
+{
+  /// Three points per triangle, counter-clockwise seen from +z on the lattice.
+  std::vector<PointId> Triangles;
+  /// Boundary hops with surface on one side, and how many of them no circle without a point runs through: these are
+  /// there because they were asked for.
+  std::size_t BoundaryEdges = 0;
+  std::size_t NonDelaunayEdges = 0;
+  /// Of the last triangle, when MostTriangles is set.
+  std::vector<TracedVoxel> Walk;
+};
+
+/// Every boundary hop is an edge of the mesh unless the surface lies on neither side of it (a spur, walked out and
+/// back); every point inside the boundary is a vertex; every other edge is locally Delaunay.
 ///
 /// Patches are meshed one after the other, a patch being the points and the loops with one patch number. Throws
 /// InputError when two points are in one place, a point lies on or outside the boundary of its patch, or boundary
 /// edges cross or leave a gap. Time is near linear in the points where their density in a patch is even.
-std::vector<PointId> Triangulate(const BoundedHorizon& horizon,
-  SearchStrategy strategy = SearchStrategy::VoxelTraversal, const Monitor& monitor = Monitor());
+Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options = TriangulationOptions(),
+  const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -27,7 +27,7 @@ Damaged Sound()
   const Patches::Columns columns = Patches::FromPicture({ "#####", "#####", "###..", "###.." });
   Damaged mesh;
   mesh.Horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
-  mesh.Triangles = Triangulate(mesh.Horizon);
+  mesh.Triangles = Triangulate(mesh.Horizon).Triangles;
   return mesh;
 }
 
@@ -58,7 +58,7 @@ void TestNotDelaunay()
 {
   Damaged mesh;
   mesh.Horizon = MakeHorizon(Patches::FromPicture({ "##", "##" }), { 0.0, 0.0, 0.0, 0.0 });
-  mesh.Triangles = Triangulate(mesh.Horizon);
+  mesh.Triangles = Triangulate(mesh.Horizon).Triangles;
   CHECK_EQUAL(mesh.Check(), std::string());
   // The ends of the diagonal stay; one of the other two points moves inwards or outwards.
   const auto count = [&mesh](PointId point) { return std::count(mesh.Triangles.begin(), mesh.Triangles.end(), point); };

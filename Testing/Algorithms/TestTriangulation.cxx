@@ -65,9 +65,9 @@ std::vector<PointId> Unchanged(std::size_t size)
 /// What is wrong with the mesh of a horizon; with that of the other strategy too, which must be the same.
 std::string Mesh(const BoundedHorizon& horizon)
 {
-  const std::vector<PointId> triangles = Triangulate(horizon, SearchStrategy::VoxelTraversal);
+  const std::vector<PointId> triangles = Triangulate(horizon).Triangles;
   const std::vector<PointId> same = Unchanged(horizon.Plane.size());
-  if (Canonical(triangles, same) != Canonical(Triangulate(horizon, SearchStrategy::Compactness), same))
+  if (Canonical(triangles, same) != Canonical(Triangulate(horizon, { SearchStrategy::Compactness }).Triangles, same))
   {
     return "the strategies differ";
   }
@@ -76,20 +76,21 @@ std::string Mesh(const BoundedHorizon& horizon)
 
 void TestSmallMeshes()
 {
-  CHECK(Triangulate(FromPicture({ "#" })).empty());
-  CHECK(Triangulate(FromPicture({ "####" })).empty());
-  CHECK_EQUAL(Triangulate(FromPicture({ "##", "##" })).size(), 6u);
-  CHECK_EQUAL(Triangulate(FromPicture({ "##", "#." })).size(), 3u);
+  CHECK(Triangulate(FromPicture({ "#" })).Triangles.empty());
+  CHECK(Triangulate(FromPicture({ "####" })).Triangles.empty());
+  CHECK_EQUAL(Triangulate(FromPicture({ "##", "##" })).Triangles.size(), 6u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "##", "#." })).Triangles.size(), 3u);
   // Four triangles around the middle one, eight when its square is full, two fewer when it is missing.
-  CHECK_EQUAL(Triangulate(FromPicture({ ".#.", "###", ".#." })).size(), 12u);
-  CHECK_EQUAL(Triangulate(FromPicture({ "###", "###", "###" })).size(), 24u);
-  CHECK_EQUAL(Triangulate(FromPicture({ "###", "#.#", "###" })).size(), 18u);
+  CHECK_EQUAL(Triangulate(FromPicture({ ".#.", "###", ".#." })).Triangles.size(), 12u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "###", "###", "###" })).Triangles.size(), 24u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "###", "#.#", "###" })).Triangles.size(), 18u);
 }
 
 /// By hand: of the quadrangle's two diagonals the one that leaves the circles empty.
 void TestDelaunayDiagonal()
 {
-  const std::vector<PointId> triangles = Triangulate(FromPolygon({ { 0, 0 }, { 5, 2 }, { 10, 0 }, { 5, -2 } }, 4));
+  const std::vector<PointId> triangles =
+    Triangulate(FromPolygon({ { 0, 0 }, { 5, 2 }, { 10, 0 }, { 5, -2 } }, 4)).Triangles;
   CHECK_EQUAL(triangles.size(), 6u);
   // Both triangles have the short diagonal from point 1 to point 3.
   CHECK_EQUAL(std::count(triangles.begin(), triangles.end(), 1), 2);
@@ -162,8 +163,8 @@ void TestOrderOfPointsIsNoMatter()
     const std::vector<PointId> reversed(same.rbegin(), same.rend());
     const Patches::Columns turned(columns.rbegin(), columns.rend());
     const std::vector<double> heights(size, 0.0);
-    CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)), same) ==
-      Canonical(Triangulate(MakeHorizon(turned, heights)), reversed));
+    CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)).Triangles, same) ==
+      Canonical(Triangulate(MakeHorizon(turned, heights)).Triangles, reversed));
   }
 }
 
@@ -182,12 +183,12 @@ void TestFullBlocksAreWhatTheSearchFinds()
       columns.end());
     BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
     const std::vector<PointId> same = Unchanged(columns.size());
-    const auto blocks = Canonical(Triangulate(horizon), same);
+    const auto blocks = Canonical(Triangulate(horizon).Triangles, same);
     for (PlanePoint& place : horizon.Plane)
     {
       place = { 3 * place.X, 3 * place.Y };
     }
-    CHECK(blocks == Canonical(Triangulate(horizon), same));
+    CHECK(blocks == Canonical(Triangulate(horizon).Triangles, same));
   }
 }
 
@@ -219,8 +220,7 @@ void TestErrors()
 void TestAbort()
 {
   const Monitor stop([](double) { return false; });
-  CHECK_THROWS_WITH(
-    Triangulate(FromPicture({ "###", "###" }), SearchStrategy::VoxelTraversal, stop), "stopped on request");
+  CHECK_THROWS_WITH(Triangulate(FromPicture({ "###", "###" }), TriangulationOptions(), stop), "stopped on request");
 }
 }
 
