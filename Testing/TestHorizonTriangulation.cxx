@@ -5,6 +5,7 @@
 #include "HorizonFixtures.h"
 
 #include "vtkCell.h"
+#include "vtkCellData.h"
 #include "vtkFeatureEdges.h"
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonExteriorBoundary.h"
@@ -12,6 +13,9 @@
 #include "vtkHorizonTriangulation.h"
 #include "vtkMath.h"
 #include "vtkTriangle.h"
+
+#include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -95,6 +99,91 @@ void TestMesh(vtkMatrix4x4* survey, bool simplify)
   CHECK(output->GetPointData()->GetArray("Amplitude") != nullptr);
   CHECK(output->GetFieldData()->GetArray("LatticeDimensions") != nullptr);
 }
+
+vtkSmartPointer<vtkPolyData> Boundary(vtkPolyData* horizon)
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(horizon);
+  boundary->Update();
+  return boundary->GetPolyDataOutput();
+}
+
+/// A square of two by two blocks: eight equal right-angled triangles.
+void TestFigures()
+{
+  auto input =
+    Boundary(HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(3, 3), 1, HorizonFixtures::RotatedSurvey()));
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetInputDataObject(input);
+  for (const int strategy : { 0, 1 })
+  {
+    mesh->SetSearchStrategy(strategy);
+    mesh->Update();
+    vtkPolyData* const output = mesh->GetPolyDataOutput();
+    vtkDataArray* const compactness = output->GetCellData()->GetArray("Compactness");
+    vtkDataArray* const quality = output->GetCellData()->GetArray("Quality");
+    CHECK_EQUAL(compactness->GetNumberOfTuples(), 9);
+    CHECK(std::isnan(compactness->GetTuple1(0)) && std::isnan(quality->GetTuple1(0)));
+    for (vtkIdType cell = 1; cell < 9; ++cell)
+    {
+      CHECK(std::abs(compactness->GetTuple1(cell) - 0.5 * std::sqrt(3.0)) < 1e-12);
+      CHECK(std::abs(quality->GetTuple1(cell) - std::sqrt(3.0) / (1.0 + std::sqrt(2.0))) < 1e-12);
+    }
+    vtkFieldData* const figures = output->GetFieldData();
+    CHECK_EQUAL(figures->GetArray("TriangleCount")->GetTuple1(0), 8.0);
+    CHECK_EQUAL(figures->GetArray("BoundaryEdgeCount")->GetTuple1(0), 8.0);
+    CHECK_EQUAL(figures->GetArray("NonDelaunayEdgeCount")->GetTuple1(0), 0.0);
+    CHECK(std::abs(figures->GetArray("SmallestAngle")->GetTuple1(0) - 45.0) < 1e-9);
+    CHECK_EQUAL(vtkPolyData::SafeDownCast(mesh->GetOutputDataObject(1))->GetNumberOfCells(), 0);
+  }
+}
+
+/// Without outlines, bays and gaps are closed.
+void TestConvexHull()
+{
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetInputDataObject(HorizonFixtures::FromPicture({ "#.#", "...", "#.#" }, 1, HorizonFixtures::RotatedSurvey()));
+  mesh->ConvexHullOn();
+  mesh->Update();
+  vtkPolyData* const output = mesh->GetPolyDataOutput();
+  CHECK_EQUAL(output->GetNumberOfPolys(), 2);
+  CHECK_EQUAL(output->GetNumberOfLines(), 1);
+  CheckFacesUp(output);
+}
+
+void TestSearchIsShown()
+{
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetInputDataObject(
+    Boundary(HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(6, 5), 1, HorizonFixtures::RotatedSurvey())));
+  mesh->SetMaximumNumberOfTriangles(7);
+  mesh->Update();
+  CHECK_EQUAL(mesh->GetPolyDataOutput()->GetNumberOfPolys(), 7);
+  auto* const walk = vtkPolyData::SafeDownCast(mesh->GetOutputDataObject(1));
+  CHECK(walk->GetNumberOfPolys() > 0);
+  CHECK_EQUAL(walk->GetCellData()->GetArray("Dilatation")->GetTuple1(0), 0.0);
+  double bounds[6];
+  double all[6];
+  walk->GetBounds(bounds);
+  mesh->GetPolyDataOutput()->GetBounds(all);
+  CHECK(bounds[0] >= all[0] - 100.0 && bounds[1] <= all[1] + 100.0);
+  mesh->SetMaximumNumberOfTriangles(-3);
+  CHECK_EQUAL(mesh->GetMaximumNumberOfTriangles(), 0);
+}
+
+void TestPrint()
+{
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetSearchStrategyToCompactness();
+  mesh->ConvexHullOn();
+  mesh->SetMaximumNumberOfTriangles(12);
+  std::ostringstream text;
+  mesh->Print(text);
+  for (const char* line : { "SearchStrategy: Compactness", "ConvexHull: On", "MaximumNumberOfTriangles: 12" })
+  {
+    CHECK(text.str().find(line) != std::string::npos);
+  }
+}
 }
 
 int TestHorizonTriangulation(int, char*[])
@@ -105,5 +194,9 @@ int TestHorizonTriangulation(int, char*[])
     TestMesh(HorizonFixtures::RotatedSurvey(), simplify);
     TestMesh(MirroredSurvey(), simplify);
   }
+  TestFigures();
+  TestConvexHull();
+  TestSearchIsShown();
+  TestPrint();
   return Check::Result();
 }

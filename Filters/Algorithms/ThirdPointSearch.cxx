@@ -230,11 +230,11 @@ void ThirdPointSearch::Search(Task& task) const
   {
     this->TraverseBox(task);
   }
-  else
+  task.Dilatation = -1;
+  if (this->Strategy == SearchStrategy::Compactness)
   {
     this->CompareBox(task);
   }
-  task.Dilatation = -1;
   if (task.Best == NoPoint)
   {
     this->SearchSquares(task);

@@ -30,13 +30,6 @@ int SignOf(Wide value)
   return int(value > 0) - int(value < 0);
 }
 
-/// By cofactors of the 4 x 4 determinant: positive when d is inside the circle of the counter-clockwise a, b, c.
-int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
-{
-  const auto lift = [&d](const PlanePoint& p) { return Wide(p.X - d.X) * (p.X - d.X) + Wide(p.Y - d.Y) * (p.Y - d.Y); };
-  return SignOf(lift(a) * Turn(d, b, c) - lift(b) * Turn(d, a, c) + lift(c) * Turn(d, a, b));
-}
-
 bool Cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
 {
   return SignOf(Turn(a, b, c)) * SignOf(Turn(a, b, d)) < 0 && SignOf(Turn(c, d, a)) * SignOf(Turn(c, d, b)) < 0;
@@ -275,6 +268,14 @@ std::string CheckEuler(const BoundedHorizon& horizon, const EdgeTriangles& edges
   }
   return {};
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// By cofactors of the 4 x 4 determinant.
+int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
+{
+  const auto lift = [&d](const PlanePoint& p) { return Wide(p.X - d.X) * (p.X - d.X) + Wide(p.Y - d.Y) * (p.Y - d.Y); };
+  return SignOf(lift(a) * Turn(d, b, c) - lift(b) * Turn(d, a, c) + lift(c) * Turn(d, a, b));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

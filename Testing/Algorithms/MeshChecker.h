@@ -26,6 +26,10 @@ std::string CheckExteriorBoundary(
 int Locate(const std::vector<SeismicHorizons::PlanePoint>& places, const SeismicHorizons::Loops& boundary,
   const SeismicHorizons::PlanePoint& place);
 
+/// 1 when d is inside the circle of a, b and c, which turn counter-clockwise, 0 when on it, -1 when outside.
+int SideOfCircle(const SeismicHorizons::PlanePoint& a, const SeismicHorizons::PlanePoint& b,
+  const SeismicHorizons::PlanePoint& c, const SeismicHorizons::PlanePoint& d);
+
 /// Triangles turn counter-clockwise; every edge has at most one triangle on each side; the edges with one triangle are
 /// the boundary hops; areas sum to that of the boundary (with the former: no overlap, nothing outside, no gap); all
 /// points are used; every other edge is locally Delaunay; Euler's formula holds patch by patch.

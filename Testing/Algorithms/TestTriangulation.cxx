@@ -3,6 +3,7 @@
 
 #include "Check.h"
 #include "MeshChecker.h"
+#include "Predicates.h"
 #include "RoughSimplification.h"
 #include "TestHorizons.h"
 #include "Triangulation.h"
@@ -192,6 +193,94 @@ void TestFullBlocksAreWhatTheSearchFinds()
   }
 }
 
+/// Whether some circle through the ends of an edge holds no point, by trying the circle of each point to the left of
+/// it. With `ties` a circle with a point on it counts as empty.
+bool IsDelaunay(const std::vector<PlanePoint>& places, const PlanePoint& a, const PlanePoint& b, bool ties)
+{
+  const auto isEmpty = [&](const PlanePoint& third)
+  {
+    return std::none_of(places.begin(), places.end(),
+      [&](const PlanePoint& p)
+      {
+        const int side = MeshChecker::SideOfCircle(a, b, third, p);
+        return !(p == a) && !(p == b) && !(p == third) && (ties ? side > 0 : side >= 0);
+      });
+  };
+  return std::any_of(places.begin(), places.end(),
+    [&](const PlanePoint& third) { return SignedArea(a, b, third) > 0 && isEmpty(third); });
+}
+
+/// Points on one circle may or may not count, as ties are settled; all others must be counted as by hand.
+void TestNonDelaunayEdgesAreCounted()
+{
+  Patches::Random random(11);
+  std::size_t found = 0;
+  for (int n = 0; n < 300; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
+    const BoundedHorizon straight = Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 5.0));
+    const BoundedHorizon horizon = n % 2 == 0 ? straight : Reduce(straight, SimplifyRough(straight, 3));
+    std::set<std::pair<PointId, PointId>> hops;
+    horizon.Boundary.ForEachHop(
+      [&hops](PointId from, PointId to)
+      {
+        if (hops.erase({ from, to }) == 0)
+        {
+          hops.insert({ to, from });
+        }
+      });
+    std::size_t least = 0;
+    std::size_t most = 0;
+    for (const auto& [from, to] : hops)
+    {
+      std::vector<PlanePoint> patch;
+      for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
+      {
+        if (horizon.Patch[point] == horizon.Patch[std::size_t(from)])
+        {
+          patch.push_back(horizon.Plane[point]);
+        }
+      }
+      least += IsDelaunay(patch, horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)], true) ? 0 : 1;
+      most += IsDelaunay(patch, horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)], false) ? 0 : 1;
+    }
+    const Triangulation mesh = Triangulate(horizon);
+    CHECK_EQUAL(mesh.BoundaryEdges, hops.size());
+    CHECK(least <= mesh.NonDelaunayEdges && mesh.NonDelaunayEdges <= most);
+    found += mesh.NonDelaunayEdges;
+  }
+  CHECK(found > 0);
+}
+
+/// Stopped after so many triangles, the mesh is a part of the whole, and the walk leads to the last third point.
+void TestStopsAndTraces()
+{
+  const BoundedHorizon horizon = FromPicture({ "######", "######", "##..##", "######", "######" });
+  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
+  const auto whole = Canonical(Triangulate(horizon).Triangles, same);
+  for (const SearchStrategy strategy : { SearchStrategy::VoxelTraversal, SearchStrategy::Compactness })
+  {
+    for (std::size_t most = 1; most <= whole.size(); ++most)
+    {
+      const Triangulation part = Triangulate(horizon, { strategy, most });
+      CHECK_EQUAL(part.Triangles.size(), 3 * most);
+      const auto triangles = Canonical(part.Triangles, same);
+      CHECK(std::includes(whole.begin(), whole.end(), triangles.begin(), triangles.end()));
+      const PlanePoint third = horizon.Plane[std::size_t(part.Triangles.back())];
+      CHECK(std::any_of(part.Walk.begin(), part.Walk.end(),
+        [&third](const TracedVoxel& voxel)
+        {
+          return voxel.Least.X <= third.X && third.X < voxel.Greatest.X && voxel.Least.Y <= third.Y &&
+            third.Y < voxel.Greatest.Y;
+        }));
+      CHECK_EQUAL(part.Walk.front().Dilatation, strategy == SearchStrategy::VoxelTraversal ? 0 : -1);
+    }
+    CHECK(Canonical(Triangulate(horizon, { strategy, 10000 }).Triangles, same) == whole);
+  }
+  CHECK(Triangulate(horizon).Walk.empty());
+}
+
 void TestErrors()
 {
   const std::vector<PlanePoint> square = { { 0, 0 }, { 0, 8 }, { 8, 8 }, { 8, 0 } };
@@ -233,6 +322,8 @@ int TestTriangulation(int, char*[])
   TestHardPoints();
   TestOrderOfPointsIsNoMatter();
   TestFullBlocksAreWhatTheSearchFinds();
+  TestNonDelaunayEdgesAreCounted();
+  TestStopsAndTraces();
   TestErrors();
   TestAbort();
   return Check::Result();
