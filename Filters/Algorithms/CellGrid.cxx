@@ -17,6 +17,7 @@ std::int64_t FloorToMultiple(std::int64_t value, std::int64_t unit)
 //----------------------------------------------------------------------------------------------------------------------
 CellGrid::CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std::int64_t cellSize)
   : CellSize(cellSize)
+  , Inverse((cellSize & (cellSize - 1)) == 0 ? 1.0 / double(cellSize) : 0.0)
 {
   const auto x = std::minmax_element(
     points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });

@@ -47,8 +47,8 @@ public:
   std::int64_t CellY(double y) const { return Clamp(this->InCellsY(y), this->CellsY); }
 
   /// A coordinate in units of cells from the least corner.
-  double InCellsX(double x) const { return (x - this->MinX) / this->CellSize; }
-  double InCellsY(double y) const { return (y - this->MinY) / this->CellSize; }
+  double InCellsX(double x) const { return this->InCells(x - this->MinX); }
+  double InCellsY(double y) const { return this->InCells(y - this->MinY); }
 
   /// The least corner of a cell.
   PlanePoint CornerOf(std::int64_t cellX, std::int64_t cellY) const
@@ -88,6 +88,12 @@ public:
   }
 
 private:
+  /// A product where that is exact, as it is for powers of two: a division takes several times as long.
+  double InCells(double distance) const
+  {
+    return this->Inverse > 0.0 ? distance * this->Inverse : distance / double(this->CellSize);
+  }
+
   static std::int64_t Clamp(double cell, std::int64_t size)
   {
     return std::int64_t(std::min(std::max(cell, 0.0), double(size - 1)));
@@ -96,6 +102,7 @@ private:
   std::int64_t MinX = 0;
   std::int64_t MinY = 0;
   std::int64_t CellSize = 1;
+  double Inverse = 0.0; // of CellSize, when that is a power of two
   std::int64_t CellsX = 0;
   std::int64_t CellsY = 0;
 };

@@ -98,6 +98,35 @@ struct ThirdPointSearch::Task
 };
 
 //----------------------------------------------------------------------------------------------------------------------
+/// The circle through an edge and the best point so far, as seen from the start of the edge. Plain doubles, and a
+/// margin by which their rounding makes it uncertain.
+struct ThirdPointSearch::Circle
+{
+  explicit Circle(const Task& task)
+    : X(0.5 * (double(task.B.X) - task.A.X - (double(task.B.Y) - task.A.Y) * task.BestCotangent))
+    , Y(0.5 * (double(task.B.Y) - task.A.Y + (double(task.B.X) - task.A.X) * task.BestCotangent))
+    , Radius(std::sqrt(this->X * this->X + this->Y * this->Y))
+    , Margin(1.0 + 1e-12 * this->Radius)
+    , Reach((this->Radius + this->Margin) * (this->Radius + this->Margin))
+  {
+  }
+
+  /// False only when the point is outside for certain.
+  bool MayHold(const PlanePoint& point, const PlanePoint& start) const
+  {
+    const double x = double(point.X - start.X) - this->X;
+    const double y = double(point.Y - start.Y) - this->Y;
+    return x * x + y * y <= this->Reach;
+  }
+
+  const double X;
+  const double Y;
+  const double Radius;
+  const double Margin;
+  const double Reach; // squared
+};
+
+//----------------------------------------------------------------------------------------------------------------------
 ThirdPointSearch::ThirdPointSearch(const std::vector<PlanePoint>& points, const Loops& boundary,
   const std::vector<PointId>& names, SearchStrategy strategy)
   : Strategy(strategy)
@@ -208,7 +237,7 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
   this->Search(left);
   Task right(this->At(b), this->At(a), this->Grid, nullptr);
   right.BestCotangent = -left.BestCotangent;
-  const Box box = this->LeftPartOfCircle(right);
+  const Box box = this->LeftPartOf(Circle(right), right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -241,8 +270,7 @@ void ThirdPointSearch::Search(Task& task) const
   }
   if (task.Best != NoPoint)
   {
-    // The part to the left of an edge of the circle through a better point lies inside that of a worse one.
-    this->SearchBox(task, this->LeftPartOfCircle(task));
+    this->SearchCircle(task);
   }
 }
 
@@ -326,35 +354,52 @@ ThirdPointSearch::Box ThirdPointSearch::SquareAround(const Task& task, std::int6
 
 //----------------------------------------------------------------------------------------------------------------------
 // The box of the circle's part to the left of the edge: around its ends, and those of the circle's four outermost
-// points that are to the left. Plain doubles, and as much wider as their rounding can be wrong.
-ThirdPointSearch::Box ThirdPointSearch::LeftPartOfCircle(const Task& task) const
+// points that are to the left.
+ThirdPointSearch::Box ThirdPointSearch::LeftPartOf(const Circle& circle, const Task& task) const
 {
   const double bx = double(task.B.X) - task.A.X;
   const double by = double(task.B.Y) - task.A.Y;
-  // The centre and the end of the edge, as seen from its start.
-  const double x = 0.5 * (bx - by * task.BestCotangent);
-  const double y = 0.5 * (by + bx * task.BestCotangent);
-  const double radius = std::sqrt(x * x + y * y);
-  const double margin = 1.0 + 1e-12 * radius;
-
   double minX = std::min(0.0, bx);
   double minY = std::min(0.0, by);
   double maxX = std::max(0.0, bx);
   double maxY = std::max(0.0, by);
-  const double outermost[4][2] = { { x - radius, y }, { x + radius, y }, { x, y - radius }, { x, y + radius } };
-  const double nearlyLeft = -2.0 * margin * (std::abs(bx) + std::abs(by));
+  const double outermost[4][2] = { { circle.X - circle.Radius, circle.Y }, { circle.X + circle.Radius, circle.Y },
+    { circle.X, circle.Y - circle.Radius }, { circle.X, circle.Y + circle.Radius } };
+  const double nearlyLeft = -2.0 * circle.Margin * (std::abs(bx) + std::abs(by));
   for (const auto& point : outermost)
   {
-    if (bx * point[1] - by * point[0] > nearlyLeft)
-    {
-      minX = std::min(minX, point[0]);
-      maxX = std::max(maxX, point[0]);
-      minY = std::min(minY, point[1]);
-      maxY = std::max(maxY, point[1]);
-    }
+    // What is not to the left is taken to be at the start of the edge: no branch that a processor would have to guess.
+    const bool left = bx * point[1] - by * point[0] > nearlyLeft;
+    const double px = left ? point[0] : 0.0;
+    const double py = left ? point[1] : 0.0;
+    minX = std::min(minX, px);
+    maxX = std::max(maxX, px);
+    minY = std::min(minY, py);
+    maxY = std::max(maxY, py);
   }
-  return { this->Grid.CellX(task.A.X + minX - margin), this->Grid.CellY(task.A.Y + minY - margin),
-    this->Grid.CellX(task.A.X + maxX + margin), this->Grid.CellY(task.A.Y + maxY + margin) };
+  return { this->Grid.CellX(task.A.X + minX - circle.Margin), this->Grid.CellY(task.A.Y + minY - circle.Margin),
+    this->Grid.CellX(task.A.X + maxX + circle.Margin), this->Grid.CellY(task.A.Y + maxY + circle.Margin) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Nearly all points near an edge are outside the circle, and a look at their distance is enough for them. The part to
+// the left of an edge of the circle through a better point lies inside that of a worse one, so that the first circle
+// will do.
+void ThirdPointSearch::SearchCircle(Task& task) const
+{
+  const Circle circle(task);
+  const Box box = this->LeftPartOf(circle, task);
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->VisitRow(task, row, box.FirstX, box.LastX,
+      [&](PointId point)
+      {
+        if (circle.MayHold(this->At(point), task.A))
+        {
+          this->Consider(task, point);
+        }
+      });
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

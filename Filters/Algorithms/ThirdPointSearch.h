@@ -70,6 +70,7 @@ public:
 
 private:
   struct Box;
+  struct Circle;
   struct Task;
 
   /// The points in the order of the search.
@@ -92,7 +93,8 @@ private:
   void SearchSquares(Task& task) const;
 
   Box SquareAround(const Task& task, std::int64_t radius) const;
-  Box LeftPartOfCircle(const Task& task) const;
+  Box LeftPartOf(const Circle& circle, const Task& task) const;
+  void SearchCircle(Task& task) const;
   void SearchBox(Task& task, const Box& box) const;
   void SearchRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
   template <typename Visitor>

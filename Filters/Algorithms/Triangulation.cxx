@@ -118,6 +118,8 @@ private:
   {
     const Patch& patch = this->Input;
     const std::size_t before = this->Triangles.size();
+    // By Euler's formula loose points are corners of less than two triangles each.
+    this->Triangles.reserve(before + 3 * this->Blocks.NumberOfTriangles() + 6 * this->Used.size());
     this->Triangles.resize(before + 3 * this->Blocks.NumberOfTriangles());
     PointId* corner = this->Triangles.data() + before;
     this->Blocks.Visit(

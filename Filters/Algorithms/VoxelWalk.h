@@ -17,7 +17,7 @@ namespace SeismicHorizons
 class VoxelWalk
 {
 public:
-  /// Starts at a place, in units of voxels, and goes in a direction that is not zero.
+  /// Starts at a place, in units of voxels and not below 0, and goes in a direction that is not zero.
   VoxelWalk(double x, double y, double directionX, double directionY)
     : AlongX(x, directionX)
     , AlongY(y, directionY)
@@ -38,7 +38,7 @@ private:
   struct Axis
   {
     Axis(double start, double direction)
-      : Voxel(std::int64_t(std::floor(start)))
+      : Voxel(std::int64_t(start))
       , Step(direction < 0.0 ? -1 : 1)
     {
       if (direction != 0.0)
