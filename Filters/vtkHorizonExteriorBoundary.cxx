@@ -60,7 +60,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(
     SeismicHorizons::ToColumns(SeismicHorizons::ReadPoints(input));
   monitor.Progress(0.3);
   const SeismicHorizons::ExteriorBoundary found =
-    SeismicHorizons::FindExteriorBoundary(columns, monitor.Step(0.3, 0.9));
+    SeismicHorizons::FindExteriorBoundary(columns, {}, monitor.Step(0.3, 0.9));
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
   output->SetVerts(SeismicHorizons::MakeVertices(input->GetNumberOfPoints()));

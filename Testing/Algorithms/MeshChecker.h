@@ -22,6 +22,13 @@ namespace MeshChecker
 std::string CheckExteriorBoundary(
   const std::vector<SeismicHorizons::PlanePoint>& columns, const SeismicHorizons::ExteriorBoundary& boundary);
 
+/// The contract for any radius, rule and choice of holes, by looking at every pair: loops hop between points within the
+/// radius and over none, never cross themselves or each other, begin at their least point, and turn the right way;
+/// what hangs together is in one patch; each point is inside or on the loop of its patch, not inside a hole of it, and
+/// in no other patch; holes have the size they should.
+std::string CheckBoundary(const std::vector<SeismicHorizons::PlanePoint>& columns,
+  const SeismicHorizons::ExteriorBoundary& boundary, const SeismicHorizons::BoundaryOptions& options);
+
 /// Whether a place is inside a set of loops, on them, or outside: 1, 0 or -1.
 int Locate(const std::vector<SeismicHorizons::PlanePoint>& places, const SeismicHorizons::Loops& boundary,
   const SeismicHorizons::PlanePoint& place);
