@@ -26,6 +26,9 @@ namespace FieldArray
 constexpr const char* LatticeDimensions = "LatticeDimensions";
 constexpr const char* LatticeToWorld = "LatticeToWorld";
 constexpr const char* DroppedDuplicates = "DroppedDuplicates";
+constexpr const char* NumberOfPatches = "NumberOfPatches";
+constexpr const char* NumberOfHoles = "NumberOfHoles";
+constexpr const char* DroppedSpeckPoints = "DroppedSpeckPoints";
 constexpr const char* BoundaryDeviation = "BoundaryDeviation";
 }
 

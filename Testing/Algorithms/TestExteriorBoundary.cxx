@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "BoundaryMarks.h"
 #include "Check.h"
 #include "ExteriorBoundary.h"
 #include "MeshChecker.h"
@@ -213,6 +214,34 @@ void TestContract()
   }
 }
 
+/// The topological boundary by its definition.
+void TestTopologicalMarks()
+{
+  Patches::Random random(13);
+  for (int n = 0; n < 500; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const std::set<PlanePoint> occupied(columns.begin(), columns.end());
+    for (const BoundaryType type : { BoundaryType::Topological4, BoundaryType::Topological8 })
+    {
+      const ExteriorBoundary boundary = FindExteriorBoundary(columns, OptionsFor(type, BoundaryOptions()));
+      const std::vector<BoundaryKind> marks = MarkBoundary(type, columns, boundary);
+      for (std::size_t point = 0; point < columns.size(); ++point)
+      {
+        bool isBeside = false;
+        for (int turn = 0; turn < 9; ++turn)
+        {
+          const PlanePoint way{ turn % 3 - 1, turn / 3 - 1 };
+          const PlanePoint next{ columns[point].X + way.X, columns[point].Y + way.Y };
+          isBeside =
+            isBeside || (occupied.count(next) == 0 && (type == BoundaryType::Topological8 || way.X * way.Y == 0));
+        }
+        CHECK_EQUAL(marks[point] != BoundaryKind::Inside, isBeside);
+      }
+    }
+  }
+}
+
 void TestOrderOfPointsIsNoMatter()
 {
   Patches::Random random(3);
@@ -268,6 +297,7 @@ int TestExteriorBoundary(int, char*[])
   TestIslandsInHoles();
   TestMinimumPatchSize();
   TestContract();
+  TestTopologicalMarks();
   TestOrderOfPointsIsNoMatter();
   TestErrorsAndEmpty();
   TestAbort();
