@@ -30,6 +30,7 @@ constexpr const char* NumberOfPatches = "NumberOfPatches";
 constexpr const char* NumberOfHoles = "NumberOfHoles";
 constexpr const char* DroppedSpeckPoints = "DroppedSpeckPoints";
 constexpr const char* BoundaryDeviation = "BoundaryDeviation";
+constexpr const char* OutlineDeviation = "OutlineDeviation";
 }
 
 /// The values of the Boundary array.

@@ -261,7 +261,7 @@ std::string CheckHops(const std::vector<PlanePoint>& columns, const Loops& bound
     for (std::size_t m = 0; m < n; ++m)
     {
       const PlanePoint& c = columns[std::size_t(hops[m].first)];
-      if (Apart(a, c) < 2 * radius && Cross(a, b, c, columns[std::size_t(hops[m].second)]))
+      if (Apart(a, c) / 2 <= radius && Cross(a, b, c, columns[std::size_t(hops[m].second)]))
       {
         return Describe("crossing at hop", hops[n].first, hops[m].first);
       }
@@ -517,6 +517,12 @@ int Locate(const std::vector<PlanePoint>& places, const Loops& boundary, const P
       }
     });
   return on ? 0 : (inside ? 1 : -1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string CheckCrossings(const BoundedHorizon& horizon)
+{
+  return CheckHops(horizon.Plane, horizon.Boundary, 1 << 30);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -33,6 +33,9 @@ std::string CheckBoundary(const std::vector<SeismicHorizons::PlanePoint>& column
 int Locate(const std::vector<SeismicHorizons::PlanePoint>& places, const SeismicHorizons::Loops& boundary,
   const SeismicHorizons::PlanePoint& place);
 
+/// No two boundary hops cross, and no point lies on one between its ends.
+std::string CheckCrossings(const SeismicHorizons::BoundedHorizon& horizon);
+
 /// Triangles turn counter-clockwise; every edge has at most one triangle on each side; the edges with one triangle are
 /// the boundary hops; areas sum to that of the boundary (with the former: no overlap, nothing outside, no gap); all
 /// points are used; every other edge is locally Delaunay; Euler's formula holds patch by patch.
