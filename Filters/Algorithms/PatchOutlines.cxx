@@ -11,8 +11,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A face of three hops between neighbours holds nothing, and most faces are of that kind.
-constexpr std::size_t SmallestWalkToRemember = 4;
+// Short walks around nothing are many, and repeating them costs less than remembering them.
+constexpr std::size_t SmallestWalkToRemember = 16;
 
 /// Enters a loop, or leaves it. Few loops lie around a place.
 void Toggle(std::vector<std::size_t>& around, std::size_t loop)
@@ -96,14 +96,17 @@ void PatchOutlines::WalkHoles(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A point among eight others is a corner of triangles only, so that every face with empty columns inside has corners on
-// the border alone.
+// Around a point among eight others all faces are triangles between neighbours. An empty column among eight points lies
+// on the hop that spans it, and in no face. So every face with a column inside has all its corners beside other empty
+// columns.
 bool PatchOutlines::IsOnBorder(std::int64_t place) const
 {
-  const std::int64_t up = this->Raster.Width();
-  const std::int64_t around[8] = { 1, up + 1, up, up - 1, -1, -up - 1, -up, 1 - up };
-  return std::any_of(
-    std::begin(around), std::end(around), [&](std::int64_t offset) { return this->Raster[place + offset] == NoPoint; });
+  return this->HasNeighbour(place,
+    [this](std::int64_t column)
+    {
+      return this->Raster[column] == NoPoint &&
+        this->HasNeighbour(column, [this](std::int64_t next) { return this->Raster[next] == NoPoint; });
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

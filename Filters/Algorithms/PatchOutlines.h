@@ -41,6 +41,20 @@ private:
   void Remember();
   bool IsOnBorder(std::int64_t place) const;
 
+  template <typename Condition>
+  bool HasNeighbour(std::int64_t place, Condition&& condition) const
+  {
+    const std::int64_t up = this->Raster.Width();
+    for (const std::int64_t offset : { std::int64_t(1), up + 1, up, up - 1, std::int64_t(-1), -up - 1, -up, 1 - up })
+    {
+      if (condition(place + offset))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   std::vector<std::vector<Crossing>> CrossingsOfFirstRows() const;
   void AddCrossings(std::int64_t low, std::int64_t high, std::size_t loop, const std::vector<std::int32_t>& rowNumber,
     std::vector<std::vector<Crossing>>& crossings) const;

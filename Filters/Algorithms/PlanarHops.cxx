@@ -11,6 +11,9 @@ namespace SeismicHorizons
 {
 namespace
 {
+// Walks ask about the same hops again soon, or not at all.
+constexpr std::size_t MostAnswersToKeep = 1 << 14;
+
 PlanePoint Sum(const PlanePoint& a, const PlanePoint& b)
 {
   return { a.X + b.X, a.Y + b.Y };
@@ -135,6 +138,10 @@ bool PlanarHops::IsAdmissible(std::int64_t place, HopId hop)
     return known->second;
   }
   const bool admissible = !this->IsCrossed(place, hop);
+  if (this->Known.size() >= MostAnswersToKeep)
+  {
+    this->Known.clear();
+  }
   this->Known.emplace(key, admissible);
   return admissible;
 }
