@@ -53,10 +53,10 @@ Reduction ToReduction(const BoundarySimplification& simplified, const LatticePoi
   return reduction;
 }
 
-void AddDeviation(double deviation, vtkPolyData* output)
+void AddDeviation(const char* name, double deviation, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> array;
-  array->SetName(FieldArray::BoundaryDeviation);
+  array->SetName(name);
   array->InsertNextValue(deviation);
   output->GetFieldData()->AddArray(array);
 }
@@ -69,6 +69,8 @@ void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
+  os << indent << "BoundDeviation: " << (this->BoundDeviation ? "on" : "off") << "\n";
+  os << indent << "OutlineTolerance: " << this->OutlineTolerance << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -76,8 +78,13 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(vtkPolyData* input, vtkPol
 {
   const LatticePoints points = ReadPoints(input);
   monitor.Progress(0.2);
+  BoundarySimplificationOptions options;
+  options.DistanceThreshold = this->DistanceThreshold;
+  options.BoundDeviation = this->BoundDeviation;
+  options.OutlineTolerance = this->OutlineTolerance;
   const BoundarySimplification simplified =
-    SimplifyBoundary(ToSpacePoints(points), ReadBoundary(input), this->DistanceThreshold, monitor.Step(0.2, 0.7));
+    SimplifyBoundary(ToSpacePoints(points), ReadBoundary(input), options, monitor.Step(0.2, 0.7));
   WriteReduction(input, points.Grid, ToReduction(simplified, points), Merging::DropsPoints, output);
-  AddDeviation(simplified.Deviation, output);
+  AddDeviation(FieldArray::BoundaryDeviation, simplified.Deviation, output);
+  AddDeviation(FieldArray::OutlineDeviation, simplified.OutlineDeviation, output);
 }

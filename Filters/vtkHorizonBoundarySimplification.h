@@ -8,18 +8,25 @@
  * leave the surface altogether; points inside are untouched. PointCount of a dropped point goes to the nearer end of
  * the boundary edge that now spans it. New field data:
  *  - BoundaryDeviation (1 double): the largest distance in space, in lattice units, of a dropped point to the edge
- *    that spans it.
+ *    that spans it;
+ *  - OutlineDeviation (1 double): the same in plan, in columns; 0 when OutlineTolerance is.
  *
  * A loop is split into runs that are straight seen from above; the ends of a run stay. Within a run the middle one of
  * three points in succession is dropped when its distance in space from the line through the other two is less than
  * DistanceThreshold, pass after pass until nothing is dropped (thesis 3.4, Alg. 3.3). So the outline seen from above
- * does not change at all. Points where a loop touches itself, and the points of spurs, stay.
+ * does not change at all. Points where a loop touches itself or another one, and the points of spurs, stay. Loops of
+ * holes are treated in the same way.
  *
- * @warning The threshold holds for each single step. Over many passes distances add up, and the largest can exceed it:
- * BoundaryDeviation says by how much. Outlines that run slantwise over the lattice are staircases without straight
- * runs, and stay as they are.
+ * With an OutlineTolerance corners are dropped too: when all points that the new edge spans are within the tolerance of
+ * it in plan, the corner is less than DistanceThreshold above or below it, and no other point of the horizon lies
+ * between the new edge and the two old ones. So loops never cross themselves or each other, and points inside stay
+ * strictly inside.
  *
- * Errors: a threshold below 0, no boundary loops, no lattice in the field data.
+ * @warning Without BoundDeviation the threshold holds for each single step. Over many passes distances add up, and the
+ * largest can exceed it: BoundaryDeviation says by how much. Without an OutlineTolerance outlines that run slantwise
+ * over the lattice are staircases without straight runs, and stay as they are.
+ *
+ * Errors: a threshold or tolerance below 0, no boundary loops, no lattice in the field data.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonRoughSimplification
  */
@@ -46,6 +53,25 @@ public:
   vtkGetMacro(DistanceThreshold, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether every dropped point has to stay within DistanceThreshold of the edge that spans it in the end (of its
+   * height where corners are dropped), and not just of its neighbours at the time. Default: off, as in the thesis.
+   */
+  vtkSetMacro(BoundDeviation, bool);
+  vtkGetMacro(BoundDeviation, bool);
+  vtkBooleanMacro(BoundDeviation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far a dropped point may be from the new outline seen from above. In columns, at least 0; with 0 the outline
+   * seen from above stays as it is, and from about 0.5 staircases become straight lines. Default: 0.
+   */
+  vtkSetMacro(OutlineTolerance, double);
+  vtkGetMacro(OutlineTolerance, double);
+  ///@}
+
 protected:
   vtkHorizonBoundarySimplification() = default;
   ~vtkHorizonBoundarySimplification() override = default;
@@ -57,6 +83,8 @@ private:
   void operator=(const vtkHorizonBoundarySimplification&) = delete;
 
   double DistanceThreshold = 0.4;
+  bool BoundDeviation = false;
+  double OutlineTolerance = 0.0;
 };
 
 #endif

@@ -3,44 +3,87 @@
 
 #include "vtkHorizonExteriorBoundary.h"
 
+#include "BoundaryMarks.h"
 #include "DataModel.h"
 #include "ExteriorBoundary.h"
 #include "HorizonData.h"
 
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace
 {
+using namespace SeismicHorizons;
+
 void AddPatches(const std::vector<std::int32_t>& patches, vtkPolyData* output)
 {
   vtkNew<vtkIntArray> array;
-  array->SetName(SeismicHorizons::PointArray::PatchId);
+  array->SetName(PointArray::PatchId);
   array->SetNumberOfValues(vtkIdType(patches.size()));
   std::copy(patches.begin(), patches.end(), array->Begin());
   output->GetPointData()->AddArray(array);
 }
 
-void AddBoundary(const SeismicHorizons::Loops& loops, vtkPolyData* output)
+void AddMarks(const std::vector<BoundaryKind>& marks, vtkPolyData* output)
 {
   vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(SeismicHorizons::PointArray::Boundary);
-  array->SetNumberOfValues(output->GetNumberOfPoints());
-  array->FillValue(static_cast<unsigned char>(SeismicHorizons::BoundaryKind::Inside));
-  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
-  {
-    std::for_each(loops.begin(loop), loops.end(loop),
-      [&array](SeismicHorizons::PointId point)
-      { array->SetValue(point, static_cast<unsigned char>(SeismicHorizons::BoundaryKind::Exterior)); });
-  }
+  array->SetName(PointArray::Boundary);
+  array->SetNumberOfValues(vtkIdType(marks.size()));
+  std::transform(
+    marks.begin(), marks.end(), array->Begin(), [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
   output->GetPointData()->AddArray(array);
+}
+
+void AddCount(const char* name, std::size_t count, vtkPolyData* output)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(vtkIdType(count));
+  output->GetFieldData()->AddArray(array);
+}
+
+/// Hands on the points that have a patch, with their arrays, and closes the ranks.
+void CopyPointsOfPatches(
+  vtkPolyData* input, ExteriorBoundary& found, std::vector<BoundaryKind>& marks, vtkPolyData* output)
+{
+  vtkNew<vtkIdList> kept;
+  std::vector<PointId> number(found.Patch.size(), NoPoint);
+  for (std::size_t point = 0; point < number.size(); ++point)
+  {
+    if (found.Patch[point] != NoPatch)
+    {
+      const std::size_t last = std::size_t(kept->InsertNextId(vtkIdType(point)));
+      number[point] = PointId(last);
+      found.Patch[last] = found.Patch[point];
+      marks[last] = marks[point];
+    }
+  }
+  found.Patch.resize(std::size_t(kept->GetNumberOfIds()));
+  marks.resize(found.Patch.size());
+  found.Boundary = found.Boundary.Renumbered(number);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  input->GetPoints()->GetPoints(kept, points);
+  output->SetPoints(points);
+  output->GetPointData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(input->GetPointData(), kept->GetNumberOfIds());
+  for (vtkIdType point = 0; point < kept->GetNumberOfIds(); ++point)
+  {
+    output->GetPointData()->CopyData(input->GetPointData(), kept->GetId(point), point);
+  }
 }
 }
 
@@ -49,22 +92,55 @@ vtkStandardNewMacro(vtkHorizonExteriorBoundary);
 //------------------------------------------------------------------------------
 void vtkHorizonExteriorBoundary::PrintSelf(ostream& os, vtkIndent indent)
 {
+  static const char* const types[] = { "Exterior", "Topological4", "Topological8" };
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "BoundaryType: " << types[this->BoundaryType] << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "GrowthStrategy: " << (this->GrowthStrategy == Distance ? "Distance" : "Clockwise") << "\n";
+  os << indent << "HoleBoundaries: " << (this->HoleBoundaries ? "on" : "off") << "\n";
+  os << indent << "SmallestHoleSize: " << this->SmallestHoleSize << "\n";
+  os << indent << "SmallestHoleArea: " << this->SmallestHoleArea << "\n";
+  os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonExteriorBoundary::ProcessHorizon(
-  vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor)
+std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea) const
 {
-  const std::vector<SeismicHorizons::PlanePoint> columns =
-    SeismicHorizons::ToColumns(SeismicHorizons::ReadPoints(input));
+  // A whole number of columns often makes the area just so; rounding must not ask for one more.
+  const double columns = std::ceil(this->SmallestHoleArea / columnArea * (1.0 - 1e-12));
+  const double most = double(std::numeric_limits<std::int64_t>::max() / 2);
+  return std::max(std::int64_t(this->SmallestHoleSize), columns > 0.0 ? std::int64_t(std::min(columns, most)) : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+{
+  const LatticePoints points = ReadPoints(input);
+  const std::vector<PlanePoint> columns = ToColumns(points);
   monitor.Progress(0.3);
-  const SeismicHorizons::ExteriorBoundary found =
-    SeismicHorizons::FindExteriorBoundary(columns, monitor.Step(0.3, 0.9));
-  output->SetPoints(input->GetPoints());
-  output->GetPointData()->PassData(input->GetPointData());
-  output->SetVerts(SeismicHorizons::MakeVertices(input->GetNumberOfPoints()));
-  output->SetLines(SeismicHorizons::MakePolylines(found.Boundary));
+  BoundaryOptions options;
+  options.Radius = this->Radius;
+  options.Growth = static_cast<SeismicHorizons::GrowthStrategy>(this->GrowthStrategy);
+  options.HoleBoundaries = this->HoleBoundaries;
+  options.SmallestHoleSize = this->FindSmallestHoleSize(points.Grid.ColumnArea());
+  options.MinimumPatchSize = this->MinimumPatchSize;
+  const auto type = static_cast<SeismicHorizons::BoundaryType>(this->BoundaryType);
+  auto found = FindExteriorBoundary(columns, OptionsFor(type, options), monitor.Step(0.3, 0.9));
+  std::vector<BoundaryKind> marks = MarkBoundary(type, columns, found);
+  if (std::find(found.Patch.begin(), found.Patch.end(), NoPatch) == found.Patch.end())
+  {
+    output->SetPoints(input->GetPoints());
+    output->GetPointData()->PassData(input->GetPointData());
+  }
+  else
+  {
+    CopyPointsOfPatches(input, found, marks, output);
+  }
+  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
+  output->SetLines(MakePolylines(found.Boundary));
   AddPatches(found.Patch, output);
-  AddBoundary(found.Boundary, output);
+  AddMarks(marks, output);
+  AddCount(FieldArray::NumberOfPatches, found.NumberOfPatches, output);
+  AddCount(FieldArray::NumberOfHoles, found.Boundary.Size() - found.NumberOfPatches, output);
+  AddCount(FieldArray::DroppedSpeckPoints, columns.size() - found.Patch.size(), output);
 }

@@ -64,14 +64,43 @@ void TestThresholdIsInLatticeUnits()
   CHECK_EQUAL(Simplified(0.0, HorizonFixtures::UnitSurvey(), HorizonFixtures::FoldedHeight)->GetNumberOfPoints(), 54);
 }
 
+/// A slope of one in two, whatever the steps of the survey are, and a hole that gets its corners cut as well.
+void TestOutlineTolerance(vtkMatrix4x4* survey)
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(HorizonFixtures::FromPicture(
+    { "##........", "####......", "######....", "########..", "##########", "##..######", "##....####", "##########" },
+    2, survey, Level));
+  boundary->HoleBoundariesOn();
+  vtkNew<vtkHorizonBoundarySimplification> straight;
+  straight->SetInputConnection(boundary->GetOutputPort());
+  straight->Update();
+  const vtkIdType before = straight->GetPolyDataOutput()->GetNumberOfPoints();
+  CHECK_EQUAL(straight->GetPolyDataOutput()->GetFieldData()->GetArray("OutlineDeviation")->GetTuple1(0), 0.0);
+  straight->SetOutlineTolerance(0.5);
+  straight->BoundDeviationOn();
+  straight->Update();
+  vtkPolyData* const output = straight->GetPolyDataOutput();
+  CHECK(output->GetNumberOfPoints() < before);
+  CHECK_EQUAL(output->GetNumberOfLines(), 2);
+  const double deviation = output->GetFieldData()->GetArray("OutlineDeviation")->GetTuple1(0);
+  CHECK(deviation > 0.4 && deviation <= 0.5);
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonBoundarySimplification> straight;
   CHECK_EQUAL(straight->GetDistanceThreshold(), 0.4);
+  CHECK_EQUAL(straight->GetBoundDeviation(), false);
+  CHECK_EQUAL(straight->GetOutlineTolerance(), 0.0);
   straight->SetDistanceThreshold(1.75);
+  straight->BoundDeviationOn();
+  straight->SetOutlineTolerance(0.625);
   std::ostringstream text;
   straight->Print(text);
   CHECK(text.str().find("DistanceThreshold: 1.75") != std::string::npos);
+  CHECK(text.str().find("BoundDeviation: on") != std::string::npos);
+  CHECK(text.str().find("OutlineTolerance: 0.625") != std::string::npos);
 }
 }
 
@@ -80,6 +109,8 @@ int TestHorizonBoundarySimplification(int, char*[])
   TestLevelRectangle(HorizonFixtures::UnitSurvey());
   TestLevelRectangle(HorizonFixtures::RotatedSurvey());
   TestThresholdIsInLatticeUnits();
+  TestOutlineTolerance(HorizonFixtures::UnitSurvey());
+  TestOutlineTolerance(HorizonFixtures::RotatedSurvey());
   TestPrint();
   return Check::Result();
 }

@@ -3,24 +3,44 @@
 
 #include "BoundarySimplification.h"
 
+#include "OutlineGuard.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 namespace SeismicHorizons
 {
 namespace
 {
+/// How far a place is from an edge: in space, in plan, and in height where it is nearest in plan.
+struct Distances
+{
+  double InSpace;
+  double InPlan;
+  double InHeight;
+};
+
+/// Where on the segment from the origin to `along` the place nearest to `way` is, 0 to 1.
+template <typename Vector>
+double Nearest(const Vector& along, const Vector& way)
+{
+  const double length = along.squaredNorm();
+  return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
+}
+
+/// Positions in a loop count from its first point; beyond its end they go on with the first point again.
 class LoopSimplifier
 {
 public:
-  LoopSimplifier(
-    const std::vector<SpacePoint>& points, const Loops& boundary, double threshold, BoundarySimplification& result)
+  LoopSimplifier(const std::vector<SpacePoint>& points, const Loops& boundary,
+    const BoundarySimplificationOptions& options, BoundarySimplification& result)
     : Points(points)
-    , Threshold(threshold)
+    , Options(options)
     , Result(result)
     , Visits(points.size(), 0)
   {
@@ -30,26 +50,35 @@ public:
     }
     this->Result.Target.resize(points.size());
     std::iota(this->Result.Target.begin(), this->Result.Target.end(), 0);
+    if (options.OutlineTolerance > 0.0)
+    {
+      this->Guard.emplace(points);
+    }
   }
 
   /// Runs may wrap around the first point of a loop, so the walk begins at a point that stays.
   void Simplify(const PointId* first, const PointId* last)
   {
     this->Loop.assign(first, last);
+    this->Kept.clear();
     const std::size_t begin = this->FirstRunEnd();
-    std::vector<PointId> kept;
-    for (std::size_t from = 0; from < this->Loop.size();)
+    for (std::size_t from = begin; from < begin + this->Loop.size();)
     {
       std::size_t to = from + 1;
-      while (to < this->Loop.size() && !this->EndsRun(begin + to))
+      while (to < begin + this->Loop.size() && !this->EndsRun(to))
       {
         ++to;
       }
-      this->SimplifyRun(begin + from, begin + to);
-      kept.insert(kept.end(), this->Run.begin(), this->Run.end() - 1);
+      this->SimplifyRun(from, to);
+      this->Kept.insert(this->Kept.end(), this->Run.begin(), this->Run.end() - 1);
       from = to;
     }
-    this->AppendFromLeast(kept);
+    this->BeginAtFirst();
+    if (this->Guard)
+    {
+      this->DropCorners();
+    }
+    this->Settle();
   }
 
 private:
@@ -60,6 +89,7 @@ private:
   }
 
   PointId At(std::size_t n) const { return this->Loop[n % this->Loop.size()]; }
+  bool IsShared(std::size_t n) const { return this->Visits[std::size_t(this->At(n))] > 1; }
 
   Eigen::Vector3d Place(PointId point) const
   {
@@ -70,12 +100,11 @@ private:
   /// Boundary points stand on whole columns, so that the products below are exact, and verticals nothing special.
   bool EndsRun(std::size_t n) const
   {
-    const PointId point = this->At(n);
-    if (this->Visits[std::size_t(point)] > 1)
+    if (this->IsShared(n))
     {
       return true;
     }
-    const Eigen::Vector2d here = this->Place(point).head<2>();
+    const Eigen::Vector2d here = this->Place(this->At(n)).head<2>();
     const Eigen::Vector2d in = here - this->Place(this->At(n + this->Loop.size() - 1)).head<2>();
     const Eigen::Vector2d out = this->Place(this->At(n + 1)).head<2>() - here;
     return in.x() * out.y() != in.y() * out.x() || in.dot(out) <= 0.0;
@@ -94,41 +123,52 @@ private:
 
   void SimplifyRun(std::size_t from, std::size_t to)
   {
-    this->Run.clear();
-    for (std::size_t n = from; n <= to; ++n)
+    this->Run.resize(to - from + 1);
+    std::iota(this->Run.begin(), this->Run.end(), from);
+    const auto canDrop = [this](std::size_t before, std::size_t middle, std::size_t after)
+    { return this->CanDropInRun(before, middle, after); };
+    while (DropOnce(this->Run, canDrop))
     {
-      this->Run.push_back(this->At(n));
     }
-    while (this->DropOnce())
-    {
-    }
-    this->SettleDropped(from, to);
   }
 
-  /// One pass over the run: after a drop it goes on from the third point, else from the middle one.
-  bool DropOnce()
+  /// One pass over a line of points whose ends stay: after a drop it goes on from the third point, else from the middle
+  /// one.
+  template <typename CanDrop>
+  static bool DropOnce(std::vector<std::size_t>& line, CanDrop&& canDrop)
   {
-    if (this->Run.size() < 3)
+    if (line.size() < 3)
     {
       return false;
     }
     std::size_t kept = 1;
     std::size_t middle = 1;
-    while (middle + 1 < this->Run.size())
+    while (middle + 1 < line.size())
     {
-      if (this->DistanceToLine(this->Run[middle], this->Run[kept - 1], this->Run[middle + 1]) < this->Threshold)
+      if (canDrop(line[kept - 1], line[middle], line[middle + 1]))
       {
         ++middle;
       }
-      this->Run[kept++] = this->Run[middle++];
+      line[kept++] = line[middle++];
     }
-    if (middle < this->Run.size())
+    if (middle < line.size())
     {
-      this->Run[kept++] = this->Run[middle];
+      line[kept++] = line[middle];
     }
-    const bool dropped = kept < this->Run.size();
-    this->Run.resize(kept);
+    const bool dropped = kept < line.size();
+    line.resize(kept);
     return dropped;
+  }
+
+  bool CanDropInRun(std::size_t before, std::size_t middle, std::size_t after) const
+  {
+    const double threshold = this->Options.DistanceThreshold;
+    if (!(this->DistanceToLine(this->At(middle), this->At(before), this->At(after)) < threshold))
+    {
+      return false;
+    }
+    return !this->Options.BoundDeviation ||
+      this->AllBetween(before, after, [&](const Distances& distances) { return distances.InSpace <= threshold; });
   }
 
   double DistanceToLine(PointId point, PointId a, PointId b) const
@@ -137,56 +177,155 @@ private:
     return along.cross(this->Place(point) - this->Place(a)).norm() / along.norm();
   }
 
-  /// Every dropped point counts for the nearer end, in plan, of the edge that spans it.
-  void SettleDropped(std::size_t from, std::size_t to)
+  Distances ToEdge(PointId point, PointId a, PointId b) const
   {
-    std::size_t edge = 0;
-    for (std::size_t n = from + 1; n < to; ++n)
+    const Eigen::Vector3d along = this->Place(b) - this->Place(a);
+    const Eigen::Vector3d way = this->Place(point) - this->Place(a);
+    const Eigen::Vector3d inPlan = way - Nearest<Eigen::Vector2d>(along.head<2>(), way.head<2>()) * along;
+    return { (way - Nearest(along, way) * along).norm(), inPlan.head<2>().norm(), std::abs(inPlan.z()) };
+  }
+
+  /// Whether a condition holds for all points that an edge spans.
+  template <typename Condition>
+  bool AllBetween(std::size_t before, std::size_t after, Condition&& condition) const
+  {
+    for (std::size_t n = before + 1; n < after; ++n)
     {
-      const PointId point = this->At(n);
-      if (point == this->Run[edge + 1])
+      if (!condition(this->ToEdge(this->At(n), this->At(before), this->At(after))))
       {
-        ++edge;
-        continue;
+        return false;
       }
-      const PointId a = this->Run[edge];
-      const PointId b = this->Run[edge + 1];
-      this->Result.Deviation = std::max(this->Result.Deviation, this->DistanceToLine(point, a, b));
-      const auto distance = [&](PointId end) { return (this->Place(point) - this->Place(end)).head<2>().norm(); };
-      this->Result.Target[std::size_t(point)] = distance(b) < distance(a) ? b : a;
+    }
+    return true;
+  }
+
+  /// The point of least x, then least y, where the loop begins, is a corner and so was kept.
+  void BeginAtFirst()
+  {
+    const auto first =
+      std::find_if(this->Kept.begin(), this->Kept.end(), [this](std::size_t n) { return n % this->Loop.size() == 0; });
+    std::rotate(this->Kept.begin(), first, this->Kept.end());
+    for (std::size_t& n : this->Kept)
+    {
+      n %= this->Loop.size();
     }
   }
 
-  /// The point of least x, then least y is a corner and so always kept; the loop goes on to begin there.
-  void AppendFromLeast(std::vector<PointId>& kept)
+  void DropCorners()
   {
-    const auto start = std::find(kept.begin(), kept.end(), this->Loop.front());
-    std::rotate(kept.begin(), start == kept.end() ? kept.begin() : start, kept.end());
-    std::for_each(kept.begin(), kept.end(), [this](PointId point) { this->Result.Boundary.Append(point); });
+    this->Corners = this->Kept.size();
+    const auto canDrop = [this](std::size_t before, std::size_t middle, std::size_t after)
+    { return this->DropCorner(before, middle, after); };
+    this->Kept.push_back(this->Loop.size());
+    for (const std::size_t n : Dropped(this->Kept))
+    {
+      this->Guard->Remove(this->At(n));
+    }
+    while (DropOnce(this->Kept, canDrop))
+    {
+    }
+    this->Kept.pop_back();
+  }
+
+  /// The positions that a list of positions leaves out.
+  static std::vector<std::size_t> Dropped(const std::vector<std::size_t>& kept)
+  {
+    std::vector<std::size_t> dropped;
+    for (std::size_t n = 1; n < kept.size(); ++n)
+    {
+      for (std::size_t between = kept[n - 1] + 1; between < kept[n]; ++between)
+      {
+        dropped.push_back(between);
+      }
+    }
+    return dropped;
+  }
+
+  /// Between two points that other parts of the boundary visit, there may be an edge already.
+  bool DropCorner(std::size_t before, std::size_t middle, std::size_t after)
+  {
+    const PointId a = this->At(before);
+    const PointId b = this->At(after);
+    const bool isBound = this->IsShared(middle) || (this->IsShared(before) && this->IsShared(after)) || a == b;
+    if (isBound || this->Corners <= 3 || !this->IsNear(before, middle, after) ||
+      !this->Guard->IsClear(a, this->At(middle), b))
+    {
+      return false;
+    }
+    this->Guard->Remove(this->At(middle));
+    --this->Corners;
+    return true;
+  }
+
+  bool IsNear(std::size_t before, std::size_t middle, std::size_t after) const
+  {
+    const double threshold = this->Options.DistanceThreshold;
+    return this->ToEdge(this->At(middle), this->At(before), this->At(after)).InHeight < threshold &&
+      this->AllBetween(
+        before, after,
+        [&](const Distances& distances)
+        {
+          return distances.InPlan <= this->Options.OutlineTolerance &&
+            (!this->Options.BoundDeviation || distances.InHeight <= threshold);
+        });
+  }
+
+  /// Every dropped point counts for the nearer end, in plan, of the edge that spans it.
+  void Settle()
+  {
+    this->Kept.push_back(this->Loop.size());
+    for (std::size_t n = 0; n + 1 < this->Kept.size(); ++n)
+    {
+      const PointId a = this->At(this->Kept[n]);
+      const PointId b = this->At(this->Kept[n + 1]);
+      this->Result.Boundary.Append(a);
+      for (std::size_t between = this->Kept[n] + 1; between < this->Kept[n + 1]; ++between)
+      {
+        this->SettlePoint(this->At(between), a, b);
+      }
+    }
     this->Result.Boundary.Close();
   }
 
+  void SettlePoint(PointId point, PointId a, PointId b)
+  {
+    const Distances distances = this->ToEdge(point, a, b);
+    this->Result.Deviation = std::max(this->Result.Deviation, distances.InSpace);
+    this->Result.OutlineDeviation = std::max(this->Result.OutlineDeviation, distances.InPlan);
+    const auto toEnd = [&](PointId end) { return (this->Place(point) - this->Place(end)).head<2>().norm(); };
+    this->Result.Target[std::size_t(point)] = toEnd(b) < toEnd(a) ? b : a;
+  }
+
   const std::vector<SpacePoint>& Points;
-  const double Threshold;
+  const BoundarySimplificationOptions& Options;
   BoundarySimplification& Result;
   std::vector<unsigned char> Visits; // 0, 1 or 2 for more than one
+  std::optional<OutlineGuard> Guard;
   std::vector<PointId> Loop;
-  std::vector<PointId> Run;
+  std::vector<std::size_t> Run; // positions
+  std::vector<std::size_t> Kept; // positions
+  std::size_t Corners = 0; // how many points the loop still has
 };
+
+void CheckIsLength(const char* name, double value, const char* unit)
+{
+  if (!(value >= 0.0) || !std::isfinite(value))
+  {
+    std::ostringstream text;
+    text << name << ' ' << value << ", expected a number of " << unit << " that is at least 0";
+    throw InputError(text.str());
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BoundarySimplification SimplifyBoundary(
-  const std::vector<SpacePoint>& points, const Loops& boundary, double threshold, const Monitor& monitor)
+BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
+  const BoundarySimplificationOptions& options, const Monitor& monitor)
 {
-  if (!(threshold >= 0.0) || !std::isfinite(threshold))
-  {
-    std::ostringstream text;
-    text << "distance threshold " << threshold << ", expected a number of lattice units that is at least 0";
-    throw InputError(text.str());
-  }
+  CheckIsLength("distance threshold", options.DistanceThreshold, "lattice units");
+  CheckIsLength("outline tolerance", options.OutlineTolerance, "columns");
   BoundarySimplification result;
-  LoopSimplifier simplifier(points, boundary, threshold, result);
+  LoopSimplifier simplifier(points, boundary, options, result);
   for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
   {
     if (loop % 64 == 0)

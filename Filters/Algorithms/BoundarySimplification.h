@@ -11,6 +11,10 @@
 //
 // A point that the loops visit more than once (a spur, a place where a patch touches itself) also ends a run: dropped
 // from one visit but not from the other it would lie on an edge without being its end.
+//
+// Beyond the thesis, deviations can be bound, and corners dropped: outlines that run slantwise over the lattice are
+// staircases, and have no runs. A corner goes when all that was dropped stays near enough to the new edge, in plan and
+// in height, and no point of the horizon lies between the new edge and the two old ones (OutlineGuard.h).
 
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
@@ -22,6 +26,17 @@
 
 namespace SeismicHorizons
 {
+struct BoundarySimplificationOptions
+{
+  /// In lattice units, at least 0 (InputError otherwise); with 0 nothing is dropped.
+  double DistanceThreshold = 0.4;
+  /// Whether all points that a new edge spans have to be within the threshold, not just the one that goes with it.
+  bool BoundDeviation = false;
+  /// How far in plan, in columns, a dropped corner may be from the outline, at least 0 (InputError otherwise). With 0
+  /// the outline in plan stays as it is.
+  double OutlineTolerance = 0.0;
+};
+
 struct BoundarySimplification
 {
   /// The loops without the points that were dropped, over the input points.
@@ -31,13 +46,24 @@ struct BoundarySimplification
   std::vector<PointId> Target;
   /// The largest distance in space, in lattice units, of a dropped point to the edge that spans it.
   double Deviation = 0.0;
+  /// The same in plan alone.
+  double OutlineDeviation = 0.0;
 };
 
-/// `points` are in lattice units, `threshold` too (at least 0, InputError otherwise; with 0 nothing is dropped).
-/// Linear in the points; the passes over a run add a factor that grows with the logarithm of its length where a run
-/// is flat, and with its length at the very worst.
-BoundarySimplification SimplifyBoundary(
-  const std::vector<SpacePoint>& points, const Loops& boundary, double threshold, const Monitor& monitor = Monitor());
+/// `points` are all points of the horizon, in lattice units. Linear in the points; the passes over a run add a factor
+/// that grows with the logarithm of its length where a run is flat, and with its length at the very worst. The first
+/// point of each loop stays.
+BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
+  const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
+
+/// With a threshold alone.
+inline BoundarySimplification SimplifyBoundary(
+  const std::vector<SpacePoint>& points, const Loops& boundary, double threshold, const Monitor& monitor = Monitor())
+{
+  BoundarySimplificationOptions options;
+  options.DistanceThreshold = threshold;
+  return SimplifyBoundary(points, boundary, options, monitor);
+}
 }
 
 #endif

@@ -10,7 +10,7 @@
 
 namespace SeismicHorizons
 {
-ColumnRaster::ColumnRaster(const std::vector<PlanePoint>& columns)
+ColumnRaster::ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t rim)
 {
   if (columns.empty())
   {
@@ -20,10 +20,10 @@ ColumnRaster::ColumnRaster(const std::vector<PlanePoint>& columns)
     columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
   const auto y = std::minmax_element(
     columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
-  this->MinX = std::int64_t(x.first->X) - 1;
-  this->MinY = std::int64_t(y.first->Y) - 1;
-  this->SizeX = std::int64_t(x.second->X) + 2 - this->MinX;
-  this->SizeY = std::int64_t(y.second->Y) + 2 - this->MinY;
+  this->MinX = std::int64_t(x.first->X) - rim;
+  this->MinY = std::int64_t(y.first->Y) - rim;
+  this->SizeX = std::int64_t(x.second->X) + rim + 1 - this->MinX;
+  this->SizeY = std::int64_t(y.second->Y) + rim + 1 - this->MinY;
   this->Points.assign(std::size_t(this->SizeX * this->SizeY), NoPoint);
   for (std::size_t n = 0; n < columns.size(); ++n)
   {

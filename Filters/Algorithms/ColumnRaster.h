@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which point of a horizon stands in which column, over the bounding box of the horizon with an empty rim of one
-// column. 4 bytes per column of that box.
+// Which point of a horizon stands in which column, over the bounding box of the horizon with an empty rim. 4 bytes per
+// column of that box.
 
 #ifndef SeismicHorizonsColumnRaster_h
 #define SeismicHorizonsColumnRaster_h
@@ -16,8 +16,8 @@ namespace SeismicHorizons
 class ColumnRaster
 {
 public:
-  /// Throws InputError when two points stand in the same column.
-  explicit ColumnRaster(const std::vector<PlanePoint>& columns);
+  /// `rim` is the width of the rim in columns. Throws InputError when two points stand in the same column.
+  explicit ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t rim = 1);
 
   /// Rows and columns of the box, the rim included.
   std::int64_t Width() const { return this->SizeX; }

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 
 namespace SeismicHorizons
 {
@@ -35,6 +36,9 @@ public:
   /// True when i, j, k are a right-handed frame in the world's x, y plane: then what turns counter-clockwise on the
   /// lattice does so in the world, seen from +z.
   bool KeepsOrientation() const { return this->IntoWorld.linear().topLeftCorner<2, 2>().determinant() > 0.0; }
+
+  /// The area of a column seen from above, in square units of the world.
+  double ColumnArea() const { return std::abs(this->IntoWorld.linear().topLeftCorner<2, 2>().determinant()); }
 
   /// How many times a column is halved to give sub-voxels.
   int GetSubVoxelBits() const { return this->SubVoxelBits; }

@@ -55,6 +55,13 @@ public:
   /// Ends the loop that is being built; the next point starts another one.
   void Close() { this->Ends.push_back(this->Points.size()); }
 
+  /// Appends a whole loop of another set.
+  void AppendLoop(const Loops& other, std::size_t loop)
+  {
+    this->Points.insert(this->Points.end(), other.begin(loop), other.end(loop));
+    this->Close();
+  }
+
   /// The same loops over points that have other numbers: number[point] for each point.
   Loops Renumbered(const std::vector<PointId>& number) const
   {
@@ -72,12 +79,19 @@ public:
   {
     for (std::size_t loop = 0; loop < this->Size(); ++loop)
     {
-      const PointId* const first = this->begin(loop);
-      const std::size_t length = this->Length(loop);
-      for (std::size_t n = 0; length > 1 && n < length; ++n)
-      {
-        visit(first[n], first[n + 1 < length ? n + 1 : 0]);
-      }
+      this->ForEachHopOf(loop, visit);
+    }
+  }
+
+  /// The same for one loop.
+  template <typename Visitor>
+  void ForEachHopOf(std::size_t loop, Visitor&& visit) const
+  {
+    const PointId* const first = this->begin(loop);
+    const std::size_t length = this->Length(loop);
+    for (std::size_t n = 0; length > 1 && n < length; ++n)
+    {
+      visit(first[n], first[n + 1 < length ? n + 1 : 0]);
     }
   }
 

@@ -169,6 +169,177 @@ std::string CheckLoop(const std::vector<PlanePoint>& columns, const std::vector<
   return area > 0 ? "direction of a loop" : std::string();
 }
 
+/// The loops of a boundary one by one, and what they are.
+class BoundaryParts
+{
+public:
+  BoundaryParts(const std::vector<PlanePoint>& columns, const SeismicHorizons::ExteriorBoundary& boundary)
+    : Columns(columns)
+    , Boundary(boundary)
+  {
+    for (std::size_t loop = 0; loop < boundary.Boundary.Size(); ++loop)
+    {
+      this->Single.emplace_back().AppendLoop(boundary.Boundary, loop);
+    }
+  }
+
+  std::size_t Size() const { return this->Single.size(); }
+  bool IsHole(std::size_t loop) const { return loop >= this->Boundary.NumberOfPatches; }
+  std::int32_t PatchOf(std::size_t loop) const
+  {
+    return this->Boundary.Patch[std::size_t(*this->Boundary.Boundary.begin(loop))];
+  }
+  int Locate(std::size_t loop, const PlanePoint& place) const
+  {
+    // A loop of one point has no hops.
+    const bool isPoint =
+      this->Single[loop].TotalLength() == 1 && this->Columns[std::size_t(*this->Single[loop].begin(0))] == place;
+    return isPoint ? 0 : MeshChecker::Locate(this->Columns, this->Single[loop], place);
+  }
+
+  Wide TwiceArea(std::size_t loop) const
+  {
+    Wide area = 0;
+    this->Single[loop].ForEachHop(
+      [&](PointId from, PointId to)
+      {
+        const PlanePoint& a = this->Columns[std::size_t(from)];
+        const PlanePoint& b = this->Columns[std::size_t(to)];
+        area += Wide(a.X) * b.Y - Wide(a.Y) * b.X;
+      });
+    return area;
+  }
+
+  /// Columns strictly inside a loop.
+  std::int64_t CountInside(std::size_t loop) const
+  {
+    const auto x = std::minmax_element(
+      this->Columns.begin(), this->Columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
+    const auto y = std::minmax_element(
+      this->Columns.begin(), this->Columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
+    std::int64_t inside = 0;
+    for (std::int32_t i = x.first->X; i <= x.second->X; ++i)
+    {
+      for (std::int32_t j = y.first->Y; j <= y.second->Y; ++j)
+      {
+        inside += this->Locate(loop, { i, j }) > 0 ? 1 : 0;
+      }
+    }
+    return inside;
+  }
+
+private:
+  const std::vector<PlanePoint>& Columns;
+  const SeismicHorizons::ExteriorBoundary& Boundary;
+  std::vector<Loops> Single;
+};
+
+int Apart(const PlanePoint& a, const PlanePoint& b)
+{
+  return std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y));
+}
+
+std::string CheckHops(const std::vector<PlanePoint>& columns, const Loops& boundary, int radius)
+{
+  std::vector<Edge> hops;
+  boundary.ForEachHop([&](PointId from, PointId to) { hops.push_back({ from, to }); });
+  for (std::size_t n = 0; n < hops.size(); ++n)
+  {
+    const PlanePoint& a = columns[std::size_t(hops[n].first)];
+    const PlanePoint& b = columns[std::size_t(hops[n].second)];
+    if (a == b || Apart(a, b) > radius)
+    {
+      return Describe("length of hop", hops[n].first, hops[n].second);
+    }
+    for (std::size_t m = 0; m < n; ++m)
+    {
+      const PlanePoint& c = columns[std::size_t(hops[m].first)];
+      if (Apart(a, c) / 2 <= radius && Cross(a, b, c, columns[std::size_t(hops[m].second)]))
+      {
+        return Describe("crossing at hop", hops[n].first, hops[m].first);
+      }
+    }
+    for (std::size_t point = 0; Apart(a, b) > 1 && point < columns.size(); ++point)
+    {
+      if (columns[point] != a && columns[point] != b && Between(a, b, columns[point]))
+      {
+        return Describe("point on hop", PointId(point), hops[n].first);
+      }
+    }
+  }
+  return {};
+}
+
+/// All that hangs together has one number.
+std::string CheckConnection(const std::vector<PlanePoint>& columns, const std::vector<std::int32_t>& patch, int radius)
+{
+  for (std::size_t a = 0; a < columns.size(); ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      if (patch[a] != patch[b] && Apart(columns[a], columns[b]) <= radius)
+      {
+        return Describe("two patches within the radius at", PointId(a), PointId(b));
+      }
+    }
+  }
+  return {};
+}
+
+std::string CheckLoops(const std::vector<PlanePoint>& columns, const SeismicHorizons::ExteriorBoundary& boundary,
+  const BoundaryParts& parts, const SeismicHorizons::BoundaryOptions& options)
+{
+  for (std::size_t loop = 0; loop < parts.Size(); ++loop)
+  {
+    const std::string name = " of loop " + std::to_string(loop);
+    if (parts.IsHole(loop) ? !options.HoleBoundaries : parts.PatchOf(loop) != std::int32_t(loop))
+    {
+      return "number" + name;
+    }
+    if (parts.IsHole(loop) != (parts.TwiceArea(loop) > 0))
+    {
+      return "direction" + name;
+    }
+    if (parts.IsHole(loop) && parts.CountInside(loop) < std::max<std::int64_t>(1, options.SmallestHoleSize))
+    {
+      return "size" + name;
+    }
+    const PlanePoint& first = columns[std::size_t(*boundary.Boundary.begin(loop))];
+    for (const PointId* point = boundary.Boundary.begin(loop); point != boundary.Boundary.end(loop); ++point)
+    {
+      if (columns[std::size_t(*point)] < first || boundary.Patch[std::size_t(*point)] != parts.PatchOf(loop))
+      {
+        return "start or patch" + name;
+      }
+    }
+  }
+  return {};
+}
+
+/// A point is in the patch around it, and in no other.
+std::string CheckInside(
+  const std::vector<PlanePoint>& columns, const std::vector<std::int32_t>& patch, const BoundaryParts& parts)
+{
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    // For each patch: 1 inside its loop or on it, less 1 inside one of its holes.
+    std::map<std::int32_t, int> depth;
+    for (std::size_t loop = 0; loop < parts.Size(); ++loop)
+    {
+      const int side = parts.Locate(loop, columns[point]);
+      depth[parts.PatchOf(loop)] += parts.IsHole(loop) ? -int(side > 0) : int(side >= 0);
+    }
+    for (const auto& [number, inside] : depth)
+    {
+      if (inside != int(number == patch[point]))
+      {
+        return "point " + std::to_string(point) + " and patch " + std::to_string(number);
+      }
+    }
+  }
+  return {};
+}
+
 using EdgeTriangles = std::map<Edge, PointId>; // the third point to the left of a directed edge
 
 std::string CollectEdges(
@@ -236,7 +407,7 @@ std::string CheckEdges(const BoundedHorizon& horizon, const EdgeTriangles& edges
   return {};
 }
 
-/// Points - edges + triangles = 1 for each patch, which is one loop and what it encloses.
+/// Points - edges + triangles = 1 for each patch, which is one loop and what it encloses, less 1 for each hole.
 std::string CheckEuler(const BoundedHorizon& horizon, const EdgeTriangles& edges)
 {
   std::map<std::int32_t, std::int64_t> sum;
@@ -254,6 +425,11 @@ std::string CheckEuler(const BoundedHorizon& horizon, const EdgeTriangles& edges
   {
     --sum[horizon.Patch[std::size_t(edge.first)]];
   }
+  // One loop of each patch is not that of a hole.
+  for (std::size_t loop = 0; loop < horizon.Boundary.Size(); ++loop)
+  {
+    ++sum[horizon.Patch[std::size_t(*horizon.Boundary.begin(loop))]];
+  }
   std::map<std::int32_t, std::int64_t> corners;
   for (const auto& [edge, third] : edges)
   {
@@ -261,7 +437,7 @@ std::string CheckEuler(const BoundedHorizon& horizon, const EdgeTriangles& edges
   }
   for (const auto& [patch, count] : sum)
   {
-    if (count + corners[patch] / 3 != 1)
+    if (count + corners[patch] / 3 != 2)
     {
       return "Euler's formula fails for patch " + std::to_string(patch);
     }
@@ -308,6 +484,17 @@ std::string CheckExteriorBoundary(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string CheckBoundary(const std::vector<PlanePoint>& columns, const SeismicHorizons::ExteriorBoundary& boundary,
+  const SeismicHorizons::BoundaryOptions& options)
+{
+  const BoundaryParts parts(columns, boundary);
+  std::string wrong = CheckHops(columns, boundary.Boundary, options.Radius);
+  wrong = wrong.empty() ? CheckConnection(columns, boundary.Patch, options.Radius) : wrong;
+  wrong = wrong.empty() ? CheckLoops(columns, boundary, parts, options) : wrong;
+  return wrong.empty() ? CheckInside(columns, boundary.Patch, parts) : wrong;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int Locate(const std::vector<PlanePoint>& places, const Loops& boundary, const PlanePoint& place)
 {
   bool inside = false;
@@ -317,6 +504,10 @@ int Locate(const std::vector<PlanePoint>& places, const Loops& boundary, const P
     {
       const PlanePoint& a = places[std::size_t(from)];
       const PlanePoint& b = places[std::size_t(to)];
+      if (std::max(a.Y, b.Y) < place.Y || std::min(a.Y, b.Y) > place.Y)
+      {
+        return;
+      }
       on = on || Between(a, b, place);
       // A ray to the right: it passes the hop when the hop goes over its height with the place on its left.
       const PlanePoint& low = a.Y < b.Y ? a : b;
@@ -327,6 +518,12 @@ int Locate(const std::vector<PlanePoint>& places, const Loops& boundary, const P
       }
     });
   return on ? 0 : (inside ? 1 : -1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string CheckCrossings(const BoundedHorizon& horizon)
+{
+  return CheckHops(horizon.Plane, horizon.Boundary, 1 << 30);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -3,7 +3,9 @@
 
 #include "BoundarySimplification.h"
 #include "Check.h"
+#include "MeshChecker.h"
 #include "TestHorizons.h"
+#include "Triangulation.h"
 
 #include <algorithm>
 #include <limits>
@@ -179,12 +181,130 @@ void TestRandomPatches()
   }
 }
 
+BoundarySimplificationOptions RandomOptions(Patches::Random& random)
+{
+  BoundarySimplificationOptions options;
+  options.DistanceThreshold = 2.0 * random.Fraction();
+  options.BoundDeviation = random.Chance(0.5);
+  options.OutlineTolerance = 3.0 * random.Fraction();
+  return options;
+}
+
+/// The peak of a long roof may not be levelled bit by bit.
+void TestBoundDeviation()
+{
+  const std::vector<double> heights = { 0, 0.54, 0.36, 0.18, 0 };
+  BoundarySimplificationOptions options;
+  options.BoundDeviation = true;
+  const BoundedHorizon strip = Strip(heights);
+  const BoundarySimplification result = SimplifyBoundary(ToSpacePoints(strip), strip.Boundary, options);
+  CHECK(result.Deviation > 0.0 && result.Deviation <= 0.4);
+  Patches::Random random(8);
+  for (int n = 0; n < 300; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
+    options.DistanceThreshold = 2.0 * random.Fraction();
+    const BoundarySimplification bound = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options);
+    CHECK(bound.Deviation <= options.DistanceThreshold);
+    CHECK_EQUAL(bound.OutlineDeviation, 0.0);
+  }
+}
+
+/// A right triangle on the lattice: with a tolerance its staircase goes, and points at most so far outside with it.
+void TestStaircase()
+{
+  std::vector<std::string> picture;
+  for (int row = 0; row < 9; ++row)
+  {
+    picture.push_back(std::string(std::size_t(2 * row + 2), '#'));
+  }
+  const Patches::Columns columns = Patches::FromPicture(picture);
+  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 5.0));
+  BoundarySimplificationOptions options;
+  const std::size_t before = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options).Boundary.TotalLength();
+  options.OutlineTolerance = 0.5;
+  const BoundarySimplification result = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options);
+  CHECK_EQUAL(before, 20u);
+  CHECK_EQUAL(result.Boundary.TotalLength(), 5u);
+  CHECK(result.OutlineDeviation > 0.4 && result.OutlineDeviation <= 0.5);
+  CHECK_EQUAL(
+    MeshChecker::CheckMesh(Drop(horizon, result), Triangulate(Drop(horizon, result)).Triangles), std::string());
+}
+
+/// How far a place is from the nearest of a loop's edges, in plan.
+double DistanceToLoop(const std::vector<SpacePoint>& points, const Loops& boundary, std::size_t loop, PointId point)
+{
+  const SpacePoint& p = points[std::size_t(point)];
+  double nearest =
+    std::hypot(points[std::size_t(*boundary.begin(loop))].X - p.X, points[std::size_t(*boundary.begin(loop))].Y - p.Y);
+  boundary.ForEachHopOf(loop,
+    [&](PointId from, PointId to)
+    {
+      const SpacePoint& a = points[std::size_t(from)];
+      const double x = points[std::size_t(to)].X - a.X;
+      const double y = points[std::size_t(to)].Y - a.Y;
+      const double part = std::clamp(((p.X - a.X) * x + (p.Y - a.Y) * y) / (x * x + y * y), 0.0, 1.0);
+      nearest = std::min(nearest, std::hypot(a.X + part * x - p.X, a.Y + part * y - p.Y));
+    });
+  return nearest;
+}
+
+/// With a tolerance in plan: dropped points stay within it of their loop; nothing crosses, no point changes sides.
+void TestOutlineTolerance()
+{
+  Patches::Random random(9);
+  for (int n = 0; n < 1500; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    BoundaryOptions kind;
+    kind.Radius = 1 + random.Below(3);
+    kind.Growth = GrowthStrategy(random.Below(2));
+    kind.HoleBoundaries = random.Chance(0.5);
+    const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random), kind);
+    const BoundarySimplificationOptions options = RandomOptions(random);
+    const std::vector<SpacePoint> points = ToSpacePoints(horizon);
+    const BoundarySimplification result = SimplifyBoundary(points, horizon.Boundary, options);
+    CHECK(result.OutlineDeviation <= options.OutlineTolerance);
+    for (std::size_t loop = 0; loop < result.Boundary.Size(); ++loop)
+    {
+      CHECK_EQUAL(*result.Boundary.begin(loop), *horizon.Boundary.begin(loop));
+      std::for_each(horizon.Boundary.begin(loop), horizon.Boundary.end(loop),
+        [&](PointId point)
+        { CHECK(DistanceToLoop(points, result.Boundary, loop, point) <= options.OutlineTolerance + 1e-9); });
+    }
+    // A mesh with the areas of its loops and all points as corners shows the rest.
+    const BoundedHorizon dropped = Drop(horizon, result);
+    CHECK_EQUAL(MeshChecker::CheckCrossings(dropped), std::string());
+    CHECK_EQUAL(MeshChecker::CheckMesh(dropped, Triangulate(dropped).Triangles), std::string());
+  }
+}
+
+/// A pillar that leans over a bay, and an island in a lagoon: cutting the corner would run over a point.
+void TestPointsInTheWay()
+{
+  BoundarySimplificationOptions options;
+  options.OutlineTolerance = 10.0;
+  const Patches::Columns columns = Patches::FromPicture({ "#####", "#...#", "#.#.#", "#...#", "#####" });
+  BoundaryOptions holes;
+  holes.HoleBoundaries = true;
+  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0), holes);
+  const BoundedHorizon result = Drop(horizon, SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options));
+  CHECK_EQUAL(result.Boundary.Size(), 3u);
+  CHECK_EQUAL(MeshChecker::CheckCrossings(result), std::string());
+  CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
+}
+
 void TestErrorsAndAbort()
 {
   const BoundedHorizon horizon = Strip({ 0, 0, 0 });
   CHECK_THROWS_WITH(
     Simplify(horizon, -0.5), "distance threshold -0.5, expected a number of lattice units that is at least 0");
   CHECK_THROWS_WITH(Simplify(horizon, std::numeric_limits<double>::quiet_NaN()), "distance threshold nan");
+  BoundarySimplificationOptions options;
+  options.OutlineTolerance = -1.0;
+  CHECK_THROWS_WITH(SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options),
+    "outline tolerance -1, expected a number of columns that is at least 0");
   const Monitor stop([](double) { return false; });
   CHECK_THROWS_WITH(SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, 0.4, stop), "stopped on request");
 }
@@ -202,6 +322,10 @@ int TestBoundarySimplification(int, char*[])
   TestSpurStays();
   TestSmallestLoops();
   TestRandomPatches();
+  TestBoundDeviation();
+  TestStaircase();
+  TestOutlineTolerance();
+  TestPointsInTheWay();
   TestErrorsAndAbort();
   return Check::Result();
 }

@@ -30,9 +30,10 @@ inline std::vector<double> MakeHeights(const Patches::Columns& columns, Patches:
   return heights;
 }
 
-inline BoundedHorizon MakeHorizon(const Patches::Columns& columns, const std::vector<double>& heights)
+inline BoundedHorizon MakeHorizon(const Patches::Columns& columns, const std::vector<double>& heights,
+  const BoundaryOptions& options = BoundaryOptions())
 {
-  ExteriorBoundary boundary = FindExteriorBoundary(columns);
+  ExteriorBoundary boundary = FindExteriorBoundary(columns, options);
   BoundedHorizon horizon;
   for (const PlanePoint& column : columns)
   {

@@ -4,7 +4,7 @@
 // Times the triangulation beside CGAL and VTK on generated horizons, in one run. Prints Markdown: processor seconds,
 // the least of several runs.
 //
-//   triangulation_benchmark [POINTS ...]      sizes of the horizons; without them those of the thesis's table 5.1
+//   TriangulationBenchmark [POINTS ...]      sizes of the horizons; without them those of the thesis's table 5.1
 
 #include "BoundarySimplification.h"
 #include "ExteriorBoundary.h"

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Measures boundaries and their simplification on generated horizons, beside OpenCV where it was found.
+//
+//   BoundaryBenchmark [POINTS]...     (148317 886639 10000000 when none is given)
+//
+// Prints lines "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points". Seconds are the least of
+// three runs (of one from 10 million points); bytes are the largest memory in use at a time beyond input and result,
+// per column of the bounding box; -1 where that is not known. OpenCV starts from an image that is ready, we from the
+// list of columns.
+
+#include "BoundarySimplification.h"
+#include "ExteriorBoundary.h"
+#include "HorizonGenerator.h"
+#ifdef SEISMICHORIZONS_HAS_OPENCV
+#include "OpenCvContours.h"
+#endif
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <string>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// What operator new has given out.
+std::int64_t memoryNow = 0;
+std::int64_t memoryPeak = 0;
+}
+
+void* operator new(std::size_t size)
+{
+  void* const memory = std::malloc(size);
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  memoryNow += std::int64_t(malloc_usable_size(memory));
+  memoryPeak = std::max(memoryPeak, memoryNow);
+  return memory;
+}
+
+void operator delete(void* memory) noexcept
+{
+  memoryNow -= std::int64_t(malloc_usable_size(memory));
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+  operator delete(memory);
+}
+
+namespace
+{
+struct Measurement
+{
+  double Seconds = std::numeric_limits<double>::max();
+  std::int64_t Bytes = 0;
+  std::size_t Loops = 0;
+  std::size_t BoundaryPoints = 0;
+};
+
+class Benchmark
+{
+public:
+  explicit Benchmark(std::int64_t points)
+  {
+    HorizonGeneratorOptions options;
+    options.NumberOfHorizons = 1;
+    options.Size[2] = 64;
+    options.Size = HorizonGenerator::FindSize(options, points);
+    this->Cells = std::int64_t(options.Size[0]) * options.Size[1];
+    const HorizonVoxels horizon = HorizonGenerator(options).MakeHorizon(0);
+    for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
+    {
+      this->Columns.push_back({ horizon.I[voxel], horizon.J[voxel] });
+      this->Points.push_back({ double(horizon.I[voxel]), double(horizon.J[voxel]), double(horizon.K[voxel]) });
+    }
+    this->Runs = points < 10000000 ? 3 : 1;
+  }
+
+  void Boundary(const char* what, int radius, GrowthStrategy growth, bool holes) const
+  {
+    BoundaryOptions options;
+    options.Radius = radius;
+    options.Growth = growth;
+    options.HoleBoundaries = holes;
+    this->Measure(what, radius,
+      [&](Measurement& result)
+      {
+        const std::int64_t before = memoryNow;
+        memoryPeak = before;
+        const ExteriorBoundary boundary = FindExteriorBoundary(this->Columns, options);
+        result.Bytes = memoryPeak - memoryNow;
+        result.Loops = boundary.Boundary.Size();
+        result.BoundaryPoints = boundary.Boundary.TotalLength();
+      });
+  }
+
+  void Simplification(const char* what, double threshold, double tolerance) const
+  {
+    const ExteriorBoundary boundary = FindExteriorBoundary(this->Columns);
+    BoundarySimplificationOptions options;
+    options.DistanceThreshold = threshold;
+    options.OutlineTolerance = tolerance;
+    this->Measure(what, threshold,
+      [&](Measurement& result)
+      {
+        memoryPeak = memoryNow;
+        const BoundarySimplification simplified = SimplifyBoundary(this->Points, boundary.Boundary, options);
+        result.Bytes = memoryPeak - memoryNow;
+        result.Loops = simplified.Boundary.Size();
+        result.BoundaryPoints = simplified.Boundary.TotalLength();
+      });
+  }
+
+#ifdef SEISMICHORIZONS_HAS_OPENCV
+  void OpenCv() const
+  {
+    cv::setNumThreads(1);
+    const cv::Mat image = OpenCvContours::ToImage(this->Columns);
+    for (const bool holes : { false, true })
+    {
+      this->Measure(holes ? "opencv all loops" : "opencv exterior and labels", 1,
+        [&](Measurement& result)
+        {
+          OpenCvContours::Contours contours;
+          cv::findContours(image, contours, holes ? cv::RETR_CCOMP : cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+          cv::Mat labels;
+          if (!holes)
+          {
+            cv::connectedComponents(image, labels, 8, CV_32S);
+          }
+          result.Bytes = -1;
+          result.Loops = contours.size();
+          for (const std::vector<cv::Point>& contour : contours)
+          {
+            result.BoundaryPoints += contour.size();
+          }
+        });
+    }
+  }
+#endif
+
+private:
+  template <typename Work>
+  void Measure(const char* what, double parameter, Work&& work) const
+  {
+    Measurement best;
+    for (int run = 0; run < this->Runs; ++run)
+    {
+      Measurement measurement;
+      const auto start = std::chrono::steady_clock::now();
+      work(measurement);
+      measurement.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      best = measurement.Seconds < best.Seconds ? measurement : best;
+    }
+    std::cout << this->Columns.size() << ',' << what << ',' << parameter << ',' << best.Seconds << ','
+              << (best.Bytes < 0 ? -1.0 : double(best.Bytes) / double(this->Cells)) << ',' << best.Loops << ','
+              << best.BoundaryPoints << std::endl;
+  }
+
+  std::vector<PlanePoint> Columns;
+  std::vector<SpacePoint> Points;
+  std::int64_t Cells = 0;
+  int Runs = 1;
+};
+
+void Run(std::int64_t points)
+{
+  const Benchmark benchmark(points);
+  benchmark.Boundary("exterior", 1, GrowthStrategy::Clockwise, false);
+  benchmark.Boundary("all loops", 1, GrowthStrategy::Clockwise, true);
+#ifdef SEISMICHORIZONS_HAS_OPENCV
+  benchmark.OpenCv();
+#endif
+  for (const int radius : { 2, 3, 4, 5 })
+  {
+    benchmark.Boundary("clockwise", radius, GrowthStrategy::Clockwise, false);
+    benchmark.Boundary("distance", radius, GrowthStrategy::Distance, false);
+  }
+  benchmark.Boundary("clockwise all loops", 3, GrowthStrategy::Clockwise, true);
+  for (const double threshold : { 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 })
+  {
+    benchmark.Simplification("simplification", threshold, 0.0);
+  }
+  benchmark.Simplification("simplification with tolerance 0.5", 0.4, 0.5);
+  benchmark.Simplification("simplification with tolerance 1", 0.4, 1.0);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  std::vector<std::int64_t> sizes;
+  for (int n = 1; n < argc; ++n)
+  {
+    sizes.push_back(std::atoll(argv[n]));
+  }
+  if (sizes.empty())
+  {
+    sizes = { 148317, 886639, 10000000 };
+  }
+  std::cout << "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points\n";
+  for (const std::int64_t points : sizes)
+  {
+    Run(points);
+  }
+  return EXIT_SUCCESS;
+}
