@@ -3,6 +3,8 @@
 
 #include "CellGrid.h"
 
+#include <limits>
+
 namespace SeismicHorizons
 {
 namespace
@@ -16,7 +18,7 @@ std::int64_t FloorToMultiple(std::int64_t value, std::int64_t unit)
 
 //----------------------------------------------------------------------------------------------------------------------
 CellGrid::CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std::int64_t cellSize)
-  : CellSize(cellSize)
+  : CellSize(std::min<std::int64_t>(cellSize, std::numeric_limits<std::int32_t>::max())) // wider than any horizon
 {
   const auto x = std::minmax_element(
     points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
@@ -24,8 +26,8 @@ CellGrid::CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std
     points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
   this->MinX = FloorToMultiple(x.first->X, unit);
   this->MinY = FloorToMultiple(y.first->Y, unit);
-  this->CellsX = (x.second->X - this->MinX) / cellSize + 1;
-  this->CellsY = (y.second->Y - this->MinY) / cellSize + 1;
+  this->CellsX = (x.second->X - this->MinX) / this->CellSize + 1;
+  this->CellsY = (y.second->Y - this->MinY) / this->CellSize + 1;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

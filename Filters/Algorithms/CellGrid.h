@@ -49,7 +49,16 @@ public:
   std::int64_t Index(std::int64_t cellX, std::int64_t cellY) const { return cellY * this->CellsX + cellX; }
   std::int64_t CellOf(const PlanePoint& p) const
   {
-    return Index((p.X - this->MinX) / this->CellSize, (p.Y - this->MinY) / this->CellSize);
+    // 32 bits are enough, and much quicker to divide by.
+    const std::uint32_t size = std::uint32_t(this->CellSize);
+    return this->Index(std::uint32_t(p.X - this->MinX) / size, std::uint32_t(p.Y - this->MinY) / size);
+  }
+
+  /// The least corner of a cell.
+  PlanePoint Corner(std::int64_t cell) const
+  {
+    return { std::int32_t(this->MinX + cell % this->CellsX * this->CellSize),
+      std::int32_t(this->MinY + cell / this->CellsX * this->CellSize) };
   }
 
   /// Calls visit(cell) for every cell the segment between two places touches, and at times for one it just misses.
@@ -84,7 +93,7 @@ private:
 
   std::int64_t MinX = 0;
   std::int64_t MinY = 0;
-  std::int64_t CellSize = 1;
+  std::int64_t CellSize = 1; // below 2^31
   std::int64_t CellsX = 0;
   std::int64_t CellsY = 0;
 };
