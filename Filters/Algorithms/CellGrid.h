@@ -40,6 +40,8 @@ public:
 
   std::int64_t SizeX() const { return this->CellsX; }
   std::int64_t SizeY() const { return this->CellsY; }
+  /// The side of a cell, at most 2^31 - 1.
+  std::int64_t GetCellSize() const { return this->CellSize; }
   std::int64_t Size() const { return this->CellsX * this->CellsY; }
 
   /// The column and the row of cells at a coordinate; outside the box that of the nearest cell.

@@ -10,6 +10,7 @@
 #include "Predicates.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <sstream>
@@ -47,6 +48,157 @@ std::int64_t CheckedCellSize(const BoundedHorizon& horizon, int columns)
   return std::int64_t(columns) * horizon.SubVoxelsPerColumn;
 }
 
+/// Finds the cells of places one after the other. Neighbours are likely to share theirs, which saves the divisions.
+class CellFinder
+{
+public:
+  explicit CellFinder(const CellGrid& grid)
+    : Grid(grid)
+    , Size(std::uint32_t(grid.GetCellSize()))
+    , Corner(grid.Corner(0))
+  {
+  }
+
+  std::int64_t operator()(const PlanePoint& place)
+  {
+    if (std::uint32_t(place.X - this->Corner.X) >= this->Size || std::uint32_t(place.Y - this->Corner.Y) >= this->Size)
+    {
+      this->Cell = this->Grid.CellOf(place);
+      this->Corner = this->Grid.Corner(this->Cell);
+    }
+    return this->Cell;
+  }
+
+private:
+  const CellGrid& Grid;
+  const std::uint32_t Size;
+  PlanePoint Corner;
+  std::int64_t Cell = 0;
+};
+
+/// Sorts points by cell in two steps, both of them in parallel: into bands of a few rows of cells, then by cell in each
+/// band. Points come in many runs, each of which knows where in every band its points go.
+class BandSorter
+{
+public:
+  BandSorter(const CellGrid& grid, const std::vector<PlanePoint>& plane, const Monitor& monitor)
+    : Grid(grid)
+    , Plane(plane)
+    , RowsPerBand(grid.SizeY() / MostBands + 1)
+    , Bands((grid.SizeY() - 1) / this->RowsPerBand + 1)
+    , Runs(std::int64_t(plane.size() - 1) / RunLength + 1)
+    , Next(std::size_t(this->Runs * this->Bands), 0)
+    , BandEnds(std::size_t(this->Bands) + 1, 0)
+    , Banded(new PointId[plane.size()])
+  {
+    this->ForEachRun(monitor.Step(0.0, 0.5), [](std::uint32_t& next, PointId) { ++next; });
+    this->AddUp();
+    this->ForEachRun(
+      monitor.Step(0.5, 1.0), [this](std::uint32_t& next, PointId point) { this->Banded[next++] = point; });
+  }
+
+  /// Writes the points, and for each cell where its points begin.
+  void Sort(std::vector<std::uint32_t>& begins, PointId* sorted, const Monitor& monitor) const
+  {
+    ParallelFor(this->Bands, 1, monitor,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t band = first; band < last; ++band)
+        {
+          this->SortBand(band, begins, sorted);
+        }
+      });
+  }
+
+private:
+  static constexpr std::int64_t MostBands = 256;
+  static constexpr std::int64_t RunLength = 65536;
+
+  /// Calls visit(next, point) for all points, where `next` is the counter of the point's run and band.
+  template <typename Visitor>
+  void ForEachRun(const Monitor& monitor, Visitor&& visit)
+  {
+    ParallelFor(this->Runs, 1, monitor,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t run = first; run < last; ++run)
+        {
+          this->VisitRun(run, visit);
+        }
+      });
+  }
+
+  template <typename Visitor>
+  void VisitRun(std::int64_t run, Visitor& visit)
+  {
+    const std::uint32_t height = std::uint32_t(
+      std::min<std::int64_t>(this->RowsPerBand * this->Grid.GetCellSize(), std::numeric_limits<std::int32_t>::max()));
+    const std::int64_t bottom = this->Grid.Corner(0).Y;
+    const std::size_t end = std::min(this->Plane.size(), std::size_t((run + 1) * RunLength));
+    for (std::size_t point = std::size_t(run * RunLength); point < end;)
+    {
+      // Points are likely to come row by row: as long as they stay in one band, its counter can stay in a register.
+      const std::uint32_t band = std::uint32_t(this->Plane[point].Y - bottom) / height;
+      const std::int64_t low = bottom + std::int64_t(band) * height;
+      std::uint32_t next = this->Next[std::size_t(run * this->Bands + band)];
+      for (; point < end && std::uint64_t(this->Plane[point].Y - low) < height; ++point)
+      {
+        visit(next, PointId(point));
+      }
+      this->Next[std::size_t(run * this->Bands + band)] = next;
+    }
+  }
+
+  /// Makes places out of counts: band by band, and in a band run by run.
+  void AddUp()
+  {
+    std::uint32_t sum = 0;
+    for (std::int64_t band = 0; band < this->Bands; ++band)
+    {
+      for (std::int64_t run = 0; run < this->Runs; ++run)
+      {
+        std::uint32_t& next = this->Next[std::size_t(run * this->Bands + band)];
+        sum += next;
+        next = sum - next;
+      }
+      this->BandEnds[std::size_t(band) + 1] = sum;
+    }
+  }
+
+  void SortBand(std::int64_t band, std::vector<std::uint32_t>& begins, PointId* sorted) const
+  {
+    const PointId* const first = this->Banded.get() + this->BandEnds[std::size_t(band)];
+    const PointId* const last = this->Banded.get() + this->BandEnds[std::size_t(band) + 1];
+    const std::int64_t firstCell = band * this->RowsPerBand * this->Grid.SizeX();
+    const std::int64_t lastCell = std::min(this->Grid.Size(), firstCell + this->RowsPerBand * this->Grid.SizeX());
+    // Counts, then ends, from which the points are filled in backwards; so they come to be where the cells begin.
+    std::uint32_t* const ends = begins.data();
+    CellFinder cellOf(this->Grid);
+    const auto counter = [&](PointId point) -> std::uint32_t& { return ends[cellOf(this->Plane[std::size_t(point)])]; };
+    std::for_each(first, last, [&](PointId point) { ++counter(point); });
+    std::uint32_t sum = this->BandEnds[std::size_t(band)];
+    for (std::int64_t cell = firstCell; cell < lastCell; ++cell)
+    {
+      sum += ends[cell];
+      ends[cell] = sum;
+    }
+    for (const PointId* point = last; point != first;)
+    {
+      --point;
+      sorted[--counter(*point)] = *point;
+    }
+  }
+
+  const CellGrid& Grid;
+  const std::vector<PlanePoint>& Plane;
+  const std::int64_t RowsPerBand;
+  const std::int64_t Bands;
+  const std::int64_t Runs;
+  std::vector<std::uint32_t> Next;
+  std::vector<std::uint32_t> BandEnds;
+  std::unique_ptr<PointId[]> Banded;
+};
+
 /// Whether the way between two places that are not on the edge a-b crosses it. An end that the way runs through counts
 /// as lying to its left, so that the crossings of a whole loop come out even or odd as they must.
 bool Crosses(const PlanePoint& a, const PlanePoint& b, const PlanePoint& from, const PlanePoint& to)
@@ -62,13 +214,13 @@ CellSimplifier::CellSimplifier(const BoundedHorizon& horizon, const CellOptions&
   , Options(options)
   , CellSize(CheckedCellSize(horizon, options.CellSize))
   , Grid(horizon.Plane, horizon.SubVoxelsPerColumn, this->CellSize)
-  , Hops(SeismicHorizons::SortByCell(this->Grid, horizon.Plane, horizon.Boundary))
+  , Hops(SortByCell(this->Grid, horizon.Plane, horizon.Boundary))
   , OnBoundary(horizon.Plane.size(), 0)
   , Marks(horizon.Plane.size(), 0)
 {
   monitor.Progress(0.0);
   this->NumberBoundary();
-  this->SortByCell(monitor);
+  this->SortPoints(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -81,48 +233,32 @@ void CellSimplifier::NumberBoundary()
       boundary.begin(loop), boundary.end(loop), [this](PointId point) { this->OnBoundary[std::size_t(point)] = 1; });
   }
   this->Result.Target.assign(this->Horizon.Plane.size(), NoPoint);
-  for (std::size_t point = 0; point < this->OnBoundary.size(); ++point)
+  // Boundary points are few and far between: memchr finds them many times faster than a loop.
+  const unsigned char* const begin = this->OnBoundary.data();
+  const unsigned char* const end = begin + this->OnBoundary.size();
+  const auto find = [end](const unsigned char* from)
+  { return static_cast<const unsigned char*>(std::memchr(from, 1, std::size_t(end - from))); };
+  for (const unsigned char* found = find(begin); found; found = found + 1 < end ? find(found + 1) : nullptr)
   {
-    if (this->OnBoundary[point])
-    {
-      this->Result.Target[point] = PointId(this->Result.Source.size());
-      this->Result.Source.push_back(PointId(point));
-    }
+    this->Result.Target[std::size_t(found - begin)] = PointId(this->Result.Source.size());
+    this->Result.Source.push_back(PointId(found - begin));
   }
   this->Result.Boundary = boundary.Renumbered(this->Result.Target);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CellSimplifier::SortByCell(const Monitor& monitor)
+void CellSimplifier::SortPoints(const Monitor& monitor)
 {
   if (this->Grid.Size() >= std::numeric_limits<std::uint32_t>::max())
   {
     throw std::bad_alloc();
   }
-  const std::vector<PlanePoint>& plane = this->Horizon.Plane;
-  std::vector<std::uint32_t> cellOf(plane.size());
-  ParallelFor(std::int64_t(plane.size()), 65536, monitor,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      std::transform(plane.begin() + first, plane.begin() + last, cellOf.begin() + first,
-        [this](const PlanePoint& place) { return std::uint32_t(this->Grid.CellOf(place)); });
-    });
-  // Shifted by one cell: an entry is first a count, then where its cell begins, and moves to its end while it is
-  // filled.
-  this->CellEnds.assign(std::size_t(this->Grid.Size()) + 2, 0);
-  for (const std::uint32_t cell : cellOf)
-  {
-    ++this->CellEnds[cell + 2];
-  }
-  for (std::size_t cell = 2; cell < this->CellEnds.size(); ++cell)
-  {
-    this->CellEnds[cell] += this->CellEnds[cell - 1];
-  }
-  this->Points.resize(plane.size());
-  for (std::size_t point = 0; point < plane.size(); ++point)
-  {
-    this->Points[this->CellEnds[cellOf[point] + 1]++] = PointId(point);
-  }
+  const std::size_t size = this->Horizon.Plane.size();
+  this->Points.reset(new PointId[size]); // not a vector, which would write to all of it on one thread first
+  this->CellEnds.assign(std::size_t(this->Grid.Size()) + 1, 0);
+  const BandSorter sorter(this->Grid, this->Horizon.Plane, monitor.Step(0.0, 0.5));
+  sorter.Sort(this->CellEnds, this->Points.get(), monitor.Step(0.5, 1.0));
+  this->CellEnds.back() = std::uint32_t(size);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

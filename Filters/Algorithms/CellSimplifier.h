@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -122,10 +123,13 @@ private:
     std::vector<PlanePoint> Places;
   };
 
-  void SortByCell(const Monitor& monitor);
+  void SortPoints(const Monitor& monitor);
   void NumberBoundary();
   template <typename Key>
   std::uint32_t GroupCell(std::int64_t cell, Key& key, Scratch& scratch);
+  /// False when keys do not ascend, so that points have to be sorted first, as they seldom have.
+  template <typename Key>
+  bool MarkGroups(Iterator first, Iterator last, Key& key, std::uint32_t& groups);
 
   std::vector<std::uint32_t> CountStandIns(const Monitor& monitor) const;
   void WriteCell(std::int64_t cell, PointId next, Scratch& scratch);
@@ -139,9 +143,9 @@ private:
   void UseNearest(StandIn& standIn) const;
   void WritePoint(const StandIn& standIn, PointId number);
 
-  Iterator CellBegin(std::int64_t cell) { return this->Points.data() + this->CellEnds[std::size_t(cell)]; }
-  unsigned char& MarkOf(Iterator point) { return this->Marks[std::size_t(point - this->Points.data())]; }
-  unsigned char MarkOf(const PointId* point) const { return this->Marks[std::size_t(point - this->Points.data())]; }
+  Iterator CellBegin(std::int64_t cell) { return this->Points.get() + this->CellEnds[std::size_t(cell)]; }
+  unsigned char& MarkOf(Iterator point) { return this->Marks[std::size_t(point - this->Points.get())]; }
+  unsigned char MarkOf(const PointId* point) const { return this->Marks[std::size_t(point - this->Points.get())]; }
   const PlanePoint& Plane(PointId point) const { return this->Horizon.Plane[std::size_t(point)]; }
 
   const BoundedHorizon& Horizon;
@@ -150,9 +154,9 @@ private:
   const CellGrid Grid;
   const HopLists Hops;
   std::vector<unsigned char> OnBoundary;
-  std::vector<PointId> Points; // cell by cell
+  std::unique_ptr<PointId[]> Points; // cell by cell
   std::vector<unsigned char> Marks; // for each entry of Points: what kind of leaf begins there, or 0
-  std::vector<std::uint32_t> CellEnds; // where the points of a cell begin, and at the end their number
+  std::vector<std::uint32_t> CellEnds; // where the points of each cell begin, and at the end their number
   std::vector<std::uint32_t> GroupEnds; // likewise for groups
   Reduction Result;
 };
@@ -184,42 +188,58 @@ std::uint32_t CellSimplifier::GroupCell(std::int64_t cell, Key& key, Scratch& sc
 {
   const Iterator first = this->CellBegin(cell);
   const Iterator last = this->CellBegin(cell + 1);
+  std::uint32_t groups = 0;
+  if (this->MarkGroups(first, last, key, groups))
+  {
+    return groups;
+  }
   scratch.Keyed.clear();
-  bool sorted = true;
   for (Iterator point = first; point != last; ++point)
   {
     scratch.Keyed.emplace_back(key(*point), *point);
-    sorted = sorted && (point == first || scratch.Keyed.rbegin()[1].first <= scratch.Keyed.back().first);
+    this->MarkOf(point) = 0;
   }
-  if (!sorted)
-  {
-    std::stable_sort(
-      scratch.Keyed.begin(), scratch.Keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::transform(scratch.Keyed.begin(), scratch.Keyed.end(), first, [](const auto& keyed) { return keyed.second; });
-  }
-  std::uint32_t groups = 0;
+  std::stable_sort(
+    scratch.Keyed.begin(), scratch.Keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(scratch.Keyed.begin(), scratch.Keyed.end(), first, [](const auto& keyed) { return keyed.second; });
+  this->MarkGroups(first, last, key, groups);
+  return groups;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Key>
+bool CellSimplifier::MarkGroups(Iterator first, Iterator last, Key& key, std::uint32_t& groups)
+{
+  groups = 0;
   Iterator start = first;
-  for (std::size_t n = 0; n < scratch.Keyed.size(); ++n)
+  std::int64_t current = 0;
+  for (Iterator point = first; point != last; ++point)
   {
-    if (n == 0 || scratch.Keyed[n].first != scratch.Keyed[n - 1].first)
+    const std::int64_t next = key(*point);
+    if (point != first && next < current)
     {
-      start = first + n;
+      return false;
+    }
+    if (point == first || next > current)
+    {
+      start = point;
+      current = next;
       this->MarkLeaf(start, 0, false, false);
       ++groups;
     }
-    if (this->IsOnBoundary(first[n]))
+    if (this->IsOnBoundary(*point))
     {
       this->MarkLeaf(start, 0, true, false);
     }
   }
-  return groups;
+  return true;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Bottom>
 void CellSimplifier::ListCells(Reduction& result, Bottom&& bottom)
 {
-  this->ForEachLeaf(this->Points.data(), this->Points.data() + this->Points.size(),
+  this->ForEachLeaf(this->Points.get(), this->Points.get() + this->Horizon.Plane.size(),
     [&](Iterator first, Iterator last)
     {
       SimplificationCell leaf = this->DescribeLeaf(result, first, last);
