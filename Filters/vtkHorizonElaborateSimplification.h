@@ -80,8 +80,8 @@ public:
 
   ///@{
   /**
-   * How many times as large as its neighbours in the ring before, in the mean, a cell may be. At least 1, as in the
-   * thesis (eq. 4.3): cells never grow towards the inside. With 2 they may double from ring to ring. Default: 1.
+   * How many times as large as its neighbours in the ring before, in the mean, a cell may be, up to the nearest size
+   * that halving gives. At least 1, as in the thesis (eq. 4.3). With 2 cells may double from ring to ring. Default: 1.
    */
   vtkSetMacro(GrowthPerRing, double);
   vtkGetMacro(GrowthPerRing, double);

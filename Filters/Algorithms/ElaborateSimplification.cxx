@@ -27,6 +27,8 @@ namespace
 {
 using Iterator = CellSimplifier::Iterator;
 
+constexpr double HalfALevel = 1.4142135623730951; // a level is a factor of 2
+
 void CheckAtLeast(const char* name, double value, double least, const char* unit)
 {
   if (!(value >= least))
@@ -447,7 +449,9 @@ private:
     }
   }
 
-  /// How often the leaves of a block are halved at least (thesis eq. 4.3).
+  /// How often the leaves of a block are halved at least: to the level whose size is nearest to the mean of those
+  /// before (thesis eq. 4.3), by ratio. To always round down would make cells shrink from ring to ring, as any mix of
+  /// sizes has its mean below the largest.
   int LeastLevel(const Block& block) const
   {
     Sizes before = this->SizesBefore(block, false);
@@ -455,10 +459,9 @@ private:
     {
       before = this->SizesBefore(block, true);
     }
+    const double largest = HalfALevel * this->Options.GrowthPerRing * double(before.Sum);
     int level = 0;
-    while (level<this->Deepest&& double(before.Number) * double(std::int64_t(1) << (this->Deepest - level))> this
-             ->Options.GrowthPerRing *
-      double(before.Sum))
+    while (level<this->Deepest&& double(before.Number) * double(std::int64_t(1) << (this->Deepest - level))> largest)
     {
       ++level;
     }

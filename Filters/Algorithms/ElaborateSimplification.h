@@ -5,8 +5,8 @@
 //
 // The points of each patch are sorted into cubes, which are cut into octants as need be; every piece then becomes its
 // barycentre, or the input point nearest to that. Cubes with boundary points, the first ring, are cut by how densely
-// these lie. Each further ring, the cubes that touch the one before, is cut by curvature, and at least as small as the
-// pieces of the ring before are in the mean: so sizes change steadily from the boundary to the inside.
+// these lie. Each further ring, the cubes that touch the one before, is cut by curvature, and at least to the size that
+// is nearest to the mean of the pieces of the ring before: so sizes change steadily from the boundary to the inside.
 //
 // Beyond the thesis:
 //  - A cell is never halved to a side below one column. One that would have to be stays as it is. (A cell with one
@@ -45,7 +45,8 @@ struct ElaborateOptions : CellOptions
   double BoundaryExtentThreshold = 2.0;
   /// When its side is larger than this, in lattice units, its other points become one; else they go. At least 0.
   double BoundaryCellSizeThreshold = 2.0;
-  /// How much larger than the mean of its neighbours in the ring before a cell may be. At least 1, which is eq. 4.3.
+  /// How many times as large as its neighbours in the ring before, in the mean, a cell may be, up to the nearest level.
+  /// At least 1, which is eq. 4.3.
   double GrowthPerRing = 1.0;
 };
 

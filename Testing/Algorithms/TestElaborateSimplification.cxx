@@ -146,19 +146,29 @@ void TestFlatInnerCell()
 
 /// Three by three cells again. Corners, with 15 boundary points, stay whole; the four sides, with 8, do not: 2 pieces
 /// of 4, 4 of 2 and 16 columns each. Mean size around the middle: (4 * 8 + 4 * 32) / (4 * 1 + 4 * 22) = 1.74. So the
-/// middle is cut to columns, with growth 2 (3.48) to pieces of 2, and with growth 5 (8.7) it stays whole.
+/// middle is cut to pieces of 2, with growth 2 (3.48) to pieces of 4, and with growth 5 (8.7) it stays whole.
 void TestInnerCellFollowsItsNeighbours()
 {
   ElaborateOptions options;
   options.BoundaryDensityThreshold = 1.0;
   const BoundedHorizon horizon = Square(24, [](int, int) { return 0.0; });
-  const Reduction columns = SimplifyElaborate(horizon, options);
-  CHECK((CountLevels(columns, 2, PointKind::InputPoint) == Levels{ { 3, 64 } }));
-  CHECK((CountLevels(columns, 1, PointKind::Barycentre) == Levels{ { 0, 4 }, { 1, 8 }, { 2, 16 } }));
+  const Reduction pieces = SimplifyElaborate(horizon, options);
+  CHECK((CountLevels(pieces, 2, PointKind::Barycentre) == Levels{ { 2, 16 } }));
+  CHECK((CountLevels(pieces, 1, PointKind::Barycentre) == Levels{ { 0, 4 }, { 1, 8 }, { 2, 16 } }));
   options.GrowthPerRing = 2.0;
-  CHECK((CountLevels(SimplifyElaborate(horizon, options), 2, PointKind::Barycentre) == Levels{ { 2, 16 } }));
+  CHECK((CountLevels(SimplifyElaborate(horizon, options), 2, PointKind::Barycentre) == Levels{ { 1, 4 } }));
   options.GrowthPerRing = 5.0;
   CHECK((CountLevels(SimplifyElaborate(horizon, options), 2, PointKind::Barycentre) == Levels{ { 0, 1 } }));
+}
+
+/// The same, but corners are cut, too: one piece of 4, 5 of 2 and 28 columns each. Mean size: (4 * 42 + 4 * 32) /
+/// (4 * 34 + 4 * 22) = 1.32, which is nearer to 1 than to 2: columns.
+void TestInnerCellFollowsItsNeighboursToColumns()
+{
+  ElaborateOptions options;
+  options.BoundaryDensityThreshold = 4.0;
+  const Reduction result = SimplifyElaborate(Square(24, [](int, int) { return 0.0; }), options);
+  CHECK((CountLevels(result, 2, PointKind::InputPoint) == Levels{ { 3, 64 } }));
 }
 
 /// A step through the middle of the middle cell: its halves are level. Flat enough as a whole for a third at most.
@@ -189,7 +199,7 @@ void TestCellBeyondACliff()
   const Reduction result = SimplifyElaborate(horizon, 8);
   CHECK((CountLevels(result, 3, PointKind::Barycentre) == Levels{ { 0, 1 } }));
   ElaborateOptions sparse;
-  sparse.BoundaryDensityThreshold = 1.0; // ring 2 is cut to columns, as above
+  sparse.BoundaryDensityThreshold = 4.0; // ring 2 is cut to columns at its corners, and to pieces of 2 at its sides
   CHECK((CountLevels(SimplifyElaborate(horizon, sparse), 3, PointKind::InputPoint) == Levels{ { 3, 64 } }));
 }
 
@@ -208,6 +218,11 @@ void TestPointsAboveEachOther()
   CHECK_EQUAL(result.Height[low], 0.0);
   CHECK_EQUAL(result.Height[high], 20.0);
   CHECK_EQUAL(Reduce(horizon, result).Count[high], 32);
+  // Steps of 5 fit into one cube, whose octants are above each other then.
+  const BoundedHorizon rough = Square(24, [&](int x, int y) { return 0.25 * height(x, y); });
+  const Reduction octants = SimplifyElaborate(rough, 8);
+  CHECK_EQUAL(CheckPoints(rough, octants), std::string());
+  CHECK((CountLevels(octants, 2, PointKind::InputPoint) == Levels{ { 1, 8 } }));
 }
 
 /// In a C of one cell the barycentre of the inner points lies in the opening; the nearest of them stands for the cell.
@@ -416,6 +431,7 @@ int TestElaborateSimplification(int, char*[])
   TestNeverBelowOneColumn();
   TestFlatInnerCell();
   TestInnerCellFollowsItsNeighbours();
+  TestInnerCellFollowsItsNeighboursToColumns();
   TestCurvedInnerCellIsHalved();
   TestLayersAreApart();
   TestCellBeyondACliff();
