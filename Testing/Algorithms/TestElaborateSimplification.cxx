@@ -4,6 +4,7 @@
 #include "Check.h"
 #include "ElaborateSimplification.h"
 #include "Flatness.h"
+#include "HorizonGenerator.h"
 #include "ReductionChecker.h"
 #include "RoughSimplification.h"
 #include "Triangulation.h"
@@ -359,6 +360,35 @@ void TestRandomPatches()
   }
 }
 
+/// A horizon with bays, holes, islands and missing voxels: the whole way, and each step alone.
+void TestGeneratedHorizon()
+{
+  HorizonGeneratorOptions generator;
+  generator.NumberOfHorizons = 1;
+  const HorizonVoxels voxels = HorizonGenerator(generator).MakeHorizon(0);
+  Patches::Columns columns;
+  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  {
+    columns.push_back({ voxels.I[n], voxels.J[n] });
+  }
+  const std::vector<double> heights(voxels.K.begin(), voxels.K.end());
+  const BoundedHorizon full = MakeHorizon(MovedToOrigin(columns), heights);
+  const BoundedHorizon straight = Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 0.4));
+  const BoundedHorizon rough = Reduce(straight, SimplifyRough(straight, 3));
+  std::size_t before = full.Plane.size();
+  for (const double flatness : { 0.0, 0.03, 0.2 })
+  {
+    const Reduction alone = SimplifyElaborate(straight, ElaborateOptions(8, flatness));
+    CHECK_EQUAL(CheckPoints(straight, alone), std::string());
+    CHECK_EQUAL(CheckCells(straight, alone, 8, true), std::string());
+    CHECK(alone.Source.size() <= before); // a larger threshold leaves no more points
+    before = alone.Source.size();
+    const Reduction after = SimplifyElaborate(rough, ElaborateOptions(10, flatness));
+    CHECK_EQUAL(CheckPoints(rough, after), std::string());
+    CHECK(after.Source.size() < rough.Plane.size());
+  }
+}
+
 /// Enough cells for many threads.
 void TestNumberOfThreads()
 {
@@ -444,6 +474,7 @@ int TestElaborateSimplification(int, char*[])
   TestListedCells();
   TestFlatness();
   TestRandomPatches();
+  TestGeneratedHorizon();
   TestNumberOfThreads();
   TestErrorsAndAbort();
   return Check::Result();

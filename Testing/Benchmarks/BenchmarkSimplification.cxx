@@ -27,9 +27,13 @@
 #include "vtkQuadricClustering.h"
 #include "vtkSMPTools.h"
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iomanip>
 #include <iostream>
@@ -41,6 +45,31 @@ namespace
 using namespace SeismicHorizons;
 
 constexpr int Runs = 5;
+constexpr vtkIdType MostPointsForPeers = 10000000;
+
+/// A line of /proc/self/status in bytes, or 0 where there is none.
+double MemoryStatus(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0.0;
+  while (status >> word)
+  {
+    if (word == name + ":" && status >> kilobytes)
+    {
+      return 1024.0 * kilobytes;
+    }
+  }
+  return 0.0;
+}
+
+/// Starts to measure the peak anew, and returns what is in use now.
+double StartPeak()
+{
+  malloc_trim(0); // what is free but not given back would hide what is taken
+  std::ofstream("/proc/self/clear_refs") << 5;
+  return MemoryStatus("VmRSS");
+}
 
 vtkSmartPointer<vtkPolyData> MakeHorizon(int side)
 {
@@ -75,16 +104,20 @@ vtkSmartPointer<vtkPolyData> MakeHorizon(int side)
 void Report(const std::string& name, vtkIdType points, const std::function<std::size_t()>& run)
 {
   double best = 1e300;
+  double memory = 0.0;
   std::size_t left = 0;
   for (int n = 0; n < Runs; ++n)
   {
+    const double before = StartPeak();
     const auto start = std::chrono::steady_clock::now();
     left = run();
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    memory = std::max(memory, MemoryStatus("VmHWM") - before);
   }
   std::cout << "  " << std::left << std::setw(44) << name << std::right << std::fixed << std::setprecision(3)
             << std::setw(9) << best << " s " << std::setprecision(1) << std::setw(8) << double(points) / best * 1e-6
-            << " million points/s " << std::setw(10) << left << " points left" << std::endl;
+            << " million points/s " << std::setw(10) << left << " points left " << std::setw(6)
+            << memory / double(points) << " bytes/point" << std::endl;
 }
 
 template <typename Filter>
@@ -112,14 +145,18 @@ void BenchmarkMethods(vtkPolyData* bounded)
   }
 }
 
-void BenchmarkFilters(vtkPolyData* bounded, int side)
+void BenchmarkFilters(vtkPolyData* bounded)
 {
   const vtkIdType size = bounded->GetNumberOfPoints();
   vtkNew<vtkHorizonRoughSimplification> rough;
   Report("vtkHorizonRoughSimplification 3", size, [&]() { return RunFilter(rough.Get(), bounded); });
   vtkNew<vtkHorizonElaborateSimplification> elaborate;
   Report("vtkHorizonElaborateSimplification 8", size, [&]() { return RunFilter(elaborate.Get(), bounded); });
+}
 
+void BenchmarkPeers(vtkPolyData* bounded, int side)
+{
+  const vtkIdType size = bounded->GetNumberOfPoints();
   vtkNew<vtkHorizonTriangulation> mesh;
   mesh->SetInputDataObject(bounded);
   mesh->Update();
@@ -161,7 +198,11 @@ int main(int argc, char* argv[])
     std::cout << boundary->GetPolyDataOutput()->GetNumberOfPoints() << " points, "
               << vtkSMPTools::GetEstimatedNumberOfThreads() << " threads" << std::endl;
     BenchmarkMethods(boundary->GetPolyDataOutput());
-    BenchmarkFilters(boundary->GetPolyDataOutput(), side);
+    BenchmarkFilters(boundary->GetPolyDataOutput());
+    if (boundary->GetPolyDataOutput()->GetNumberOfPoints() <= MostPointsForPeers)
+    {
+      BenchmarkPeers(boundary->GetPolyDataOutput(), side);
+    }
   }
   return EXIT_SUCCESS;
 }
