@@ -14,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -363,6 +364,26 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const std::vector<PointId>& triangle
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(PointArray::CellOrigin);
+  array->SetNumberOfComponents(3);
+  array->SetComponentName(0, "Level");
+  array->SetComponentName(1, "Ring");
+  array->SetComponentName(2, "Kind");
+  array->SetNumberOfTuples(size);
+  return array;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin)
+{
+  const int values[3] = { origin.Level, origin.Ring, int(origin.Kind) };
+  array->SetTypedTuple(n, values);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteReduction(
   vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output)
 {
@@ -389,5 +410,14 @@ void WriteReduction(
   output->SetLines(MakePolylines(reduction.Boundary));
   ReduceAttributes(input, reduction, merging, output);
   SumCounts(input, reduction, output);
+  if (!reduction.Origin.empty())
+  {
+    vtkSmartPointer<vtkIntArray> origins = NewOriginArray(points->GetNumberOfPoints());
+    for (std::size_t point = 0; point < reduction.Origin.size(); ++point)
+    {
+      SetOrigin(origins, vtkIdType(point), reduction.Origin[point]);
+    }
+    output->GetPointData()->AddArray(origins);
+  }
 }
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkCellArray;
+class vtkIntArray;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -48,6 +49,10 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
 vtkSmartPointer<vtkCellArray> MakeTriangles(const std::vector<PointId>& triangles);
 
+/// The array CellOrigin.
+vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);
+void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin);
+
 /// Whether a reduction may make new points out of several old ones.
 enum class Merging
 {
@@ -57,7 +62,8 @@ enum class Merging
 
 /// Makes `output` the reduced `input`: points, vertices, loops, and all point data. PointCount is summed. At averaged
 /// points floating point arrays and VerticalIndex (which is then of type double) are averaged, weighted by
-/// PointCount; all other arrays, being labels, are taken from the nearest point that was merged.
+/// PointCount; all other arrays, being labels, are taken from the nearest point that was merged. CellOrigin is added
+/// when the reduction says where points come from.
 void WriteReduction(
   vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output);
 }

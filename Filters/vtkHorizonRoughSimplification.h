@@ -4,58 +4,49 @@
  * @class   vtkHorizonRoughSimplification
  * @brief   one point per square cell inside the outline of a horizon
  *
- * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives. Output: boundary points and loops
- * as they were, then one point for each cell of the inside, row by row. PointCount is summed: it says how many points
- * of the original horizon each point stands for. Where a point is the barycentre of several, arrays of floating point
- * numbers and VerticalIndex are averaged, weighted by PointCount; all other arrays are labels, and are taken from the
- * nearest of the points that were merged. VerticalIndex becomes an array of doubles.
+ * Input and output: as vtkHorizonCellSimplification describes. One point for each cell of the inside, row by row.
  *
  * The plane of the lattice is cut into square cells of CellSize columns, from the least corner of the bounding box of
  * the horizon. A cell with boundary points keeps these and nothing else; any other is replaced by the barycentre of
- * its points (thesis 4.3.1, Alg. 4.1). Points of different patches are never merged. Where a boundary edge crosses the
- * cell so that the barycentre lies outside, the nearest point of the cell stands for it, with its own attributes; so
- * every point stays strictly inside the boundary.
+ * its points (thesis 4.3.1, Alg. 4.1), or by the point nearest to that. Points of different patches are never merged.
+ * Where a boundary edge crosses the cell so that the barycentre lies outside, the nearest point of the cell stands for
+ * it, with its own attributes; so every point stays strictly inside the boundary. A cell size of 1 changes nothing.
  *
- * Linear in the points; beyond input and output about 70 bytes per point. It takes no account of how curved the
- * surface is: use small cells, to thin out a horizon that is sampled too finely.
+ * Linear in the points and the cells of the bounding box; cells run in parallel (vtkSMPTools), and the result is the
+ * same to the bit for any number of threads. It takes no account of how curved the surface is: use small cells, to thin
+ * out a horizon that is sampled too finely, and vtkHorizonElaborateSimplification for more.
  *
  * Errors: a cell size below 1, no boundary loops, no PatchId, no lattice in the field data.
  *
- * @sa vtkHorizonBoundarySimplification vtkHorizonTriangulation vtkBinnedDecimation
+ * @sa vtkHorizonElaborateSimplification vtkHorizonBoundarySimplification vtkBinnedDecimation
  */
 
 #ifndef vtkHorizonRoughSimplification_h
 #define vtkHorizonRoughSimplification_h
 
-#include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonCellSimplification.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonRoughSimplification : public vtkHorizonAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonRoughSimplification : public vtkHorizonCellSimplification
 {
 public:
   static vtkHorizonRoughSimplification* New();
-  vtkTypeMacro(vtkHorizonRoughSimplification, vtkHorizonAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The side of a cell in columns of the lattice (thesis: s). At least 1, and 1 changes nothing. Default: 3.
-   */
-  vtkSetMacro(CellSize, int);
-  vtkGetMacro(CellSize, int);
-  ///@}
+  vtkTypeMacro(vtkHorizonRoughSimplification, vtkHorizonCellSimplification);
 
 protected:
-  vtkHorizonRoughSimplification() = default;
+  vtkHorizonRoughSimplification()
+    : vtkHorizonCellSimplification(3)
+  {
+  }
   ~vtkHorizonRoughSimplification() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  SeismicHorizons::Reduction Simplify(
+    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor) override;
+  bool HasCubes() const override { return false; }
 
 private:
   vtkHorizonRoughSimplification(const vtkHorizonRoughSimplification&) = delete;
   void operator=(const vtkHorizonRoughSimplification&) = delete;
-
-  int CellSize = 3;
 };
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkHorizonBoundarySimplification.h"
+#include "vtkHorizonElaborateSimplification.h"
 #include "vtkHorizonExteriorBoundary.h"
 #include "vtkHorizonRoughSimplification.h"
 #include "vtkHorizonTriangulation.h"
@@ -29,6 +30,7 @@ struct Pipeline
   vtkNew<vtkHorizonExteriorBoundary> Boundary;
   vtkNew<vtkHorizonBoundarySimplification> Straight;
   vtkNew<vtkHorizonRoughSimplification> Rough;
+  vtkNew<vtkHorizonElaborateSimplification> Elaborate;
   vtkNew<vtkHorizonTriangulation> Mesh;
 
   explicit Pipeline(vtkDataObject* input)
@@ -36,12 +38,13 @@ struct Pipeline
     this->Boundary->SetInputDataObject(input);
     this->Straight->SetInputConnection(this->Boundary->GetOutputPort());
     this->Rough->SetInputConnection(this->Straight->GetOutputPort());
-    this->Mesh->SetInputConnection(this->Rough->GetOutputPort());
+    this->Elaborate->SetInputConnection(this->Rough->GetOutputPort());
+    this->Mesh->SetInputConnection(this->Elaborate->GetOutputPort());
   }
 
   std::vector<vtkHorizonAlgorithm*> Stages() const
   {
-    return { this->Boundary, this->Straight, this->Rough, this->Mesh };
+    return { this->Boundary, this->Straight, this->Rough, this->Elaborate, this->Mesh };
   }
 };
 
@@ -182,6 +185,8 @@ void TestMissingBoundary()
   auto bare = FromPicture(Rectangle(3, 3), 1, UnitSurvey());
   CheckRefused(straight, bare, "no boundary loops, expected a closed polyline around each patch");
   CheckRefused(rough, bare, "no point array PatchId");
+  vtkNew<vtkHorizonElaborateSimplification> elaborate;
+  CheckRefused(elaborate, bare, "no point array PatchId");
   CheckRefused(mesh, bare, "no point array PatchId");
 
   vtkNew<vtkHorizonExteriorBoundary> boundary;

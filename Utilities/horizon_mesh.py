@@ -17,6 +17,7 @@ PROGRAM = "horizon_mesh"
 LONG_WORK = 1.0  # seconds after which a stage starts to report its progress
 PICTURE_ROWS = 8  # horizons in one picture, at most
 ELEVATIONS = ("VerticalIndex", "RealZ")
+REPRESENTATIVES = ("Barycentre", "NearestPoint")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
 
 
@@ -60,7 +61,7 @@ def make_parser():
         prog=PROGRAM + ".py",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
         description="Reads sparse voxel files (.vsm), and turns each horizon in them into a triangle mesh: exterior "
-        "boundary, boundary simplification, rough simplification, triangulation. Writes one .vtp file per horizon and "
+        "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Writes one .vtp file per horizon and "
         "one picture per file, and prints a table. Files that already exist are replaced.",
         epilog="Distances are in lattice units: 1 is one column step sideways and one vertical index up or down. The "
         "exit code is 1 when a file could not be done; the other files are done all the same.")
@@ -102,6 +103,15 @@ def _add_stage_options(group):
                        help="side of the cells that the rough simplification merges; lattice units")
     group.add_argument("--skip-rough", action="store_true",
                        help="leave out the rough simplification: keep every point inside the outline")
+    group.add_argument("--elaborate", action="store_true",
+                       help="then simplify by curvature, too: fewer points where a horizon is flat")
+    group.add_argument("--elaborate-cell-size", type=_number_at_least(int, 1), default=8, metavar="S",
+                       help="side of the largest cells of the elaborate simplification; lattice units")
+    group.add_argument("--flatness-threshold", type=_number_at_least(float, 0.0), default=0.12, metavar="F",
+                       help="how curved a cell of the elaborate simplification may be, from 0 (only a plane is flat) to "
+                       "1/3 (everything is)")
+    group.add_argument("--representative", choices=REPRESENTATIVES, default=REPRESENTATIVES[0],
+                       help="what stands for the points of a cell: their mean, or the one of them nearest to it")
 
 
 # ---- The stages -----------------------------------------------------------------------------------------------------
@@ -211,9 +221,16 @@ def stages(options):
     simplified.SetDistanceThreshold(options.distance_threshold)
     rough = sh.vtkHorizonRoughSimplification()
     rough.SetCellSize(options.cell_size)
+    elaborate = sh.vtkHorizonElaborateSimplification()
+    elaborate.SetCellSize(options.elaborate_cell_size)
+    elaborate.SetFlatnessThreshold(options.flatness_threshold)
+    for algorithm in (rough, elaborate):
+        algorithm.SetRepresentative(REPRESENTATIVES.index(options.representative))
     chain = [("boundary", boundary), ("simplified", simplified)]
     if not options.skip_rough:
         chain.append(("rough", rough))
+    if options.elaborate:
+        chain.append(("elaborate", elaborate))
     chain.append(("mesh", sh.vtkHorizonTriangulation()))
     return chain
 
@@ -241,12 +258,12 @@ class HorizonResult:
     @property
     def thinned(self):
         """What the mesh is made from."""
-        return self.data.get("rough", self.data["simplified"])
+        return self.data.get("elaborate", self.data.get("rough", self.data["simplified"]))
 
 
 # ---- Results --------------------------------------------------------------------------------------------------------
 COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out", "triangles", "reduction",
-           "boundary s", "simplify s", "rough s", "mesh s")
+           "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
 
 
 def _loops(horizon):
@@ -263,7 +280,7 @@ def table_row(result):
     before = result.data["points"].GetNumberOfPoints()
     after = result.data["mesh"].GetNumberOfPoints()
     loops, loop_points = _loops(result.data["boundary"])
-    seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "mesh")]
+    seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "elaborate", "mesh")]
     return ("%d" % result.id, "%d" % before, "%d" % loops, "%d" % loop_points,
             "%d" % _loops(result.data["simplified"])[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
@@ -323,9 +340,10 @@ def _panels(result):
         Panel("Exterior boundary", "%s, %s" % (count(loops, "loop"), count(loop_points, "point")),
               result.data["boundary"], OUTLINE, points),
         Panel("Simplified boundary", count(after, "point"), result.data["simplified"], OUTLINE, points)]
-    if "rough" in result.data:
-        thinned = result.data["rough"]
-        panels.append(Panel("Rough simplification", count(thinned.GetNumberOfPoints(), "point"), thinned, POINTS))
+    for name, title in (("rough", "Rough simplification"), ("elaborate", "Elaborate simplification")):
+        if name in result.data:
+            thinned = result.data[name]
+            panels.append(Panel(title, count(thinned.GetNumberOfPoints(), "point"), thinned, POINTS))
     panels.append(Panel("Mesh", count(mesh.GetNumberOfPolys(), "triangle"), mesh, MESH))
     return panels
 

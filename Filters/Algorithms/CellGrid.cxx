@@ -3,6 +3,8 @@
 
 #include "CellGrid.h"
 
+#include <limits>
+
 namespace SeismicHorizons
 {
 namespace
@@ -16,17 +18,20 @@ std::int64_t FloorToMultiple(std::int64_t value, std::int64_t unit)
 
 //----------------------------------------------------------------------------------------------------------------------
 CellGrid::CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std::int64_t cellSize)
-  : CellSize(cellSize)
-  , Inverse((cellSize & (cellSize - 1)) == 0 ? 1.0 / double(cellSize) : 0.0)
+  : CellSize(std::min<std::int64_t>(cellSize, std::numeric_limits<std::int32_t>::max())) // wider than any horizon
+  , Inverse((this->CellSize & (this->CellSize - 1)) == 0 ? 1.0 / double(this->CellSize) : 0.0)
 {
-  const auto x = std::minmax_element(
-    points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
-  const auto y = std::minmax_element(
-    points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
-  this->MinX = FloorToMultiple(x.first->X, unit);
-  this->MinY = FloorToMultiple(y.first->Y, unit);
-  this->CellsX = (x.second->X - this->MinX) / cellSize + 1;
-  this->CellsY = (y.second->Y - this->MinY) / cellSize + 1;
+  PlanePoint low = points.front();
+  PlanePoint high = low;
+  for (const PlanePoint& p : points)
+  {
+    low = { std::min(low.X, p.X), std::min(low.Y, p.Y) };
+    high = { std::max(high.X, p.X), std::max(high.Y, p.Y) };
+  }
+  this->MinX = FloorToMultiple(low.X, unit);
+  this->MinY = FloorToMultiple(low.Y, unit);
+  this->CellsX = (high.X - this->MinX) / this->CellSize + 1;
+  this->CellsY = (high.Y - this->MinY) / this->CellSize + 1;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

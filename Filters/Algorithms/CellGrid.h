@@ -40,6 +40,8 @@ public:
 
   std::int64_t SizeX() const { return this->CellsX; }
   std::int64_t SizeY() const { return this->CellsY; }
+  /// The side of a cell, at most 2^31 - 1.
+  std::int64_t GetCellSize() const { return this->CellSize; }
   std::int64_t Size() const { return this->CellsX * this->CellsY; }
 
   /// The column and the row of cells at a coordinate; outside the box that of the nearest cell.
@@ -55,12 +57,20 @@ public:
   {
     return { std::int32_t(this->MinX + cellX * this->CellSize), std::int32_t(this->MinY + cellY * this->CellSize) };
   }
-  std::int64_t GetCellSize() const { return this->CellSize; }
 
   std::int64_t Index(std::int64_t cellX, std::int64_t cellY) const { return cellY * this->CellsX + cellX; }
   std::int64_t CellOf(const PlanePoint& p) const
   {
-    return Index((p.X - this->MinX) / this->CellSize, (p.Y - this->MinY) / this->CellSize);
+    // 32 bits are enough, and much quicker to divide by.
+    const std::uint32_t size = std::uint32_t(this->CellSize);
+    return this->Index(std::uint32_t(p.X - this->MinX) / size, std::uint32_t(p.Y - this->MinY) / size);
+  }
+
+  /// The least corner of a cell.
+  PlanePoint Corner(std::int64_t cell) const
+  {
+    return { std::int32_t(this->MinX + cell % this->CellsX * this->CellSize),
+      std::int32_t(this->MinY + cell / this->CellsX * this->CellSize) };
   }
 
   /// Calls visit(cell) for every cell the segment between two places touches, and at times for one it just misses.
@@ -101,7 +111,7 @@ private:
 
   std::int64_t MinX = 0;
   std::int64_t MinY = 0;
-  std::int64_t CellSize = 1;
+  std::int64_t CellSize = 1; // below 2^31
   double Inverse = 0.0; // of CellSize, when that is a power of two
   std::int64_t CellsX = 0;
   std::int64_t CellsY = 0;

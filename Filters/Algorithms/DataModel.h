@@ -19,6 +19,12 @@ constexpr const char* RealZ = "RealZ";
 constexpr const char* PatchId = "PatchId";
 constexpr const char* Boundary = "Boundary";
 constexpr const char* PointCount = "PointCount";
+constexpr const char* CellOrigin = "CellOrigin";
+}
+
+namespace CellArray
+{
+constexpr const char* CellSize = "CellSize";
 }
 
 namespace CellArray

@@ -5,23 +5,25 @@
 // that leaves the boundary alone.
 //
 // Cells start at the least corner of the bounding box of the horizon. In a cell each patch is on its own: if it has
-// boundary points there, these stay and its other points go; else the barycentre of its points stands for them. Where
-// a boundary edge crosses the cell (a long one can, without an end in it), the barycentre can lie on the wrong side;
-// then the point of the cell that is nearest to it stands for the cell.
+// boundary points there, these stay and its other points go; else the barycentre of its points stands for them, or the
+// input point nearest to that. Where a boundary edge crosses the cell (a long one can, without an end in it), the
+// barycentre can lie on the wrong side; then the nearest point stands for the cell in any case.
 
 #ifndef SeismicHorizonsRoughSimplification_h
 #define SeismicHorizonsRoughSimplification_h
 
 #include "BoundedHorizon.h"
+#include "CellSimplifier.h"
 #include "Monitor.h"
 #include "Types.h"
 
 namespace SeismicHorizons
 {
-/// `cellSize` is in columns, at least 1 (InputError). Kept boundary points come first, in their order, then the points
-/// that stand for cells, row by row. Linear in the points, the boundary and the cells of the bounding box. A sum is
-/// taken over the points of a cell in their order, so that results are the same to the bit on every machine.
-Reduction SimplifyRough(const BoundedHorizon& horizon, int cellSize, const Monitor& monitor = Monitor());
+/// `options` can be just the cell size: in columns, at least 1 (InputError). Kept boundary points come first, in their
+/// order, then the points that stand for cells, row by row. Linear in the points, the boundary and the cells of the
+/// bounding box. Cells run in parallel. A sum is taken over the points of a cell in their order, so that results are
+/// the same to the bit on every machine, for any number of threads.
+Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& options, const Monitor& monitor = Monitor());
 }
 
 #endif

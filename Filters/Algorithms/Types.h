@@ -102,6 +102,31 @@ private:
   std::vector<std::size_t> Ends;
 };
 
+/// Where a point of a simplified horizon comes from. The numbers go into an array (Documentation/DataModel.md).
+enum class PointKind : unsigned char
+{
+  Boundary = 0,
+  Barycentre = 1,
+  InputPoint = 2
+};
+
+struct PointOrigin
+{
+  std::int32_t Ring = 0; // of its cell: 1 at the boundary; 0 where cells have no rings
+  unsigned char Level = 0; // how many times the cell was halved
+  PointKind Kind = PointKind::Boundary;
+};
+
+/// One of the cells that a horizon was cut into, for inspection.
+struct SimplificationCell
+{
+  SpacePoint Low; // its least corner, in lattice units
+  double Size = 0.0;
+  PointOrigin Origin; // that of the point that stands for the cell; Boundary for a cell that keeps boundary points
+  std::int32_t Patch = 0;
+  std::int32_t Points = 0; // how many input points it holds
+};
+
 /// What a simplification made of the points of a horizon.
 struct Reduction
 {
@@ -109,13 +134,18 @@ struct Reduction
   std::vector<PointId> Target;
   /// For each output point the input point it is, or the input point of its group that lies nearest to it.
   std::vector<PointId> Source;
-  /// For each output point: true when it is the barycentre of several input points.
-  std::vector<bool> Averaged;
+  /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, so that threads can
+  /// write them side by side.
+  std::vector<unsigned char> Averaged;
   /// For each output point its place: in sub-voxels in the plane, in lattice units upwards.
   std::vector<PlanePoint> Plane;
   std::vector<double> Height;
   /// The loops over the output points.
   Loops Boundary;
+  /// For each output point the cell it comes from. Empty where a stage has no cells.
+  std::vector<PointOrigin> Origin;
+  /// The cells, when they were asked for.
+  std::vector<SimplificationCell> Cells;
 };
 }
 

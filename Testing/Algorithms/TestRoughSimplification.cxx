@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Check.h"
-#include "MeshChecker.h"
+#include "ReductionChecker.h"
 #include "RoughSimplification.h"
-#include "TestHorizons.h"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
 
-using namespace TestHorizons;
+using namespace ReductionChecker;
 
 namespace
 {
@@ -125,6 +122,32 @@ void TestBarycentreOutside()
   CHECK_EQUAL(Reduce(horizon, result).Count.back(), 4);
 }
 
+/// The point nearest to the barycentre, with its own height; and no point is in a place of its own.
+void TestNearestPointStandsForTheCell()
+{
+  BoundedHorizon horizon = FromPicture(Square(9));
+  horizon.Count[3 * 9 + 3] = 20; // barycentre at (3.3, 3.3)
+  const Reduction result = SimplifyRough(horizon, { 3, Representative::NearestPoint });
+  CHECK_EQUAL(CheckPoints(horizon, result), std::string());
+  CHECK_EQUAL(result.Source.back(), 3 * 9 + 3);
+  CHECK_EQUAL(result.Height.back(), 33.0);
+}
+
+/// Squares with all points, at the mean height of these.
+void TestListedCells()
+{
+  const Reduction result = SimplifyRough(FromPicture(Square(9)), { 3, Representative::Barycentre, true });
+  CHECK_EQUAL(result.Cells.size(), 9u);
+  const SimplificationCell& middle = result.Cells[4];
+  CHECK_EQUAL(middle.Low.X, 3.0);
+  CHECK_EQUAL(middle.Low.Y, 3.0);
+  CHECK_EQUAL(middle.Low.Z, 44.0);
+  CHECK_EQUAL(middle.Size, 3.0);
+  CHECK_EQUAL(middle.Points, 9);
+  CHECK(middle.Origin.Kind == PointKind::Barycentre);
+  CHECK(result.Cells[0].Origin.Kind == PointKind::Boundary);
+}
+
 /// A plane stays a plane, whatever cells are cut from it.
 void TestPlaneStaysAPlane()
 {
@@ -142,41 +165,8 @@ void TestPlaneStaysAPlane()
 
 std::string Wrong(const BoundedHorizon& horizon, const Reduction& result, int cellSize)
 {
-  const BoundedHorizon reduced = Reduce(horizon, result);
-  std::set<PlanePoint> places(result.Plane.begin(), result.Plane.end());
-  if (places.size() != result.Plane.size())
-  {
-    return "two points in one place";
-  }
-  const auto total = [](const std::vector<std::int64_t>& counts)
-  { return std::accumulate(counts.begin(), counts.end(), std::int64_t(0)); };
-  if (total(reduced.Count) != total(horizon.Count))
-  {
-    return "sum of counts";
-  }
-  std::vector<bool> onBoundary(reduced.Plane.size(), false);
-  reduced.Boundary.ForEachHop([&](PointId from, PointId) { onBoundary[std::size_t(from)] = true; });
-  for (std::size_t point = 0; point < reduced.Plane.size(); ++point)
-  {
-    const int expected = result.Averaged[point] ? 1 : (onBoundary[point] ? 0 : -1);
-    if (expected >= 0 && MeshChecker::Locate(reduced.Plane, reduced.Boundary, reduced.Plane[point]) != expected)
-    {
-      return "point " + std::to_string(point) + " on the wrong side of the boundary";
-    }
-  }
-  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
-  {
-    const PointId target = result.Target[point];
-    const PlanePoint& a = horizon.Plane[point];
-    const PlanePoint& b = result.Plane[std::size_t(target)];
-    const std::int64_t cell = std::int64_t(cellSize) * SubVoxelsPerColumn;
-    if (a.X / cell != b.X / cell || a.Y / cell != b.Y / cell ||
-      horizon.Patch[point] != reduced.Patch[std::size_t(target)])
-    {
-      return "point " + std::to_string(point) + " merged beyond its cell or patch";
-    }
-  }
-  return {};
+  const std::string points = CheckPoints(horizon, result);
+  return points.empty() ? CheckCells(horizon, result, cellSize, false) : points;
 }
 
 void TestRandomPatches()
@@ -184,22 +174,14 @@ void TestRandomPatches()
   Patches::Random random(8);
   for (int n = 0; n < 2000; ++n)
   {
-    Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
-    // Cells count from the least corner, which is put at the origin for the check.
-    PlanePoint least = columns.front();
-    for (const PlanePoint& column : columns)
-    {
-      least = { std::min(least.X, column.X), std::min(least.Y, column.Y) };
-    }
-    for (PlanePoint& column : columns)
-    {
-      column = { column.X - least.X, column.Y - least.Y };
-    }
+    // Cells count from the least corner.
+    const Patches::Columns columns =
+      MovedToOrigin(Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random));
     const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
     const BoundedHorizon horizon =
       Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
     const int first = 1 + random.Below(6);
-    const Reduction once = SimplifyRough(horizon, first);
+    const Reduction once = SimplifyRough(horizon, { first, Representative(n % 5 == 0) });
     CHECK_EQUAL(Wrong(horizon, once, first), std::string());
     const BoundedHorizon again = Reduce(horizon, once);
     const int second = 1 + random.Below(9);
@@ -225,6 +207,8 @@ int TestRoughSimplification(int, char*[])
   TestCellSizeOneChangesNothing();
   TestHugeCellsLeaveTheBoundary();
   TestBarycentreOutside();
+  TestNearestPointStandsForTheCell();
+  TestListedCells();
   TestPlaneStaysAPlane();
   TestRandomPatches();
   TestErrorsAndAbort();

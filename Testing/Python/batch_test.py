@@ -86,10 +86,25 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(mesh_checks.array(mesh, "PointCount").sum(), mesh.GetNumberOfPoints())
         self.assertGreater(mesh_checks.check_mesh(mesh), 0)
 
+    def test_elaborate(self):
+        """After the rough simplification, and alone; with points of the input only, counts are all of them."""
+        points = []
+        for arguments in ([], ["--elaborate"], ["--elaborate", "--skip-rough", "--representative", "NearestPoint"],
+                          ["--elaborate", "--elaborate-cell-size", "2", "--flatness-threshold", "0", "--skip-rough"]):
+            done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
+            mesh = read(self.output / "sample_horizon_1.vtp")
+            self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+            points.append(mesh.GetNumberOfPoints())
+            row = next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+            self.assertEqual(int(row[1]), mesh_checks.array(mesh, "PointCount").sum())
+            self.assertEqual(row[-2] != "-", bool(arguments), done.stdout)
+        self.assertLess(points[1], points[0])
+        self.assertLess(points[2], points[3])
+
     def test_any_number_of_threads(self):
         bytes_of = []
         for threads in ("1", "2"):
-            self.succeed(SAMPLE, "--no-pictures", "--threads", threads, "--horizons", "1")
+            self.succeed(SAMPLE, "--no-pictures", "--threads", threads, "--horizons", "1", "--elaborate")
             bytes_of.append((self.output / "sample_horizon_1.vtp").read_bytes())
         self.assertEqual(*bytes_of)
 
@@ -132,7 +147,8 @@ class BatchTest(unittest.TestCase):
     def test_wrong_options(self):
         for arguments in (["--cell-size", "0"], ["--cell-size", "two"], ["--distance-threshold", "-1"],
                           ["--distance-threshold", "nan"], ["--vertical-step", "0"], ["--elevation", "Depth"],
-                          ["--no-such-option"], ["--column-step", "1"], ["--column-step", "0", "1"]):
+                          ["--flatness-threshold", "-1"], ["--representative", "Any"], ["--no-such-option"],
+                          ["--column-step", "1"], ["--column-step", "0", "1"]):
             with self.subTest(arguments):
                 self.fail(SAMPLE, *arguments)
                 self.assertEqual(files(self.output), [])
@@ -148,7 +164,8 @@ class BatchTest(unittest.TestCase):
         self.assertEqual((done.returncode, errors), (0, []))
         for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
                        "--column-step", "--row-step", "--vertical-step", "--duplicate-policy", "--horizons",
-                       "--skip-rough", "--no-pictures", "--threads"):
+                       "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
+                       "--representative", "--no-pictures", "--threads"):
             self.assertIn(option, done.stdout)
 
 

@@ -77,7 +77,7 @@ def check_help(where, element):
 
 def check_setters(where, cls, commands):
     """Every setter that the class itself has is reached by a property."""
-    inherited = set(dir(cls.__mro__[1]))
+    inherited = set(dir(next(base for base in cls.__mro__ if not base.__module__.startswith("seismichorizons"))))
     for name in sorted(set(dir(cls)) - inherited):
         shortcut = re.match(r"Set\w+To[A-Z]\w*$", name)
         if name.startswith("Set") and not shortcut:

@@ -62,7 +62,7 @@ def main():
     # A sphere is no horizon: it has neither a lattice nor an outline.
     sphere = simple.Sphere()
     for stage in ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
-                  "HorizonTriangulation"):
+                  "HorizonElaborateSimplification", "HorizonTriangulation"):
         check(stage, ["expected"], getattr(simple, stage), Input=sphere)
 
 

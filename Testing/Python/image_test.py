@@ -23,6 +23,7 @@ class Parameters:
         self.row_step = (0.02, 1.0) if changed else (0.0, 1.0)
         self.distance_threshold = 0.45 if changed else 0.4
         self.cell_size = 4 if changed else 3
+        self.flatness_threshold = 0.0 if changed else 0.12
 
 
 def read(sample, parameters):
@@ -51,6 +52,12 @@ def rough(data, parameters):
     return apply(algorithm, simplified_boundary(data, parameters))
 
 
+def elaborate(data, parameters):
+    algorithm = sh.vtkHorizonElaborateSimplification()
+    algorithm.SetFlatnessThreshold(parameters.flatness_threshold)
+    return apply(algorithm, simplified_boundary(data, parameters))
+
+
 def panel(scene, sample, changed):
     """The panel of a scene. Only what belongs to the scene is changed, not what leads to it."""
     usual, own = Parameters(False), Parameters(changed)
@@ -64,6 +71,8 @@ def panel(scene, sample, changed):
         return pictures.Panel("", "", simplified_boundary(data, own), pictures.OUTLINE, data)
     if scene == "RoughSimplification":
         return pictures.Panel("", "", rough(data, own), pictures.POINTS)
+    if scene == "ElaborateSimplification":
+        return pictures.Panel("", "", elaborate(data, own), pictures.LEVELS)
     mesh = apply(sh.vtkHorizonTriangulation(), rough(data, own))
     return pictures.Panel("", "", mesh, pictures.MESH)
 

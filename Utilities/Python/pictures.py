@@ -25,6 +25,8 @@ from vtkmodules.vtkRenderingCore import (
 POINTS = "points"
 OUTLINE = "outline"
 MESH = "mesh"
+LEVELS = "levels"  # points, coloured by how often their cells were halved
+CELLS = "cells"  # cells of a simplification as seen from above, in the same colours
 
 # What a panel shows: a title, a line below it, the horizon, and one of the styles above. `behind` is a horizon whose
 # points are shown in pale grey, or None.
@@ -35,6 +37,7 @@ HEIGHT_SHARE = 0.22  # height of a horizon on show, in parts of its width
 VIEW_AZIMUTH = math.radians(-62.0)
 VIEW_ELEVATION = math.radians(38.0)
 LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
+LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
@@ -184,6 +187,10 @@ def _actors(frame, panel):
         actors.append(_plain_points(panel.behind, frame.point_size(), PALE_COLOR))
     if panel.style == POINTS:
         actors.append(_colored_points(frame, panel.horizon))
+    elif panel.style == LEVELS:
+        actors.append(_leveled_points(frame, panel.horizon))
+    elif panel.style == CELLS:
+        actors.append(_cells(frame, panel.horizon))
     elif panel.style == OUTLINE:
         actors.extend(_outline(panel.horizon, dots=True))
     else:
@@ -243,6 +250,33 @@ def _colored_points(frame, horizon):
     if horizon.GetNumberOfPoints():
         _color_by_height(frame, actor)
     return actor
+
+
+def _color_by_level(actor, attributes, origins):
+    """Colours from the first component of CellOrigin."""
+    levels = vtk_to_numpy(origins)[:, 0]
+    table = np.array([[int(color[i:i + 2], 16) for i in (0, 2, 4)] for color in LEVEL_COLORS], dtype=np.uint8)
+    attributes.SetScalars(numpy_to_vtk(table[np.minimum(levels, len(LEVEL_COLORS) - 1)], deep=True))
+    actor.GetMapper().ScalarVisibilityOn()
+    return actor
+
+
+def _leveled_points(frame, horizon):
+    actor = _colored_points(frame, horizon)
+    actor.GetMapper().SetLookupTable(None)
+    data = actor.GetMapper().GetInput()
+    return _color_by_level(actor, data.GetPointData(), horizon.GetPointData().GetArray("CellOrigin"))
+
+
+def _cells(frame, cells):
+    """All at the same height, so that boxes are squares."""
+    flat = vtkPolyData()
+    flat.DeepCopy(cells)
+    _coordinates(flat)[:, 2] = frame.low[2]
+    actor = _actor(flat)
+    actor.GetProperty().SetLineWidth(1.5)
+    actor.GetProperty().LightingOff()
+    return _color_by_level(actor, flat.GetCellData(), flat.GetCellData().GetArray("CellOrigin"))
 
 
 def _outline(horizon, dots=False):

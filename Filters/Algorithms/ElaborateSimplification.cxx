@@ -1,0 +1,536 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps: sort the points into cubes, patch by patch; number the rings; cut the cubes ring by ring; write the points.
+//
+// Terms: a block is the points of one patch in one cube. Its level is 0, that of a piece how many times it was halved.
+// Sizes are counted in units of the smallest piece, so that their sums are exact.
+//
+//    ring  1  1  1  1  1  1        Blocks of one ring read the leaves of the ring before and write their own,
+//          1  2  2  2  2  1        so that all of them can run at the same time.
+//          1  2  3  3  2  1
+//          1  1  1  2  1  1
+
+#include "ElaborateSimplification.h"
+
+#include "Flatness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+using Iterator = CellSimplifier::Iterator;
+
+constexpr double HalfALevel = 1.4142135623730951; // a level is a factor of 2
+
+void CheckAtLeast(const char* name, double value, double least, const char* unit)
+{
+  if (!(value >= least))
+  {
+    std::ostringstream text;
+    text << name << ' ' << value << ", expected at least " << least << unit;
+    throw InputError(text.str());
+  }
+}
+
+void CheckOptions(const ElaborateOptions& options)
+{
+  CheckAtLeast("flatness threshold", options.FlatnessThreshold, 0.0, " (a plane), and 1/3 at the most");
+  CheckAtLeast("boundary density threshold", options.BoundaryDensityThreshold, 0.0, " points per lattice unit");
+  CheckAtLeast("boundary extent threshold", options.BoundaryExtentThreshold, 0.0, " lattice units");
+  CheckAtLeast("boundary cell size threshold", options.BoundaryCellSizeThreshold, 0.0, " lattice units");
+  CheckAtLeast("growth per ring", options.GrowthPerRing, 1.0, " (cells as large as their neighbours)");
+}
+
+/// How often a cell can be halved before its side falls below one column.
+int Halvings(int size)
+{
+  return size < 2 ? 0 : 1 + Halvings(size / 2);
+}
+
+/// The sizes of leaves.
+struct Sizes
+{
+  std::int64_t Sum = 0; // in units of the smallest
+  std::int64_t Number = 0;
+};
+
+/// The points of one patch in one cube.
+struct Block
+{
+  Iterator First = nullptr;
+  Iterator Last = nullptr;
+  std::int64_t Cell = 0; // in plan
+  std::int32_t Patch = 0;
+  std::int32_t Layer = 0;
+  std::int32_t Ring = 0; // 0 as long as it is not known
+  Sizes Leaves;
+};
+
+/// The least corner of a cell and its side. Octants begin at the middle.
+struct Box
+{
+  std::int64_t X = 0; // sub-voxels
+  std::int64_t Y = 0;
+  double Z = 0.0; // lattice units
+  std::int64_t PlaneSize = 0; // the side in sub-voxels
+  double Size = 0.0; // the side in lattice units
+
+  int Octant(const PlanePoint& place, double height) const
+  {
+    const std::int64_t half = this->PlaneSize / 2;
+    return int(place.X - this->X >= half) + 2 * int(place.Y - this->Y >= half) +
+      4 * int(height - this->Z >= 0.5 * this->Size);
+  }
+
+  Box Child(int octant) const
+  {
+    Box child(*this);
+    child.PlaneSize = this->PlaneSize / 2;
+    child.Size = 0.5 * this->Size;
+    child.X += (octant & 1) ? child.PlaneSize : 0;
+    child.Y += (octant & 2) ? child.PlaneSize : 0;
+    child.Z += (octant & 4) ? child.Size : 0.0;
+    return child;
+  }
+};
+
+/// Cuts one block after the other into leaves.
+class BlockCutter
+{
+public:
+  BlockCutter(CellSimplifier& cells, const ElaborateOptions& options, int deepest)
+    : Cells(cells)
+    , Horizon(cells.GetHorizon())
+    , Options(options)
+    , Deepest(deepest)
+  {
+  }
+
+  /// `level` is the least that leaves without boundary points get.
+  Sizes Cut(const Block& block, const Box& box, int level)
+  {
+    this->Leaves = Sizes();
+    this->LeastLevel = level;
+    this->CutAny(block.First, block.Last, box, 0);
+    return this->Leaves;
+  }
+
+private:
+  void CutAny(Iterator first, Iterator last, const Box& box, int level)
+  {
+    const std::ptrdiff_t boundary =
+      std::count_if(first, last, [this](PointId point) { return this->Cells.IsOnBoundary(point); });
+    if (boundary == 0)
+    {
+      this->CutInner(first, last, box, level);
+    }
+    else if (level == this->Deepest || this->StaysWhole(first, last, boundary, box.Size))
+    {
+      const bool keepsInner = boundary < last - first && box.Size > this->Options.BoundaryCellSizeThreshold;
+      this->MakeLeaf(first, level, true, keepsInner);
+    }
+    else
+    {
+      this->Halve(first, last, box,
+        [&](Iterator begin, Iterator end, const Box& part) { this->CutAny(begin, end, part, level + 1); });
+    }
+  }
+
+  /// Thesis eq. 4.2.
+  bool StaysWhole(Iterator first, Iterator last, std::ptrdiff_t boundary, double size)
+  {
+    if (!(double(boundary) / size > this->Options.BoundaryDensityThreshold))
+    {
+      return false;
+    }
+    this->Ends.clear();
+    std::copy_if(
+      first, last, std::back_inserter(this->Ends), [this](PointId point) { return this->Cells.IsOnBoundary(point); });
+    return this->IsWider(this->Options.BoundaryExtentThreshold, size);
+  }
+
+  /// Whether any two of Ends are farther apart than that (thesis eq. 4.1).
+  bool IsWider(double extent, double size) const
+  {
+    if (extent > 2.0 * size) // more than the diagonal
+    {
+      return false;
+    }
+    double reach = 0.0;
+    for (std::size_t a = 0; a < this->Ends.size(); ++a)
+    {
+      for (std::size_t b = a + 1; b < this->Ends.size(); ++b)
+      {
+        const double distance = (this->Place(this->Ends[a]) - this->Place(this->Ends[b])).norm();
+        if (distance > extent)
+        {
+          return true;
+        }
+        reach = std::max(reach, distance);
+      }
+      if (a == 0 && 2.0 * reach <= extent) // all are that near to the first one
+      {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  void CutInner(Iterator first, Iterator last, const Box& box, int level)
+  {
+    if (level == this->Deepest || this->IsFlat(first, last))
+    {
+      this->CutFlat(first, last, box, level);
+    }
+    else
+    {
+      this->Halve(first, last, box,
+        [&](Iterator begin, Iterator end, const Box& part) { this->CutInner(begin, end, part, level + 1); });
+    }
+  }
+
+  void CutFlat(Iterator first, Iterator last, const Box& box, int level)
+  {
+    if (level >= this->LeastLevel)
+    {
+      this->MakeLeaf(first, level, false, false);
+    }
+    else if (last - first == 1)
+    {
+      this->MakeLeaf(first, this->LeastLevel, false, false);
+    }
+    else
+    {
+      this->Halve(first, last, box,
+        [&](Iterator begin, Iterator end, const Box& part) { this->CutFlat(begin, end, part, level + 1); });
+    }
+  }
+
+  bool IsFlat(Iterator first, Iterator last) const
+  {
+    if (last - first <= 3) // always on a plane
+    {
+      return true;
+    }
+    Covariance covariance(this->Place(*first));
+    std::for_each(first, last,
+      [&](PointId point) { covariance.Add(this->Place(point), double(this->Horizon.Count[std::size_t(point)])); });
+    return IsFlatWithin(covariance.Matrix(), this->Options.FlatnessThreshold);
+  }
+
+  /// Sorts points into the octants of a box, each in the order they came in, and calls visit(first, last, part) for
+  /// those that have some.
+  template <typename Visitor>
+  void Halve(Iterator first, Iterator last, const Box& box, Visitor&& visit)
+  {
+    std::array<std::ptrdiff_t, 9> ends = {};
+    this->Octants.clear();
+    for (Iterator point = first; point != last; ++point)
+    {
+      const int octant =
+        box.Octant(this->Horizon.Plane[std::size_t(*point)], this->Horizon.Height[std::size_t(*point)]);
+      this->Octants.push_back(static_cast<unsigned char>(octant));
+      ++ends[std::size_t(octant) + 1];
+    }
+    for (std::size_t octant = 1; octant < ends.size(); ++octant)
+    {
+      ends[octant] += ends[octant - 1];
+    }
+    std::array<std::ptrdiff_t, 9> next = ends;
+    this->Order.assign(first, last);
+    for (std::size_t n = 0; n < this->Order.size(); ++n)
+    {
+      first[next[this->Octants[n]]++] = this->Order[n];
+    }
+    for (std::size_t octant = 0; octant < 8; ++octant)
+    {
+      if (ends[octant] != ends[octant + 1])
+      {
+        visit(first + ends[octant], first + ends[octant + 1], box.Child(int(octant)));
+      }
+    }
+  }
+
+  void MakeLeaf(Iterator first, int level, bool hasBoundary, bool keepsInner)
+  {
+    this->Cells.MarkLeaf(first, level, hasBoundary, keepsInner);
+    this->Leaves.Sum += std::int64_t(1) << (this->Deepest - level);
+    ++this->Leaves.Number;
+  }
+
+  Eigen::Vector3d Place(PointId point) const
+  {
+    const PlanePoint& place = this->Horizon.Plane[std::size_t(point)];
+    const double scale = 1.0 / this->Horizon.SubVoxelsPerColumn;
+    return { place.X * scale, place.Y * scale, this->Horizon.Height[std::size_t(point)] };
+  }
+
+  CellSimplifier& Cells;
+  const BoundedHorizon& Horizon;
+  const ElaborateOptions& Options;
+  const int Deepest;
+  int LeastLevel = 0;
+  Sizes Leaves;
+  std::vector<PointId> Ends; // the boundary points of the cell at hand
+  std::vector<PointId> Order;
+  std::vector<unsigned char> Octants;
+};
+
+class ElaborateSimplifier
+{
+public:
+  ElaborateSimplifier(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
+    : Horizon(horizon)
+    , Options(options)
+    , Bottom(*std::min_element(horizon.Height.begin(), horizon.Height.end()))
+    , Deepest(Halvings(options.CellSize))
+    , Cells(horizon, options, monitor)
+  {
+  }
+
+  Reduction Run(const Monitor& monitor)
+  {
+    this->MakeBlocks(monitor.Step(0.0, 0.2));
+    this->NumberRings();
+    std::size_t done = 0;
+    for (const std::vector<std::size_t>& ring : this->Rings)
+    {
+      const Monitor step = monitor.Step(0.2 + 0.4 * this->Part(done), 0.2 + 0.4 * this->Part(done + ring.size()));
+      ParallelFor(std::int64_t(ring.size()), 64, step,
+        [&](std::int64_t first, std::int64_t last) { this->CutBlocks(ring.data() + first, ring.data() + last); });
+      done += ring.size();
+    }
+    Reduction result = this->Cells.Write(monitor.Step(0.6, 0.95));
+    this->WriteRings(result);
+    if (this->Options.ListCells)
+    {
+      this->Cells.ListCells(
+        result, [this](Iterator first, Iterator, int level) { return this->BoxBottom(*first, level); });
+    }
+    return result;
+  }
+
+private:
+  double Part(std::size_t blocks) const { return double(blocks) / double(this->Blocks.size()); }
+
+  std::int32_t LayerOf(PointId point) const
+  {
+    const double layer = std::floor((this->Horizon.Height[std::size_t(point)] - this->Bottom) / this->Options.CellSize);
+    return std::int32_t(std::min(layer, double(std::numeric_limits<std::int32_t>::max())));
+  }
+
+  void MakeBlocks(const Monitor& monitor)
+  {
+    this->Cells.MakeGroups(
+      [this](PointId point)
+      {
+        const std::int64_t patch = this->Horizon.Patch[std::size_t(point)];
+        return patch * (std::int64_t(1) << 32) + this->LayerOf(point);
+      },
+      monitor);
+    this->Blocks.resize(this->Cells.NumberOfGroups());
+    ParallelFor(this->Cells.GetGrid().Size(), 1024,
+      [this](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t cell = begin; cell < end; ++cell)
+        {
+          std::size_t block = this->Cells.FirstGroup(cell);
+          this->Cells.ForEachLeaf(cell,
+            [&](Iterator first, Iterator last)
+            {
+              this->Blocks[block] = { first, last, cell, this->Horizon.Patch[std::size_t(*first)],
+                this->LayerOf(*first), this->Cells.HasBoundary(first) ? 1 : 0, Sizes() };
+              ++block;
+            });
+        }
+      });
+  }
+
+  /// Calls visit(neighbour) for the blocks of the same patch that touch a block; with `anyHeight`, for those that do in
+  /// plan.
+  template <typename Visitor>
+  void ForEachNeighbour(const Block& block, bool anyHeight, Visitor&& visit) const
+  {
+    const CellGrid& grid = this->Cells.GetGrid();
+    const std::int64_t x = block.Cell % grid.SizeX();
+    const std::int64_t y = block.Cell / grid.SizeX();
+    for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= std::min(grid.SizeY() - 1, y + 1); ++row)
+    {
+      const std::int64_t left = grid.Index(std::max<std::int64_t>(0, x - 1), row);
+      const std::int64_t right = grid.Index(std::min(grid.SizeX() - 1, x + 1), row);
+      for (std::size_t n = this->Cells.FirstGroup(left); n < this->Cells.FirstGroup(right + 1); ++n)
+      {
+        const Block& other = this->Blocks[n];
+        const std::int64_t up = std::int64_t(other.Layer) - block.Layer;
+        if (&other != &block && other.Patch == block.Patch && (anyHeight || (up >= -1 && up <= 1)))
+        {
+          visit(n);
+        }
+      }
+    }
+  }
+
+  void NumberRings()
+  {
+    this->Rings.emplace_back();
+    for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+    {
+      if (this->Blocks[block].Ring == 1)
+      {
+        this->Rings.back().push_back(block);
+      }
+    }
+    std::size_t reached = this->Rings.back().size();
+    while (reached < this->Blocks.size())
+    {
+      std::vector<std::size_t> next = this->NextRing();
+      reached += next.size();
+      this->Rings.push_back(std::move(next));
+    }
+  }
+
+  std::vector<std::size_t> NextRing()
+  {
+    const std::int32_t number = std::int32_t(this->Rings.size()) + 1;
+    std::vector<std::size_t> next;
+    const auto take = [&](std::size_t block)
+    {
+      if (this->Blocks[block].Ring == 0)
+      {
+        this->Blocks[block].Ring = number;
+        next.push_back(block);
+      }
+    };
+    for (const std::size_t block : this->Rings.back())
+    {
+      this->ForEachNeighbour(this->Blocks[block], false, take);
+    }
+    if (next.empty())
+    {
+      this->TakeBeyondCliffs(take);
+    }
+    if (next.empty())
+    {
+      for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+      {
+        take(block);
+      }
+    }
+    return next;
+  }
+
+  /// Looks only at rings that were not looked at before: around those nothing is left.
+  template <typename Take>
+  void TakeBeyondCliffs(Take&& take)
+  {
+    for (; this->FirstRingWithCliffs < this->Rings.size(); ++this->FirstRingWithCliffs)
+    {
+      for (const std::size_t block : this->Rings[this->FirstRingWithCliffs])
+      {
+        this->ForEachNeighbour(this->Blocks[block], true, take);
+      }
+    }
+  }
+
+  void CutBlocks(const std::size_t* first, const std::size_t* last)
+  {
+    BlockCutter cutter(this->Cells, this->Options, this->Deepest);
+    for (; first != last; ++first)
+    {
+      Block& block = this->Blocks[*first];
+      block.Leaves = cutter.Cut(block, this->BoxOf(block.Cell, block.Layer), this->LeastLevel(block));
+    }
+  }
+
+  /// How often the leaves of a block are halved at least: to the level whose size is nearest to the mean of those
+  /// before (thesis eq. 4.3), by ratio. To always round down would make cells shrink from ring to ring, as any mix of
+  /// sizes has its mean below the largest.
+  int LeastLevel(const Block& block) const
+  {
+    Sizes before = this->SizesBefore(block, false);
+    if (before.Number == 0)
+    {
+      before = this->SizesBefore(block, true);
+    }
+    const double largest = HalfALevel * this->Options.GrowthPerRing * double(before.Sum);
+    int level = 0;
+    while (level<this->Deepest&& double(before.Number) * double(std::int64_t(1) << (this->Deepest - level))> largest)
+    {
+      ++level;
+    }
+    return level;
+  }
+
+  /// The leaves of the neighbours one ring further out; with `anyHeight`, of those in plan in any ring further out.
+  Sizes SizesBefore(const Block& block, bool anyHeight) const
+  {
+    Sizes sizes;
+    this->ForEachNeighbour(block, anyHeight,
+      [&](std::size_t n)
+      {
+        const std::int32_t outwards = block.Ring - this->Blocks[n].Ring;
+        if (anyHeight ? outwards > 0 : outwards == 1)
+        {
+          sizes.Sum += this->Blocks[n].Leaves.Sum;
+          sizes.Number += this->Blocks[n].Leaves.Number;
+        }
+      });
+    return sizes;
+  }
+
+  Box BoxOf(std::int64_t cell, std::int32_t layer) const
+  {
+    const PlanePoint corner = this->Cells.GetGrid().Corner(cell);
+    const double size = this->Options.CellSize;
+    return { corner.X, corner.Y, this->Bottom + size * layer, this->Cells.GetCellSize(), size };
+  }
+
+  double BoxBottom(PointId point, int level) const
+  {
+    Box box = this->BoxOf(this->Cells.GetGrid().CellOf(this->Horizon.Plane[std::size_t(point)]), this->LayerOf(point));
+    for (int n = 0; n < level; ++n)
+    {
+      box = box.Child(box.Octant(this->Horizon.Plane[std::size_t(point)], this->Horizon.Height[std::size_t(point)]));
+    }
+    return box.Z;
+  }
+
+  void WriteRings(Reduction& result) const
+  {
+    ParallelFor(std::int64_t(this->Blocks.size()), 256,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t n = begin; n < end; ++n)
+        {
+          const Block& block = this->Blocks[std::size_t(n)];
+          std::for_each(block.First, block.Last,
+            [&](PointId point) { result.Origin[std::size_t(result.Target[std::size_t(point)])].Ring = block.Ring; });
+        }
+      });
+  }
+
+  const BoundedHorizon& Horizon;
+  const ElaborateOptions Options;
+  const double Bottom; // of the lowest cells
+  const int Deepest; // the level of the smallest pieces
+  CellSimplifier Cells;
+  std::vector<Block> Blocks;
+  std::vector<std::vector<std::size_t>> Rings;
+  std::size_t FirstRingWithCliffs = 0;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Reduction SimplifyElaborate(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
+{
+  CheckOptions(options);
+  return ElaborateSimplifier(horizon, options, monitor.Step(0.0, 0.2)).Run(monitor.Step(0.2, 1.0));
+}
+}

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonCellSimplification.h"
+
+#include "DataModel.h"
+#include "HorizonData.h"
+#include "Monitor.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+using namespace SeismicHorizons;
+
+/// A square, or a box, as one line along its edges. Along a box it has to go up and down some of them twice.
+void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid, vtkPolyData* output)
+{
+  const vtkIdType first = output->GetNumberOfPoints();
+  for (int corner = 0; corner < (isCube ? 8 : 4); ++corner)
+  {
+    const Eigen::Vector3d steps((corner + 1) / 2 % 2, corner / 2 % 2, corner / 4);
+    const Eigen::Vector3d low(cell.Low.X, cell.Low.Y, cell.Low.Z);
+    output->GetPoints()->InsertNextPoint(grid.ToWorld(low + cell.Size * steps).data());
+  }
+  const vtkIdType square[5] = { 0, 1, 2, 3, 0 };
+  const vtkIdType rest[11] = { 4, 5, 1, 5, 6, 2, 6, 7, 3, 7, 4 };
+  vtkCellArray* const lines = output->GetLines();
+  lines->InsertNextCell(isCube ? 16 : 5);
+  for (const vtkIdType corner : square)
+  {
+    lines->InsertCellPoint(first + corner);
+  }
+  for (int n = 0; isCube && n < 11; ++n)
+  {
+    lines->InsertCellPoint(first + rest[n]);
+  }
+}
+
+template <typename Array, typename Value>
+void AddCellArray(const char* name, const Reduction& reduction, vtkPolyData* output, Value&& value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  for (const SimplificationCell& cell : reduction.Cells)
+  {
+    array->InsertNextValue(value(cell));
+  }
+  output->GetCellData()->AddArray(array);
+}
+
+void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  output->SetPoints(points);
+  output->SetLines(vtkNew<vtkCellArray>());
+  vtkSmartPointer<vtkIntArray> origins = NewOriginArray(vtkIdType(reduction.Cells.size()));
+  for (std::size_t n = 0; n < reduction.Cells.size(); ++n)
+  {
+    AddOutline(reduction.Cells[n], areCubes, grid, output);
+    SetOrigin(origins, vtkIdType(n), reduction.Cells[n].Origin);
+  }
+  output->GetCellData()->AddArray(origins);
+  AddCellArray<vtkDoubleArray>(
+    CellArray::CellSize, reduction, output, [](const SimplificationCell& cell) { return cell.Size; });
+  AddCellArray<vtkIntArray>(
+    PointArray::PatchId, reduction, output, [](const SimplificationCell& cell) { return cell.Patch; });
+  AddCellArray<vtkIdTypeArray>(
+    PointArray::PointCount, reduction, output, [](const SimplificationCell& cell) { return cell.Points; });
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonCellSimplification::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "Representative: " << (this->Representative == Barycentre ? "Barycentre" : "NearestPoint") << "\n";
+  os << indent << "ShowCells: " << (this->ShowCells ? "On" : "Off") << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+{
+  LatticePoints points = ReadPoints(input);
+  const Lattice grid = points.Grid;
+  const BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
+  monitor.Progress(0.2);
+  const Reduction reduction = this->Simplify(horizon, monitor.Step(0.2, 0.8));
+  if (this->ShowCells)
+  {
+    WriteCells(reduction, this->HasCubes(), grid, output);
+  }
+  else
+  {
+    WriteReduction(input, grid, reduction, Merging::AveragesPoints, output);
+  }
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonCellSimplification
+ * @brief   what the simplifications of the inside have in common
+ *
+ * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives. Output: boundary points and loops
+ * as they were, then the points that stand for cells. PointCount is summed: it says how many points of the original
+ * horizon each point stands for. Where a point is the barycentre of several, arrays of floating point numbers and
+ * VerticalIndex are averaged, weighted by PointCount; all other arrays are labels, and are taken from the nearest of
+ * the points that were merged. VerticalIndex becomes an array of doubles.
+ *
+ * Point data added: CellOrigin (int, 3 components named Level, Ring, Kind): how many times the cell of the point was
+ * halved; the ring of the cell, from 1 at the boundary, or 0 where cells have no rings; and whether the point is a
+ * boundary point (0), the barycentre of several points (1) or a point of the input (2).
+ *
+ * With ShowCells the output is for inspection only: the cells as wireframe, with the cell data CellOrigin, CellSize
+ * (double, lattice units), PatchId and PointCount (points of the input in it).
+ *
+ * @sa vtkHorizonRoughSimplification vtkHorizonElaborateSimplification
+ */
+
+#ifndef vtkHorizonCellSimplification_h
+#define vtkHorizonCellSimplification_h
+
+#include "vtkHorizonAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+namespace SeismicHorizons
+{
+struct BoundedHorizon;
+struct Reduction;
+}
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonCellSimplification : public vtkHorizonAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHorizonCellSimplification, vtkHorizonAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The side of a cell in columns of the lattice (thesis: s). At least 1. Default: 3 in the rough simplification, 8 in
+   * the elaborate one.
+   */
+  vtkSetMacro(CellSize, int);
+  vtkGetMacro(CellSize, int);
+  ///@}
+
+  enum RepresentativeChoice
+  {
+    Barycentre = 0,
+    NearestPoint = 1
+  };
+
+  ///@{
+  /**
+   * What stands for the points of a cell. Barycentre: their mean (thesis). NearestPoint: the one of them that is
+   * nearest to it in plan, with its own attributes, so that every point of the output is one of the input. Default:
+   * Barycentre.
+   */
+  vtkSetClampMacro(Representative, int, Barycentre, NearestPoint);
+  vtkGetMacro(Representative, int);
+  void SetRepresentativeToBarycentre() { this->SetRepresentative(Barycentre); }
+  void SetRepresentativeToNearestPoint() { this->SetRepresentative(NearestPoint); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output is the cells, as wireframe, in place of the points. Default: off.
+   */
+  vtkSetMacro(ShowCells, bool);
+  vtkGetMacro(ShowCells, bool);
+  vtkBooleanMacro(ShowCells, bool);
+  ///@}
+
+protected:
+  explicit vtkHorizonCellSimplification(int cellSize)
+    : CellSize(cellSize)
+  {
+  }
+  ~vtkHorizonCellSimplification() override = default;
+
+  /// Runs the method of the subclass on a horizon.
+  virtual SeismicHorizons::Reduction Simplify(
+    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor) = 0;
+  /// Whether cells end upwards, too: cubes are shown as boxes, squares flat.
+  virtual bool HasCubes() const = 0;
+
+  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) final;
+
+private:
+  vtkHorizonCellSimplification(const vtkHorizonCellSimplification&) = delete;
+  void operator=(const vtkHorizonCellSimplification&) = delete;
+
+  int CellSize;
+  int Representative = Barycentre;
+  bool ShowCells = false;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonElaborateSimplification
+ * @brief   fewer points where a horizon is flat, in steady steps from the boundary to the inside
+ *
+ * Input and output: as vtkHorizonCellSimplification describes. It can follow vtkHorizonRoughSimplification, which makes
+ * it faster (the thesis's global method), or do alone.
+ *
+ * The points of each patch are sorted into cubes of CellSize lattice units, from the least corner of the bounding box
+ * of the horizon. Cubes are halved, octant by octant, and every piece becomes the barycentre of its points, or the
+ * point nearest to that (thesis 4.3.2, Alg. 4.2 and 4.3). Cubes with boundary points are the first ring: they are
+ * halved until boundary points lie densely and far enough apart; a large piece keeps its boundary points and one point
+ * for the others, a small one its boundary points alone. Each further ring is the cubes that touch the one before. They
+ * are halved until their points are flat, by principal component analysis, and no piece is larger than those of the
+ * ring before are in the mean.
+ *
+ * No cell is halved to a side below one column. A barycentre that is not strictly inside the boundary, or in the place
+ * of another point, gives way to the point nearest to it. So points stay strictly inside, and no two share a place in
+ * plan.
+ *
+ * Linear in the points and the cells of the bounding box. The cells of a ring run in parallel (vtkSMPTools), and the
+ * result is the same to the bit for any number of threads. The output is no better than the points are: noise of one
+ * voxel makes a surface of small cells curved.
+ *
+ * Errors: a cell size below 1, a threshold below 0, a growth below 1, no boundary loops, no PatchId, no lattice in the
+ * field data.
+ *
+ * @sa vtkHorizonRoughSimplification vtkHorizonBoundarySimplification vtkQuadricClustering
+ */
+
+#ifndef vtkHorizonElaborateSimplification_h
+#define vtkHorizonElaborateSimplification_h
+
+#include "vtkHorizonCellSimplification.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonElaborateSimplification : public vtkHorizonCellSimplification
+{
+public:
+  static vtkHorizonElaborateSimplification* New();
+  vtkTypeMacro(vtkHorizonElaborateSimplification, vtkHorizonCellSimplification);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How curved the points of a cell may be: the least eigenvalue of their covariance divided by the sum of the three
+   * (thesis: eq. 4.5). 0, only a plane is flat, to 1/3, everything is. The thesis uses 0.03 to 0.20. Default: 0.12.
+   */
+  vtkSetMacro(FlatnessThreshold, double);
+  vtkGetMacro(FlatnessThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * A cell with boundary points is halved unless it has more of them than this for each lattice unit of its side
+   * (thesis: PD, eq. 4.2). At least 0. Default: 0.25.
+   */
+  vtkSetMacro(BoundaryDensityThreshold, double);
+  vtkGetMacro(BoundaryDensityThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * And unless two of its boundary points are farther apart than this, in lattice units (thesis: d_max, eq. 4.1 and
+   * 4.2). At least 0. Default: 2.
+   */
+  vtkSetMacro(BoundaryExtentThreshold, double);
+  vtkGetMacro(BoundaryExtentThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * A cell with boundary points that is not halved keeps these, and one point for all others when its side is larger
+   * than this, in lattice units. At least 0. Default: 2.
+   */
+  vtkSetMacro(BoundaryCellSizeThreshold, double);
+  vtkGetMacro(BoundaryCellSizeThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many times as large as its neighbours in the ring before, in the mean, a cell may be, up to the nearest size
+   * that halving gives. At least 1, as in the thesis (eq. 4.3). With 2 cells may double from ring to ring. Default: 1.
+   */
+  vtkSetMacro(GrowthPerRing, double);
+  vtkGetMacro(GrowthPerRing, double);
+  ///@}
+
+protected:
+  vtkHorizonElaborateSimplification()
+    : vtkHorizonCellSimplification(8)
+  {
+  }
+  ~vtkHorizonElaborateSimplification() override = default;
+
+  SeismicHorizons::Reduction Simplify(
+    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor) override;
+  bool HasCubes() const override { return true; }
+
+private:
+  vtkHorizonElaborateSimplification(const vtkHorizonElaborateSimplification&) = delete;
+  void operator=(const vtkHorizonElaborateSimplification&) = delete;
+
+  double FlatnessThreshold = 0.12;
+  double BoundaryDensityThreshold = 0.25;
+  double BoundaryExtentThreshold = 2.0;
+  double BoundaryCellSizeThreshold = 2.0;
+  double GrowthPerRing = 1.0;
+};
+
+#endif
