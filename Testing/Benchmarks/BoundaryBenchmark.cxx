@@ -3,12 +3,14 @@
 //
 // Measures boundaries and their simplification on generated horizons, beside OpenCV where it was found.
 //
-//   BoundaryBenchmark [POINTS]...     (148317 886639 10000000 when none is given)
+//   BoundaryBenchmark [--alone] [POINTS]...     (148317 886639 10000000 when none is given)
 //
-// Prints lines "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points". Seconds are the least of
-// three runs (of one from 10 million points); bytes are the largest memory in use at a time beyond input and result,
-// per column of the bounding box; -1 where that is not known. OpenCV starts from an image that is ready, we from the
-// list of columns.
+// With --alone OpenCV is left out, whose time for all loops is more than linear.
+//
+// Prints lines "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points". Seconds are those of
+// the processor, the least of five runs (of one from 10 million points); bytes are the largest memory in use at a time
+// beyond input and result, per column of the bounding box; -1 where that is not known. OpenCV starts from an image that
+// is ready, we from the list of columns.
 
 #include "BoundarySimplification.h"
 #include "ExteriorBoundary.h"
@@ -20,8 +22,8 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -86,7 +88,7 @@ public:
       this->Columns.push_back({ horizon.I[voxel], horizon.J[voxel] });
       this->Points.push_back({ double(horizon.I[voxel]), double(horizon.J[voxel]), double(horizon.K[voxel]) });
     }
-    this->Runs = points < 10000000 ? 3 : 1;
+    this->Runs = points < 10000000 ? 5 : 1;
   }
 
   void Boundary(const char* what, int radius, GrowthStrategy growth, bool holes) const
@@ -160,9 +162,9 @@ private:
     for (int run = 0; run < this->Runs; ++run)
     {
       Measurement measurement;
-      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t start = std::clock();
       work(measurement);
-      measurement.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      measurement.Seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
       best = measurement.Seconds < best.Seconds ? measurement : best;
     }
     std::cout << this->Columns.size() << ',' << what << ',' << parameter << ',' << best.Seconds << ','
@@ -176,13 +178,16 @@ private:
   int Runs = 1;
 };
 
-void Run(std::int64_t points)
+void Run(std::int64_t points, [[maybe_unused]] bool isAlone)
 {
   const Benchmark benchmark(points);
   benchmark.Boundary("exterior", 1, GrowthStrategy::Clockwise, false);
   benchmark.Boundary("all loops", 1, GrowthStrategy::Clockwise, true);
 #ifdef SEISMICHORIZONS_HAS_OPENCV
-  benchmark.OpenCv();
+  if (!isAlone)
+  {
+    benchmark.OpenCv();
+  }
 #endif
   for (const int radius : { 2, 3, 4, 5 })
   {
@@ -202,7 +207,8 @@ void Run(std::int64_t points)
 int main(int argc, char* argv[])
 {
   std::vector<std::int64_t> sizes;
-  for (int n = 1; n < argc; ++n)
+  const bool isAlone = argc > 1 && std::string(argv[1]) == "--alone";
+  for (int n = isAlone ? 2 : 1; n < argc; ++n)
   {
     sizes.push_back(std::atoll(argv[n]));
   }
@@ -213,7 +219,7 @@ int main(int argc, char* argv[])
   std::cout << "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points\n";
   for (const std::int64_t points : sizes)
   {
-    Run(points);
+    Run(points, isAlone);
   }
   return EXIT_SUCCESS;
 }
