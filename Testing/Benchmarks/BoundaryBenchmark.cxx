@@ -3,9 +3,7 @@
 //
 // Measures boundaries and their simplification on generated horizons, beside OpenCV where it was found.
 //
-//   BoundaryBenchmark [--alone] [POINTS]...     (148317 886639 10000000 when none is given)
-//
-// With --alone OpenCV is left out, whose time for all loops is more than linear.
+//   BoundaryBenchmark [POINTS]...     (148317 886639 10000000 when none is given)
 //
 // Prints lines "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points". Seconds are those of
 // the processor, the least of five runs (of one from 10 million points); bytes are the largest memory in use at a time
@@ -64,6 +62,11 @@ void operator delete(void* memory, std::size_t) noexcept
 
 namespace
 {
+#ifdef SEISMICHORIZONS_HAS_OPENCV
+// Its time for all loops grows with the square of the points; beyond this it takes minutes.
+constexpr std::size_t MostPointsForAllOpenCvLoops = 20000000;
+#endif
+
 struct Measurement
 {
   double Seconds = std::numeric_limits<double>::max();
@@ -133,6 +136,10 @@ public:
     const cv::Mat image = OpenCvContours::ToImage(this->Columns);
     for (const bool holes : { false, true })
     {
+      if (holes && this->Columns.size() > MostPointsForAllOpenCvLoops)
+      {
+        continue;
+      }
       this->Measure(holes ? "opencv all loops" : "opencv exterior and labels", 1,
         [&](Measurement& result)
         {
@@ -178,16 +185,13 @@ private:
   int Runs = 1;
 };
 
-void Run(std::int64_t points, [[maybe_unused]] bool isAlone)
+void Run(std::int64_t points)
 {
   const Benchmark benchmark(points);
   benchmark.Boundary("exterior", 1, GrowthStrategy::Clockwise, false);
   benchmark.Boundary("all loops", 1, GrowthStrategy::Clockwise, true);
 #ifdef SEISMICHORIZONS_HAS_OPENCV
-  if (!isAlone)
-  {
-    benchmark.OpenCv();
-  }
+  benchmark.OpenCv();
 #endif
   for (const int radius : { 2, 3, 4, 5 })
   {
@@ -207,8 +211,7 @@ void Run(std::int64_t points, [[maybe_unused]] bool isAlone)
 int main(int argc, char* argv[])
 {
   std::vector<std::int64_t> sizes;
-  const bool isAlone = argc > 1 && std::string(argv[1]) == "--alone";
-  for (int n = isAlone ? 2 : 1; n < argc; ++n)
+  for (int n = 1; n < argc; ++n)
   {
     sizes.push_back(std::atoll(argv[n]));
   }
@@ -219,7 +222,7 @@ int main(int argc, char* argv[])
   std::cout << "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points\n";
   for (const std::int64_t points : sizes)
   {
-    Run(points, isAlone);
+    Run(points);
   }
   return EXIT_SUCCESS;
 }
