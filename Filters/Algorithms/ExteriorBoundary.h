@@ -68,8 +68,8 @@ struct ExteriorBoundary
 
 /// `columns` holds the column of each point, no two the same (InputError). The result does not depend on the order of
 /// the points. Linear in the points and in the columns of their bounding box, with a factor that grows with k in the
-/// points on the border; beyond its result it needs 4 bytes per column of that box, two bits per point, and some for
-/// the points on the border. Sequential: a walk can not know where it ends.
+/// points on the border; beyond its result it needs 4 bytes per column of that box, for growth by distance with k > 1
+/// also 4 per point, and some for the points on the border. Sequential: a walk can not know where it ends.
 ExteriorBoundary FindExteriorBoundary(const std::vector<PlanePoint>& columns,
   const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
 }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The hops a boundary may take: from a column to any other one at most k columns away along each axis (the thesis's
-// k-square neighbourhood, Def. 3.1). They are numbered clockwise by their direction, from the south:
+// k-square neighbourhood, Def. 3.1). They are numbered clockwise by their direction, from the south; of those in one
+// direction the nearer comes first.
 //
-//          4   5 6 7   8
-//            4 5 6 7 8             the 24 hops of k = 2; where two have
-//          3 3   *   9 9           one direction, the nearer comes first
-//            2 1 0 ...
-//          2   1 0 ...
+//          3  4  5
+//          2  *  6         the 8 hops of k = 1
+//          1  0  7
 
 #ifndef SeismicHorizonsHopTable_h
 #define SeismicHorizonsHopTable_h

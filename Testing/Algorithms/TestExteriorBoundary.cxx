@@ -132,6 +132,14 @@ void TestBay()
   CHECK_EQUAL(LoopsOf(bay, With(2, GrowthStrategy::Clockwise)), " 0,0 0,1 2,1 2,0 1,0");
 }
 
+/// The drawing in the documentation.
+void TestBayAndGap()
+{
+  const std::vector<std::string> picture = { "#.#.##", "###.##" };
+  CHECK_EQUAL(LoopsOf(picture, With(2, GrowthStrategy::Distance)), " 0,0 0,1 1,0 2,1 2,0 4,0 4,1 5,1 5,0 4,0 2,0 1,0");
+  CHECK_EQUAL(LoopsOf(picture, With(2, GrowthStrategy::Clockwise)), " 0,0 0,1 2,1 4,1 5,1 5,0 4,0 2,0 1,0");
+}
+
 /// The two points in the upper right are nearer to each other than the last two, whose hop is the only one that reaches
 /// the lower left: it has to win where the hops cross.
 void TestShortHopGivesWay()
@@ -292,6 +300,7 @@ int TestExteriorBoundary(int, char*[])
   TestRandomPatches();
   TestGap();
   TestBay();
+  TestBayAndGap();
   TestShortHopGivesWay();
   TestHoles();
   TestIslandsInHoles();
