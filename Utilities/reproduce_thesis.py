@@ -20,6 +20,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 RUNS = 3  # the fastest counts
 DISTANCE_THRESHOLD = 0.4  # of the boundary simplification, as in the thesis
+HEIGHT_OF_CUBE = 1.85  # of that of the surface the generator puts into it
 FLATNESS = (0.03, 0.12, 0.20)
 
 # The surfaces of table 4.1: points, and the box around them.
@@ -109,7 +110,8 @@ def elaborate(before, cell_size, flatness):
 def make_surface(generator, points, box, folder):
     """A surface with about that many points, in a box of the same proportions, with simplified outlines."""
     path = pathlib.Path(folder) / "surface.vsm"
-    subprocess.run([generator, "--size", *map(str, box), "--points", str(points), "--horizons", "1", "--dropouts", "0.01",
+    size = (box[0], box[1], round(HEIGHT_OF_CUBE * box[2]))
+    subprocess.run([generator, "--size", *map(str, size), "--points", str(points), "--horizons", "1", "--dropouts", "0.01",
                     path], check=True, stdout=subprocess.DEVNULL)
     reader = sh.vtkVerneySparseMatrixReader()
     reader.SetFileName(str(path))
