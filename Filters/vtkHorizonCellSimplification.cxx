@@ -26,7 +26,10 @@ void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid
   const vtkIdType first = output->GetNumberOfPoints();
   for (int corner = 0; corner < (isCube ? 8 : 4); ++corner)
   {
-    const Eigen::Vector3d steps((corner + 1) / 2 % 2, corner / 2 % 2, corner / 4);
+    // Around the bottom, then around the top.
+    const bool right = corner % 4 == 1 || corner % 4 == 2;
+    const bool back = corner % 4 >= 2;
+    const Eigen::Vector3d steps(right ? 1.0 : 0.0, back ? 1.0 : 0.0, corner >= 4 ? 1.0 : 0.0);
     const Eigen::Vector3d low(cell.Low.X, cell.Low.Y, cell.Low.Z);
     output->GetPoints()->InsertNextPoint(grid.ToWorld(low + cell.Size * steps).data());
   }

@@ -440,13 +440,14 @@ CellSimplifier::StandIn CellSimplifier::FindBarycentre(Iterator first, Iterator 
   {
     if (!this->IsOnBoundary(*point))
     {
-      const std::int64_t weight = this->Horizon.Count[std::size_t(*point)];
+      const std::int64_t weight = this->Weight(*point);
       count += weight;
       x += weight * this->Plane(*point).X;
       y += weight * this->Plane(*point).Y;
       z += double(weight) * this->Horizon.Height[std::size_t(*point)];
     }
   }
+  count = std::max<std::int64_t>(1, count); // there are such points, or the leaf would not become one
   StandIn standIn;
   standIn.First = first;
   standIn.Last = last;

@@ -66,6 +66,12 @@ public:
   std::int64_t GetCellSize() const { return this->CellSize; }
   bool IsOnBoundary(PointId point) const { return this->OnBoundary[std::size_t(point)] != 0; }
 
+  /// How many points of the original horizon a point stands for; one that says none counts as one.
+  std::int64_t Weight(PointId point) const
+  {
+    return std::max<std::int64_t>(1, this->Horizon.Count[std::size_t(point)]);
+  }
+
   /// Cuts every cell into groups of equal key(point), an std::int64_t, in ascending order. Each group is one leaf then.
   template <typename Key>
   void MakeGroups(Key&& key, const Monitor& monitor);
@@ -186,8 +192,8 @@ void CellSimplifier::MakeGroups(Key&& key, const Monitor& monitor)
 template <typename Key>
 std::uint32_t CellSimplifier::GroupCell(std::int64_t cell, Key& key, Scratch& scratch)
 {
-  const Iterator first = this->CellBegin(cell);
-  const Iterator last = this->CellBegin(cell + 1);
+  Iterator first = this->CellBegin(cell);
+  Iterator last = this->CellBegin(cell + 1);
   std::uint32_t groups = 0;
   if (this->MarkGroups(first, last, key, groups))
   {

@@ -220,8 +220,8 @@ private:
       return true;
     }
     Covariance covariance(this->Place(*first));
-    std::for_each(first, last,
-      [&](PointId point) { covariance.Add(this->Place(point), double(this->Horizon.Count[std::size_t(point)])); });
+    std::for_each(
+      first, last, [&](PointId point) { covariance.Add(this->Place(point), double(this->Cells.Weight(point))); });
     return IsFlatWithin(covariance.Matrix(), this->Options.FlatnessThreshold);
   }
 

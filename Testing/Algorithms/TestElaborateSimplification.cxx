@@ -246,6 +246,9 @@ void TestPointsAreWeighted()
   const Reduction result = SimplifyElaborate(horizon, 8);
   const std::size_t middle = std::size_t(result.Target[12 * 24 + 12]);
   CHECK(result.Plane[middle] == Column(9.75, 9.75)); // halfway from the mean to the heavy point
+  horizon.Count.assign(horizon.Count.size(), 0); // nonsense, but no reason to divide by 0
+  CHECK_EQUAL(SimplifyElaborate(horizon, 8).Source.size(), result.Source.size());
+  CHECK_EQUAL(SimplifyRough(horizon, 8).Source.size(), 93u);
 }
 
 void TestNearestPointStandsForTheCell()
