@@ -18,6 +18,7 @@ LONG_WORK = 1.0  # seconds after which a stage starts to report its progress
 PICTURE_ROWS = 8  # horizons in one picture, at most
 ELEVATIONS = ("VerticalIndex", "RealZ")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
+GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
 
 
@@ -96,6 +97,21 @@ def _add_reader_options(group):
 
 
 def _add_stage_options(group):
+    group.add_argument("--radius", type=_number_at_least(int, 1), default=1, metavar="K",
+                       help="how far the outline may reach from one point to the next, and so how wide a gap it closes; "
+                       "lattice units")
+    group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=GROWTH_STRATEGIES[1],
+                       help="how an outline of a radius above 1 grows")
+    group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=1, metavar="N",
+                       help="patches with fewer points are left out")
+    group.add_argument("--hole-boundaries", action="store_true",
+                       help="give holes an outline of their own, so that they stay open in the mesh")
+    group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=1, metavar="N",
+                       help="holes of fewer columns are closed all the same")
+    group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=0.0, metavar="T",
+                       help="how far the outline may move on the map when its corners are dropped; lattice units")
+    group.add_argument("--bound-deviation", action="store_true",
+                       help="keep every dropped outline point within the distance threshold of the new outline")
     group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=0.4, metavar="T",
                        help="an outline point closer than this to the line through its neighbours is dropped; "
                        "lattice units")
@@ -217,7 +233,14 @@ def stages(options):
     import seismichorizons as sh
 
     boundary = sh.vtkHorizonExteriorBoundary()
+    boundary.SetRadius(options.radius)
+    boundary.SetGrowthStrategy(GROWTH_STRATEGIES.index(options.growth_strategy))
+    boundary.SetMinimumPatchSize(options.minimum_patch_size)
+    boundary.SetHoleBoundaries(options.hole_boundaries)
+    boundary.SetSmallestHoleSize(options.smallest_hole_size)
     simplified = sh.vtkHorizonBoundarySimplification()
+    simplified.SetOutlineTolerance(options.outline_tolerance)
+    simplified.SetBoundDeviation(options.bound_deviation)
     simplified.SetDistanceThreshold(options.distance_threshold)
     rough = sh.vtkHorizonRoughSimplification()
     rough.SetCellSize(options.cell_size)

@@ -101,6 +101,22 @@ class BatchTest(unittest.TestCase):
         self.assertLess(points[1], points[0])
         self.assertLess(points[2], points[3])
 
+    def test_outlines(self):
+        """A larger radius takes fewer outline points, and a tolerance leaves fewer still."""
+        after = []
+        for arguments in ([], ["--radius", "3"], ["--radius", "3", "--outline-tolerance", "1", "--bound-deviation"]):
+            done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
+            row = next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+            after.append(int(row[4]))
+        self.assertGreater(after[0], after[1])
+        self.assertGreater(after[1], after[2])
+        self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--minimum-patch-size", "1000")
+        closed = read(self.output / "sample_horizon_1.vtp")
+        self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--minimum-patch-size", "1000", "--hole-boundaries")
+        holed = read(self.output / "sample_horizon_1.vtp")
+        self.assertEqual(closed.GetNumberOfLines(), 1)
+        self.assertGreater(holed.GetNumberOfLines(), 1)
+
     def test_any_number_of_threads(self):
         bytes_of = []
         for threads in ("1", "2"):
@@ -164,6 +180,8 @@ class BatchTest(unittest.TestCase):
         self.assertEqual((done.returncode, errors), (0, []))
         for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
                        "--column-step", "--row-step", "--vertical-step", "--duplicate-policy", "--horizons",
+                       "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",
+                       "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
                        "--representative", "--no-pictures", "--threads"):
             self.assertIn(option, done.stdout)
