@@ -76,6 +76,18 @@ void CheckOptions(const HorizonGeneratorOptions& options)
   Require(options.NumberOfIslands >= 0, std::to_string(options.NumberOfIslands) + " islands", "0 or more");
   Require(options.DropoutFraction >= 0.0 && options.DropoutFraction <= 0.1,
     "dropouts " + std::to_string(options.DropoutFraction), "a part from 0 to 0.1");
+  Require(options.Squareness >= -1.0 && options.Squareness <= 1.0, "squareness " + std::to_string(options.Squareness),
+    "a number from -1 to 1");
+}
+
+/// The distance of a place from the middle when circles are deformed towards stars or squares. Square roots are rounded
+/// alike on all machines, other powers are not.
+double DeformedRadius(double x, double y, double squareness)
+{
+  const double circle = std::sqrt(x * x + y * y);
+  const double roots = std::sqrt(std::abs(x)) + std::sqrt(std::abs(y));
+  const double other = squareness < 0.0 ? roots * roots : std::max(std::abs(x), std::abs(y));
+  return circle + std::abs(squareness) * (other - circle);
 }
 
 /// A voxel drops out when its random number is below a threshold t and below those of its eight neighbours, which
@@ -296,7 +308,7 @@ bool HorizonGenerator::IsInBody(const Horizon& horizon, double i, double j) cons
       return false;
     }
   }
-  const double radius = std::sqrt(place.X * place.X + place.Y * place.Y);
+  const double radius = DeformedRadius(place.X, place.Y, this->Options.Squareness);
   double depth = 0.9 - radius - 0.3 * FractalNoise(outline, 2.0 * place.X, 2.0 * place.Y, 2);
   constexpr double ragged = 0.06;
   if (std::abs(depth) < ragged)

@@ -37,6 +37,9 @@ struct HorizonGeneratorOptions
   int NumberOfIslands = 3;
   /// Part of the voxels that are missing one by one, with all eight neighbours left in place: 0 to 0.1.
   double DropoutFraction = 0.02;
+  /// The shape of the outline before lobes and bays bend it, which is how full the bounding box gets: from -1 (a star
+  /// with four points) over 0 (a circle) to 1 (a square).
+  double Squareness = 0.0;
 };
 
 class HorizonGenerator

@@ -29,6 +29,7 @@ Writes synthetic seismic horizons as a sparse-matrix file (.vsm). The same optio
   --holes N         holes in each horizon, the first of them large (default 8)
   --islands N       islands of each horizon, the first of them in its large hole (default 3)
   --dropouts PART   part of the voxels that are missing one by one, 0 to 0.1 (default 0.02)
+  --squareness Q    outlines from a star (-1) over a circle (0, the default) to a square (1)
   --seed N          another number gives other horizons (default 1)
   --help            this text
 )";
@@ -106,6 +107,10 @@ void ParseOption(const std::string& option, Words& words, Arguments& arguments)
   else if (option == "--islands")
   {
     words.Take(option, options.NumberOfIslands);
+  }
+  else if (option == "--squareness")
+  {
+    words.Take(option, options.Squareness);
   }
   else if (option == "--dropouts")
   {

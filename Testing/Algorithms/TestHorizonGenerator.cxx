@@ -217,6 +217,23 @@ void DropoutsAreSingleAndAsMany()
   }
 }
 
+/// From a star to a square ever more columns of the same lattice are filled.
+void SquarenessFillsTheBox()
+{
+  std::size_t last = 0;
+  for (const double squareness : { -1.0, -0.5, 0.0, 0.5, 1.0 })
+  {
+    HorizonGeneratorOptions options = MakeOptions(4);
+    options.Size = { 200, 200, 60 };
+    options.NumberOfHoles = 0;
+    options.NumberOfIslands = 0;
+    options.Squareness = squareness;
+    const std::size_t size = ColumnsOf(HorizonGenerator(options).MakeHorizon(0)).size();
+    CHECK(size > last + 500);
+    last = size;
+  }
+}
+
 void AttributesArePlausible()
 {
   const HorizonVoxels horizon = HorizonGenerator(MakeOptions(1)).MakeHorizon(1);
@@ -287,6 +304,7 @@ void OptionsAreChecked()
   {
     CheckRefused([part](Options& o) { o.DropoutFraction = part; }, "expected a part from 0 to 0.1");
   }
+  CheckRefused([](Options& o) { o.Squareness = 1.5; }, "squareness 1.500000, expected a number from -1 to 1");
   CHECK_THROWS_WITH(HorizonGenerator::FindSize(Options(), 0), "0 points, expected at least 1");
 }
 
@@ -312,6 +330,7 @@ int TestHorizonGenerator(int argc, char* argv[])
   IslandsAndHolesAreThere();
   OutlineIsConcave();
   DropoutsAreSingleAndAsMany();
+  SquarenessFillsTheBox();
   AttributesArePlausible();
   FeaturesCanBeTurnedOff();
   SizeFollowsTheNumberOfPoints();
