@@ -3,40 +3,24 @@
 
 #include "ThirdPointSearch.h"
 
-#include "Errors.h"
 #include "Predicates.h"
 #include "VoxelWalk.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// The size of voxels that hold one point each on average: the nearest power of two, which makes all that is computed
-/// of them exact.
-std::int64_t VoxelSizeFor(const std::vector<PlanePoint>& points)
-{
-  PlanePoint size;
-  for (const PlanePoint& point : points)
-  {
-    size = { std::max(size.X, point.X), std::max(size.Y, point.Y) };
-  }
-  const double area = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
-  return std::int64_t(1) << std::max(0L, std::lround(0.5 * std::log2(area / double(points.size()))));
-}
-
 PlanePoint Doubled(const PlanePoint& p)
 {
   return { 2 * p.X, 2 * p.Y };
 }
 
-/// The cotangent of the angle at which a point sees an edge from a to b, which is positive for points to the left of
-/// it: the smaller, the smaller is the part of the point's circle with the edge that lies to the left. 1/2 of it times
-/// the length of the edge is how far the centre of that circle lies to the left.
+/// The cotangent of the angle at which a point to the left of an edge from a to b sees it; `area` is twice that of the
+/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left, and
+/// half of it times the length of the edge is how far the centre of that circle lies to the left.
 double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
 {
   const std::int64_t ax = std::int64_t(a.X) - point.X;
@@ -125,94 +109,6 @@ struct ThirdPointSearch::Circle
   const double Margin;
   const double Reach; // squared
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::ThirdPointSearch(const std::vector<PlanePoint>& points, const Loops& boundary,
-  const std::vector<PointId>& names, SearchStrategy strategy)
-  : Strategy(strategy)
-  , Grid(points, 1, VoxelSizeFor(points))
-  , Sorted(this->Grid, points, names)
-  , HopsInCell(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
-{
-  this->CheckPlaces();
-  this->CheckEdges();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::SortedPoints::SortedPoints(
-  const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names)
-  : Places(points.size())
-  , Names(points.size())
-  , Starts(std::size_t(grid.Size()) + 1, 0)
-  , Numbers(points.size())
-{
-  for (const PlanePoint& point : points)
-  {
-    ++this->Starts[std::size_t(grid.CellOf(point)) + 1];
-  }
-  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-  std::vector<PointId> next(this->Starts.begin(), this->Starts.end() - 1);
-  for (std::size_t point = 0; point < points.size(); ++point)
-  {
-    const PointId number = next[std::size_t(grid.CellOf(points[point]))]++;
-    this->Numbers[point] = number;
-    this->Places[std::size_t(number)] = points[point];
-    this->Names[std::size_t(number)] = names[point];
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::CheckPlaces() const
-{
-  std::vector<PointId> numbers;
-  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
-  {
-    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
-    if (numbers.size() < 2)
-    {
-      continue;
-    }
-    std::iota(numbers.begin(), numbers.end(), this->FirstIn(cell));
-    std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
-    const auto twin = std::adjacent_find(
-      numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) == this->At(b); });
-    if (twin != numbers.end())
-    {
-      const auto names = std::minmax({ this->NameOf(*twin), this->NameOf(*(twin + 1)) });
-      throw InputError("points " + std::to_string(names.first) + " and " + std::to_string(names.second) +
-        " in one place in plan, expected at most one point of a horizon above each place");
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::CheckEdges() const
-{
-  const auto name = [this](const Hop& hop)
-  { return "boundary edge " + std::to_string(this->NameOf(hop.From)) + " - " + std::to_string(this->NameOf(hop.To)); };
-  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
-  {
-    for (const Hop* hop = this->HopsInCell.begin(cell); hop != this->HopsInCell.end(cell); ++hop)
-    {
-      const PlanePoint& from = this->At(hop->From);
-      const PlanePoint& to = this->At(hop->To);
-      const Hop* const crossing = std::find_if(this->HopsInCell.begin(cell), hop,
-        [&](const Hop& other) { return ProperlyCross(from, to, this->At(other.From), this->At(other.To)); });
-      if (crossing != hop)
-      {
-        throw InputError(name(*hop) + " crosses " + name(*crossing) + ", expected edges that meet only at their ends");
-      }
-      for (PointId point = this->FirstIn(cell); point < this->EndOf(cell); ++point)
-      {
-        if (OnOpenSegment(from, to, this->At(point)))
-        {
-          throw InputError("point " + std::to_string(this->NameOf(point)) + " lies on " + name(*hop) +
-            ", expected no point between the ends of a boundary edge");
-        }
-      }
-    }
-  }
-}
 
 //----------------------------------------------------------------------------------------------------------------------
 PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
@@ -427,8 +323,8 @@ void ThirdPointSearch::VisitRow(
   {
     task.Walk->push_back({ column, row, task.Dilatation });
   }
-  const PointId end = this->EndOf(this->Grid.Index(last, row));
-  for (PointId point = this->FirstIn(this->Grid.Index(first, row)); point < end; ++point)
+  const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
+  for (PointId point = this->Points.FirstIn(this->Grid.Index(first, row)); point < end; ++point)
   {
     visit(point);
   }
@@ -476,7 +372,7 @@ bool ThirdPointSearch::HasHops(const SegmentEnd& from, const SegmentEnd& to) con
   const std::int64_t lastRow = this->Grid.CellY(std::max(from.Y, to.Y));
   for (std::int64_t row = this->Grid.CellY(std::min(from.Y, to.Y)); row <= lastRow; ++row)
   {
-    if (!this->HopsInCell.AreEmpty(this->Grid.Index(first, row), this->Grid.Index(last, row)))
+    if (!this->Points.Hops().AreEmpty(this->Grid.Index(first, row), this->Grid.Index(last, row)))
     {
       return true;
     }
@@ -500,7 +396,7 @@ bool ThirdPointSearch::IsVisible(const Task& task, PointId candidate) const
   { return ProperlyCross(Doubled(this->At(hop.From)), Doubled(this->At(hop.To)), task.DoubledMiddle, target); };
   this->Grid.ForEachCellAlong(middle, this->At(candidate),
     [&](std::int64_t cell)
-    { visible = visible && std::none_of(this->HopsInCell.begin(cell), this->HopsInCell.end(cell), blocks); });
+    { visible = visible && std::none_of(this->Points.Hops().begin(cell), this->Points.Hops().end(cell), blocks); });
   return visible;
 }
 }

@@ -21,7 +21,7 @@
 #ifndef SeismicHorizonsThirdPointSearch_h
 #define SeismicHorizonsThirdPointSearch_h
 
-#include "CellGrid.h"
+#include "SearchGrid.h"
 #include "Types.h"
 
 #include <vector>
@@ -47,15 +47,13 @@ struct WalkedVoxel
 class ThirdPointSearch
 {
 public:
-  /// Coordinates are at least 0 and below 2^29. The search gives the points numbers of its own, voxel by voxel; the
-  /// edges it is asked for use these. Throws InputError when two points are in one place, a point lies on a boundary
-  /// edge, or two boundary edges cross; `names` gives the numbers by which messages call the points.
-  ThirdPointSearch(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names,
-    SearchStrategy strategy);
-
-  /// The number the search gave to a point, and the name of the point with such a number.
-  PointId NumberOf(PointId point) const { return this->Sorted.Numbers[std::size_t(point)]; }
-  PointId NameOf(PointId number) const { return this->Sorted.Names[std::size_t(number)]; }
+  /// `grid` must outlive the search; edges are asked for by its numbers.
+  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy)
+    : Strategy(strategy)
+    , Points(grid)
+    , Grid(grid.Voxels())
+  {
+  }
 
   /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
   /// given, takes the voxels that were looked into, in their order.
@@ -65,27 +63,10 @@ public:
   /// would be an edge of the triangulation without being asked for. There must be a point to the left of it.
   bool IsDelaunay(PointId a, PointId b) const;
 
-  /// The grid of voxels.
-  const CellGrid& GetVoxels() const { return this->Grid; }
-
 private:
   struct Box;
   struct Circle;
   struct Task;
-
-  /// The points in the order of the search.
-  struct SortedPoints
-  {
-    SortedPoints(const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names);
-
-    std::vector<PlanePoint> Places; // voxel by voxel
-    std::vector<PointId> Names; // the same
-    std::vector<PointId> Starts; // for each voxel its first point
-    std::vector<PointId> Numbers; // by the numbers that points had before
-  };
-
-  void CheckPlaces() const;
-  void CheckEdges() const;
 
   void TraverseBox(Task& task) const;
   void SearchDilatation(Task& task, std::int64_t shift) const;
@@ -106,14 +87,11 @@ private:
   bool HasHops(const SegmentEnd& from, const SegmentEnd& to) const;
   bool IsVisible(const Task& task, PointId candidate) const;
 
-  const PlanePoint& At(PointId point) const { return this->Sorted.Places[std::size_t(point)]; }
-  PointId FirstIn(std::int64_t cell) const { return this->Sorted.Starts[std::size_t(cell)]; }
-  PointId EndOf(std::int64_t cell) const { return this->Sorted.Starts[std::size_t(cell) + 1]; }
+  const PlanePoint& At(PointId point) const { return this->Points.At(point); }
 
   const SearchStrategy Strategy;
-  const CellGrid Grid;
-  const SortedPoints Sorted;
-  const HopLists HopsInCell;
+  const SearchGrid& Points;
+  const CellGrid& Grid;
 };
 }
 

@@ -47,7 +47,8 @@ public:
     , Options(options)
     , Blocks(options.MostTriangles > 0 ? FullBlocks() : FullBlocks(patch.Places, patch.Boundary))
     , Loose(patch, this->Blocks)
-    , Search(this->Loose.Places, patch.Boundary.Renumbered(this->Loose.Numbers), this->Loose.Names, options.Strategy)
+    , Points(this->Loose.Places, patch.Boundary.Renumbered(this->Loose.Numbers), this->Loose.Names)
+    , Search(this->Points, options.Strategy)
     , Front(this->Loose.Places.size())
     , Used(this->Loose.Places.size(), false)
     , Result(result)
@@ -86,10 +87,10 @@ public:
   }
 
 private:
-  std::string Name(PointId point) const { return std::to_string(this->Search.NameOf(point)); }
+  std::string Name(PointId point) const { return std::to_string(this->Points.NameOf(point)); }
 
   /// The number in the search of a point of the patch that is loose.
-  PointId Number(PointId point) const { return this->Search.NumberOf(this->Loose.Numbers[std::size_t(point)]); }
+  PointId Number(PointId point) const { return this->Points.NumberOf(this->Loose.Numbers[std::size_t(point)]); }
 
   PointId FindThird(const Hop& edge, bool traced)
   {
@@ -99,7 +100,7 @@ private:
     }
     std::vector<WalkedVoxel> walk;
     const PointId third = this->Search.Find(edge.From, edge.To, &walk);
-    const CellGrid& voxels = this->Search.GetVoxels();
+    const CellGrid& voxels = this->Points.Voxels();
     const auto before = [this](const PlanePoint& place)
     {
       const Frame& frame = this->Input.PlacesFrame;
@@ -157,7 +158,7 @@ private:
     for (const PointId point : { a, b, c })
     {
       this->Used[std::size_t(point)] = true;
-      this->Triangles.push_back(this->Search.NameOf(point));
+      this->Triangles.push_back(this->Points.NameOf(point));
     }
     this->AddSide(b, c);
     this->AddSide(c, a);
@@ -225,14 +226,16 @@ private:
       this->Result.NonDelaunayEdges += isNot(this->Search, [this](PointId point) { return this->Number(point); });
       return;
     }
-    const ThirdPointSearch all(this->Input.Places, Loops(), this->Input.Points, this->Options.Strategy);
-    this->Result.NonDelaunayEdges += isNot(all, [&all](PointId point) { return all.NumberOf(point); });
+    const SearchGrid all(this->Input.Places, Loops(), this->Input.Points);
+    this->Result.NonDelaunayEdges +=
+      isNot(ThirdPointSearch(all, this->Options.Strategy), [&all](PointId point) { return all.NumberOf(point); });
   }
 
   const Patch& Input;
   const TriangulationOptions Options;
   const FullBlocks Blocks;
   const LoosePoints Loose;
+  const SearchGrid Points;
   const ThirdPointSearch Search;
   AdvancingFront Front;
   std::vector<bool> Used; // loose points, by the numbers of the search, as in the front

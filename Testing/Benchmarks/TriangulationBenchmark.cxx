@@ -6,10 +6,9 @@
 //
 //   TriangulationBenchmark [POINTS ...]      sizes of the horizons; without them those of the thesis's table 5.1
 
-#include "BoundarySimplification.h"
-#include "ExteriorBoundary.h"
 #include "HorizonGenerator.h"
 #include "RoughSimplification.h"
+#include "TestHorizons.h"
 #include "Triangulation.h"
 
 #include "vtkCellArray.h"
@@ -65,65 +64,26 @@ double Time(Work&& work)
   return least;
 }
 
-BoundedHorizon MakeHorizon(std::int64_t numberOfPoints)
+BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
 {
   HorizonGeneratorOptions options;
   options.NumberOfHorizons = 1;
   options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
   const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
-  BoundedHorizon horizon;
   std::vector<PlanePoint> columns;
-  horizon.SubVoxelsPerColumn = 1 << 12;
   for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
   {
     columns.push_back({ voxels.I[voxel], voxels.J[voxel] });
-    horizon.Plane.push_back(
-      { voxels.I[voxel] * horizon.SubVoxelsPerColumn, voxels.J[voxel] * horizon.SubVoxelsPerColumn });
-    horizon.Height.push_back(voxels.K[voxel]);
   }
-  ExteriorBoundary boundary = FindExteriorBoundary(columns);
-  horizon.Patch = std::move(boundary.Patch);
-  horizon.Count.assign(columns.size(), 1);
-  horizon.Boundary = std::move(boundary.Boundary);
-  return horizon;
+  return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
 }
 
 /// After the boundary and the rough simplification with their defaults.
 BoundedHorizon Simplify(const BoundedHorizon& horizon)
 {
-  std::vector<SpacePoint> places;
-  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
-  {
-    places.push_back({ double(horizon.Plane[point].X) / horizon.SubVoxelsPerColumn,
-      double(horizon.Plane[point].Y) / horizon.SubVoxelsPerColumn, horizon.Height[point] });
-  }
-  const BoundarySimplification straight = SimplifyBoundary(places, horizon.Boundary, 0.4);
-  BoundedHorizon result;
-  result.SubVoxelsPerColumn = horizon.SubVoxelsPerColumn;
-  std::vector<PointId> number(places.size(), NoPoint);
-  for (std::size_t point = 0; point < places.size(); ++point)
-  {
-    if (straight.Target[point] == PointId(point))
-    {
-      number[point] = PointId(result.Plane.size());
-      result.Plane.push_back(horizon.Plane[point]);
-      result.Height.push_back(horizon.Height[point]);
-      result.Patch.push_back(horizon.Patch[point]);
-      result.Count.push_back(1);
-    }
-  }
-  result.Boundary = straight.Boundary.Renumbered(number);
-  const Reduction rough = SimplifyRough(result, 3);
-  BoundedHorizon thinned;
-  thinned.SubVoxelsPerColumn = horizon.SubVoxelsPerColumn;
-  for (const PointId source : rough.Source)
-  {
-    thinned.Patch.push_back(result.Patch[std::size_t(source)]);
-  }
-  thinned.Plane = rough.Plane;
-  thinned.Height = rough.Height;
-  thinned.Boundary = rough.Boundary;
-  return thinned;
+  const BoundedHorizon straight =
+    TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
+  return TestHorizons::Reduce(straight, SimplifyRough(straight, 3));
 }
 
 std::vector<Kernel::Point_2> ToCgal(const BoundedHorizon& horizon)
@@ -198,7 +158,7 @@ int main(int argc, char* argv[])
               "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::int64_t size : sizes)
   {
-    const BoundedHorizon full = MakeHorizon(size);
+    const BoundedHorizon full = MakeGenerated(size);
     PrintRow("full", full);
     PrintRow("simplified", Simplify(full));
   }
