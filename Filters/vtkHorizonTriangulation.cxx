@@ -118,8 +118,11 @@ void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
-  const LatticePoints points = ReadPoints(input);
-  const BoundedHorizon horizon = this->ConvexHull ? ReadHull(points) : ReadBoundedHorizon(input, points);
+  LatticePoints points = ReadPoints(input);
+  const Lattice grid = points.Grid;
+  const double height = points.Height.front();
+  const BoundedHorizon horizon =
+    this->ConvexHull ? ReadHull(std::move(points)) : ReadBoundedHorizon(input, std::move(points));
   monitor.Progress(0.1);
   TriangulationOptions options;
   options.Strategy = static_cast<SeismicHorizons::SearchStrategy>(this->SearchStrategy);
@@ -127,7 +130,7 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   Triangulation mesh = Triangulate(horizon, options, monitor.Step(0.1, 0.8));
   const TriangleQuality quality = MeasureQuality(horizon.Plane, mesh.Triangles);
   monitor.Progress(0.9);
-  if (!points.Grid.KeepsOrientation())
+  if (!grid.KeepsOrientation())
   {
     TurnOver(mesh.Triangles);
   }
@@ -143,5 +146,5 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   AddFigure<vtkIdTypeArray>(FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges), output);
   AddFigure<vtkIdTypeArray>(FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges), output);
   AddFigure<vtkDoubleArray>(FieldArray::SmallestAngle, quality.SmallestAngle, output);
-  WriteWalk(mesh.Walk, points.Grid, points.Height.front(), outputs[1]);
+  WriteWalk(mesh.Walk, grid, height, outputs[1]);
 }

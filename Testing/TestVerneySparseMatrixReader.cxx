@@ -3,6 +3,8 @@
 //
 // The reader of sparse-matrix files: the datasets it makes, its parameters, and its errors.
 
+#include "Check.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
@@ -33,18 +35,6 @@
 
 namespace
 {
-int Failures = 0;
-
-void Check(bool condition, const char* text, int line)
-{
-  if (!condition)
-  {
-    ++Failures;
-    std::cerr << "line " << line << ": " << text << " is false\n";
-  }
-}
-#define CHECK(condition) Check(static_cast<bool>(condition), #condition, __LINE__)
-
 // Horizon 2 has two voxels in its first column.
 constexpr const char* Small = "2 2 10\n"
                               "3 2 1.5 10 12.5 5 2 2.5 -20 20.5 8 7 1 1 32\n"
@@ -494,7 +484,7 @@ void PrintListsEveryProperty()
          "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "DuplicatePolicy: Lowest",
          "HorizonSelection:", "Horizon 12" })
   {
-    Check(stream.str().find(text) != std::string::npos, text, __LINE__);
+    Check::True(stream.str().find(text) != std::string::npos, text, __FILE__, __LINE__);
   }
 }
 
@@ -540,5 +530,5 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   PrintListsEveryProperty();
   SampleIsRead(TakeString(vtkTestUtilities::ExpandDataFileName(argc, argv, "sample.vsm")));
   std::filesystem::remove_all(Folder);
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Check::Result();
 }

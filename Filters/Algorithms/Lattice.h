@@ -28,8 +28,6 @@ public:
   /// tilts columns against each other (x and y may not depend on k, nor z on i and j).
   Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& toWorld);
 
-  const std::array<int, 3>& GetDimensions() const { return this->Dimensions; }
-
   Eigen::Vector3d ToLattice(const Eigen::Vector3d& world) const { return this->FromWorld * world; }
   Eigen::Vector3d ToWorld(const Eigen::Vector3d& lattice) const { return this->IntoWorld * lattice; }
 
