@@ -15,34 +15,50 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The size of voxels that hold one point each on average: the nearest power of two, which makes all that is computed
-/// of them exact.
-std::int64_t VoxelSizeFor(const std::vector<PlanePoint>& points)
+// Bounds the memory of the grid, where points are gathered in a small part of their box.
+constexpr double MostVoxelsPerPoint = 4.0;
+
+/// The side of a square for each point, in what the boundary encloses.
+double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
 {
   PlanePoint size;
   for (const PlanePoint& point : points)
   {
     size = { std::max(size.X, point.X), std::max(size.Y, point.Y) };
   }
-  const double area = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
-  return std::int64_t(1) << std::max(0L, std::lround(0.5 * std::log2(area / double(points.size()))));
+  const double box = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
+  std::int64_t doubledArea = 0;
+  boundary.ForEachHop(
+    [&](PointId from, PointId to) {
+      doubledArea += SignedArea({ 0, 0 }, points[std::size_t(to)], points[std::size_t(from)]);
+    });
+  const double inside = std::max(0.5 * double(doubledArea), box / MostVoxelsPerPoint);
+  return std::sqrt(std::min(box, inside) / double(points.size()));
+}
+
+/// The nearest power of two, which makes all that is computed of voxels exact.
+std::int64_t VoxelSizeFor(double spacing)
+{
+  return std::int64_t(1) << std::max(0L, std::lround(std::log2(spacing)));
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names)
-  : Grid(points, 1, VoxelSizeFor(points))
+  : PointSpacing(SpacingOf(points, boundary))
+  , Grid(points, 1, VoxelSizeFor(this->PointSpacing))
   , Sorted(this->Grid, points, names)
   , HopsInCell(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
   this->CheckPlaces();
   this->CheckEdges();
+  this->MarkNearHops();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 SearchGrid::SortedPoints::SortedPoints(
   const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names)
-  : Places(points.size())
+  : Places(points.size() + Padding)
   , Names(points.size())
   , Starts(std::size_t(grid.Size()) + 1, 0)
   , Numbers(points.size())
@@ -60,6 +76,42 @@ SearchGrid::SortedPoints::SortedPoints(
     this->Places[std::size_t(number)] = points[point];
     this->Names[std::size_t(number)] = names[point];
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SearchGrid::MarkNearHops()
+{
+  this->NearHops.assign(std::size_t(this->Grid.Size()), false);
+  for (std::int64_t y = 0; y < this->Grid.SizeY(); ++y)
+  {
+    for (std::int64_t x = 0; x < this->Grid.SizeX(); ++x)
+    {
+      if (!this->HopsInCell.AreEmpty(this->Grid.Index(x, y), this->Grid.Index(x, y)))
+      {
+        this->MarkAround(x, y);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SearchGrid::MarkAround(std::int64_t x, std::int64_t y)
+{
+  const std::int64_t lastRow = std::min(y + 1, this->Grid.SizeY() - 1);
+  const std::int64_t lastColumn = std::min(x + 1, this->Grid.SizeX() - 1);
+  for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= lastRow; ++row)
+  {
+    for (std::int64_t column = std::max<std::int64_t>(0, x - 1); column <= lastColumn; ++column)
+    {
+      this->NearHops[std::size_t(this->Grid.Index(column, row))] = true;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool SearchGrid::HasSmallCoordinates() const
+{
+  return std::max(this->Grid.SizeX(), this->Grid.SizeY()) * this->Grid.GetCellSize() < (std::int64_t(1) << 26);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -31,6 +31,19 @@ public:
   PointId FirstIn(std::int64_t voxel) const { return this->Sorted.Starts[std::size_t(voxel)]; }
   PointId EndOf(std::int64_t voxel) const { return this->Sorted.Starts[std::size_t(voxel) + 1]; }
 
+  /// How far apart points are on average.
+  double Spacing() const { return this->PointSpacing; }
+  /// Whether products of two coordinates fit a double.
+  bool HasSmallCoordinates() const;
+  /// Whether no boundary edge is in a voxel or one of its eight neighbours.
+  bool HasNoHopsAround(std::int64_t x, std::int64_t y) const
+  {
+    return !this->NearHops[std::size_t(this->Grid.Index(x, y))];
+  }
+
+  /// Places may be read for so many numbers after the last.
+  static constexpr PointId Padding = 4;
+
   const CellGrid& Voxels() const { return this->Grid; }
   const HopLists& Hops() const { return this->HopsInCell; }
 
@@ -46,12 +59,16 @@ private:
     std::vector<PointId> Numbers; // by the numbers that points had before
   };
 
+  void MarkNearHops();
+  void MarkAround(std::int64_t x, std::int64_t y);
   void CheckPlaces() const;
   void CheckEdges() const;
 
+  const double PointSpacing;
   const CellGrid Grid;
   const SortedPoints Sorted;
   const HopLists HopsInCell;
+  std::vector<bool> NearHops; // by voxel
 };
 }
 

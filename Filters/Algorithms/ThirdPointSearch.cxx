@@ -7,12 +7,18 @@
 #include "VoxelWalk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// The first circle that is looked into: its diameter when points were one apart on average, and at least how many times
+// as long as the edge it is. Larger ones hold more points than needed, smaller ones too often none.
+constexpr double NearbyDiameter = 1.5;
+constexpr double LeastDiameter = 1.1;
+
 PlanePoint Doubled(const PlanePoint& p)
 {
   return { 2 * p.X, 2 * p.Y };
@@ -56,53 +62,86 @@ struct ThirdPointSearch::Box
 /// An edge, and how far the search for its third point is.
 struct ThirdPointSearch::Task
 {
-  Task(const PlanePoint& a, const PlanePoint& b, const CellGrid& grid, std::vector<WalkedVoxel>* walk)
+  Task(const PlanePoint& a, const PlanePoint& b, std::vector<WalkedVoxel>* walk)
     : A(a)
     , B(b)
-    , DoubledMiddle{ a.X + b.X, a.Y + b.Y }
-    , MiddleX(grid.InCellsX(0.5 * this->DoubledMiddle.X))
-    , MiddleY(grid.InCellsY(0.5 * this->DoubledMiddle.Y))
-    , Size(std::max(
-        { std::int64_t(1), std::abs(grid.CellX(a.X) - grid.CellX(b.X)), std::abs(grid.CellY(a.Y) - grid.CellY(b.Y)) }))
     , Walk(walk)
   {
   }
 
+  PlanePoint DoubledMiddle() const { return { this->A.X + this->B.X, this->A.Y + this->B.Y }; }
+  SegmentEnd Middle() const { return { 0.5 * this->DoubledMiddle().X, 0.5 * this->DoubledMiddle().Y }; }
+
+  double SquaredLength() const
+  {
+    const double x = double(this->B.X) - this->A.X;
+    const double y = double(this->B.Y) - this->A.Y;
+    return x * x + y * y;
+  }
+
   const PlanePoint A;
   const PlanePoint B;
-  const PlanePoint DoubledMiddle; // where it is a whole number
-  const double MiddleX; // in voxels
-  const double MiddleY;
-  const std::int64_t Size; // of the edge, in voxels: the thesis's k
   std::vector<WalkedVoxel>* const Walk;
-  int Dilatation = 0; // of the voxels that are being looked into
+  int Dilatation = -1; // of the voxels that are being looked into
   bool OnlyVisible = false;
   PointId Best = NoPoint;
   double BestCotangent = 0.0;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The circle through an edge and the best point so far, as seen from the start of the edge. Plain doubles, and a
-/// margin by which their rounding makes it uncertain.
+/// The square box of an edge, in voxels.
+struct ThirdPointSearch::EdgeBox
+{
+  EdgeBox(const Task& task, const CellGrid& grid)
+    : MiddleX(grid.InCellsX(task.Middle().X))
+    , MiddleY(grid.InCellsY(task.Middle().Y))
+    , Size(std::max({ std::int64_t(1), std::abs(grid.CellX(task.A.X) - grid.CellX(task.B.X)),
+        std::abs(grid.CellY(task.A.Y) - grid.CellY(task.B.Y)) }))
+  {
+  }
+
+  const double MiddleX;
+  const double MiddleY;
+  const std::int64_t Size; // of the edge: the thesis's k
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The circle of the points to the left that see an edge at an angle of some cotangent, as seen from the start of the
+/// edge. Plain doubles, and a margin by which their rounding makes it uncertain.
 struct ThirdPointSearch::Circle
 {
-  explicit Circle(const Task& task)
-    : X(0.5 * (double(task.B.X) - task.A.X - (double(task.B.Y) - task.A.Y) * task.BestCotangent))
-    , Y(0.5 * (double(task.B.Y) - task.A.Y + (double(task.B.X) - task.A.X) * task.BestCotangent))
-    , Radius(std::sqrt(this->X * this->X + this->Y * this->Y))
+  Circle(const Task& task, double cotangent)
+    : Circle(task, cotangent, 0.5 * std::sqrt((1.0 + cotangent * cotangent) * task.SquaredLength()))
+  {
+  }
+
+  /// For a radius that is known already.
+  Circle(const Task& task, double cotangent, double radius)
+    : Start(task.A)
+    , EdgeX(double(task.B.X) - task.A.X)
+    , EdgeY(double(task.B.Y) - task.A.Y)
+    , X(0.5 * (this->EdgeX - this->EdgeY * cotangent))
+    , Y(0.5 * (this->EdgeY + this->EdgeX * cotangent))
+    , Radius(radius)
     , Margin(1.0 + 1e-12 * this->Radius)
     , Reach((this->Radius + this->Margin) * (this->Radius + this->Margin))
   {
   }
 
-  /// False only when the point is outside for certain.
-  bool MayHold(const PlanePoint& point, const PlanePoint& start) const
+  /// False only when the point is for certain outside, or twice its triangle with the edge is less than `leastArea`.
+  /// No branches that a processor would have to guess.
+  bool MayHold(const PlanePoint& point, double leastArea) const
   {
-    const double x = double(point.X - start.X) - this->X;
-    const double y = double(point.Y - start.Y) - this->Y;
-    return x * x + y * y <= this->Reach;
+    const double x = double(point.X - this->Start.X);
+    const double y = double(point.Y - this->Start.Y);
+    const double fromX = x - this->X;
+    const double fromY = y - this->Y;
+    return (fromX * fromX + fromY * fromY <= this->Reach) & (this->EdgeX * y - this->EdgeY * x >= leastArea);
   }
 
+  const PlanePoint Start;
+  const double EdgeX;
+  const double EdgeY;
   const double X;
   const double Y;
   const double Radius;
@@ -113,7 +152,7 @@ struct ThirdPointSearch::Circle
 //----------------------------------------------------------------------------------------------------------------------
 PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
 {
-  Task task(this->At(a), this->At(b), this->Grid, walk);
+  Task task(this->At(a), this->At(b), walk);
   this->Search(task);
   if (task.Best != NoPoint && !this->IsVisible(task, task.Best))
   {
@@ -129,11 +168,11 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 // right part. Seen from the right the edge is reversed, and the cotangent has the other sign.
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
-  Task left(this->At(a), this->At(b), this->Grid, nullptr);
+  Task left(this->At(a), this->At(b), nullptr);
   this->Search(left);
-  Task right(this->At(b), this->At(a), this->Grid, nullptr);
+  Task right(this->At(b), this->At(a), nullptr);
   right.BestCotangent = -left.BestCotangent;
-  const Box box = this->LeftPartOf(Circle(right), right);
+  const Box box = this->LeftPartOf(Circle(right, right.BestCotangent), right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -151,52 +190,77 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 //----------------------------------------------------------------------------------------------------------------------
 void ThirdPointSearch::Search(Task& task) const
 {
+  if (this->Strategy == SearchStrategy::VoxelTraversal && task.Walk == nullptr && this->SearchNearby(task))
+  {
+    return;
+  }
+  const EdgeBox edgeBox(task, this->Grid);
   if (this->Strategy == SearchStrategy::VoxelTraversal)
   {
-    this->TraverseBox(task);
+    this->TraverseBox(task, edgeBox);
+  }
+  else
+  {
+    this->CompareBox(task, edgeBox);
   }
   task.Dilatation = -1;
-  if (this->Strategy == SearchStrategy::Compactness)
-  {
-    this->CompareBox(task);
-  }
   if (task.Best == NoPoint)
   {
-    this->SearchSquares(task);
+    this->SearchSquares(task, edgeBox);
   }
   if (task.Best != NoPoint)
   {
-    this->SearchCircle(task);
+    const Circle circle(task, task.BestCotangent);
+    this->SearchCircle(task, circle, this->LeftPartOf(circle, task));
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The bisector, then one line of voxels more on each side of it at a time, up to the border of the box.
-void ThirdPointSearch::TraverseBox(Task& task) const
+// Where points are about as dense as everywhere, the third point lies in a circle with the edge that is little larger
+// than points are apart, and one look at it finds it: when the circle has points to the left of the edge, no other
+// point's circle can be empty. Only where it has none, the strategies have to walk.
+bool ThirdPointSearch::SearchNearby(Task& task) const
 {
-  for (int dilatation = 0; task.Best == NoPoint && dilatation <= task.Size; ++dilatation)
+  const double squaredLength = task.SquaredLength();
+  const double nearby = NearbyDiameter * this->Points.Spacing();
+  const double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
+  const double cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
+  const Circle circle(task, cotangent, 0.5 * std::sqrt(squaredDiameter));
+  const double reach = circle.Radius + circle.Margin;
+  this->SearchCircle(task, circle,
+    { this->Grid.CellX(task.A.X + circle.X - reach), this->Grid.CellY(task.A.Y + circle.Y - reach),
+      this->Grid.CellX(task.A.X + circle.X + reach), this->Grid.CellY(task.A.Y + circle.Y + reach) });
+  // A point in the margin may not be the best there is.
+  return task.Best != NoPoint && task.BestCotangent < cotangent * (1.0 - 1e-12);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The bisector, then one line of voxels more on each side of it at a time, up to the border of the box.
+void ThirdPointSearch::TraverseBox(Task& task, const EdgeBox& edgeBox) const
+{
+  for (int dilatation = 0; task.Best == NoPoint && dilatation <= edgeBox.Size; ++dilatation)
   {
     task.Dilatation = dilatation;
-    this->SearchDilatation(task, dilatation);
+    this->SearchDilatation(task, edgeBox, dilatation);
     if (dilatation > 0)
     {
-      this->SearchDilatation(task, -dilatation);
+      this->SearchDilatation(task, edgeBox, -dilatation);
     }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // A dilatation is the bisector's line of voxels, moved sideways: along the axis on which it advances less.
-void ThirdPointSearch::SearchDilatation(Task& task, std::int64_t shift) const
+void ThirdPointSearch::SearchDilatation(Task& task, const EdgeBox& edgeBox, std::int64_t shift) const
 {
   const double x = double(task.A.Y) - task.B.Y;
   const double y = double(task.B.X) - task.A.X;
   const std::int64_t shiftX = std::abs(x) < std::abs(y) ? shift : 0;
   const std::int64_t shiftY = shift - shiftX;
-  VoxelWalk walk(task.MiddleX, task.MiddleY, x, y);
+  VoxelWalk walk(edgeBox.MiddleX, edgeBox.MiddleY, x, y);
   const std::int64_t startX = walk.X();
   const std::int64_t startY = walk.Y();
-  for (; std::max(std::abs(walk.X() - startX), std::abs(walk.Y() - startY)) <= task.Size; walk.Next())
+  for (; std::max(std::abs(walk.X() - startX), std::abs(walk.Y() - startY)) <= edgeBox.Size; walk.Next())
   {
     const std::int64_t cellX = walk.X() + shiftX;
     const std::int64_t cellY = walk.Y() + shiftY;
@@ -208,10 +272,10 @@ void ThirdPointSearch::SearchDilatation(Task& task, std::int64_t shift) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::CompareBox(Task& task) const
+void ThirdPointSearch::CompareBox(Task& task, const EdgeBox& edgeBox) const
 {
   double most = 0.0;
-  const Box box = this->SquareAround(task, task.Size);
+  const Box box = this->SquareAround(edgeBox, edgeBox.Size);
   for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
   {
     this->VisitRow(task, row, box.FirstX, box.LastX,
@@ -230,20 +294,20 @@ void ThirdPointSearch::CompareBox(Task& task) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::SearchSquares(Task& task) const
+void ThirdPointSearch::SearchSquares(Task& task, const EdgeBox& edgeBox) const
 {
   const std::int64_t everything = std::max(this->Grid.SizeX(), this->Grid.SizeY());
-  for (std::int64_t radius = task.Size; task.Best == NoPoint && radius < 2 * everything; radius = 2 * radius + 1)
+  for (std::int64_t radius = edgeBox.Size; task.Best == NoPoint && radius < 2 * everything; radius = 2 * radius + 1)
   {
-    this->SearchBox(task, this->SquareAround(task, radius));
+    this->SearchBox(task, this->SquareAround(edgeBox, radius));
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::Box ThirdPointSearch::SquareAround(const Task& task, std::int64_t radius) const
+ThirdPointSearch::Box ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const
 {
-  const std::int64_t x = std::int64_t(task.MiddleX);
-  const std::int64_t y = std::int64_t(task.MiddleY);
+  const std::int64_t x = std::int64_t(edgeBox.MiddleX);
+  const std::int64_t y = std::int64_t(edgeBox.MiddleY);
   return { std::max<std::int64_t>(x - radius, 0), std::max<std::int64_t>(y - radius, 0),
     std::min(x + radius, this->Grid.SizeX() - 1), std::min(y + radius, this->Grid.SizeY() - 1) };
 }
@@ -278,24 +342,39 @@ ThirdPointSearch::Box ThirdPointSearch::LeftPartOf(const Circle& circle, const T
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Nearly all points near an edge are outside the circle, and a look at their distance is enough for them. The part to
-// the left of an edge of the circle through a better point lies inside that of a worse one, so that the first circle
-// will do.
-void ThirdPointSearch::SearchCircle(Task& task) const
+// Points are looked at a few at a time, even where a row of voxels has fewer, and those inside are noted without a
+// branch: which are is anyone's guess, and a wrong guess takes a processor longer than to look at some points more.
+void ThirdPointSearch::SearchCircle(Task& task, const Circle& circle, const Box& box) const
 {
-  const Circle circle(task);
-  const Box box = this->LeftPartOf(circle, task);
+  constexpr PointId Batch = SearchGrid::Padding;
+  std::array<PointId, 16 * std::size_t(Batch)> inside;
+  std::size_t count = 0;
+  const auto considerAll = [&]()
+  {
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      this->Consider(task, inside[n]);
+    }
+    count = 0;
+  };
   for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
   {
-    this->VisitRow(task, row, box.FirstX, box.LastX,
-      [&](PointId point)
+    this->Trace(task, row, box.FirstX, box.LastX);
+    const PointId end = this->Points.EndOf(this->Grid.Index(box.LastX, row));
+    for (PointId first = this->Points.FirstIn(this->Grid.Index(box.FirstX, row)); first < end; first += Batch)
+    {
+      for (PointId point = first; point < first + Batch; ++point)
       {
-        if (circle.MayHold(this->At(point), task.A))
-        {
-          this->Consider(task, point);
-        }
-      });
+        inside[count] = point;
+        count += std::size_t((point < end) & circle.MayHold(this->At(point), this->LeastArea));
+      }
+      if (count > inside.size() - Batch)
+      {
+        considerAll();
+      }
+    }
   }
+  considerAll();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -314,15 +393,21 @@ void ThirdPointSearch::SearchRow(Task& task, std::int64_t row, std::int64_t firs
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The voxels of a row stand one after the other, and so do their points.
-template <typename Visitor>
-void ThirdPointSearch::VisitRow(
-  Task& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
+void ThirdPointSearch::Trace(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const
 {
   for (std::int64_t column = first; task.Walk && column <= last; ++column)
   {
     task.Walk->push_back({ column, row, task.Dilatation });
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The voxels of a row stand one after the other, and so do their points.
+template <typename Visitor>
+void ThirdPointSearch::VisitRow(
+  Task& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
+{
+  this->Trace(task, row, first, last);
   const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
   for (PointId point = this->Points.FirstIn(this->Grid.Index(first, row)); point < end; ++point)
   {
@@ -385,15 +470,19 @@ bool ThirdPointSearch::HasHops(const SegmentEnd& from, const SegmentEnd& to) con
 // that the circle of the point behind it can not be empty.
 bool ThirdPointSearch::IsVisible(const Task& task, PointId candidate) const
 {
-  const SegmentEnd middle{ 0.5 * task.DoubledMiddle.X, 0.5 * task.DoubledMiddle.Y };
-  if (!this->HasHops(middle, this->At(candidate)))
+  const SegmentEnd middle = task.Middle();
+  const PlanePoint& place = this->At(candidate);
+  const double voxel = double(this->Grid.GetCellSize());
+  const bool near = std::abs(place.X - middle.X) <= voxel && std::abs(place.Y - middle.Y) <= voxel;
+  if (near ? this->Points.HasNoHopsAround(this->Grid.CellX(middle.X), this->Grid.CellY(middle.Y))
+           : !this->HasHops(middle, place))
   {
     return true;
   }
   const PlanePoint target = Doubled(this->At(candidate));
   bool visible = true;
   const auto blocks = [&](const Hop& hop)
-  { return ProperlyCross(Doubled(this->At(hop.From)), Doubled(this->At(hop.To)), task.DoubledMiddle, target); };
+  { return ProperlyCross(Doubled(this->At(hop.From)), Doubled(this->At(hop.To)), task.DoubledMiddle(), target); };
   this->Grid.ForEachCellAlong(middle, this->At(candidate),
     [&](std::int64_t cell)
     { visible = visible && std::none_of(this->Points.Hops().begin(cell), this->Points.Hops().end(cell), blocks); });

@@ -7,8 +7,9 @@
 // Points are looked up in a grid of square voxels with about one point each. A first candidate is found by one of two
 // strategies in the square box of the edge, which is as far around its middle as the edge is long:
 //  - VoxelTraversal: along the perpendicular bisector from the middle of the edge, then along its dilatations, one
-//  voxel
-//    further to both sides each time, until there is a point;
+//    voxel further to both sides each time, until there is a point. As that is often the voxel next to the edge, a
+//    circle with the edge that is little wider than points are apart is looked into first: when it has points to the
+//    left of the edge, the third point is one of them;
 //  - Compactness: of all points in the box the one that makes the most compact triangle (eq. 5.9).
 // When the box has none, growing squares are searched. Then what the circle of the candidate covers is searched for
 // better points (the Delaunay criterion, Alg. 5.1). As that is exact, both strategies end with the same point.
@@ -52,11 +53,12 @@ public:
     : Strategy(strategy)
     , Points(grid)
     , Grid(grid.Voxels())
+    , LeastArea(grid.HasSmallCoordinates() ? 0.5 : 0.0)
   {
   }
 
   /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
-  /// given, takes the voxels that were looked into, in their order.
+  /// given, takes the voxels that were looked into, in their order; nothing but the strategy is used then.
   PointId Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk = nullptr) const;
 
   /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it
@@ -65,23 +67,26 @@ public:
 
 private:
   struct Box;
-  struct Circle;
   struct Task;
+  struct EdgeBox;
+  struct Circle;
 
-  void TraverseBox(Task& task) const;
-  void SearchDilatation(Task& task, std::int64_t shift) const;
-  void CompareBox(Task& task) const;
-  void SearchSquares(Task& task) const;
+  void Search(Task& task) const;
+  bool SearchNearby(Task& task) const;
+  void TraverseBox(Task& task, const EdgeBox& edgeBox) const;
+  void SearchDilatation(Task& task, const EdgeBox& edgeBox, std::int64_t shift) const;
+  void CompareBox(Task& task, const EdgeBox& edgeBox) const;
+  void SearchSquares(Task& task, const EdgeBox& edgeBox) const;
 
-  Box SquareAround(const Task& task, std::int64_t radius) const;
+  Box SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
   Box LeftPartOf(const Circle& circle, const Task& task) const;
-  void SearchCircle(Task& task) const;
+  void SearchCircle(Task& task, const Circle& circle, const Box& box) const;
   void SearchBox(Task& task, const Box& box) const;
   void SearchRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
+  void Trace(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
   template <typename Visitor>
   void VisitRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
 
-  void Search(Task& task) const;
   void Consider(Task& task, PointId candidate) const;
   bool IsBetter(const Task& task, PointId candidate, double cotangent) const;
   bool HasHops(const SegmentEnd& from, const SegmentEnd& to) const;
@@ -92,6 +97,9 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
+  // Twice the area, in doubles, from which on a point may be to the left of an edge. Products of small coordinates are
+  // exact, so that the ends of the edge, which are always near, are left out.
+  const double LeastArea;
 };
 }
 
