@@ -349,7 +349,7 @@ vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> MakeTriangles(const std::vector<PointId>& triangles)
+vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 {
   vtkNew<vtkTypeInt32Array> offsets;
   vtkNew<vtkTypeInt32Array> ids;

@@ -9,6 +9,7 @@
 
 #include "BoundedHorizon.h"
 #include "Lattice.h"
+#include "RawVector.h"
 #include "Types.h"
 
 #include "vtkSmartPointer.h"
@@ -47,7 +48,7 @@ BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
 
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
-vtkSmartPointer<vtkCellArray> MakeTriangles(const std::vector<PointId>& triangles);
+vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
 
 /// The array CellOrigin.
 vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);

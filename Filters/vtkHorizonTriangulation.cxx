@@ -40,7 +40,7 @@ BoundedHorizon ReadHull(LatticePoints points)
 }
 
 /// Triangles of a mirrored lattice turn clockwise in the world.
-void TurnOver(std::vector<PointId>& triangles)
+void TurnOver(RawVector<PointId>& triangles)
 {
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
   {

@@ -88,9 +88,10 @@ public:
       const double top = std::min(high.Y, double(this->MinY + (row + 1) * this->CellSize));
       const double x0 = low.X + slope * (bottom - low.Y);
       const double x1 = level ? high.X : low.X + slope * (top - low.Y);
-      // One sub-voxel is far more than rounding can amount to.
-      const std::int64_t last = this->CellX(std::max(x0, x1) + 1.0);
-      for (std::int64_t column = this->CellX(std::min(x0, x1) - 1.0); column <= last; ++column)
+      // Far more than rounding can amount to.
+      constexpr double Slack = 0.001;
+      const std::int64_t last = this->CellX(std::max(x0, x1) + Slack);
+      for (std::int64_t column = this->CellX(std::min(x0, x1) - Slack); column <= last; ++column)
       {
         visit(this->Index(column, row));
       }

@@ -19,6 +19,9 @@
 #ifndef SeismicHorizonsFullBlocks_h
 #define SeismicHorizonsFullBlocks_h
 
+#include "BoundedHorizon.h"
+#include "PlaneFrame.h"
+#include "RawVector.h"
 #include "Types.h"
 
 #include <array>
@@ -32,63 +35,48 @@ public:
   /// None at all.
   FullBlocks() = default;
 
-  /// `points` have coordinates from 0, `boundary` runs over them with the surface to the right of its hops. When the
-  /// points are so few in their bounding box that there can not be many full blocks, or when two of them are in one
-  /// place, none is found.
-  FullBlocks(const std::vector<PlanePoint>& points, const Loops& boundary);
+  /// Of all patches of a horizon; `frame` is that of its points. When the points are so few in their bounding box that
+  /// there can not be many full blocks, or when two of them are in one place, none is found.
+  FullBlocks(const BoundedHorizon& horizon, const PlaneFrame& frame);
 
-  std::size_t NumberOfTriangles() const { return this->Triangles; }
+  std::size_t NumberOfTriangles() const { return this->RowStarts.empty() ? 0 : this->RowStarts.back(); }
 
-  /// Whether no triangle but those of full blocks and rings can have the point as a corner: all that is around it is
-  /// meshed.
-  bool Covers(const PlanePoint& point) const
+  /// The points of the horizon that a search still has to know: those which no full block or ring surrounds, and those
+  /// of the boundary.
+  std::vector<PointId> FindLoosePoints(const BoundedHorizon& horizon) const;
+
+  /// The triangles of all full blocks and rings, counter-clockwise, row by row: three points each.
+  void WriteTriangles(PointId* corners) const;
+
+  /// Calls side(from, to) for each side of a full block or ring that has none beyond it, with it to the left. All of
+  /// them begin and end in loose points.
+  template <typename Side>
+  void ForEachSide(const BoundedHorizon& horizon, const std::vector<PointId>& loose, Side&& side) const
   {
-    return this->IsMeshed(point.X, point.Y) && this->IsMeshed(point.X - 1, point.Y) &&
-      this->IsMeshed(point.X - 1, point.Y - 1) && this->IsMeshed(point.X, point.Y - 1);
-  }
-
-  /// Whether some of what is around the point is meshed.
-  bool Touches(const PlanePoint& point) const
-  {
-    return this->IsMeshed(point.X, point.Y) || this->IsMeshed(point.X - 1, point.Y) ||
-      this->IsMeshed(point.X - 1, point.Y - 1) || this->IsMeshed(point.X, point.Y - 1);
-  }
-
-  /// Calls triangle(a, b, c) for the triangles of all full blocks and rings, counter-clockwise, row by row, and
-  /// side(from, to) for each of their sides that has none of them beyond it, with its block to the left.
-  template <typename Triangle, typename Side>
-  void Visit(Triangle&& triangle, Side&& side) const
-  {
-    for (std::int64_t y = 0; y + 1 < this->Height; ++y)
+    for (std::size_t n = 0; this->NumberOfTriangles() > 0 && n < loose.size(); ++n)
     {
-      for (std::int64_t x = 0; x + 1 < this->Width; ++x)
-      {
-        const unsigned char block = this->Blocks[this->Place(x, y)];
-        if ((block & Meshed) == 0)
-        {
-          continue;
-        }
-        if (block & Full)
-        {
-          this->VisitBlock(x, y, triangle);
-        }
-        else if (this->At(x + 1, y + 1) == NoPoint)
-        {
-          this->VisitRing(x, y, triangle);
-        }
-        this->VisitSides(x, y, side);
-      }
+      const PlanePoint column = this->Frame.Inward(horizon.Plane[std::size_t(loose[n])]);
+      this->VisitSides(column.X, column.Y, [&](PointId to) { side(loose[n], to); });
     }
   }
 
 private:
   bool PlacePoints(const std::vector<PlanePoint>& points);
-  void MarkCutBlocks(const std::vector<PlanePoint>& points, const Loops& boundary);
-  void MarkTurns(const std::vector<PlanePoint>& points, const Loops& boundary);
-  void MarkOpen();
-  void FindFull();
-  void FindRings();
-  bool IsRing(std::int64_t x, std::int64_t y) const;
+  void MarkCutBlocks(const BoundedHorizon& horizon);
+  void MarkTurns(const BoundedHorizon& horizon);
+  std::size_t FindFull(std::int64_t y, const std::int32_t* patches);
+  std::size_t FindRings(std::int64_t y, const std::int32_t* patches);
+  bool IsRing(std::int64_t x, std::int64_t y, const std::int32_t* patches) const;
+
+  /// Calls work(y) for each row of blocks, on several threads.
+  template <typename Work>
+  void ForEachRow(Work&& work) const;
+
+  /// Whether all that is around the column is meshed.
+  bool Covers(std::int64_t x, std::int64_t y) const
+  {
+    return this->IsMeshed(x, y) && this->IsMeshed(x - 1, y) && this->IsMeshed(x - 1, y - 1) && this->IsMeshed(x, y - 1);
+  }
 
   std::size_t Place(std::int64_t x, std::int64_t y) const { return std::size_t(y * this->Width + x); }
   PointId At(std::int64_t x, std::int64_t y) const { return this->Points[this->Place(x, y)]; }
@@ -99,53 +87,39 @@ private:
       (this->Blocks[this->Place(x, y)] & Meshed) != 0;
   }
 
-  template <typename Triangle>
-  void VisitBlock(std::int64_t x, std::int64_t y, Triangle&& triangle) const
+  /// Whether a ring has its least corner here.
+  bool BeginsRing(std::int64_t x, std::int64_t y) const
   {
-    const std::array<PointId, 4> corner = { this->At(x, y), this->At(x + 1, y), this->At(x + 1, y + 1),
-      this->At(x, y + 1) };
-    const std::size_t first = this->BlockDiagonal;
-    triangle(corner[first], corner[first + 1], corner[first + 2]);
-    triangle(corner[first], corner[first + 2], corner[(first + 3) % 4]);
+    return (this->Blocks[this->Place(x, y)] & Ring) != 0 && this->At(x + 1, y + 1) == NoPoint;
   }
 
-  /// The ring whose least corner is (x, y).
-  template <typename Triangle>
-  void VisitRing(std::int64_t x, std::int64_t y, Triangle&& triangle) const
-  {
-    const std::array<PointId, 4> corner = { this->At(x, y), this->At(x + 2, y), this->At(x + 2, y + 2),
-      this->At(x, y + 2) };
-    // The middles of the sides that follow the corners.
-    const std::array<PointId, 4> middle = { this->At(x + 1, y), this->At(x + 2, y + 1), this->At(x + 1, y + 2),
-      this->At(x, y + 1) };
-    for (std::size_t n = 0; n < 4; ++n)
-    {
-      triangle(corner[n], middle[n], middle[(n + 3) % 4]);
-    }
-    const std::size_t first = this->RingDiagonal;
-    triangle(middle[first], middle[first + 1], middle[first + 2]);
-    triangle(middle[first], middle[first + 2], middle[(first + 3) % 4]);
-  }
+  void WriteRow(std::int64_t y, PointId* corners) const;
+  PointId* WriteBlock(std::int64_t x, std::int64_t y, PointId* corners) const;
+  PointId* WriteRing(std::int64_t x, std::int64_t y, PointId* corners) const;
 
-  /// Where a block of a ring has its missing corner, its neighbours are meshed as well, so that no side ends there.
-  template <typename Side>
-  void VisitSides(std::int64_t x, std::int64_t y, Side&& side) const
+  /// The other ends of the sides that begin in a point.
+  template <typename Visitor>
+  void VisitSides(std::int64_t x, std::int64_t y, Visitor&& visit) const
   {
-    if (!this->IsMeshed(x, y - 1))
+    const bool right = this->IsMeshed(x, y);
+    const bool left = this->IsMeshed(x - 1, y);
+    const bool leftBelow = this->IsMeshed(x - 1, y - 1);
+    const bool rightBelow = this->IsMeshed(x, y - 1);
+    if (right && !rightBelow)
     {
-      side(this->At(x, y), this->At(x + 1, y));
+      visit(this->At(x + 1, y));
     }
-    if (!this->IsMeshed(x + 1, y))
+    if (left && !right)
     {
-      side(this->At(x + 1, y), this->At(x + 1, y + 1));
+      visit(this->At(x, y + 1));
     }
-    if (!this->IsMeshed(x, y + 1))
+    if (leftBelow && !left)
     {
-      side(this->At(x + 1, y + 1), this->At(x, y + 1));
+      visit(this->At(x - 1, y));
     }
-    if (!this->IsMeshed(x - 1, y))
+    if (rightBelow && !leftBelow)
     {
-      side(this->At(x, y + 1), this->At(x, y));
+      visit(this->At(x, y - 1));
     }
   }
 
@@ -160,11 +134,12 @@ private:
     Meshed = Full | Ring
   };
 
-  std::size_t Triangles = 0;
+  PlaneFrame Frame;
   std::int64_t Width = 0;
   std::int64_t Height = 0;
-  std::vector<PointId> Points; // by column
+  RawVector<PointId> Points; // by column
   std::vector<unsigned char> Blocks; // by the column of the lower left corner
+  std::vector<std::size_t> RowStarts; // how many triangles the rows before have
   // Which diagonal cuts a square: that between its first and third corner (0) or between the others (1).
   std::size_t BlockDiagonal = 0;
   std::size_t RingDiagonal = 0;

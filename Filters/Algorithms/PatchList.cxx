@@ -23,15 +23,28 @@ std::int64_t CountPatches(const std::vector<std::int32_t>& patches)
   return std::int64_t(*range.second) + 1;
 }
 
-PointLists DealOutPoints(const BoundedHorizon& horizon, std::int64_t patches)
+PointLists DealOutPoints(const BoundedHorizon& horizon, const std::vector<PointId>& points, std::int64_t patches)
 {
   return PointLists(patches,
     [&](auto&& add)
     {
-      for (std::size_t point = 0; point < horizon.Patch.size(); ++point)
+      for (const PointId point : points)
       {
-        add(horizon.Patch[point], PointId(point));
+        add(horizon.Patch[std::size_t(point)], point);
       }
+    });
+}
+
+HopLists DealOutSides(
+  const BoundedHorizon& horizon, const FullBlocks& blocks, const std::vector<PointId>& loose, std::int64_t patches)
+{
+  return HopLists(patches,
+    [&](auto&& add)
+    {
+      blocks.ForEachSide(horizon, loose,
+        [&](PointId from, PointId to) {
+          add(horizon.Patch[std::size_t(from)], Hop{ from, to });
+        });
     });
 }
 
@@ -49,37 +62,15 @@ CellLists<std::size_t> DealOutLoops(const BoundedHorizon& horizon, std::int64_t 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Frame Normalise(std::vector<PlanePoint>& places)
-{
-  PlanePoint least = places.front();
-  for (const PlanePoint& place : places)
-  {
-    least = { std::min(least.X, place.X), std::min(least.Y, place.Y) };
-  }
-  std::int32_t bits = 0;
-  for (const PlanePoint& place : places)
-  {
-    bits |= (place.X - least.X) | (place.Y - least.Y);
-  }
-  int shift = 0;
-  while (bits != 0 && ((bits >> shift) & 1) == 0)
-  {
-    ++shift;
-  }
-  for (PlanePoint& place : places)
-  {
-    place = { (place.X - least.X) >> shift, (place.Y - least.Y) >> shift };
-  }
-  return { least, shift };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-PatchList::PatchList(const BoundedHorizon& horizon)
+PatchList::PatchList(const BoundedHorizon& horizon, const PlaneFrame& frame, const FullBlocks& blocks)
   : Horizon(horizon)
+  , Frame(frame)
   , Patches(CountPatches(horizon.Patch))
-  , Points(DealOutPoints(horizon, this->Patches))
+  , Loose(blocks.FindLoosePoints(horizon))
+  , Points(DealOutPoints(horizon, this->Loose, this->Patches))
   , LoopsOf(DealOutLoops(horizon, this->Patches))
-  , LocalNumber(horizon.Patch.size(), NoPoint)
+  , BlockSides(DealOutSides(horizon, blocks, this->Loose, this->Patches))
+  , LocalNumber(horizon.Patch.size())
 {
 }
 
@@ -88,19 +79,29 @@ Patch PatchList::Get(std::int64_t number)
 {
   Patch patch;
   patch.Points.assign(this->Points.begin(number), this->Points.end(number));
-  patch.Places.resize(patch.Points.size());
-  for (std::size_t point = 0; point < patch.Points.size(); ++point)
+  patch.Places.reserve(patch.Points.size());
+  for (const PointId point : patch.Points)
   {
-    this->LocalNumber[std::size_t(patch.Points[point])] = PointId(point);
-    patch.Places[point] = this->Horizon.Plane[std::size_t(patch.Points[point])];
+    this->LocalNumber[std::size_t(point)] = PointId(patch.Places.size());
+    patch.Places.push_back(this->Horizon.Plane[std::size_t(point)]);
   }
   if (!patch.Places.empty())
   {
-    patch.PlacesFrame = Normalise(patch.Places);
+    patch.Frame = PlaneFrame(patch.Places);
+    // Points that blocks cover may lie between those that are left.
+    patch.Frame.Shift = this->Frame.Shift;
+  }
+  for (PlanePoint& place : patch.Places)
+  {
+    place = patch.Frame.Inward(place);
   }
   for (const std::size_t* loop = this->LoopsOf.begin(number); loop != this->LoopsOf.end(number); ++loop)
   {
     this->AddLoop(*loop, std::int32_t(number), patch);
+  }
+  for (const Hop* side = this->BlockSides.begin(number); side != this->BlockSides.end(number); ++side)
+  {
+    patch.BlockSides.push_back({ this->NumberInPatch(side->From), this->NumberInPatch(side->To) });
   }
   return patch;
 }
@@ -118,7 +119,7 @@ void PatchList::AddLoop(std::size_t loop, std::int32_t number, Patch& patch) con
         " to patch " + std::to_string(found) + " at point " + std::to_string(*point) +
         ", expected loops that stay in one patch");
     }
-    patch.Boundary.Append(this->LocalNumber[std::size_t(*point)]);
+    patch.Boundary.Append(this->NumberInPatch(*point));
   }
   patch.Boundary.Close();
 }

@@ -1,59 +1,61 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Deals the points and the loops of a horizon out to its patches.
+// Deals what is left to mesh of a horizon, and its loops, out to its patches.
 
 #ifndef SeismicHorizonsPatchList_h
 #define SeismicHorizonsPatchList_h
 
 #include "BoundedHorizon.h"
 #include "CellGrid.h"
+#include "FullBlocks.h"
+#include "PlaneFrame.h"
+#include "RawVector.h"
 
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Where normalised places were before: (place << Shift) + Origin.
-struct Frame
-{
-  PlanePoint Origin;
-  int Shift = 0;
-};
-
-/// Moves the places to the origin and drops the power of two they share, so that on whole columns numbers are as small
-/// as the patch is. Neither changes any answer of the predicates.
-Frame Normalise(std::vector<PlanePoint>& places);
-
 /// One patch with numbers of its own for its points.
 struct Patch
 {
   std::vector<PointId> Points; // for each of its points the number in the horizon
-  std::vector<PlanePoint> Places;
-  Frame PlacesFrame;
+  std::vector<PlanePoint> Places; // in its frame
+  PlaneFrame Frame;
   Loops Boundary;
+  std::vector<Hop> BlockSides; // full blocks are to their left
 };
 
 class PatchList
 {
 public:
-  /// `horizon` must outlive the list. Throws InputError on patch numbers that are negative or not less than the number
-  /// of points.
-  explicit PatchList(const BoundedHorizon& horizon);
+  /// Without the points that blocks cover. `horizon` must outlive the list, `frame` is that of its points. Throws
+  /// InputError on patch numbers that are negative or not less than the number of points.
+  PatchList(const BoundedHorizon& horizon, const PlaneFrame& frame, const FullBlocks& blocks);
 
   /// Some patches may have no points.
   std::int64_t Size() const { return this->Patches; }
 
-  /// A patch with normalised places. Throws InputError when one of its loops leaves it.
+  /// How many points all patches have.
+  std::size_t NumberOfPoints() const { return this->Loose.size(); }
+
+  /// Throws InputError when a loop of the patch leaves it.
   Patch Get(std::int64_t number);
+
+  /// The number that a point of the horizon has in its patch, once that was asked for.
+  PointId NumberInPatch(PointId point) const { return this->LocalNumber[std::size_t(point)]; }
 
 private:
   void AddLoop(std::size_t loop, std::int32_t number, Patch& patch) const;
 
   const BoundedHorizon& Horizon;
+  const PlaneFrame Frame;
   const std::int64_t Patches;
+  const std::vector<PointId> Loose;
   const PointLists Points;
   const CellLists<std::size_t> LoopsOf;
-  std::vector<PointId> LocalNumber; // of the points of patches that were asked for already
+  const HopLists BlockSides;
+  RawVector<PointId> LocalNumber;
 };
 }
 

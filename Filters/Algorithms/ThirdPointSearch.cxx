@@ -123,7 +123,7 @@ struct ThirdPointSearch::Circle
     , X(0.5 * (this->EdgeX - this->EdgeY * cotangent))
     , Y(0.5 * (this->EdgeY + this->EdgeX * cotangent))
     , Radius(radius)
-    , Margin(1.0 + 1e-12 * this->Radius)
+    , Margin(1e-6 + 1e-12 * this->Radius)
     , Reach((this->Radius + this->Margin) * (this->Radius + this->Margin))
   {
   }

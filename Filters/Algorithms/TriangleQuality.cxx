@@ -11,7 +11,7 @@
 
 namespace SeismicHorizons
 {
-TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const std::vector<PointId>& triangles)
+TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles)
 {
   TriangleQuality quality;
   quality.Compactness.reserve(triangles.size() / 3);

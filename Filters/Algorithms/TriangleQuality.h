@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsTriangleQuality_h
 #define SeismicHorizonsTriangleQuality_h
 
+#include "RawVector.h"
 #include "Types.h"
 
 #include <vector>
@@ -25,7 +26,7 @@ struct TriangleQuality
 };
 
 /// `triangles` has three points per triangle, counter-clockwise.
-TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const std::vector<PointId>& triangles);
+TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles);
 }
 
 #endif

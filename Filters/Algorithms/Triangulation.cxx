@@ -9,58 +9,44 @@
 #include "PatchList.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// The points of a patch that a search has to know: those which full blocks do not cover. What is left to mesh is
-/// bounded by the boundary and by sides of full blocks, and these end in such points.
-struct LoosePoints
-{
-  LoosePoints(const Patch& patch, const FullBlocks& blocks)
-    : Numbers(patch.Points.size(), NoPoint)
-  {
-    for (std::size_t point = 0; point < patch.Points.size(); ++point)
-    {
-      if (!blocks.Covers(patch.Places[point]))
-      {
-        this->Numbers[point] = PointId(this->Places.size());
-        this->Places.push_back(patch.Places[point]);
-        this->Names.push_back(patch.Points[point]);
-      }
-    }
-  }
-
-  std::vector<PointId> Numbers; // by the number in the patch
-  std::vector<PlanePoint> Places;
-  std::vector<PointId> Names; // their numbers in the horizon
-};
-
-/// Meshes a patch from its boundary inwards, around its full blocks.
+/// Meshes a patch from its boundary inwards, and from its full blocks outwards.
 class PatchTriangulator
 {
 public:
   PatchTriangulator(const Patch& patch, const TriangulationOptions& options, Triangulation& result)
     : Input(patch)
     , Options(options)
-    , Blocks(options.MostTriangles > 0 ? FullBlocks() : FullBlocks(patch.Places, patch.Boundary))
-    , Loose(patch, this->Blocks)
-    , Points(this->Loose.Places, patch.Boundary.Renumbered(this->Loose.Numbers), this->Loose.Names)
+    , Points(patch.Places, patch.Boundary, patch.Points)
     , Search(this->Points, options.Strategy)
-    , Front(this->Loose.Places.size())
-    , Used(this->Loose.Places.size(), false)
+    , Front(patch.Points.size())
+    , Used(patch.Points.size(), false)
     , Result(result)
     , Triangles(result.Triangles)
   {
-    this->AddBlocks();
-    this->AddBoundary();
+    // The surface lies to the right of each boundary hop, so its reverse waits for a triangle. Of a hop that the
+    // boundary walks in both directions neither side has surface.
+    patch.Boundary.ForEachHop([this](PointId from, PointId to) { this->AddOuterSide(from, to); });
+    for (const Hop& side : patch.BlockSides)
+    {
+      this->AddOuterSide(side.From, side.To);
+    }
+    for (std::size_t loop = 0; loop < patch.Boundary.Size(); ++loop)
+    {
+      // A loop of one point has no hop.
+      this->Used[std::size_t(this->Points.NumberOf(*patch.Boundary.begin(loop)))] = true;
+    }
   }
 
   void Run(const Monitor& monitor)
   {
-    monitor.Progress(0.5);
     // By Euler's formula a plane mesh has less than two triangles per point.
     const std::size_t most = 2 * this->Used.size();
     const std::size_t wanted = this->Options.MostTriangles > 0 ? this->Options.MostTriangles : most + 1;
@@ -69,7 +55,7 @@ public:
     {
       if (made % 4096 == 0)
       {
-        monitor.Progress(std::min(1.0, 0.5 + 0.5 * double(made) / double(most)));
+        monitor.Progress(std::min(1.0, double(made) / double(most)));
       }
       const PointId third = this->FindThird(edge, made + 1 == this->Options.MostTriangles);
       if (third == NoPoint || made >= most)
@@ -82,15 +68,19 @@ public:
     if (this->Options.MostTriangles == 0)
     {
       this->CheckAllUsed();
-      this->CountEdges();
     }
+  }
+
+  /// How many edges, by the numbers of the patch, are not Delaunay among its points.
+  std::size_t CountNonDelaunay(const std::vector<Hop>& edges) const
+  {
+    return std::size_t(std::count_if(edges.begin(), edges.end(),
+      [this](const Hop& edge)
+      { return !this->Search.IsDelaunay(this->Points.NumberOf(edge.From), this->Points.NumberOf(edge.To)); }));
   }
 
 private:
   std::string Name(PointId point) const { return std::to_string(this->Points.NameOf(point)); }
-
-  /// The number in the search of a point of the patch that is loose.
-  PointId Number(PointId point) const { return this->Points.NumberOf(this->Loose.Numbers[std::size_t(point)]); }
 
   PointId FindThird(const Hop& edge, bool traced)
   {
@@ -101,63 +91,31 @@ private:
     std::vector<WalkedVoxel> walk;
     const PointId third = this->Search.Find(edge.From, edge.To, &walk);
     const CellGrid& voxels = this->Points.Voxels();
-    const auto before = [this](const PlanePoint& place)
-    {
-      const Frame& frame = this->Input.PlacesFrame;
-      return PlanePoint{ (place.X << frame.Shift) + frame.Origin.X, (place.Y << frame.Shift) + frame.Origin.Y };
-    };
+    const PlaneFrame& frame = this->Input.Frame;
     this->Result.Walk.clear();
     for (const WalkedVoxel& voxel : walk)
     {
-      this->Result.Walk.push_back({ before(voxels.CornerOf(voxel.X, voxel.Y)),
-        before(voxels.CornerOf(voxel.X + 1, voxel.Y + 1)), voxel.Dilatation });
+      this->Result.Walk.push_back({ frame.Outward(voxels.CornerOf(voxel.X, voxel.Y)),
+        frame.Outward(voxels.CornerOf(voxel.X + 1, voxel.Y + 1)), voxel.Dilatation });
     }
     return third;
   }
 
-  void AddBlocks()
+  void AddOuterSide(PointId from, PointId to)
   {
-    const Patch& patch = this->Input;
-    const std::size_t before = this->Triangles.size();
-    // By Euler's formula loose points are corners of less than two triangles each.
-    this->Triangles.reserve(before + 3 * this->Blocks.NumberOfTriangles() + 6 * this->Used.size());
-    this->Triangles.resize(before + 3 * this->Blocks.NumberOfTriangles());
-    PointId* corner = this->Triangles.data() + before;
-    this->Blocks.Visit(
-      [&](PointId a, PointId b, PointId c)
-      {
-        *corner++ = patch.Points[std::size_t(a)];
-        *corner++ = patch.Points[std::size_t(b)];
-        *corner++ = patch.Points[std::size_t(c)];
-      },
-      [&](PointId from, PointId to) { this->AddSide(this->Number(from), this->Number(to)); });
-    for (std::size_t point = 0; point < patch.Points.size(); ++point)
-    {
-      if (this->Loose.Numbers[point] != NoPoint && this->Blocks.Touches(patch.Places[point]))
-      {
-        this->Used[std::size_t(this->Number(PointId(point)))] = true;
-      }
-    }
-  }
-
-  /// The surface lies to the right of each boundary hop, so its reverse waits for a triangle. Of a hop that the
-  /// boundary walks in both directions neither side has surface.
-  void AddBoundary()
-  {
-    const Loops& boundary = this->Input.Boundary;
-    boundary.ForEachHop([this](PointId from, PointId to) { this->AddSide(this->Number(from), this->Number(to)); });
-    for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-    {
-      std::for_each(boundary.begin(loop), boundary.end(loop),
-        [this](PointId point) { this->Used[std::size_t(this->Number(point))] = true; });
-    }
+    const PointId a = this->Points.NumberOf(from);
+    const PointId b = this->Points.NumberOf(to);
+    this->Used[std::size_t(a)] = true;
+    this->Used[std::size_t(b)] = true;
+    this->AddSide(a, b);
   }
 
   void AddTriangle(PointId a, PointId b, PointId c)
   {
+    // What a side ends in has been used.
+    this->Used[std::size_t(c)] = true;
     for (const PointId point : { a, b, c })
     {
-      this->Used[std::size_t(point)] = true;
       this->Triangles.push_back(this->Points.NameOf(point));
     }
     this->AddSide(b, c);
@@ -183,85 +141,153 @@ private:
     }
   }
 
-  /// Which hops have surface on one side, and which of them are not Delaunay. Two points no further apart than the
-  /// diagonal of a sub-voxel, which on whole columns is that of a block, have no point in the circle around them.
-  void CountEdges()
-  {
-    std::vector<Hop> longHops;
-    AdvancingFront walked(this->Input.Points.size());
-    this->Input.Boundary.ForEachHop(
-      [&](PointId from, PointId to)
-      {
-        if (!walked.Remove(to, from))
-        {
-          walked.Add(from, to);
-        }
-      });
-    for (Hop hop; walked.TakeNewest(hop); ++this->Result.BoundaryEdges)
-    {
-      const PlanePoint& from = this->Input.Places[std::size_t(hop.From)];
-      const PlanePoint& to = this->Input.Places[std::size_t(hop.To)];
-      if (std::max(std::abs(from.X - to.X), std::abs(from.Y - to.Y)) > 1)
-      {
-        longHops.push_back({ hop.To, hop.From });
-      }
-    }
-    this->CountNonDelaunay(longHops);
-  }
-
-  /// All points may be in the way here, also those which full blocks cover.
-  void CountNonDelaunay(const std::vector<Hop>& hops)
-  {
-    if (hops.empty())
-    {
-      return;
-    }
-    const auto isNot = [&hops](const ThirdPointSearch& search, auto&& number)
-    {
-      return std::size_t(std::count_if(hops.begin(), hops.end(),
-        [&](const Hop& hop) { return !search.IsDelaunay(number(hop.From), number(hop.To)); }));
-    };
-    if (this->Blocks.NumberOfTriangles() == 0)
-    {
-      this->Result.NonDelaunayEdges += isNot(this->Search, [this](PointId point) { return this->Number(point); });
-      return;
-    }
-    const SearchGrid all(this->Input.Places, Loops(), this->Input.Points);
-    this->Result.NonDelaunayEdges +=
-      isNot(ThirdPointSearch(all, this->Options.Strategy), [&all](PointId point) { return all.NumberOf(point); });
-  }
-
   const Patch& Input;
   const TriangulationOptions Options;
-  const FullBlocks Blocks;
-  const LoosePoints Loose;
   const SearchGrid Points;
   const ThirdPointSearch Search;
   AdvancingFront Front;
-  std::vector<bool> Used; // loose points, by the numbers of the search, as in the front
+  std::vector<bool> Used; // by the numbers of the search, as in the front
   Triangulation& Result;
-  std::vector<PointId>& Triangles;
+  RawVector<PointId>& Triangles;
+};
+
+/// The boundary hops of a patch that have surface on one side, turned so that it is to their left.
+std::vector<Hop> FindBoundaryEdges(const Patch& patch)
+{
+  AdvancingFront walked(patch.Points.size());
+  patch.Boundary.ForEachHop(
+    [&walked](PointId from, PointId to)
+    {
+      if (!walked.Remove(from, to))
+      {
+        walked.Add(to, from);
+      }
+    });
+  std::vector<Hop> edges;
+  for (Hop edge; walked.TakeNewest(edge);)
+  {
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+/// Those that may be no Delaunay edges: two points no further apart than the diagonal of a sub-voxel, which on whole
+/// columns is that of a block, have no point in the circle around them.
+std::vector<Hop> FindLong(const std::vector<Hop>& edges, const std::vector<PlanePoint>& places)
+{
+  std::vector<Hop> result;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(result),
+    [&places](const Hop& edge)
+    {
+      const PlanePoint& from = places[std::size_t(edge.From)];
+      const PlanePoint& to = places[std::size_t(edge.To)];
+      return std::max(std::abs(from.X - to.X), std::abs(from.Y - to.Y)) > 1;
+    });
+  return result;
+}
+
+/// Meshes the patches of a horizon one after the other.
+class HorizonTriangulator
+{
+public:
+  HorizonTriangulator(const BoundedHorizon& horizon, const TriangulationOptions& options)
+    : Horizon(horizon)
+    , Options(options)
+    , Frame(horizon.Plane)
+    , Blocks(options.MostTriangles > 0 ? FullBlocks() : FullBlocks(horizon, this->Frame))
+    , Patches(horizon, this->Frame, this->Blocks)
+  {
+  }
+
+  Triangulation Run(const Monitor& monitor)
+  {
+    monitor.Progress(0.3);
+    // By Euler's formula loose points are corners of less than two triangles each.
+    this->Result.Triangles.reserve(3 * this->Blocks.NumberOfTriangles() + 6 * this->Patches.NumberOfPoints());
+    this->Result.Triangles.resize(3 * this->Blocks.NumberOfTriangles());
+    this->Blocks.WriteTriangles(this->Result.Triangles.data());
+    std::size_t done = 0;
+    for (std::int64_t number = 0; number < this->Patches.Size(); ++number)
+    {
+      const Patch patch = this->Patches.Get(number);
+      if (!patch.Points.empty())
+      {
+        const double all = double(this->Patches.NumberOfPoints());
+        const double before = 0.5 + 0.5 * double(done) / all;
+        done += patch.Points.size();
+        this->RunPatch(number, patch, monitor.Step(before, 0.5 + 0.5 * double(done) / all));
+      }
+    }
+    this->CountAmongCovered();
+    return std::move(this->Result);
+  }
+
+private:
+  void RunPatch(std::int64_t number, const Patch& patch, const Monitor& monitor)
+  {
+    PatchTriangulator triangulator(patch, this->Options, this->Result);
+    triangulator.Run(monitor);
+    if (this->Options.MostTriangles > 0)
+    {
+      return;
+    }
+    const std::vector<Hop> edges = FindBoundaryEdges(patch);
+    this->Result.BoundaryEdges += edges.size();
+    const std::vector<Hop> longEdges = FindLong(edges, patch.Places);
+    if (this->Blocks.NumberOfTriangles() == 0)
+    {
+      this->Result.NonDelaunayEdges += triangulator.CountNonDelaunay(longEdges);
+      return;
+    }
+    for (const Hop& edge : longEdges)
+    {
+      this->Doubtful.push_back(
+        { number, { patch.Points[std::size_t(edge.From)], patch.Points[std::size_t(edge.To)] } });
+    }
+  }
+
+  /// Points that full blocks cover may be in the circles of long boundary edges, too.
+  void CountAmongCovered()
+  {
+    if (this->Doubtful.empty())
+    {
+      return;
+    }
+    PatchList whole(this->Horizon, this->Frame, FullBlocks());
+    for (auto first = this->Doubtful.begin(); first != this->Doubtful.end();)
+    {
+      const auto last = std::find_if(
+        first, this->Doubtful.end(), [first](const DoubtfulEdge& edge) { return edge.Patch != first->Patch; });
+      const Patch patch = whole.Get(first->Patch);
+      const SearchGrid points(patch.Places, Loops(), patch.Points);
+      const ThirdPointSearch search(points, this->Options.Strategy);
+      const auto number = [&](PointId point) { return points.NumberOf(whole.NumberInPatch(point)); };
+      this->Result.NonDelaunayEdges += std::size_t(std::count_if(first, last,
+        [&](const DoubtfulEdge& doubtful)
+        { return !search.IsDelaunay(number(doubtful.Edge.From), number(doubtful.Edge.To)); }));
+      first = last;
+    }
+  }
+
+  struct DoubtfulEdge
+  {
+    std::int64_t Patch;
+    Hop Edge; // by the numbers of the horizon
+  };
+
+  const BoundedHorizon& Horizon;
+  const TriangulationOptions Options;
+  const PlaneFrame Frame;
+  const FullBlocks Blocks;
+  PatchList Patches;
+  std::vector<DoubtfulEdge> Doubtful; // patch by patch
+  Triangulation Result;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options, const Monitor& monitor)
 {
-  Triangulation result;
-  PatchList patches(horizon);
-  std::size_t pointsDone = 0;
-  for (std::int64_t number = 0; number < patches.Size(); ++number)
-  {
-    const Patch patch = patches.Get(number);
-    if (patch.Points.empty())
-    {
-      continue;
-    }
-    const double first = double(pointsDone) / double(horizon.Plane.size());
-    pointsDone += patch.Points.size();
-    const double last = double(pointsDone) / double(horizon.Plane.size());
-    PatchTriangulator(patch, options, result).Run(monitor.Step(first, last));
-  }
-  return result;
+  return HorizonTriangulator(horizon, options).Run(monitor);
 }
 }

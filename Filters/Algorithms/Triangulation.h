@@ -15,6 +15,7 @@
 
 #include "BoundedHorizon.h"
 #include "Monitor.h"
+#include "RawVector.h"
 #include "ThirdPointSearch.h"
 
 #include <vector>
@@ -40,7 +41,7 @@ struct TracedVoxel
 struct Triangulation
 {
   /// Three points per triangle, counter-clockwise seen from +z on the lattice.
-  std::vector<PointId> Triangles;
+  RawVector<PointId> Triangles;
   /// Boundary hops with surface on one side, and how many of them no circle without a point runs through: these are
   /// there because they were asked for.
   std::size_t BoundaryEdges = 0;

@@ -17,6 +17,7 @@ using SeismicHorizons::BoundedHorizon;
 using SeismicHorizons::Loops;
 using SeismicHorizons::PlanePoint;
 using SeismicHorizons::PointId;
+using SeismicHorizons::RawVector;
 __extension__ typedef __int128 Wide;
 using Edge = std::pair<PointId, PointId>;
 
@@ -343,7 +344,7 @@ std::string CheckInside(
 using EdgeTriangles = std::map<Edge, PointId>; // the third point to the left of a directed edge
 
 std::string CollectEdges(
-  const BoundedHorizon& horizon, const std::vector<PointId>& triangles, EdgeTriangles& edges, Wide& area)
+  const BoundedHorizon& horizon, const RawVector<PointId>& triangles, EdgeTriangles& edges, Wide& area)
 {
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
   {
@@ -527,7 +528,7 @@ std::string CheckCrossings(const BoundedHorizon& horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string CheckMesh(const BoundedHorizon& horizon, const std::vector<PointId>& triangles)
+std::string CheckMesh(const BoundedHorizon& horizon, const RawVector<PointId>& triangles)
 {
   EdgeTriangles edges;
   Wide meshArea = 0;

@@ -9,6 +9,7 @@
 
 #include "BoundedHorizon.h"
 #include "ExteriorBoundary.h"
+#include "RawVector.h"
 #include "Types.h"
 
 #include <string>
@@ -43,8 +44,8 @@ std::string CheckCrossings(const SeismicHorizons::BoundedHorizon& horizon);
 /// Triangles turn counter-clockwise; every edge has at most one triangle on each side; the edges with one triangle are
 /// the boundary hops; areas sum to that of the boundary (with the former: no overlap, nothing outside, no gap); all
 /// points are used; every other edge is locally Delaunay; Euler's formula holds patch by patch.
-std::string CheckMesh(
-  const SeismicHorizons::BoundedHorizon& horizon, const std::vector<SeismicHorizons::PointId>& triangles);
+std::string CheckMesh(const SeismicHorizons::BoundedHorizon& horizon,
+  const SeismicHorizons::RawVector<SeismicHorizons::PointId>& triangles);
 }
 
 #endif

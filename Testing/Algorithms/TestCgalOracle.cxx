@@ -29,7 +29,7 @@ using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Data>;
 using Edge = std::pair<PointId, PointId>;
 using Thirds = std::map<Edge, PointId>; // by directed edge the third point to its left
 
-Thirds Collect(const std::vector<PointId>& triangles)
+Thirds Collect(const RawVector<PointId>& triangles)
 {
   Thirds thirds;
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
@@ -44,7 +44,7 @@ Thirds Collect(const std::vector<PointId>& triangles)
 
 /// The triangles of one patch that an odd number of boundary edges parts from the outside. A boundary edge that is
 /// walked in both directions parts nothing.
-std::vector<PointId> MeshWithCgal(const BoundedHorizon& horizon, std::int32_t patch)
+RawVector<PointId> MeshWithCgal(const BoundedHorizon& horizon, std::int32_t patch)
 {
   Cdt cdt;
   std::vector<Cdt::Vertex_handle> vertices(horizon.Plane.size());
@@ -92,7 +92,7 @@ std::vector<PointId> MeshWithCgal(const BoundedHorizon& horizon, std::int32_t pa
       }
     }
   }
-  std::vector<PointId> triangles;
+  RawVector<PointId> triangles;
   for (const auto& [face, isInside] : inside)
   {
     for (int n = 0; isInside && n < 3; ++n)
@@ -127,11 +127,11 @@ bool DifferByTiesOnly(const BoundedHorizon& horizon, const Thirds& one, const Th
 
 void Compare(const BoundedHorizon& horizon)
 {
-  const std::vector<PointId> ours = Triangulate(horizon).Triangles;
-  std::vector<PointId> theirs;
+  const RawVector<PointId> ours = Triangulate(horizon).Triangles;
+  RawVector<PointId> theirs;
   for (const std::int32_t patch : std::set<std::int32_t>(horizon.Patch.begin(), horizon.Patch.end()))
   {
-    const std::vector<PointId> triangles = MeshWithCgal(horizon, patch);
+    const RawVector<PointId> triangles = MeshWithCgal(horizon, patch);
     theirs.insert(theirs.end(), triangles.begin(), triangles.end());
   }
   CHECK_EQUAL(ours.size(), theirs.size());

@@ -17,7 +17,7 @@ namespace
 struct Damaged
 {
   BoundedHorizon Horizon;
-  std::vector<PointId> Triangles;
+  RawVector<PointId> Triangles;
 
   std::string Check() const { return MeshChecker::CheckMesh(this->Horizon, this->Triangles); }
 };

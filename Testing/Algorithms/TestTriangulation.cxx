@@ -40,7 +40,7 @@ BoundedHorizon FromPolygon(const std::vector<PlanePoint>& places, int loopLength
 }
 
 /// Triangles with the numbers their points had before they were put into another order, sorted.
-std::set<std::array<PointId, 3>> Canonical(const std::vector<PointId>& triangles, const std::vector<PointId>& number)
+std::set<std::array<PointId, 3>> Canonical(const RawVector<PointId>& triangles, const std::vector<PointId>& number)
 {
   std::set<std::array<PointId, 3>> result;
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
@@ -66,7 +66,7 @@ std::vector<PointId> Unchanged(std::size_t size)
 /// What is wrong with the mesh of a horizon; with that of the other strategy too, which must be the same.
 std::string Mesh(const BoundedHorizon& horizon)
 {
-  const std::vector<PointId> triangles = Triangulate(horizon).Triangles;
+  const RawVector<PointId> triangles = Triangulate(horizon).Triangles;
   const std::vector<PointId> same = Unchanged(horizon.Plane.size());
   if (Canonical(triangles, same) != Canonical(Triangulate(horizon, { SearchStrategy::Compactness }).Triangles, same))
   {
@@ -90,7 +90,7 @@ void TestSmallMeshes()
 /// By hand: of the quadrangle's two diagonals the one that leaves the circles empty.
 void TestDelaunayDiagonal()
 {
-  const std::vector<PointId> triangles =
+  const RawVector<PointId> triangles =
     Triangulate(FromPolygon({ { 0, 0 }, { 5, 2 }, { 10, 0 }, { 5, -2 } }, 4)).Triangles;
   CHECK_EQUAL(triangles.size(), 6u);
   // Both triangles have the short diagonal from point 1 to point 3.
