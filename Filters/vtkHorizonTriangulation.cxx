@@ -6,6 +6,7 @@
 #include "ConvexHull.h"
 #include "DataModel.h"
 #include "HorizonData.h"
+#include "OutsideTriangles.h"
 #include "TriangleQuality.h"
 #include "Triangulation.h"
 
@@ -112,6 +113,8 @@ void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SearchStrategy: " << (this->SearchStrategy == Compactness ? "Compactness" : "VoxelTraversal")
      << "\n";
   os << indent << "ConvexHull: " << (this->ConvexHull ? "On" : "Off") << "\n";
+  os << indent << "MaximumBoundaryAngle: " << this->MaximumBoundaryAngle << "\n";
+  os << indent << "MaximumBoundaryEdgeLength: " << this->MaximumBoundaryEdgeLength << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
 }
 
@@ -121,13 +124,18 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   LatticePoints points = ReadPoints(input);
   const Lattice grid = points.Grid;
   const double height = points.Height.front();
-  const BoundedHorizon horizon =
+  BoundedHorizon horizon =
     this->ConvexHull ? ReadHull(std::move(points)) : ReadBoundedHorizon(input, std::move(points));
   monitor.Progress(0.1);
   TriangulationOptions options;
   options.Strategy = static_cast<SeismicHorizons::SearchStrategy>(this->SearchStrategy);
   options.MostTriangles = std::size_t(this->MaximumNumberOfTriangles);
   Triangulation mesh = Triangulate(horizon, options, monitor.Step(0.1, 0.8));
+  if (this->ConvexHull && this->MaximumNumberOfTriangles == 0)
+  {
+    RemoveOutsideTriangles(
+      horizon, mesh, { this->MaximumBoundaryAngle, this->MaximumBoundaryEdgeLength }, monitor.Step(0.8, 0.85));
+  }
   const TriangleQuality quality = MeasureQuality(horizon.Plane, mesh.Triangles);
   monitor.Progress(0.9);
   if (!grid.KeepsOrientation())

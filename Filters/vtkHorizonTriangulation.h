@@ -34,8 +34,12 @@
  * Near linear in the points; about 60 bytes per point beyond input and output on full lattices, 150 where all points
  * have to be searched for.
  *
+ * A horizon without outlines is meshed within its convex hull (ConvexHull), from which MaximumBoundaryAngle and
+ * MaximumBoundaryEdgeLength then take off the triangles that lie outside (OutsideTriangles.h).
+ *
  * Errors: no boundary loops, loops that cross or are not closed or leave their patch, points in one place, on a
- * boundary edge or outside the boundary, no PatchId, no lattice in the field data.
+ * boundary edge or outside the boundary, an angle or edge length out of range, no PatchId, no lattice in the field
+ * data.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonRoughSimplification vtkDelaunay2D
  */
@@ -75,11 +79,33 @@ public:
   ///@{
   /**
    * Mesh the convex hull of all points of a horizon, whatever its patches and loops are, and whether it has any; the
-   * polylines of the output are then the hull. Default: off.
+   * polylines of the output are then the hull, or what the limits below leave of it. Default: off.
    */
   vtkSetMacro(ConvexHull, bool);
   vtkGetMacro(ConvexHull, bool);
   vtkBooleanMacro(ConvexHull, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With ConvexHull: take off a triangle when the angle that faces its edge on the boundary is larger than this (thesis
+   * 5.3.8), and so on inwards, the longest edge first. A triangle stays when it would leave a point without one, or let
+   * the boundary pass a point twice: the mesh keeps all points and stays in one piece. In degrees in plan, from 0 to
+   * 180, which takes off nothing. A bay whose sides spread by some angle opens about below 90 plus half of it: below 90
+   * with parallel sides, the narrower the later. Not applied with MaximumNumberOfTriangles. Default: 180.
+   */
+  vtkSetMacro(MaximumBoundaryAngle, double);
+  vtkGetMacro(MaximumBoundaryAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * With ConvexHull: take off triangles in the same way when their edge on the boundary is longer than this. In lattice
+   * units in plan, at least 0, and 0 takes off nothing; 1.5 leaves of a full lattice what its outline holds.
+   * Triangles that exceed either limit are taken off. Not applied with MaximumNumberOfTriangles. Default: 0.
+   */
+  vtkSetMacro(MaximumBoundaryEdgeLength, double);
+  vtkGetMacro(MaximumBoundaryEdgeLength, double);
   ///@}
 
   ///@{
@@ -104,6 +130,8 @@ private:
 
   int SearchStrategy = VoxelTraversal;
   bool ConvexHull = false;
+  double MaximumBoundaryAngle = 180.0;
+  double MaximumBoundaryEdgeLength = 0.0;
   int MaximumNumberOfTriangles = 0;
 };
 

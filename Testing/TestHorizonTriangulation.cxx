@@ -151,6 +151,61 @@ void TestConvexHull()
   CheckFacesUp(output);
 }
 
+/// Of the hull of an L the notch is taken off, on any survey; polylines and figures are those of the mesh that is left.
+void TestOutsideTriangles(vtkMatrix4x4* survey)
+{
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetInputDataObject(HorizonFixtures::FromPicture({ "##..", "##..", "####", "####" }, 1, survey));
+  mesh->ConvexHullOn();
+  const auto check = [&mesh](vtkIdType triangles, vtkIdType boundaryEdges)
+  {
+    mesh->Update();
+    vtkPolyData* const output = mesh->GetPolyDataOutput();
+    CHECK_EQUAL(output->GetNumberOfPoints(), 12);
+    CHECK_EQUAL(output->GetNumberOfLines(), 1);
+    CHECK_EQUAL(output->GetCell(0)->GetNumberOfPoints(), boundaryEdges + 1);
+    CHECK_EQUAL(output->GetNumberOfPolys(), triangles);
+    CheckFacesUp(output);
+    CheckManifold(output, boundaryEdges);
+    vtkFieldData* const figures = output->GetFieldData();
+    CHECK_EQUAL(vtkIdType(figures->GetArray("TriangleCount")->GetTuple1(0)), triangles);
+    CHECK_EQUAL(vtkIdType(figures->GetArray("BoundaryEdgeCount")->GetTuple1(0)), boundaryEdges);
+    CHECK_EQUAL(figures->GetArray("NonDelaunayEdgeCount")->GetTuple1(0), 0.0);
+    CHECK_EQUAL(output->GetCellData()->GetArray("Compactness")->GetNumberOfTuples(), triangles + 1);
+  };
+  // Twelve points; nine of them on the hull, and eleven on the outline.
+  check(13, 9);
+  mesh->SetMaximumBoundaryAngle(100.0);
+  check(11, 11);
+  mesh->SetMaximumBoundaryAngle(180.0);
+  mesh->SetMaximumBoundaryEdgeLength(1.5);
+  check(11, 11);
+  // To look inside, triangles are left as they are found.
+  mesh->SetMaximumNumberOfTriangles(1000);
+  mesh->Update();
+  CHECK_EQUAL(mesh->GetPolyDataOutput()->GetNumberOfPolys(), 13);
+}
+
+void TestLimitsAreChecked()
+{
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetInputDataObject(HorizonFixtures::FromPicture({ "#.", "##" }, 7, HorizonFixtures::UnitSurvey()));
+  mesh->ConvexHullOn();
+  const auto check = [&mesh](const std::string& message)
+  {
+    const HorizonFixtures::Errors errors(mesh);
+    mesh->Update();
+    CHECK_EQUAL(errors.Count(), 1u);
+    CHECK(errors.FirstContains("Horizon 7: " + message));
+    CHECK_EQUAL(mesh->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+  };
+  mesh->SetMaximumBoundaryAngle(200.0);
+  check("boundary angle 200, expected a number of degrees from 0 to 180");
+  mesh->SetMaximumBoundaryAngle(90.0);
+  mesh->SetMaximumBoundaryEdgeLength(-1.0);
+  check("boundary edge length -1, expected a number of lattice units that is at least 0");
+}
+
 void TestSearchIsShown()
 {
   vtkNew<vtkHorizonTriangulation> mesh;
@@ -176,10 +231,13 @@ void TestPrint()
   vtkNew<vtkHorizonTriangulation> mesh;
   mesh->SetSearchStrategyToCompactness();
   mesh->ConvexHullOn();
+  mesh->SetMaximumBoundaryAngle(95.5);
+  mesh->SetMaximumBoundaryEdgeLength(2.5);
   mesh->SetMaximumNumberOfTriangles(12);
   std::ostringstream text;
   mesh->Print(text);
-  for (const char* line : { "SearchStrategy: Compactness", "ConvexHull: On", "MaximumNumberOfTriangles: 12" })
+  for (const char* line : { "SearchStrategy: Compactness", "ConvexHull: On", "MaximumBoundaryAngle: 95.5",
+         "MaximumBoundaryEdgeLength: 2.5", "MaximumNumberOfTriangles: 12" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -196,6 +254,10 @@ int TestHorizonTriangulation(int, char*[])
   }
   TestFigures();
   TestConvexHull();
+  TestOutsideTriangles(HorizonFixtures::UnitSurvey());
+  TestOutsideTriangles(HorizonFixtures::RotatedSurvey());
+  TestOutsideTriangles(MirroredSurvey());
+  TestLimitsAreChecked();
   TestSearchIsShown();
   TestPrint();
   return Check::Result();
