@@ -49,7 +49,7 @@ void TurnOver(RawVector<PointId>& triangles)
   }
 }
 
-void AddQuality(const char* name, const std::vector<double>& values, vtkPolyData* output)
+void AddQuality(const char* name, const RawVector<double>& values, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);

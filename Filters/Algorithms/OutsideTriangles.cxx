@@ -93,7 +93,7 @@ CornerId NextInTriangle(CornerId corner)
 class CornersAtPoints
 {
 public:
-  CornersAtPoints(std::size_t points, const std::vector<PointId>& triangles)
+  CornersAtPoints(std::size_t points, const RawVector<PointId>& triangles)
     : Starts(points + 1, 0)
     , List(triangles.size())
   {
@@ -120,7 +120,7 @@ private:
 class Peeler
 {
 public:
-  Peeler(const BoundedHorizon& hull, std::vector<PointId>& triangles, const BoundaryLimits& limits)
+  Peeler(const BoundedHorizon& hull, RawVector<PointId>& triangles, const BoundaryLimits& limits)
     : Places(hull.Plane)
     , Triangles(triangles)
     , Limits(limits, hull.SubVoxelsPerColumn)
@@ -234,7 +234,7 @@ private:
   }
 
   const std::vector<PlanePoint>& Places;
-  std::vector<PointId>& Triangles;
+  RawVector<PointId>& Triangles;
   const WholeLimits Limits;
   const CornersAtPoints Corners;
   std::vector<PointId> Next; // along the boundary

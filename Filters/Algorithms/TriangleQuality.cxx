@@ -3,40 +3,87 @@
 
 #include "TriangleQuality.h"
 
+#include "Parallel.h"
 #include "Predicates.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 
 namespace SeismicHorizons
 {
+namespace
+{
+constexpr std::int64_t Grain = 16384;
+
+/// A triangle as its sides, the shortest first, and its area.
+struct Shape
+{
+  Shape(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+    : Side{ Distance(a, b), Distance(b, c), Distance(c, a) }
+    , Area(0.5 * double(SignedArea(a, b, c)))
+  {
+    std::sort(this->Side.begin(), this->Side.end());
+  }
+
+  static double Distance(const PlanePoint& a, const PlanePoint& b)
+  {
+    const double x = double(a.X) - b.X;
+    const double y = double(a.Y) - b.Y;
+    return std::sqrt(x * x + y * y);
+  }
+
+  double Squared(std::size_t n) const { return this->Side[n] * this->Side[n]; }
+
+  double Compactness() const
+  {
+    return 4.0 * std::sqrt(3.0) * this->Area / (this->Squared(0) + this->Squared(1) + this->Squared(2));
+  }
+
+  double Quality() const
+  {
+    return 4.0 * std::sqrt(3.0) * this->Area / (this->Side[2] * (this->Side[0] + this->Side[1] + this->Side[2]));
+  }
+
+  /// Of the angle opposite to the shortest side, by the law of cosines.
+  double LargestCotangent() const
+  {
+    return (this->Squared(1) + this->Squared(2) - this->Squared(0)) / (4.0 * this->Area);
+  }
+
+  std::array<double, 3> Side;
+  double Area;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles)
 {
   TriangleQuality quality;
-  quality.Compactness.reserve(triangles.size() / 3);
-  quality.Shape.reserve(triangles.size() / 3);
+  quality.Compactness.resize(triangles.size() / 3);
+  quality.Shape.resize(triangles.size() / 3);
+  const auto at = [&](std::size_t corner) { return places[std::size_t(triangles[corner])]; };
   // The largest cotangent belongs to the smallest angle.
-  double largestCotangent = -1.0;
-  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
-  {
-    const PlanePoint& a = places[std::size_t(triangles[corner])];
-    const PlanePoint& b = places[std::size_t(triangles[corner + 1])];
-    const PlanePoint& c = places[std::size_t(triangles[corner + 2])];
-    const double area = 0.5 * double(SignedArea(a, b, c));
-    std::array<double, 3> side = { std::hypot(double(a.X) - b.X, double(a.Y) - b.Y),
-      std::hypot(double(b.X) - c.X, double(b.Y) - c.Y), std::hypot(double(c.X) - a.X, double(c.Y) - a.Y) };
-    std::sort(side.begin(), side.end());
-    const double squares = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
-    quality.Compactness.push_back(4.0 * std::sqrt(3.0) * area / squares);
-    quality.Shape.push_back(4.0 * std::sqrt(3.0) * area / (side[2] * (side[0] + side[1] + side[2])));
-    // The law of cosines for the angle opposite to the shortest side.
-    largestCotangent =
-      std::max(largestCotangent, (side[1] * side[1] + side[2] * side[2] - side[0] * side[0]) / (4.0 * area));
-  }
+  double largest = -1.0;
+  std::mutex mutex;
+  ParallelFor(std::int64_t(triangles.size() / 3), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      double largestHere = -1.0;
+      for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
+      {
+        const Shape shape(at(3 * triangle), at(3 * triangle + 1), at(3 * triangle + 2));
+        quality.Compactness[triangle] = shape.Compactness();
+        quality.Shape[triangle] = shape.Quality();
+        largestHere = std::max(largestHere, shape.LargestCotangent());
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      largest = std::max(largest, largestHere);
+    });
   if (!triangles.empty())
   {
-    quality.SmallestAngle = std::atan2(1.0, largestCotangent) * 45.0 / std::atan(1.0);
+    quality.SmallestAngle = std::atan2(1.0, largest) * 45.0 / std::atan(1.0);
   }
   return quality;
 }

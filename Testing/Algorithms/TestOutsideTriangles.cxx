@@ -23,7 +23,7 @@ using Triangle = std::array<PointId, 3>;
 using Triangles = std::set<Triangle>;
 
 /// Triangles that start at their least point.
-Triangles Canonical(const std::vector<PointId>& list)
+Triangles Canonical(const RawVector<PointId>& list)
 {
   Triangles result;
   for (std::size_t corner = 0; corner < list.size(); corner += 3)

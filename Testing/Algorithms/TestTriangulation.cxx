@@ -253,6 +253,45 @@ void TestNonDelaunayEdgesAreCounted()
   CHECK(found > 0);
 }
 
+/// A boundary may run through the inside and back: its hops are edges, and what is beside them is meshed all the same.
+void TestBoundaryInsideFullBlocks()
+{
+  BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
+  const auto point = [&horizon](std::int32_t x, std::int32_t y)
+  {
+    const auto found = std::find(horizon.Plane.begin(), horizon.Plane.end(), PlanePoint{ x, y });
+    return PointId(found - horizon.Plane.begin());
+  };
+  Loops withSpur;
+  const Loops outline = horizon.Boundary;
+  std::for_each(outline.begin(0), outline.end(0),
+    [&](PointId onOutline)
+    {
+      withSpur.Append(onOutline);
+      if (onOutline == point(0, 2))
+      {
+        for (const std::int32_t x : { 1, 2, 3, 2, 1, 0 })
+        {
+          withSpur.Append(point(x, 2));
+        }
+      }
+    });
+  withSpur.Close();
+  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
+  const auto plain = Canonical(Triangulate(horizon).Triangles, same);
+  horizon.Boundary = withSpur;
+  CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
+  CHECK(Canonical(Triangulate(horizon, { SearchStrategy::VoxelTraversal, 1000 }).Triangles, same) == plain);
+}
+
+/// A point of another patch in the middle of full blocks is outside its own patch.
+void TestForeignPointInFullBlocks()
+{
+  BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
+  horizon.Patch[14] = 1;
+  CHECK_THROWS_WITH(Triangulate(horizon), "lies outside the boundary of its patch");
+}
+
 /// Stopped after so many triangles, the mesh is a part of the whole, and the walk leads to the last third point.
 void TestStopsAndTraces()
 {
@@ -323,6 +362,8 @@ int TestTriangulation(int, char*[])
   TestOrderOfPointsIsNoMatter();
   TestFullBlocksAreWhatTheSearchFinds();
   TestNonDelaunayEdgesAreCounted();
+  TestBoundaryInsideFullBlocks();
+  TestForeignPointInFullBlocks();
   TestStopsAndTraces();
   TestErrors();
   TestAbort();
