@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Times the triangulation beside CGAL and VTK on generated horizons, in one run. Prints Markdown: processor seconds,
-// the least of several runs.
+// Times the triangulation beside CGAL and VTK on generated horizons, in one run. Prints Markdown: processor seconds on
+// one thread, the least of several runs; at the end what it takes by the clock on all threads, and memory.
 //
 //   TriangulationBenchmark [POINTS ...]      sizes of the horizons; without them those of the thesis's table 5.1
 
+#include "ElaborateSimplification.h"
 #include "HorizonGenerator.h"
+#include "Parallel.h"
 #include "RoughSimplification.h"
 #include "TestHorizons.h"
 #include "Triangulation.h"
@@ -21,10 +23,16 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
+#include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -40,28 +48,55 @@ using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
 constexpr std::size_t MostForVtk = 70000;
 constexpr std::size_t MostForConstrained = 2000000;
 
-double ProcessorSeconds()
+double Seconds(clockid_t clock)
 {
   timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 /// The least of several runs, of as many as fit into about a second, at least one.
 template <typename Work>
-double Time(Work&& work)
+double Time(Work&& work, clockid_t clock = CLOCK_PROCESS_CPUTIME_ID)
 {
   double least = 0.0;
   double total = 0.0;
   for (int run = 0; run == 0 || (run < 9 && total < 1.0); ++run)
   {
-    const double start = ProcessorSeconds();
+    const double start = Seconds(clock);
     work();
-    const double seconds = ProcessorSeconds() - start;
+    const double seconds = Seconds(clock) - start;
     least = run == 0 ? seconds : std::min(least, seconds);
     total += seconds;
   }
   return least;
+}
+
+/// A line of what Linux tells of this process, in bytes.
+double ProcessBytes(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+  {
+    if (word == name + ":")
+    {
+      double kilobytes = 0.0;
+      status >> kilobytes;
+      return 1024.0 * kilobytes;
+    }
+  }
+  return NAN;
+}
+
+/// By how much the memory grows at most, the result included.
+template <typename Work>
+double PeakBytes(Work&& work)
+{
+  malloc_trim(0);
+  const double before = ProcessBytes("VmRSS");
+  std::ofstream("/proc/self/clear_refs") << 5; // the peak starts anew
+  work();
+  return ProcessBytes("VmHWM") - before;
 }
 
 BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
@@ -78,12 +113,10 @@ BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
   return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
 }
 
-/// After the boundary and the rough simplification with their defaults.
-BoundedHorizon Simplify(const BoundedHorizon& horizon)
+/// After the boundary simplification with its default.
+BoundedHorizon Straighten(const BoundedHorizon& horizon)
 {
-  const BoundedHorizon straight =
-    TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
-  return TestHorizons::Reduce(straight, SimplifyRough(straight, 3));
+  return TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
 }
 
 std::vector<Kernel::Point_2> ToCgal(const BoundedHorizon& horizon)
@@ -129,6 +162,7 @@ void TimeVtk(const BoundedHorizon& horizon)
 void PrintRow(const char* what, const BoundedHorizon& horizon)
 {
   const std::size_t size = horizon.Plane.size();
+  Detail::NumberOfThreads() = 1;
   const double traversal = Time([&]() { Triangulate(horizon); });
   const double compactness = Time([&]() { Triangulate(horizon, { SearchStrategy::Compactness }); });
   const std::vector<Kernel::Point_2> points = ToCgal(horizon);
@@ -136,8 +170,12 @@ void PrintRow(const char* what, const BoundedHorizon& horizon)
   const double constrained =
     size > MostForConstrained ? NAN : Time([&]() { TimeCgalConstrained(points, horizon.Boundary); });
   const double vtk = size > MostForVtk ? NAN : Time([&]() { TimeVtk(horizon); });
-  std::printf("| %s | %zu | %.5f | %.5f | %.5f | %.5f | %.3f | %.1f | %.1f | %.1f |\n", what, size, traversal,
-    compactness, cgal, constrained, vtk, 1e-6 * double(size) / traversal, cgal / traversal, constrained / traversal);
+  Detail::NumberOfThreads() = int(std::thread::hardware_concurrency());
+  const double byTheClock = Time([&]() { Triangulate(horizon); }, CLOCK_MONOTONIC);
+  const double bytes = PeakBytes([&]() { Triangulate(horizon); });
+  std::printf("| %s | %zu | %.5f | %.5f | %.5f | %.5f | %.3f | %.1f | %.1f | %.1f | %.5f | %.1f | %.0f |\n", what, size,
+    traversal, compactness, cgal, constrained, vtk, 1e-6 * double(size) / traversal, cgal / traversal,
+    constrained / traversal, byTheClock, 1e-6 * double(size) / byTheClock, bytes / double(size));
   std::fflush(stdout);
 }
 }
@@ -154,13 +192,17 @@ int main(int argc, char* argv[])
     sizes = { 15626, 32402, 60511, 68956, 98231, 148317, 886639 };
   }
   std::printf("| horizon | points | VTS s | CTC s | CGAL Delaunay s | CGAL constrained s | vtkDelaunay2D s | "
-              "VTS Mpoints/s | CGAL Delaunay / VTS | CGAL constrained / VTS |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+              "VTS Mpoints/s | CGAL Delaunay / VTS | CGAL constrained / VTS | VTS s, all threads | Mpoints/s | "
+              "bytes per point |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::int64_t size : sizes)
   {
     const BoundedHorizon full = MakeGenerated(size);
     PrintRow("full", full);
-    PrintRow("simplified", Simplify(full));
+    const BoundedHorizon straight = Straighten(full);
+    PrintRow("outline simplified", straight);
+    PrintRow("simplified", TestHorizons::Reduce(straight, SimplifyRough(straight, 3)));
+    PrintRow("elaborate", TestHorizons::Reduce(straight, SimplifyElaborate(straight, ElaborateOptions())));
   }
   return EXIT_SUCCESS;
 }
