@@ -218,18 +218,23 @@ void ThirdPointSearch::Search(Task& task) const
 //----------------------------------------------------------------------------------------------------------------------
 // Where points are about as dense as everywhere, the third point lies in a circle with the edge that is little larger
 // than points are apart, and one look at it finds it: when the circle has points to the left of the edge, no other
-// point's circle can be empty. Only where it has none, the strategies have to walk.
+// point's circle can be empty. Where it has none, points are further apart, and a second look goes to a larger circle.
 bool ThirdPointSearch::SearchNearby(Task& task) const
 {
   const double squaredLength = task.SquaredLength();
   const double nearby = NearbyDiameter * this->Points.Spacing();
-  const double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
-  const double cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
-  const Circle circle(task, cotangent, 0.5 * std::sqrt(squaredDiameter));
-  const double reach = circle.Radius + circle.Margin;
-  this->SearchCircle(task, circle,
-    { this->Grid.CellX(task.A.X + circle.X - reach), this->Grid.CellY(task.A.Y + circle.Y - reach),
-      this->Grid.CellX(task.A.X + circle.X + reach), this->Grid.CellY(task.A.Y + circle.Y + reach) });
+  double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
+  double cotangent = 0.0;
+  for (int look = 0; task.Best == NoPoint && look < 2; ++look)
+  {
+    cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
+    const Circle circle(task, cotangent, 0.5 * std::sqrt(squaredDiameter));
+    const double reach = circle.Radius + circle.Margin;
+    this->SearchCircle(task, circle,
+      { this->Grid.CellX(task.A.X + circle.X - reach), this->Grid.CellY(task.A.Y + circle.Y - reach),
+        this->Grid.CellX(task.A.X + circle.X + reach), this->Grid.CellY(task.A.Y + circle.Y + reach) });
+    squaredDiameter *= 4.0;
+  }
   // A point in the margin may not be the best there is.
   return task.Best != NoPoint && task.BestCotangent < cotangent * (1.0 - 1e-12);
 }
@@ -450,19 +455,13 @@ bool ThirdPointSearch::IsBetter(const Task& task, PointId candidate, double cota
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool ThirdPointSearch::HasHops(const SegmentEnd& from, const SegmentEnd& to) const
+// A segment stays as near to its start as its end is.
+bool ThirdPointSearch::MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const
 {
-  const std::int64_t first = this->Grid.CellX(std::min(from.X, to.X));
-  const std::int64_t last = this->Grid.CellX(std::max(from.X, to.X));
-  const std::int64_t lastRow = this->Grid.CellY(std::max(from.Y, to.Y));
-  for (std::int64_t row = this->Grid.CellY(std::min(from.Y, to.Y)); row <= lastRow; ++row)
-  {
-    if (!this->Points.Hops().AreEmpty(this->Grid.Index(first, row), this->Grid.Index(last, row)))
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::int64_t x = this->Grid.CellX(from.X);
+  const std::int64_t y = this->Grid.CellY(from.Y);
+  return std::max(std::abs(this->Grid.CellX(to.X) - x), std::abs(this->Grid.CellY(to.Y) - y)) >=
+    this->Points.HopDistance(x, y);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -471,11 +470,7 @@ bool ThirdPointSearch::HasHops(const SegmentEnd& from, const SegmentEnd& to) con
 bool ThirdPointSearch::IsVisible(const Task& task, PointId candidate) const
 {
   const SegmentEnd middle = task.Middle();
-  const PlanePoint& place = this->At(candidate);
-  const double voxel = double(this->Grid.GetCellSize());
-  const bool near = std::abs(place.X - middle.X) <= voxel && std::abs(place.Y - middle.Y) <= voxel;
-  if (near ? this->Points.HasNoHopsAround(this->Grid.CellX(middle.X), this->Grid.CellY(middle.Y))
-           : !this->HasHops(middle, place))
+  if (!this->MayMeetHops(middle, this->At(candidate)))
   {
     return true;
   }

@@ -89,7 +89,7 @@ private:
 
   void Consider(Task& task, PointId candidate) const;
   bool IsBetter(const Task& task, PointId candidate, double cotangent) const;
-  bool HasHops(const SegmentEnd& from, const SegmentEnd& to) const;
+  bool MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const;
   bool IsVisible(const Task& task, PointId candidate) const;
 
   const PlanePoint& At(PointId point) const { return this->Points.At(point); }
