@@ -87,7 +87,9 @@ PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) c
          << " columns";
     throw InputError(text.str());
   }
+  // Halves away from 0, as std::lround has it in several times as long.
+  const auto round = [](double value) { return std::int32_t(value + (value < 0.0 ? -0.5 : 0.5)); };
   const double scale = this->SubVoxelsPerColumn();
-  return { std::int32_t(std::lround(lattice.x() * scale)), std::int32_t(std::lround(lattice.y() * scale)) };
+  return { round(lattice.x() * scale), round(lattice.y() * scale) };
 }
 }
