@@ -134,12 +134,6 @@ void SearchGrid::MeasureHopDistances()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool SearchGrid::HasSmallCoordinates() const
-{
-  return std::max(this->Grid.SizeX(), this->Grid.SizeY()) * this->Grid.GetCellSize() < (std::int64_t(1) << 26);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void SearchGrid::CheckPlaces() const
 {
   std::vector<PointId> numbers;

@@ -33,8 +33,6 @@ public:
 
   /// How far apart points are on average.
   double Spacing() const { return this->PointSpacing; }
-  /// Whether products of two coordinates fit a double.
-  bool HasSmallCoordinates() const;
   /// How many steps to neighbours, also across corners, a voxel is away from one with boundary edges, up to 255.
   std::int64_t HopDistance(std::int64_t x, std::int64_t y) const
   {

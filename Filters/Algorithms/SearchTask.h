@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsSearchTask_h
 #define SeismicHorizonsSearchTask_h
 
-#include "CellGrid.h"
+#include "SearchGrid.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -37,9 +37,11 @@ struct VoxelBox
 /// An edge, and how far the search for its third point is.
 struct SearchTask
 {
-  SearchTask(const PlanePoint& a, const PlanePoint& b, std::vector<WalkedVoxel>* walk)
-    : A(a)
-    , B(b)
+  SearchTask(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedVoxel>* walk)
+    : From(from)
+    , To(to)
+    , A(points.At(from))
+    , B(points.At(to))
     , Walk(walk)
   {
   }
@@ -54,6 +56,8 @@ struct SearchTask
     return x * x + y * y;
   }
 
+  const PointId From;
+  const PointId To;
   const PlanePoint A;
   const PlanePoint B;
   std::vector<WalkedVoxel>* const Walk;
@@ -101,15 +105,16 @@ struct EdgeCircle
   {
   }
 
-  /// False only when the point is for certain outside, or twice its triangle with the edge is less than `leastArea`.
-  /// No branches that a processor would have to guess.
-  bool MayHold(const PlanePoint& point, double leastArea) const
+  /// False only when the point is for certain outside or to the right of the edge. No branches that a processor would
+  /// have to guess.
+  bool MayHold(const PlanePoint& point) const
   {
     const double x = double(point.X - this->Start.X);
     const double y = double(point.Y - this->Start.Y);
     const double fromX = x - this->X;
     const double fromY = y - this->Y;
-    return (fromX * fromX + fromY * fromY <= this->Reach) & (this->EdgeX * y - this->EdgeY * x >= leastArea);
+    // Rounding leaves the two products in their order, or makes them equal.
+    return (fromX * fromX + fromY * fromY <= this->Reach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 
   const PlanePoint Start;

@@ -52,7 +52,7 @@ double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c
 //----------------------------------------------------------------------------------------------------------------------
 PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
 {
-  SearchTask task(this->At(a), this->At(b), walk);
+  SearchTask task(this->Points, a, b, walk);
   this->Search(task);
   if (task.Best != NoPoint && !this->IsVisible(task, task.Best))
   {
@@ -68,9 +68,9 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 // right part. Seen from the right the edge is reversed, and the cotangent has the other sign.
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
-  SearchTask left(this->At(a), this->At(b), nullptr);
+  SearchTask left(this->Points, a, b, nullptr);
   this->Search(left);
-  SearchTask right(this->At(b), this->At(a), nullptr);
+  SearchTask right(this->Points, b, a, nullptr);
   right.BestCotangent = -left.BestCotangent;
   const VoxelBox box = this->LeftPartOf(EdgeCircle(right, right.BestCotangent), right);
   bool empty = true;
@@ -271,7 +271,8 @@ void ThirdPointSearch::SearchCircle(SearchTask& task, const EdgeCircle& circle, 
       for (PointId point = first; point < first + Batch; ++point)
       {
         inside[count] = point;
-        count += std::size_t((point < end) & circle.MayHold(this->At(point), this->LeastArea));
+        count +=
+          std::size_t((point < end) & (point != task.From) & (point != task.To) & circle.MayHold(this->At(point)));
       }
       if (count > inside.size() - Batch)
       {

@@ -44,7 +44,6 @@ public:
     : Strategy(strategy)
     , Points(grid)
     , Grid(grid.Voxels())
-    , LeastArea(grid.HasSmallCoordinates() ? 0.5 : 0.0)
   {
   }
 
@@ -83,9 +82,6 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
-  // Twice the area, in doubles, from which on a point may be to the left of an edge. Products of small coordinates are
-  // exact, so that the ends of the edge, which are always near, are left out.
-  const double LeastArea;
 };
 }
 
