@@ -21,6 +21,9 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
+/// The lattice of a horizon.
+Lattice ReadLattice(vtkPolyData* horizon);
+
 /// The points of a horizon on their lattice.
 struct LatticePoints
 {
@@ -48,6 +51,9 @@ BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
 vtkSmartPointer<vtkCellArray> MakeTriangles(const std::vector<PointId>& triangles);
+
+/// Turns triangles that are counter-clockwise on a lattice so that they are in the world.
+void FaceUp(const Lattice& grid, std::vector<PointId>& triangles);
 
 /// The array CellOrigin.
 vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);
