@@ -19,8 +19,8 @@ export PYTHONPATH
 "$build/bin/generate_horizons" --size 260 200 70 --horizons 1 --holes 3 --islands 0 --dropouts 0.005 \
   --squareness 0.6 "$folder/survey.vsm"
 pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/rough" --cell-size 6 "$folder/survey.vsm"
-pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/elaborate" --skip-rough --elaborate \
-  --flatness-threshold 0.03 "$folder/survey.vsm"
+pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/elaborate" --elaborate \
+  "$folder/survey.vsm"
 "$utilities/with-xvfb.sh" pvbatch "$utilities/show_error.py" --edges \
-  --titles "Rough simplification, 6" "Elaborate simplification, flatness 0.03" -- "$folder/survey.vsm" \
+  --titles "Rough simplification, 6" "Rough simplification, 3, then elaborate" -- "$folder/survey.vsm" \
   "$folder/rough/survey_horizon_1.vtp" "$folder/elaborate/survey_horizon_1.vtp" "$picture"

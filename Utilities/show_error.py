@@ -71,9 +71,9 @@ def figures(distance):
 
 
 def round_up(value):
-    """To one digit, so that the labels of the scale are short."""
+    """To a number whose quarters, the labels of the scale, are short."""
     unit = 10.0 ** math.floor(math.log10(value)) if value > 0.0 else 1.0
-    return math.ceil(value / unit) * unit
+    return unit * next(digit for digit in (1.0, 2.0, 4.0, 6.0, 8.0, 10.0) if value <= digit * unit * (1.0 + 1e-12))
 
 
 def figure(rows, direction, unit, name):
