@@ -53,8 +53,20 @@ inline double SquaredDistanceToTriangle(
   }
   // Signed areas of the triangles between p, as it is projected, and the edges, each times that of the whole.
   const double onC = d1 * d4 - d3 * d2;
+  if (onC <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+  {
+    return SquaredDistanceToSegment(p, a, b);
+  }
   const double onB = d5 * d2 - d1 * d6;
+  if (onB <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+  {
+    return SquaredDistanceToSegment(p, a, c);
+  }
   const double onA = d3 * d6 - d5 * d4;
+  if (onA <= 0.0 && d4 >= d3 && d5 >= d6)
+  {
+    return SquaredDistanceToSegment(p, b, c);
+  }
   const double sum = onA + onB + onC;
   const bool onFace = onA > 0.0 && onB > 0.0 && onC > 0.0;
   const double face = onFace ? (ap - onB / sum * ab - onC / sum * ac).squaredNorm() : 0.0;

@@ -307,16 +307,14 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
       for (std::size_t triangle = std::size_t(box.Node) * Fan; triangle < last; ++triangle)
       {
         // Most triangles are out of question for their boxes, which is quicker to see.
-        const double distance = this->SquaredDistanceToBox(triangle, point) < best
-          ? this->SquaredDistanceTo(std::int32_t(triangle), point)
-          : best;
-        if (distance < best)
+        if (std::int32_t(triangle) != hint && this->SquaredDistanceToBox(triangle, point) < best)
         {
-          best = distance;
-          bound = float(Slack * best);
-          hint = std::int32_t(triangle);
+          const double distance = this->SquaredDistanceTo(std::int32_t(triangle), point);
+          hint = distance < best ? std::int32_t(triangle) : hint;
+          best = std::min(best, distance);
         }
       }
+      bound = float(Slack * best);
       continue;
     }
     const Node& node = this->Nodes[this->LevelStart[box.Level] + box.Node];
@@ -328,9 +326,10 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
     const std::size_t oldSize = size;
     for (std::uint32_t child = 0; child < Fan; ++child)
     {
-      // Without a branch, which could not be foreseen.
-      stack[size] = { distances[child], box.Node * std::uint32_t(Fan) + child, box.Level + 1 };
-      size += distances[child] < bound ? 1 : 0;
+      if (distances[child] < bound)
+      {
+        stack[size++] = { distances[child], box.Node * std::uint32_t(Fan) + child, box.Level + 1 };
+      }
     }
     SortByDistance(stack + oldSize, stack + size);
   }
