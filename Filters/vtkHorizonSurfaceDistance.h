@@ -32,7 +32,7 @@
  * so that everything is measured in both. The lattice is that of the reference, else that of the mesh; where neither
  * has one, lattice units are those of the world.
  *
- * Runs on several threads, and gives the same bytes on any number of them. Near linear; about 150 bytes per triangle
+ * Runs on several threads, and gives the same bytes on any number of them. Near linear; about 70 bytes per triangle
  * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, all else is exact for
  * the samples.
  *
