@@ -75,6 +75,17 @@ void MeshHorizon(vtkPolyData* input, int radius, vtkPolyData* output, const Moni
   output->SetPolys(MakeTriangles(mesh.Triangles));
 }
 
+/// Numbers of points and triangles have 32 bits in the algorithms, and an edge list three entries for each triangle.
+void CheckSize(vtkPolyData* data)
+{
+  constexpr vtkIdType Most = vtkIdType(1) << 30;
+  if (data->GetNumberOfPoints() >= Most || data->GetNumberOfPolys() >= Most)
+  {
+    throw InputError(std::to_string(data->GetNumberOfPoints()) + " points and " +
+      std::to_string(data->GetNumberOfPolys()) + " triangles, expected less than 2^30 of each");
+  }
+}
+
 /// A mesh in world coordinates.
 TriangleSurface ReadSurface(vtkPolyData* data)
 {
@@ -83,6 +94,7 @@ TriangleSurface ReadSurface(vtkPolyData* data)
     throw InputError(
       std::to_string(data->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate before");
   }
+  CheckSize(data);
   TriangleSurface surface;
   surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
   for (std::size_t point = 0; point < surface.Points.size(); ++point)

@@ -120,6 +120,9 @@ void TestLifted(vtkMatrix4x4* survey)
   CHECK(IsNear(output->GetPointData()->GetArray("Distance")->GetTuple1(5), 3.0));
   CHECK(IsNear(output->GetPointData()->GetArray("VerticalDistance")->GetTuple1(5), 3.0));
   CHECK(IsNear(reference->GetPointData()->GetArray("VerticalDistance")->GetTuple1(0), -3.0));
+  // The inputs stay as they were.
+  CHECK(mesh->GetPointData()->GetNumberOfArrays() == 0 && mesh->GetFieldData()->GetNumberOfArrays() == 0);
+  CHECK(flat->GetNumberOfPolys() == 0 && !flat->GetFieldData()->HasArray("LargestDistance"));
   meter.Filter->SetDistanceUnitToWorld();
   reference = meter.Update(0);
   CHECK(IsNear(reference->GetPointData()->GetArray("Distance")->GetTuple1(7), 3.0 * std::abs(step), 1e-7));
