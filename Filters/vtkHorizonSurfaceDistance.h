@@ -36,8 +36,8 @@
  * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, all else is exact for
  * the samples.
  *
- * Errors: 2^30 points or triangles, no triangles or no area in a mesh, other cells than triangles, a horizon without counterpart, points that are
- * not finite, a reference without triangles that is no horizon on a lattice.
+ * Errors: 2^30 points or triangles, no triangles or no area in a mesh, other cells than triangles, a horizon without
+ * counterpart, points that are not finite, a reference without triangles that is no horizon on a lattice.
  *
  * @sa vtkHorizonTriangulation vtkDistancePolyDataFilter vtkHausdorffDistancePointSetFilter
  */
