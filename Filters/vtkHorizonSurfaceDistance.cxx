@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonSurfaceDistance.h"
+
+#include "DataModel.h"
+#include "DistanceReport.h"
+#include "HorizonPairs.h"
+#include "SurfacePair.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace SeismicHorizons;
+
+constexpr int ReferencePort = 0;
+constexpr int MeshPort = 1;
+constexpr int TablePort = 2;
+
+void AddArray(const char* name, std::vector<double>& values, double factor, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(vtkIdType(values.size()));
+  std::transform(values.begin(), values.end(), array->GetPointer(0), [factor](double value) { return factor * value; });
+  values = std::vector<double>();
+  output->GetPointData()->AddArray(array);
+}
+
+void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
+{
+  AddArray(PointArray::Distance, points.Distance, 1.0, output);
+  AddArray(PointArray::VerticalDistance, points.Vertical, upwards, output);
+}
+}
+
+vtkStandardNewMacro(vtkHorizonSurfaceDistance);
+
+//------------------------------------------------------------------------------
+vtkHorizonSurfaceDistance::vtkHorizonSurfaceDistance()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DistanceUnit: " << (this->DistanceUnit == Lattice ? "Lattice" : "World") << "\n";
+  os << indent << "SamplesPerPoint: " << this->SamplesPerPoint << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == TablePort ? "vtkTable" : "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurfaceDistance::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  for (const int port : { ReferencePort, MeshPort, TablePort })
+  {
+    vtkDataObject* const input = port == TablePort ? nullptr : vtkDataObject::GetData(inputVector[port], 0);
+    vtkDataObject* const output = vtkDataObject::GetData(outputVector, port);
+    const char* const type = port == TablePort ? "vtkTable" : input ? input->GetClassName() : nullptr;
+    if (type && (!output || !output->IsA(type)))
+    {
+      auto fresh = vtkSmartPointer<vtkDataObject>::Take(input ? input->NewInstance() : vtkTable::New());
+      outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), fresh);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurfaceDistance::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* const reference = vtkDataObject::GetData(inputVector[ReferencePort], 0);
+  vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeshPort], 0);
+  const std::vector<vtkDataObject*> outputs = { vtkDataObject::GetData(outputVector, ReferencePort),
+    vtkDataObject::GetData(outputVector, MeshPort), vtkDataObject::GetData(outputVector, TablePort) };
+  return this->Run(outputs,
+    [&](std::string& name, const Monitor& monitor)
+    {
+      auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
+      MakeColumns(table);
+      const std::vector<HorizonPair> pairs = MatchHorizons(reference, mesh, outputs[ReferencePort], outputs[MeshPort]);
+      for (std::size_t n = 0; n < pairs.size(); ++n)
+      {
+        name = pairs[n].Name.empty() ? std::string() : pairs[n].Name + ": ";
+        if (pairs[n].Reference->GetNumberOfPoints() + pairs[n].Mesh->GetNumberOfPoints() > 0)
+        {
+          const double size = double(pairs.size());
+          this->MeasurePair(pairs[n], table, monitor.Step(double(n) / size, double(n + 1) / size));
+        }
+      }
+      outputs[ReferencePort]->GetFieldData()->PassData(reference->GetFieldData());
+      outputs[MeshPort]->GetFieldData()->PassData(mesh->GetFieldData());
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, vtkTable* table, const Monitor& monitor) const
+{
+  WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
+  pair.MeshOutput->ShallowCopy(pair.Mesh);
+  SurfaceDistanceOptions options;
+  options.SamplesPerPoint = this->SamplesPerPoint;
+  options.Seed = std::uint64_t(this->Seed);
+  MeasuredPair measured = MeasureSurfaces(pair, options, this->DistanceUnit == World, monitor.Step(0.1, 0.95));
+  AddArrays(measured.Points.Reference, measured.Upwards, pair.ReferenceOutput);
+  AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
+  WriteFieldData(measured.Report, measured.Report.Surfaces[0], pair.ReferenceOutput);
+  WriteFieldData(measured.Report, measured.Report.Surfaces[1], pair.MeshOutput);
+  AppendRows(measured.Report, pair.Name, table);
+}
