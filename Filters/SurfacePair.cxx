@@ -15,10 +15,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -145,6 +147,24 @@ std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distanc
   return { distance.ReferenceToMesh, distance.MeshToReference, distance.TwoSided };
 }
 
+DistanceFigures Scaled(DistanceFigures figures, double scale)
+{
+  for (double* figure : { &figures.Largest, &figures.Mean, &figures.Rms, &figures.Outline })
+  {
+    *figure *= scale;
+  }
+  for (double& percentile : figures.Percentile)
+  {
+    percentile *= scale;
+  }
+  return figures;
+}
+
+void Scale(std::vector<double>& distances, double scale)
+{
+  std::transform(distances.begin(), distances.end(), distances.begin(), [scale](double d) { return scale * d; });
+}
+
 /// Both surfaces of a pair, in world coordinates at first.
 struct Surfaces
 {
@@ -194,26 +214,37 @@ MeasuredPair MeasureSurfaces(
   surfaces.Move([&](const Eigen::Vector3d& world)
     { return Eigen::Vector3d(lattice ? lattice->ToLattice(world) : world - origin); });
   MeasuredPair measured;
-  measured.Points = surfaces.Measure(options, monitor.Step(0.0, lattice ? 0.5 : 1.0));
+  // Where a lattice unit is as long in all directions, the nearest place is the same one in the world.
+  const double scale = lattice ? lattice->UniformScale() : 1.0;
+  measured.Points = surfaces.Measure(options, monitor.Step(0.0, scale > 0.0 ? 1.0 : 0.5));
   DistanceReport& report = measured.Report;
   report.Lattice = FiguresOf(measured.Points);
   report.World = report.Lattice;
   report.Diagonal = MeasureDiagonal(surfaces.Reference);
   report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
-  if (lattice)
+  if (!lattice)
   {
-    const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
-    measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
-    surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
-    SurfaceDistanceOptions again = options;
-    again.Vertical = false;
-    SurfaceDistance inWorld = surfaces.Measure(again, monitor.Step(0.5, 1.0));
-    report.World = FiguresOf(inWorld);
-    if (inWorldUnits)
-    {
-      measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
-      measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
-    }
+    return measured;
+  }
+  const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
+  measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
+  if (scale > 0.0)
+  {
+    std::transform(report.Lattice.begin(), report.Lattice.end(), report.World.begin(),
+      [scale](const DistanceFigures& figures) { return Scaled(figures, scale); });
+    Scale(measured.Points.Reference.Distance, inWorldUnits ? scale : 1.0);
+    Scale(measured.Points.Mesh.Distance, inWorldUnits ? scale : 1.0);
+    return measured;
+  }
+  surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
+  SurfaceDistanceOptions again = options;
+  again.Vertical = false;
+  SurfaceDistance inWorld = surfaces.Measure(again, monitor.Step(0.5, 1.0));
+  report.World = FiguresOf(inWorld);
+  if (inWorldUnits)
+  {
+    measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
+    measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
   }
   return measured;
 }
