@@ -35,6 +35,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 16384; // points or triangles that a thread takes at a time
+
 vtkDataArray* FindFieldArray(vtkPolyData* horizon, const char* name, int values)
 {
   vtkDataArray* const array = horizon->GetFieldData()->GetArray(name);
@@ -90,6 +92,43 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt32Array* offsets, vtkTypeInt32
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, points);
   return cells;
+}
+
+/// Copies the values of the input point that each output point is, or that is nearest to it.
+struct GatherWorker
+{
+  const std::vector<PointId>& Sources;
+
+  template <typename InputArray, typename OutputArray>
+  void operator()(InputArray* input, OutputArray* output) const
+  {
+    using Value = vtk::GetAPIType<OutputArray>;
+    const auto from = vtk::DataArrayTupleRange(input);
+    auto to = vtk::DataArrayTupleRange(output);
+    const int components = input->GetNumberOfComponents();
+    ParallelFor(std::int64_t(this->Sources.size()), Grain,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType point = first; point < last; ++point)
+        {
+          for (int n = 0; n < components; ++n)
+          {
+            to[point][n] = static_cast<Value>(from[this->Sources[std::size_t(point)]][n]);
+          }
+        }
+      });
+  }
+};
+
+/// False for arrays that are not of numbers, or of rare kinds.
+bool Gather(const std::vector<PointId>& sources, vtkDataArray* input, vtkDataArray* output)
+{
+  const GatherWorker gather{ sources };
+  if (auto* const doubles = vtkDoubleArray::FastDownCast(output))
+  {
+    return input && vtkArrayDispatch::Dispatch::Execute(input, [&](auto* typed) { gather(typed, doubles); });
+  }
+  return input && output && vtkArrayDispatch::Dispatch2SameValueType::Execute(input, output, gather);
 }
 
 /// Adds the values of the averaged points of an array to their sums and writes the means.
@@ -160,22 +199,31 @@ vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, Merging 
   return result;
 }
 
-void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, Merging merging, vtkPolyData* output)
+void GetTuples(const std::vector<PointId>& sources, vtkAbstractArray* input, vtkAbstractArray* output)
 {
-  vtkNew<vtkIdList> sources;
-  sources->SetNumberOfIds(vtkIdType(reduction.Source.size()));
-  std::copy(reduction.Source.begin(), reduction.Source.end(), sources->begin());
-  const std::vector<std::int64_t> counts = ReadCounts(input);
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(vtkIdType(sources.size()));
+  std::copy(sources.begin(), sources.end(), ids->begin());
+  input->GetTuples(ids, output);
+}
+
+void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, const std::vector<std::int64_t>& counts,
+  Merging merging, vtkPolyData* output)
+{
   for (int n = 0; n < input->GetPointData()->GetNumberOfArrays(); ++n)
   {
     vtkAbstractArray* const array = input->GetPointData()->GetAbstractArray(n);
     vtkSmartPointer<vtkAbstractArray> reduced = NewArrayLike(array, merging);
-    reduced->SetNumberOfTuples(sources->GetNumberOfIds());
-    array->GetTuples(sources, reduced);
+    reduced->SetNumberOfTuples(vtkIdType(reduction.Source.size()));
     vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
+    vtkDataArray* const reducedNumbers = vtkDataArray::SafeDownCast(reduced);
+    if (!Gather(reduction.Source, numbers, reducedNumbers))
+    {
+      GetTuples(reduction.Source, array, reduced);
+    }
     if (merging == Merging::AveragesPoints && numbers && IsAveraged(numbers))
     {
-      const AverageWorker average{ reduction, counts, vtkDataArray::SafeDownCast(reduced) };
+      const AverageWorker average{ reduction, counts, reducedNumbers };
       if (!vtkArrayDispatch::Dispatch::Execute(numbers, average))
       {
         average(numbers);
@@ -185,9 +233,8 @@ void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, Merging me
   }
 }
 
-void SumCounts(vtkPolyData* input, const Reduction& reduction, vtkPolyData* output)
+void SumCounts(const Reduction& reduction, const std::vector<std::int64_t>& counts, vtkPolyData* output)
 {
-  const std::vector<std::int64_t> counts = ReadCounts(input);
   vtkNew<vtkIdTypeArray> sums;
   sums->SetName(PointArray::PointCount);
   sums->SetNumberOfValues(vtkIdType(reduction.Source.size()));
@@ -231,7 +278,7 @@ LatticePoints ReadPoints(vtkPolyData* horizon)
   points.Grid = ReadLattice(horizon);
   points.Plane.resize(std::size_t(size));
   points.Height.resize(std::size_t(size));
-  ParallelFor(size, 16384,
+  ParallelFor(size, Grain,
     [&](vtkIdType first, vtkIdType last)
     {
       Eigen::Vector3d world;
@@ -316,15 +363,22 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points)
+BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid)
 {
   BoundedHorizon result;
-  result.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
-  result.Plane = std::move(points.Plane);
-  result.Height = std::move(points.Height);
+  result.SubVoxelsPerColumn = grid.SubVoxelsPerColumn();
+  result.Plane = std::move(plane);
   result.Patch = ReadPatches(horizon);
-  result.Count = ReadCounts(horizon);
   result.Boundary = ReadBoundary(horizon);
+  return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points)
+{
+  BoundedHorizon result = ReadPatchesAndBoundary(horizon, std::move(points.Plane), points.Grid);
+  result.Height = std::move(points.Height);
+  result.Count = ReadCounts(horizon);
   return result;
 }
 
@@ -360,13 +414,21 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 {
   vtkNew<vtkTypeInt32Array> offsets;
   vtkNew<vtkTypeInt32Array> ids;
-  offsets->SetNumberOfValues(vtkIdType(triangles.size() / 3) + 1);
-  for (vtkIdType triangle = 0; triangle < offsets->GetNumberOfValues(); ++triangle)
-  {
-    offsets->SetValue(triangle, std::int32_t(3 * triangle));
-  }
-  ids->SetNumberOfValues(vtkIdType(triangles.size()));
-  std::copy(triangles.begin(), triangles.end(), ids->Begin());
+  const vtkIdType size = vtkIdType(triangles.size() / 3);
+  offsets->SetNumberOfValues(size + 1);
+  ids->SetNumberOfValues(3 * size);
+  offsets->SetValue(size, std::int32_t(3 * size));
+  std::int32_t* const begins = offsets->GetPointer(0);
+  std::int32_t* const corners = ids->GetPointer(0);
+  ParallelFor(size, Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType triangle = first; triangle < last; ++triangle)
+      {
+        begins[triangle] = std::int32_t(3 * triangle);
+      }
+      std::copy(triangles.data() + 3 * first, triangles.data() + 3 * last, corners + 3 * first);
+    });
   return MakeCells(offsets, ids);
 }
 
@@ -400,35 +462,50 @@ void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, const Reduction& reduction)
+{
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(vtkIdType(reduction.Source.size()));
+  double* const values = places->GetPointer(0);
+  ParallelFor(places->GetNumberOfTuples(), Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType n = first; n < last; ++n)
+      {
+        const std::size_t point = std::size_t(n);
+        const PlanePoint& place = reduction.Plane[point];
+        // A point that is still itself keeps its place to the last bit.
+        Eigen::Vector3d world;
+        if (reduction.Averaged[point])
+        {
+          world = grid.ToWorld({ grid.ToLatticeUnits(place.X), grid.ToLatticeUnits(place.Y), reduction.Height[point] });
+        }
+        else
+        {
+          input->GetPoint(reduction.Source[point], world.data());
+        }
+        std::copy_n(world.data(), 3, values + 3 * n);
+      }
+    });
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(places);
+  return points;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteReduction(
   vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(vtkIdType(reduction.Source.size()));
-  for (std::size_t point = 0; point < reduction.Source.size(); ++point)
-  {
-    const PlanePoint& place = reduction.Plane[point];
-    // A point that is still itself keeps its place to the last bit.
-    Eigen::Vector3d world;
-    if (reduction.Averaged[point])
-    {
-      world = grid.ToWorld({ grid.ToLatticeUnits(place.X), grid.ToLatticeUnits(place.Y), reduction.Height[point] });
-    }
-    else
-    {
-      input->GetPoint(reduction.Source[point], world.data());
-    }
-    points->SetPoint(vtkIdType(point), world.data());
-  }
-  output->SetPoints(points);
-  output->SetVerts(MakeVertices(points->GetNumberOfPoints()));
+  output->SetPoints(MakePoints(input, grid, reduction));
+  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   output->SetLines(MakePolylines(reduction.Boundary));
-  ReduceAttributes(input, reduction, merging, output);
-  SumCounts(input, reduction, output);
+  const std::vector<std::int64_t> counts = ReadCounts(input);
+  ReduceAttributes(input, reduction, counts, merging, output);
+  SumCounts(reduction, counts, output);
   if (!reduction.Origin.empty())
   {
-    vtkSmartPointer<vtkIntArray> origins = NewOriginArray(points->GetNumberOfPoints());
+    vtkSmartPointer<vtkIntArray> origins = NewOriginArray(output->GetNumberOfPoints());
     for (std::size_t point = 0; point < reduction.Origin.size(); ++point)
     {
       SetOrigin(origins, vtkIdType(point), reduction.Origin[point]);

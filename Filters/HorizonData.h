@@ -47,6 +47,9 @@ std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon);
 /// How many points of the original horizon each point stands for: 1 when the horizon does not say.
 std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
 
+/// Without heights and counts, which no mesh needs.
+BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid);
+
 BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
 
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);

@@ -51,7 +51,7 @@ BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monito
   LatticePoints points = ReadPoints(input);
   if (input->GetNumberOfLines() > 0)
   {
-    return ReadBoundedHorizon(input, std::move(points));
+    return ReadPatchesAndBoundary(input, std::move(points.Plane), points.Grid);
   }
   BoundaryOptions options;
   options.Radius = radius;

@@ -14,6 +14,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -25,28 +26,30 @@
 #include <array>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace
 {
 using namespace SeismicHorizons;
 
-BoundedHorizon ReadHull(LatticePoints points)
+BoundedHorizon MakeHull(std::vector<PlanePoint> plane, const Lattice& grid)
 {
   BoundedHorizon horizon;
-  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
-  horizon.Patch.assign(points.Plane.size(), 0);
-  horizon.Boundary = FindConvexHull(points.Plane);
-  horizon.Plane = std::move(points.Plane);
+  horizon.SubVoxelsPerColumn = grid.SubVoxelsPerColumn();
+  horizon.Patch.assign(plane.size(), 0);
+  horizon.Boundary = FindConvexHull(plane);
+  horizon.Plane = std::move(plane);
   return horizon;
 }
 
-void AddQuality(const char* name, const RawVector<double>& values, vtkPolyData* output)
+void AddQuality(const char* name, const RawVector<float>& values, vtkPolyData* output)
 {
-  vtkNew<vtkDoubleArray> array;
+  vtkNew<vtkFloatArray> array;
   array->SetName(name);
   array->SetNumberOfValues(output->GetNumberOfCells());
-  array->FillValue(std::numeric_limits<double>::quiet_NaN());
-  std::copy(values.begin(), values.end(), array->GetPointer(output->GetNumberOfLines()));
+  float* const triangles = array->GetPointer(output->GetNumberOfLines());
+  std::fill(array->GetPointer(0), triangles, std::numeric_limits<float>::quiet_NaN());
+  std::copy(values.begin(), values.end(), triangles);
   output->GetCellData()->AddArray(array);
 }
 
@@ -115,8 +118,9 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   LatticePoints points = ReadPoints(input);
   const Lattice grid = points.Grid;
   const double height = points.Height.front();
-  BoundedHorizon horizon =
-    this->ConvexHull ? ReadHull(std::move(points)) : ReadBoundedHorizon(input, std::move(points));
+  points.Height = std::vector<double>();
+  BoundedHorizon horizon = this->ConvexHull ? MakeHull(std::move(points.Plane), grid)
+                                            : ReadPatchesAndBoundary(input, std::move(points.Plane), grid);
   monitor.Progress(0.1);
   TriangulationOptions options;
   options.Strategy = static_cast<SeismicHorizons::SearchStrategy>(this->SearchStrategy);
@@ -136,9 +140,10 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   output->GetPointData()->PassData(input->GetPointData());
   output->SetLines(MakePolylines(horizon.Boundary));
   output->SetPolys(MakeTriangles(mesh.Triangles));
+  mesh.Triangles = RawVector<PointId>();
   AddQuality(CellArray::Compactness, quality.Compactness, output);
   AddQuality(CellArray::Quality, quality.Shape, output);
-  AddFigure<vtkIdTypeArray>(FieldArray::TriangleCount, vtkIdType(mesh.Triangles.size() / 3), output);
+  AddFigure<vtkIdTypeArray>(FieldArray::TriangleCount, output->GetNumberOfPolys(), output);
   AddFigure<vtkIdTypeArray>(FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges), output);
   AddFigure<vtkIdTypeArray>(FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges), output);
   AddFigure<vtkDoubleArray>(FieldArray::SmallestAngle, quality.SmallestAngle, output);

@@ -8,8 +8,8 @@
  *
  * Output 0: the same points with all their arrays, the boundary loops as polylines, and triangles, all facing +z in the
  * world. New cell data, nan for the polylines; in plan, in lattice units:
- *  - Compactness (double): 4 sqrt(3) area / (sum of squared sides) of a triangle (thesis eq. 5.9), from 0 to 1
- *  - Quality (double): 2 sqrt(3) area / (longest side x half the perimeter) (thesis eq. 5.10), from 0 to 1
+ *  - Compactness (float): 4 sqrt(3) area / (sum of squared sides) of a triangle (thesis eq. 5.9), from 0 to 1
+ *  - Quality (float): 2 sqrt(3) area / (longest side x half the perimeter) (thesis eq. 5.10), from 0 to 1
  * New field data, one value each:
  *  - TriangleCount, BoundaryEdgeCount (vtkIdType): boundary edges with surface on one side
  *  - NonDelaunayEdgeCount (vtkIdType): boundary edges that are there because they are boundary: every circle through

@@ -74,8 +74,8 @@ TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawV
       for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
       {
         const Shape shape(at(3 * triangle), at(3 * triangle + 1), at(3 * triangle + 2));
-        quality.Compactness[triangle] = shape.Compactness();
-        quality.Shape[triangle] = shape.Quality();
+        quality.Compactness[triangle] = float(shape.Compactness());
+        quality.Shape[triangle] = float(shape.Quality());
         largestHere = std::max(largestHere, shape.LargestCotangent());
       }
       const std::lock_guard<std::mutex> lock(mutex);

@@ -17,10 +17,10 @@ struct TriangleQuality
 {
   /// For each triangle 4 sqrt(3) area / (sum of squared sides) (Gueziec; thesis eq. 5.9): 1 when it is equilateral,
   /// towards 0 the thinner it is.
-  RawVector<double> Compactness;
+  RawVector<float> Compactness;
   /// For each triangle 2 sqrt(3) area / (longest side x half the perimeter) (Frey and Borouchaki; thesis eq. 5.10): the
   /// same range.
-  RawVector<double> Shape;
+  RawVector<float> Shape;
   /// The smallest angle of all triangles, in degrees; 180 without triangles.
   double SmallestAngle = 180.0;
 };
