@@ -28,6 +28,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -50,23 +51,6 @@ double FieldValue(vtkDataArray* array, int n)
 {
   const int components = array->GetNumberOfComponents();
   return array->GetComponent(n / components, n % components);
-}
-
-Lattice ReadLattice(vtkPolyData* horizon)
-{
-  vtkDataArray* const size = FindFieldArray(horizon, FieldArray::LatticeDimensions, 3);
-  vtkDataArray* const map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
-  std::array<int, 3> dimensions;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    dimensions[std::size_t(axis)] = int(FieldValue(size, axis));
-  }
-  Eigen::Matrix4d toWorld;
-  for (int n = 0; n < 16; ++n)
-  {
-    toWorld(n / 4, n % 4) = FieldValue(map, n);
-  }
-  return Lattice(dimensions, toWorld);
 }
 
 /// A point array of one number per point.
@@ -217,6 +201,24 @@ void SumCounts(vtkPolyData* input, const Reduction& reduction, vtkPolyData* outp
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+Lattice ReadLattice(vtkPolyData* horizon)
+{
+  vtkDataArray* const size = FindFieldArray(horizon, FieldArray::LatticeDimensions, 3);
+  vtkDataArray* const map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
+  std::array<int, 3> dimensions;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    dimensions[std::size_t(axis)] = int(FieldValue(size, axis));
+  }
+  Eigen::Matrix4d toWorld;
+  for (int n = 0; n < 16; ++n)
+  {
+    toWorld(n / 4, n % 4) = FieldValue(map, n);
+  }
+  return Lattice(dimensions, toWorld);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 LatticePoints ReadPoints(vtkPolyData* horizon)
 {
   const vtkIdType size = horizon->GetNumberOfPoints();
@@ -361,6 +363,15 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
   ids->SetNumberOfValues(vtkIdType(triangles.size()));
   std::copy(triangles.begin(), triangles.end(), ids->Begin());
   return MakeCells(offsets, ids);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FaceUp(const Lattice& grid, RawVector<PointId>& triangles)
+{
+  for (std::size_t corner = 0; !grid.KeepsOrientation() && corner < triangles.size(); corner += 3)
+  {
+    std::swap(triangles[corner + 1], triangles[corner + 2]);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -22,6 +22,9 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
+/// The lattice of a horizon.
+Lattice ReadLattice(vtkPolyData* horizon);
+
 /// The points of a horizon on their lattice.
 struct LatticePoints
 {
@@ -49,6 +52,9 @@ BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
 vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
+
+/// Turns triangles that are counter-clockwise on a lattice so that they are in the world.
+void FaceUp(const Lattice& grid, RawVector<PointId>& triangles);
 
 /// The array CellOrigin.
 vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);

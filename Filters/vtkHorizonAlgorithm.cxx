@@ -144,38 +144,44 @@ int vtkHorizonAlgorithm::RequestData(
   {
     outputs.push_back(vtkDataObject::GetData(outputVector, port));
   }
-  const auto clear = [&outputs]()
-  { std::for_each(outputs.begin(), outputs.end(), [](vtkDataObject* output) { output->Initialize(); }); };
-  const SeismicHorizons::Monitor monitor = SeismicHorizons::MakeMonitor(this);
+  return this->Run(outputs,
+    [this, input, &outputs](std::string& name, const SeismicHorizons::Monitor& monitor)
+    {
+      const std::vector<Horizon> horizons = MakeHorizons(input, outputs);
+      for (std::size_t n = 0; n < horizons.size(); ++n)
+      {
+        const Horizon& horizon = horizons[n];
+        name = Name(horizon.Input);
+        for (vtkPolyData* output : horizon.Outputs)
+        {
+          output->GetFieldData()->PassData(horizon.Input->GetFieldData());
+        }
+        if (horizon.Input->GetNumberOfPoints() > 0)
+        {
+          const double size = double(horizons.size());
+          this->ProcessHorizonPorts(
+            horizon.Input, horizon.Outputs, monitor.Step(double(n) / size, double(n + 1) / size));
+        }
+      }
+      for (vtkDataObject* output : outputs)
+      {
+        output->GetFieldData()->PassData(input->GetFieldData());
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonAlgorithm::Run(const std::vector<vtkDataObject*>& outputs, const Work& work)
+{
   std::string name;
   std::string problem;
   try
   {
-    const std::vector<Horizon> horizons = MakeHorizons(input, outputs);
-    for (std::size_t n = 0; n < horizons.size(); ++n)
-    {
-      const Horizon& horizon = horizons[n];
-      name = Name(horizon.Input);
-      for (vtkPolyData* output : horizon.Outputs)
-      {
-        output->GetFieldData()->PassData(horizon.Input->GetFieldData());
-      }
-      if (horizon.Input->GetNumberOfPoints() > 0)
-      {
-        const double size = double(horizons.size());
-        this->ProcessHorizonPorts(horizon.Input, horizon.Outputs, monitor.Step(double(n) / size, double(n + 1) / size));
-      }
-    }
-    for (vtkDataObject* output : outputs)
-    {
-      output->GetFieldData()->PassData(input->GetFieldData());
-    }
+    work(name, SeismicHorizons::MakeMonitor(this));
     return 1;
   }
   catch (const SeismicHorizons::Aborted&)
   {
-    clear();
-    return 1;
   }
   catch (const SeismicHorizons::InputError& error)
   {
@@ -189,7 +195,11 @@ int vtkHorizonAlgorithm::RequestData(
   {
     problem = NoMemory;
   }
-  clear();
+  std::for_each(outputs.begin(), outputs.end(), [](vtkDataObject* output) { output->Initialize(); });
+  if (problem.empty())
+  {
+    return 1;
+  }
   vtkErrorMacro(<< name << problem);
   return 0;
 }

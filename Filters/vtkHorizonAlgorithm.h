@@ -22,6 +22,8 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <functional> // for the work
+#include <string> // for names in messages
 #include <vector> // for the outputs
 
 namespace SeismicHorizons
@@ -53,6 +55,13 @@ protected:
   /// Turns one horizon that has points into another. Throws SeismicHorizons::InputError on input that breaks the
   /// contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor);
+
+  /// The work of a stage on all its horizons. It may set `name` to what messages shall begin with.
+  using Work = std::function<void(std::string& name, const SeismicHorizons::Monitor& monitor)>;
+
+  /// Runs the work and gives what RequestData returns. What the work throws becomes one error, and leaves all outputs
+  /// empty; so does a request to stop, without an error.
+  int Run(const std::vector<vtkDataObject*>& outputs, const Work& work);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -40,15 +40,6 @@ BoundedHorizon ReadHull(LatticePoints points)
   return horizon;
 }
 
-/// Triangles of a mirrored lattice turn clockwise in the world.
-void TurnOver(RawVector<PointId>& triangles)
-{
-  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
-  {
-    std::swap(triangles[corner + 1], triangles[corner + 2]);
-  }
-}
-
 void AddQuality(const char* name, const RawVector<double>& values, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> array;
@@ -138,10 +129,7 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   }
   const TriangleQuality quality = MeasureQuality(horizon.Plane, mesh.Triangles);
   monitor.Progress(0.9);
-  if (!grid.KeepsOrientation())
-  {
-    TurnOver(mesh.Triangles);
-  }
+  FaceUp(grid, mesh.Triangles);
 
   vtkPolyData* const output = outputs.front();
   output->SetPoints(input->GetPoints());

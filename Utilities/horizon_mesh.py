@@ -19,6 +19,7 @@ PICTURE_ROWS = 8  # horizons in one picture, at most
 ELEVATIONS = ("VerticalIndex", "RealZ")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
+DISTANCE_UNITS = ("Lattice", "World")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
 
 
@@ -63,7 +64,7 @@ def make_parser():
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
         description="Reads sparse voxel files (.vsm), and turns each horizon in them into a triangle mesh: exterior "
         "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Writes one .vtp file per horizon and "
-        "one picture per file, and prints a table. Files that already exist are replaced.",
+        "one picture per file, and prints a table; on request, measures the error. Files that already exist are replaced.",
         epilog="Distances are in lattice units: 1 is one column step sideways and one vertical index up or down. The "
         "exit code is 1 when a file could not be done; the other files are done all the same.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path,
@@ -72,6 +73,7 @@ def make_parser():
                         help="where the results go; made when it is missing")
     _add_reader_options(parser.add_argument_group("reading"))
     _add_stage_options(parser.add_argument_group("stages"))
+    _add_error_options(parser.add_argument_group("error"))
     running = parser.add_argument_group("running")
     running.add_argument("--no-pictures", action="store_true", help="write no pictures (then no X server is needed)")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
@@ -128,6 +130,17 @@ def _add_stage_options(group):
                        "1/3 (everything is)")
     group.add_argument("--representative", choices=REPRESENTATIVES, default=REPRESENTATIVES[0],
                        help="what stands for the points of a cell: their mean, or the one of them nearest to it")
+
+
+def _add_error_options(group):
+    group.add_argument("--measure-error", action="store_true",
+                       help="measure how far each mesh is from the horizon at full resolution, both ways: adds columns to "
+                       "the table (in lattice units), the arrays Distance and VerticalDistance to the meshes, and writes "
+                       "all figures to a .csv file for each input")
+    group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
+                       help="the unit of the arrays; the .csv file has both")
+    group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N",
+                       help="how densely the faces are sampled: places on each surface for each point of the horizon")
 
 
 # ---- The stages -----------------------------------------------------------------------------------------------------
@@ -265,8 +278,32 @@ class HorizonResult:
         self.id = horizon_id
         self.data = {"points": points}
         self.seconds = {}
+        self.figures = None  # of the error, as a table
 
     def run(self, label, options):
+        self._run_stages(label, options)
+        if options.measure_error:
+            self._measure(label, options)
+
+    def _measure(self, label, options):
+        """The reference is the horizon within its outlines, as they were before they were simplified."""
+        import seismichorizons as sh
+
+        meter = sh.vtkHorizonSurfaceDistance()
+        meter.SetDistanceUnit(DISTANCE_UNITS.index(options.distance_unit))
+        meter.SetSamplesPerPoint(options.samples_per_point)
+        meter.SetInputDataObject(0, self.data["boundary"])
+        meter.SetInputDataObject(1, self.data["mesh"])
+        stage = Stage(meter, "%s: horizon %d: error" % (label, self.id))
+        try:
+            stage.run()
+        except HorizonMeshError as error:
+            raise HorizonMeshError("%s: %s" % (label, error)) from None
+        self.data["mesh"] = meter.GetOutputDataObject(1)
+        self.figures = meter.GetOutputDataObject(2)
+        self.seconds["error"] = stage.seconds
+
+    def _run_stages(self, label, options):
         data = self.data["points"]
         for name, algorithm in stages(options):
             stage = Stage(algorithm, "%s: horizon %d: %s" % (label, self.id, name))
@@ -287,6 +324,8 @@ class HorizonResult:
 # ---- Results --------------------------------------------------------------------------------------------------------
 COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out", "triangles", "reduction",
            "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
+ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
+TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
 
 def _loops(horizon):
@@ -307,12 +346,21 @@ def table_row(result):
     return ("%d" % result.id, "%d" % before, "%d" % loops, "%d" % loop_points,
             "%d" % _loops(result.data["simplified"])[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
-            *("-" if s is None else "%.2f" % s for s in seconds))
+            *("-" if s is None else "%.2f" % s for s in seconds), *_error_cells(result))
+
+
+def _error_cells(result):
+    if result.figures is None:
+        return ()
+    figures = [result.figures.GetValueByName(TWO_SIDED, name).ToDouble()
+               for name in ("LargestDistance", "MeanDistance", "OutlineDistance")]
+    return (*("%.3f" % figure for figure in figures), "%.2f" % result.seconds["error"])
 
 
 def print_table(path, read_seconds, results):
-    rows = [COLUMNS] + [table_row(result) for result in results]
-    widths = [max(len(row[column]) for row in rows) for column in range(len(COLUMNS))]
+    columns = COLUMNS + (ERROR_COLUMNS if results[0].figures is not None else ())
+    rows = [columns] + [table_row(result) for result in results]
+    widths = [max(len(row[column]) for row in rows) for column in range(len(columns))]
     print("%s: read in %.2f s" % (path.name, read_seconds))
     for number, row in enumerate(rows):
         print("  " + "  ".join(text.rjust(width) for text, width in zip(row, widths)))
@@ -337,6 +385,22 @@ def write_mesh(mesh, path):
         raise HorizonMeshError("cannot write %s: %s" % (path.name, error)) from None
     if not written or not path.is_file():
         raise HorizonMeshError("cannot write %s" % path.name)
+
+
+def write_figures(results, path):
+    """The tables of the error of all horizons as one file of comma-separated values."""
+    import csv
+
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        for number, result in enumerate(results):
+            table = result.figures
+            columns = range(table.GetNumberOfColumns())
+            if number == 0:
+                writer.writerow([table.GetColumnName(column) for column in columns])
+            for row in range(table.GetNumberOfRows()):
+                values = [table.GetValue(row, column) for column in columns]
+                writer.writerow([repr(v.ToDouble()) if v.IsDouble() else v.ToString() for v in values])
 
 
 def write_picture(results, path):
@@ -404,6 +468,8 @@ def process(path, options):
         folder = pathlib.Path(folder)
         for result in results:
             write_mesh(result.data["mesh"], folder / ("%s_horizon_%d.vtp" % (path.stem, result.id)))
+        if options.measure_error:
+            write_figures(results, folder / ("%s_error.csv" % path.stem))
         if not options.no_pictures:
             write_picture(results, folder / ("%s.png" % path.stem))
         for file in sorted(folder.iterdir()):

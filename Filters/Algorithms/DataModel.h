@@ -20,6 +20,8 @@ constexpr const char* PatchId = "PatchId";
 constexpr const char* Boundary = "Boundary";
 constexpr const char* PointCount = "PointCount";
 constexpr const char* CellOrigin = "CellOrigin";
+constexpr const char* Distance = "Distance";
+constexpr const char* VerticalDistance = "VerticalDistance";
 }
 
 namespace CellArray
@@ -48,6 +50,12 @@ constexpr const char* TriangleCount = "TriangleCount";
 constexpr const char* BoundaryEdgeCount = "BoundaryEdgeCount";
 constexpr const char* NonDelaunayEdgeCount = "NonDelaunayEdgeCount";
 constexpr const char* SmallestAngle = "SmallestAngle";
+constexpr const char* LargestDistance = "LargestDistance";
+constexpr const char* MeanDistance = "MeanDistance";
+constexpr const char* RmsDistance = "RmsDistance";
+constexpr const char* DistancePercentile = "DistancePercentile"; // followed by the number
+constexpr const char* OutlineDistance = "OutlineDistance";
+constexpr const char* Grading = "Grading";
 }
 
 /// The values of the Boundary array.

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The batch program as a user runs it. Arguments: program, folder of the data, work folder, then the interpreter."""
 
+import csv
 import os
 import pathlib
 import shutil
@@ -117,6 +118,22 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(closed.GetNumberOfLines(), 1)
         self.assertGreater(holed.GetNumberOfLines(), 1)
 
+    def test_error(self):
+        """The columns of the table, the file of figures and the arrays of the mesh say the same."""
+        done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "2", "--measure-error", "--distance-unit", "World",
+                            "--vertical-step", "4", "--samples-per-point", "3")
+        self.assertEqual(files(self.output), ["sample_error.csv", "sample_horizon_1.vtp", "sample_horizon_2.vtp"])
+        with open(self.output / "sample_error.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 2 * 9)
+        both = next(row for row in rows if row["Direction"] == "Two-sided" and row["Unit"] == "Lattice")
+        printed = next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+        self.assertEqual(printed[-4:-2], ["%.3f" % float(both[n]) for n in ("LargestDistance", "MeanDistance")])
+        self.assertGreater(float(both["LargestDistance"]), float(both["MeanDistance"]))
+        world = next(row for row in rows if row["Direction"] == "Mesh to reference" and row["Unit"] == "World")
+        distances = mesh_checks.array(read(self.output / "sample_horizon_1.vtp"), "Distance")
+        self.assertLessEqual(distances.max(), float(world["LargestDistance"]))
+
     def test_any_number_of_threads(self):
         bytes_of = []
         for threads in ("1", "2"):
@@ -183,7 +200,8 @@ class BatchTest(unittest.TestCase):
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",
                        "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
-                       "--representative", "--no-pictures", "--threads"):
+                       "--representative", "--measure-error", "--distance-unit", "--samples-per-point",
+                       "--no-pictures", "--threads"):
             self.assertIn(option, done.stdout)
 
 

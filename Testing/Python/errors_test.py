@@ -55,6 +55,16 @@ def check(name, parts, make, **properties):
     print("%s: %s" % (name, found[0]))
 
 
+def distance_errors(sphere):
+    """Pairs that have no distance, as (name, parts of the message, reference, mesh)."""
+    points = simple.PointSource(NumberOfPoints=10)
+    plane = simple.Plane()
+    return (("mesh without triangles", ["mesh: ", "no triangles"], sphere, points),
+            ("reference without lattice", ["reference: ", "LatticeDimensions"], points, sphere),
+            ("mesh of squares", ["mesh: ", "4 corners"], sphere, plane),
+            ("two against one", ["no mesh for"], simple.GroupDatasets(Input=[sphere, sphere]), sphere))
+
+
 def main():
     folder = pathlib.Path(sys.argv[1]).resolve()
     for path, parts in wrong_files.write(folder):
@@ -64,6 +74,8 @@ def main():
     for stage in ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
                   "HorizonElaborateSimplification", "HorizonTriangulation"):
         check(stage, ["expected"], getattr(simple, stage), Input=sphere)
+    for name, parts, reference, mesh in distance_errors(sphere):
+        check(name, ["expected", *parts], simple.HorizonSurfaceDistance, Reference=reference, Mesh=mesh)
 
 
 main()

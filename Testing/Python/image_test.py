@@ -74,6 +74,12 @@ def panel(scene, sample, changed):
     if scene == "ElaborateSimplification":
         return pictures.Panel("", "", elaborate(data, own), pictures.LEVELS)
     mesh = apply(sh.vtkHorizonTriangulation(), rough(data, own))
+    if scene == "SurfaceDistance":
+        meter = sh.vtkHorizonSurfaceDistance()
+        meter.SetInputDataObject(0, data)
+        meter.SetInputDataObject(1, mesh)
+        meter.Update()
+        return pictures.Panel("", "", meter.GetOutputDataObject(1), pictures.DISTANCE)
     return pictures.Panel("", "", mesh, pictures.MESH)
 
 

@@ -47,6 +47,31 @@ def check_selection(reader, names):
     assert list(fetch(reader)) == names
 
 
+def check_distance(reader, mesh):
+    """The reference may be points, and is meshed; horizons and meshes find each other by name."""
+    from paraview import simple
+
+    distance = simple.HorizonSurfaceDistance(Reference=reader, Mesh=mesh)
+    distance.UpdatePipeline()
+    algorithm = distance.GetClientSideObject()
+    surfaces = [mesh_checks.blocks(algorithm.GetOutputDataObject(port)) for port in (0, 1)]
+    assert list(surfaces[0]) == list(surfaces[1]) == list(fetch(reader)), surfaces
+    for name, horizon in surfaces[0].items():
+        assert len(mesh_checks.triangles(horizon)) > len(mesh_checks.triangles(surfaces[1][name]))
+        for surface in (horizon, surfaces[1][name]):
+            largest = surface.GetFieldData().GetArray("LargestDistance").GetComponent(2, 0)
+            assert 0 < largest < 5, largest
+            corners = mesh_checks.triangles(surface).ravel()
+            assert (mesh_checks.array(surface, "Distance")[corners] <= largest).all()
+    table = algorithm.GetOutputDataObject(2)
+    assert table.GetNumberOfRows() == 9 * len(surfaces[0]), table.GetNumberOfRows()
+    samples = table.GetValueByName(0, "Samples").ToInt()
+    distance.SamplesPerPoint = 5.0
+    distance.UpdatePipeline()
+    more = algorithm.GetOutputDataObject(2).GetValueByName(0, "Samples").ToInt()
+    assert more > 2 * samples, (samples, more)
+
+
 def check_reader_properties(reader):
     """The panel's choices reach the reader."""
     name, before = next(iter(fetch(reader).items()))
@@ -83,6 +108,7 @@ def main():
         mesh = outputs[-1][name]
         print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
         pipelines.assert_same(mesh, direct[name])
+    check_distance(proxies[0], proxies[-1])
     check_selection(proxies[0], names)
     check_reader_properties(proxies[0])
 

@@ -28,6 +28,8 @@ MESH = "mesh"
 LEVELS = "levels"  # points, coloured by how often their cells were halved
 CELLS = "cells"  # cells of a simplification as seen from above, in the same colours
 
+DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
+
 # What a panel shows: a title, a line below it, the horizon, and one of the styles above. `behind` is a horizon whose
 # points are shown in pale grey, or None.
 Panel = namedtuple("Panel", "title caption horizon style behind", defaults=[None])
@@ -38,6 +40,7 @@ VIEW_AZIMUTH = math.radians(-62.0)
 VIEW_ELEVATION = math.radians(38.0)
 LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
 LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
+NEAR_TO_FAR = ((0.0, "f4f2ea"), (0.12, "fee090"), (0.3, "fdae61"), (0.5, "e9693e"), (0.72, "b72842"), (1.0, "4a0c4a"))
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
@@ -194,7 +197,7 @@ def _actors(frame, panel):
     elif panel.style == OUTLINE:
         actors.extend(_outline(panel.horizon, dots=True))
     else:
-        actors.extend(_mesh(frame, panel.horizon))
+        actors.extend(_mesh(frame, panel.horizon, panel.style == DISTANCE))
     return actors
 
 
@@ -232,6 +235,21 @@ def _color_by_height(frame, actor):
     mapper.SetLookupTable(colors)
     mapper.UseLookupTableScalarRangeOn()
     mapper.InterpolateScalarsBeforeMappingOff()
+
+
+def _color_by_distance(horizon, actor):
+    """From 0 to the 99th percentile: a few extreme points should not eat up the colours."""
+    distances = horizon.GetPointData().GetArray("Distance")
+    largest = max(np.percentile(vtk_to_numpy(distances), 99.0), 1e-9)
+    actor.GetMapper().GetInput().GetPointData().SetScalars(distances)
+    colors = vtkColorTransferFunction()
+    for part, color in NEAR_TO_FAR:
+        colors.AddRGBPoint(part * largest, *(int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4)))
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetLookupTable(colors)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
 
 
 def _plain_points(horizon, size, color):
@@ -327,7 +345,7 @@ def _first_point(cells, cell):
     return int(cells.GetConnectivityArray().GetTuple1(int(offsets.GetTuple1(cell))))
 
 
-def _mesh(frame, horizon):
+def _mesh(frame, horizon, by_distance=False):
     """The shaded surface, and its edges as strongly as their number allows."""
     triangles = horizon.GetPolys()
     surface = _part(horizon, polys=triangles)
@@ -337,7 +355,9 @@ def _mesh(frame, horizon):
     normals.ConsistencyOff()
     normals.Update()
     shaded = _actor(normals.GetOutput())
-    if horizon.GetNumberOfPoints():
+    if by_distance:
+        _color_by_distance(horizon, shaded)
+    elif horizon.GetNumberOfPoints():
         _color_by_height(frame, shaded)
     shaded.GetProperty().SetAmbient(0.15)
     shaded.GetProperty().SetSpecular(0.12)

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Speed of the search for the nearest triangle, beside VTK's searches in the same run, all on one thread: from every
+// point of a generated horizon to a mesh of about a tenth of its points. Prints Markdown: processor seconds, the least
+// of several runs, and by how much results differ. Then the whole measure, on one thread.
+//
+//   SurfaceDistanceBenchmark [POINTS ...]      sizes of the horizons; without them 886639
+
+#include "HorizonGenerator.h"
+#include "Parallel.h"
+#include "RoughSimplification.h"
+#include "SurfaceDistance.h"
+#include "TestHorizons.h"
+#include "TriangleTree.h"
+#include "Triangulation.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellLocator.h"
+#include "vtkGenericCell.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+double ProcessorSeconds()
+{
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// The least of several runs, of as many as fit into some seconds, at least one.
+template <typename Work>
+double Time(Work&& work)
+{
+  double least = 0.0;
+  double total = 0.0;
+  for (int run = 0; run == 0 || (run < 5 && total < 4.0); ++run)
+  {
+    const double start = ProcessorSeconds();
+    work();
+    const double seconds = ProcessorSeconds() - start;
+    least = run == 0 ? seconds : std::min(least, seconds);
+    total += seconds;
+  }
+  return least;
+}
+
+BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
+{
+  HorizonGeneratorOptions options;
+  options.NumberOfHorizons = 1;
+  options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
+  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
+  std::vector<PlanePoint> columns;
+  for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
+  {
+    columns.push_back({ voxels.I[voxel], voxels.J[voxel] });
+  }
+  return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
+}
+
+TriangleSurface Mesh(const BoundedHorizon& horizon)
+{
+  TriangleSurface surface;
+  for (const SpacePoint& point : TestHorizons::ToSpacePoints(horizon))
+  {
+    surface.Points.emplace_back(point.X, point.Y, point.Z);
+  }
+  const std::vector<PointId> triangles = Triangulate(horizon).Triangles;
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    surface.Triangles.push_back({ triangles[corner], triangles[corner + 1], triangles[corner + 2] });
+  }
+  return surface;
+}
+
+TriangleSurface MeshSimplified(const BoundedHorizon& horizon)
+{
+  const BoundedHorizon straight =
+    TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
+  return Mesh(TestHorizons::Reduce(straight, SimplifyRough(straight, 3)));
+}
+
+vtkSmartPointer<vtkPolyData> ToVtk(const TriangleSurface& surface)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Eigen::Vector3d& point : surface.Points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const Corners& t : surface.Triangles)
+  {
+    triangles->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
+using Distances = std::vector<double>;
+
+Distances MeasureByTree(const TriangleSurface& from, const TriangleTree& tree)
+{
+  Distances distances;
+  std::int32_t hint = 0;
+  for (const Eigen::Vector3d& point : from.Points)
+  {
+    distances.push_back(std::sqrt(tree.SquaredDistance(point, hint)));
+  }
+  return distances;
+}
+
+Distances MeasureByLocator(const TriangleSurface& from, vtkAbstractCellLocator* locator)
+{
+  Distances distances;
+  vtkNew<vtkGenericCell> cell;
+  for (const Eigen::Vector3d& point : from.Points)
+  {
+    double closest[3];
+    vtkIdType id = 0;
+    int subId = 0;
+    double squared = 0.0;
+    locator->FindClosestPoint(point.data(), closest, cell, id, subId, squared);
+    distances.push_back(std::sqrt(squared));
+  }
+  return distances;
+}
+
+/// What vtkDistancePolyDataFilter does for each point.
+Distances MeasureByImplicit(const TriangleSurface& from, vtkImplicitPolyDataDistance* implicit)
+{
+  Distances distances;
+  for (const Eigen::Vector3d& point : from.Points)
+  {
+    distances.push_back(std::abs(implicit->EvaluateFunction(point.x(), point.y(), point.z())));
+  }
+  return distances;
+}
+
+void Report(const char* name, double build, double query, double ours, const Distances& found, const Distances& exact)
+{
+  double difference = 0.0;
+  for (std::size_t n = 0; n < found.size(); ++n)
+  {
+    difference = std::max(difference, std::abs(found[n] - exact[n]));
+  }
+  std::printf("| %s | %.3f | %.3f | %.3f | %.1f | %.1e |\n", name, build, query, 1e-6 * double(found.size()) / query,
+    query / ours, difference);
+  std::fflush(stdout);
+}
+
+void ReportLocator(
+  vtkAbstractCellLocator* locator, vtkPolyData* mesh, const TriangleSurface& full, double ours, const Distances& exact)
+{
+  locator->SetDataSet(mesh);
+  locator->CacheCellBoundsOn();
+  const double build = Time([&]() { locator->ForceBuildLocator(); });
+  Distances found;
+  const double query = Time([&]() { found = MeasureByLocator(full, locator); });
+  Report(locator->GetClassName(), build, query, ours, found, exact);
+}
+
+void Benchmark(std::int64_t size)
+{
+  const BoundedHorizon horizon = MakeGenerated(size);
+  const TriangleSurface full = Mesh(horizon);
+  const TriangleSurface mesh = MeshSimplified(horizon);
+  std::printf(
+    "%zu points to %zu points and %zu triangles\n\n", full.Points.size(), mesh.Points.size(), mesh.Triangles.size());
+  std::printf("| search | build s | queries s | million queries/s | time / ours | largest difference |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
+  Distances exact;
+  const double build = Time([&]() { TriangleTree tree(mesh); });
+  const TriangleTree tree(mesh);
+  const double ours = Time([&]() { exact = MeasureByTree(full, tree); });
+  Report("TriangleTree", build, ours, ours, exact, exact);
+  const vtkSmartPointer<vtkPolyData> data = ToVtk(mesh);
+  ReportLocator(vtkNew<vtkStaticCellLocator>(), data, full, ours, exact);
+  ReportLocator(vtkNew<vtkCellLocator>(), data, full, ours, exact);
+  vtkNew<vtkImplicitPolyDataDistance> implicit;
+  const double implicitBuild = Time([&]() { implicit->SetInput(data); });
+  Distances found;
+  const double query = Time([&]() { found = MeasureByImplicit(full, implicit); });
+  Report("vtkImplicitPolyDataDistance", implicitBuild, query, ours, found, exact);
+  SurfaceDistance distance;
+  const double whole = Time([&]() { distance = MeasureSurfaceDistance(full, mesh); });
+  std::printf("\nThe whole measure, both ways: %.3f s; %lld samples on faces; largest %.6f, mean %.6f\n\n", whole,
+    static_cast<long long>(distance.TwoSided.Samples), distance.TwoSided.Largest, distance.TwoSided.Mean);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  Detail::NumberOfThreads() = 1;
+  for (int n = 1; n < argc; ++n)
+  {
+    Benchmark(std::atoll(argv[n]));
+  }
+  if (argc == 1)
+  {
+    Benchmark(886639);
+  }
+  return EXIT_SUCCESS;
+}
