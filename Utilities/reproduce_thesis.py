@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does what the thesis reports on again, and writes its tables 4.1 to 4.6 and 5.1 and its curves 3.18, 3.19 and 5.18 with
-the figures found here beside them, and those of other programs.
+"""Does what the thesis reports on again, and writes its tables 4.1 to 4.6 and 5.1 and its curves 3.18, 3.19 and 5.18
+with the figures found here beside them, and those of other programs.
 
 Utilities/reproduce_thesis.sh makes all that is needed, and runs it. Needs the package seismichorizons in PYTHONPATH;
 Matplotlib for the curves, and MeshLab and an X server for the partners of the thesis, which are left out otherwise.
@@ -24,12 +24,12 @@ PAGE = """\
 # Beside the thesis
 
 Made by `Utilities/reproduce_thesis.sh`, which measures everything on this page anew and writes the words that have
-figures in them, too. The surfaces of the thesis are not public; ours are synthetic (`generate_horizons`), each with about
-as many points as one of the thesis, in a box of the same proportions that is as full. All errors are measured with
-[vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all points and the mesh of those
-that are left, in lattice units, and are divided by the diagonal of the bounding box, as the thesis has them. Times are
-those of the filters, attributes included, the fastest of up to {runs} runs, on {threads} threads; those of the thesis are
-from a PC of its time. {meshlab}
+figures in them, too. The surfaces of the thesis are not public; ours are synthetic (`generate_horizons`), each with
+about as many points as one of the thesis, in a box of the same proportions that is as full. All errors are measured
+with [vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all points and the mesh of
+those that are left, in lattice units, and are divided by the diagonal of the bounding box, as the thesis has them.
+Times are those of the filters, attributes included, the fastest of up to {runs} runs, on {threads} threads; those of
+the thesis are from a PC of its time. {meshlab}
 
 ## In short
 
@@ -57,14 +57,14 @@ a mesh that passes between them has a mean error of up to a quarter of a step ev
 
 ![Outline points dropped over the threshold](Pictures/BoundaryRate.png)
 
-*What the boundary simplification drops. The thesis's three points are from three outlines; how much is dropped depends on
-how straight an outline is, and how rough along its height.*
+*What the boundary simplification drops. The thesis's three points are from three outlines; how much is dropped
+depends on how straight an outline is, and how rough along its height.*
 
 ## Rough simplification and merging (table 4.1)
 
 *Left* is what remains of the inside and the outline together, as points and, in brackets, as a part of the input in
-percent. *Merged* is MeshLab's `Merge Close Vertices`, with which the thesis compares; its figures stand under "here" as
-well.
+percent. *Merged* is MeshLab's `Merge Close Vertices`, with which the thesis compares; its figures stand under "here"
+as well.
 
 {table_4_1}
 ## Rough simplification (table 4.2)
@@ -101,16 +101,16 @@ Medians over the surfaces, and for the last three rows over the flatnesses:
   MeshLab's merging does here and there ([in short](#in-short)) tells how comparable the surfaces are.
 ## Triangulation (table 5.1 and figure 5.18)
 
-All points of a surface meshed, our times with the exterior boundary. Triangles differ from those of the thesis by what
-the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have that of the next one in
-table 4.1. A program is left out of a surface when it would take longer than {mesh_seconds:g} s on it.
+All points of a surface meshed, our times with the exterior boundary. Triangles differ from those of the thesis by
+what the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have that of the next one
+in table 4.1. A program is left out of a surface when it would take longer than {mesh_seconds:g} s on it.
 
 {table_5_1}
 ![Time to mesh all points](Pictures/TriangulationTime.png)
 
-*Where the lattice is full our triangulation searches nothing, which is why it is linear and why its two searches differ
-so little on such surfaces. CGAL, where it was found, meshes the hull of as many points of horizons with another outline;
-ball pivoting and vtkDelaunay2D mesh the points of the table.*
+*Where the lattice is full our triangulation searches nothing, which is why it is linear and why its two searches
+differ so little on such surfaces. CGAL, where it was found, meshes the hull of as many points of horizons with
+another outline; ball pivoting and vtkDelaunay2D mesh the points of the table.*
 
 {meshing_words}
 {left_out_meshing}
@@ -120,23 +120,26 @@ Everybody gets to make a mesh with as many vertices as ours (within {near:.0f} %
 measured by the same meter. Errors of good meshes fall in proportion to the vertices, so that *error times vertices*
 compares what each vertex was good for. Times are ratios to ours from the points to the mesh: boundary, its
 simplification, simplification and triangulation, attributes included. Theirs are without attributes, and without the
-mesh of all points that all but `vtkDelaunay2D` need before. VTK's filters run with their defaults; the cells of the two
-clustering ones are as high as the surface. MeshLab's seconds are of the processor, without reading and writing files.
-`vtkGreedyTerrainDecimation` knows no blanked pixels: gaps are filled smoothly for it, and what it makes of them is cut
-off along the outline; it also spends vertices there. `vtkDelaunay2D` meshes the points that we leave, without an outline.
-The outline is how far that of the mesh is off on the map, anywhere. Medians over the surfaces:
+mesh of all points that all but `vtkDelaunay2D` need before. VTK's filters run with their defaults; the cells of the
+two clustering ones are as high as the surface. MeshLab's seconds are of the processor, without reading and writing
+files. `vtkGreedyTerrainDecimation` knows no blanked pixels: gaps are filled smoothly for it, and what it makes of
+them is cut off along the outline; it also spends vertices there. `vtkDelaunay2D` meshes the points that we leave,
+without an outline. The outline is how far that of the mesh is off on the map, anywhere. Medians over the surfaces:
 
 As many vertices as `rough, s = 6`:
 
 {rough_partners}
+{rough_best}
 As many vertices as `elaborate, s = 8, flatness 0.03`:
 
 {elaborate_partners}
+{elaborate_best}
+{own_words}
 ![Errors over vertices](Pictures/VertexWorth.png)
 
-*The surface of {curve_surface} points. Ours, drawn heavier, keeps the outline where it is by design; so the largest error,
-which others have at the outline, is bounded by what happens inside. The boundary simplification alone decides how far the
-outline moves.*
+*The surface of {curve_surface} points. Ours, drawn heavier, keeps the outline where it is by design; so the largest
+error, which others have at the outline, is bounded by what happens inside. The boundary simplification alone decides
+how far the outline moves.*
 
 {left_out_partners}
 ### Surface by surface
@@ -220,14 +223,17 @@ def page(found, curves, meshings, paces):
     return PAGE.format(
         runs=stages.MOST_RUNS, threads=vtkSMPTools.GetEstimatedNumberOfThreads(),
         meshlab="" if meshlab.is_installed() else "MeshLab was not installed.",
-        thesis_words=words.thesis_sentence(found), thesis_table=words.thesis_table(found), rough_words=words.partner_sentences(found, rough),
-        elaborate_words=words.partner_sentences(found, elaborate), surfaces=tables.surfaces(found),
+        thesis_words=words.thesis_sentence(found), thesis_table=words.thesis_table(found),
+        rough_words=words.partner_sentences(found, rough), elaborate_words=words.partner_sentences(found, elaborate),
+        surfaces=tables.surfaces(found),
         dropouts="%g %%" % (100.0 * study.surfaces.DROPOUTS), table_4_1=tables.table_4_1(found),
         table_4_2=tables.table_4_2(found), table_4_3=tables.table_4_3(found), table_4_4=tables.table_4_4(found),
         table_4_5=tables.table_4_5_and_6(found, 6), table_4_6=tables.table_4_5_and_6(found, 8),
         cluster_words=words.cluster_sentence(found), boxless=words.listing(["%d" % n for n in study.surfaces.BOX_OF]),
         mesh_seconds=paces[1].most_seconds, table_5_1=tables.table_5_1(meshings),
         meshing_words=words.meshing_sentences(meshings), left_out_meshing=words.left_out(paces[1]),
+        rough_best=words.best_sentence(found, rough), elaborate_best=words.best_sentence(found, elaborate),
+        own_words=words.own_sentence(found),
         near=100.0 * peers.NEAR_ENOUGH, rough_partners=words.partner_table(found, rough),
         elaborate_partners=words.partner_table(found, elaborate), curve_surface="{:,}".format(curves[0]),
         left_out_partners=words.left_out(paces[0]), rough_equal=tables.equal_vertices(found, rough),

@@ -6,7 +6,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  the back-end comes first
-from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 from . import reported  # noqa: E402
 
@@ -19,12 +19,12 @@ STYLE = {"font.size": 9, "axes.grid": True, "grid.color": "#dddddd", "grid.linew
 
 
 def plain(value, _):
-    return "{:,g}".format(value)
+    return "{:,.0f}".format(value) if value >= 1.0 else "%g" % value
 
 
-def panels(number, size):
+def panels(number, size, same_heights=False):
     plt.rcParams.update(STYLE)
-    figure, axes = plt.subplots(1, number, figsize=size, layout="constrained", squeeze=False)
+    figure, axes = plt.subplots(1, number, figsize=size, layout="constrained", squeeze=False, sharey=same_heights)
     return figure, list(axes[0])
 
 
@@ -38,6 +38,12 @@ def legend(axis):
     axis.legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
 
 
+def crowded(axis):
+    """Marks between the powers of ten, for short spans."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    logarithmic(axis)
+
+
 def save(figure, path):
     figure.savefig(path, dpi=RESOLUTION)
     plt.close(figure)
@@ -45,7 +51,7 @@ def save(figure, path):
 
 def boundary_time(found, path):
     """Figure 3.18."""
-    figure, axes = panels(2, (9.0, 3.9))
+    figure, axes = panels(2, (9.0, 3.9), same_heights=True)
     for axis, rule in zip(axes, found[0].boundary_seconds):
         for color, s in zip(COLORS, found):
             points = s.boundary_seconds[rule]
@@ -58,7 +64,6 @@ def boundary_time(found, path):
         axis.set_title(rule)
         axis.set_xlabel("radius k (columns)")
     axes[0].set_ylabel("exterior boundary (ms)")
-    axes[0].sharey(axes[1])
     legend(axes[-1])
     save(figure, path)
 
@@ -97,6 +102,7 @@ def triangulation_time(meshings, others, path):
     axis.set_yscale("log")
     logarithmic(axis.xaxis)
     logarithmic(axis.yaxis)
+    axis.set_xticks((20000, 50000, 100000, 200000, 500000, 1000000))
     axis.set_xlabel("points")
     axis.set_ylabel("seconds to mesh all points")
     legend(axis)
@@ -120,7 +126,10 @@ def vertex_worth(curves, title, path):
         axis.set_title(label)
     for axis in axes[:2]:
         axis.set_yscale("log")
+        crowded(axis.yaxis)
     axes[2].set_yscale("symlog", linthresh=1.0)
+    axes[2].set_yticks((0.0, 1.0, 10.0, 100.0))
+    axes[2].set_ylim(bottom=-0.2)
     logarithmic(axes[2].yaxis)
     legend(axes[-1])
     figure.suptitle(title)

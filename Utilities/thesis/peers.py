@@ -21,7 +21,14 @@ from .worth import arrays_of
 MOST_SECONDS = 5.0  # a partner that would take longer on a surface is left out of it
 GROWTH = 1.3  # with this power of the points, going by the surface before
 MOST_TRIALS = 4  # to get as many vertices as we have
-NEAR_ENOUGH = 0.02
+NEAR_ENOUGH = 0.03
+
+# First guesses, found by trying: a distance for a cell of size 1, triangles for one of ours, and those of a whole image
+# for one inside the outline, whose number grows faster than that of all.
+MERGE_PER_CELL = 0.95
+PRO_PER_TRIANGLE = 0.6
+TERRAIN_PER_TRIANGLE = 1.5
+TERRAIN_POWER = 0.8
 
 MERGE = "MeshLab Merge Close Vertices"
 
@@ -43,22 +50,26 @@ def run(algorithm, mesh):
 
 
 def divisions(mesh, cell_size):
-    """Cells as the rough simplification has them: square in plan, and as high as the surface."""
+    """Cubic cells."""
     bounds = mesh.GetBounds()
-    return [max(1, round((bounds[1] - bounds[0]) / cell_size)), max(1, round((bounds[3] - bounds[2]) / cell_size)), 1]
+    return [max(1, round((bounds[2 * axis + 1] - bounds[2 * axis]) / cell_size)) for axis in range(3)]
 
 
 def quadric_clustering(mesh, cell_size):
+    """With cells as high as the surface some of its points fly far off."""
     algorithm = vtkQuadricClustering()
     algorithm.AutoAdjustNumberOfDivisionsOff()
     algorithm.SetNumberOfDivisions(divisions(mesh, cell_size))
+    algorithm.UseFeatureEdgesOn()
     return run(algorithm, mesh)
 
 
 def binned_decimation(mesh, cell_size):
+    """With cells as the rough simplification has them, square in plan and as high as the surface: cubic ones led to a
+    larger error for its vertices."""
     algorithm = vtkBinnedDecimation()
     algorithm.AutoAdjustNumberOfDivisionsOff()
-    algorithm.SetNumberOfDivisions(divisions(mesh, cell_size))
+    algorithm.SetNumberOfDivisions(divisions(mesh, cell_size)[:2] + [1])
     algorithm.SetPointGenerationModeToBinAverages()
     return run(algorithm, mesh)
 
@@ -88,8 +99,8 @@ def ball_pivoting(mesh, folder):
 
 
 class Terrain:
-    """A surface as vtkGreedyTerrainDecimation needs it: an image without blanked pixels. Columns without a point are filled
-    smoothly; what the filter makes of them is cut off along the outline."""
+    """A surface as vtkGreedyTerrainDecimation needs it: an image without blanked pixels. Columns without a point are
+    filled smoothly; what the filter makes of them is cut off along the outline."""
 
     def __init__(self, mesh):
         self.flat = to_polydata(arrays_of(mesh)[0] * (1.0, 1.0, 0.0), arrays_of(mesh)[1])
@@ -132,11 +143,19 @@ def fill(heights):
     blocks = even.reshape(even.shape[0] // 2, 2, even.shape[1] // 2, 2)
     numbers = np.isfinite(blocks).sum(axis=(1, 3))
     halves = np.where(numbers > 0, np.nansum(blocks, axis=(1, 3)) / np.maximum(numbers, 1), np.nan)
-    return np.where(known, heights, fill(halves).repeat(2, axis=0).repeat(2, axis=1)[:rows, :columns])
+    return np.where(known, heights, smooth(fill(halves).repeat(2, axis=0).repeat(2, axis=1))[:rows, :columns])
 
 
-def match(work, parameter, power, target):
-    """The run of `work` whose number of vertices, about a power of the parameter, is nearest to the target."""
+def smooth(image):
+    """Means of three by three pixels."""
+    rows, columns = image.shape
+    framed = np.pad(image, 1, mode="edge")
+    return sum(framed[i:i + rows, j:j + columns] for i in range(3) for j in range(3)) / 9.0
+
+
+def match(work, parameter, correct, target):
+    """The run of `work` whose number of vertices is nearest to the target. `correct` makes a better parameter of one
+    and of the vertices it led to."""
     best = None
     for _ in range(MOST_TRIALS):
         peer = work(parameter)
@@ -146,7 +165,7 @@ def match(work, parameter, power, target):
             best = peer
         if abs(peer.vertices - target) <= NEAR_ENOUGH * target:
             break
-        parameter *= (target / peer.vertices) ** (1.0 / power)
+        parameter = correct(parameter, peer.vertices)
     return best
 
 
@@ -164,13 +183,23 @@ class Partners:
         target = ours.points
         cell = (self.full.GetNumberOfPoints() / target) ** 0.5
         triangles = ours.triangles
+
+        def by_power(work, first, power):
+            return match(work, first, lambda size, vertices: size * (target / vertices) ** power, target)
+
+        def by_difference(work):
+            """A vertex more is two triangles more."""
+            return match(work, triangles, lambda number, vertices: number + 2 * (target - vertices), target)
+
         works = {
-            MERGE: lambda: match(self.merge, 0.8 * cell, -2.0, target),
-            "vtkQuadricClustering": lambda: match(lambda s: quadric_clustering(self.full, s), cell, -2.0, target),
-            "vtkBinnedDecimation": lambda: match(lambda s: binned_decimation(self.full, s), cell, -2.0, target),
-            "vtkDecimatePro": lambda: match(lambda n: decimate_pro(self.full, n), triangles, 1.0, target),
-            "vtkQuadricDecimation": lambda: match(lambda n: quadric_decimation(self.full, n), triangles, 1.0, target),
-            "vtkGreedyTerrainDecimation": lambda: match(self.terrain.decimate, 1.2 * triangles, 1.0, target),
+            MERGE: lambda: by_power(self.merge, MERGE_PER_CELL * cell, -0.5),
+            "vtkQuadricClustering": lambda: by_power(lambda size: quadric_clustering(self.full, size), cell, -0.5),
+            "vtkBinnedDecimation": lambda: by_power(lambda size: binned_decimation(self.full, size), cell, -0.5),
+            "vtkDecimatePro": lambda: by_power(lambda number: decimate_pro(self.full, number),
+                                               PRO_PER_TRIANGLE * triangles, 1.0),
+            "vtkQuadricDecimation": lambda: by_difference(lambda number: quadric_decimation(self.full, number)),
+            "vtkGreedyTerrainDecimation": lambda: by_power(self.terrain.decimate, TERRAIN_PER_TRIANGLE * triangles,
+                                                           TERRAIN_POWER),
             "vtkDelaunay2D of our points": lambda: delaunay(stages.triangles_only(ours.data))}
         found = {}
         for name, work in works.items():
@@ -185,12 +214,12 @@ class Partners:
         cells = [(self.full.GetNumberOfPoints() / mesh.points) ** 0.5 for mesh in ours]
         triangles = [mesh.triangles for mesh in ours]
         runs = {
-            MERGE: [self.merge(0.8 * cell) for cell in cells],
+            MERGE: [self.merge(MERGE_PER_CELL * cell) for cell in cells],
             "vtkQuadricClustering": [quadric_clustering(self.full, cell) for cell in cells],
             "vtkBinnedDecimation": [binned_decimation(self.full, cell) for cell in cells],
-            "vtkDecimatePro": [decimate_pro(self.full, n) for n in triangles],
+            "vtkDecimatePro": [decimate_pro(self.full, PRO_PER_TRIANGLE * n) for n in triangles],
             "vtkQuadricDecimation": [quadric_decimation(self.full, n) for n in triangles],
-            "vtkGreedyTerrainDecimation": [self.terrain.decimate(1.2 * n) for n in triangles]}
+            "vtkGreedyTerrainDecimation": [self.terrain.decimate(TERRAIN_PER_TRIANGLE * n) for n in triangles]}
         return {name: results for name, results in runs.items() if all(results)}
 
     def merge(self, distance):

@@ -39,8 +39,8 @@ CLUSTER = {
     664582: {6: (19872, 7116, 0.06, 0.0004), 8: (17280, 5793, 0.099, 0.0014)},
 }
 
-# Table 4.3: elaborate with cells of 8 for each flatness, as (points left, milliseconds of the method alone, milliseconds
-# after rough with cells of 3, largest error, mean error). One number of points is given for both.
+# Table 4.3: elaborate with cells of 8 for each flatness, as (points left, milliseconds of the method alone,
+# milliseconds after rough with cells of 3, largest error, mean error). One number of points is given for both.
 ELABORATE = {
     15626: ((1571, 856, 574, 0.013, 0.0004), (1123, 851, 568, 0.02, 0.0006), (1071, 842, 567, 0.022, 0.0007)),
     32402: ((5818, 1384, 1186, 0.009, 0.0004), (5509, 1380, 1179, 0.01, 0.0005), (5185, 1371, 1178, 0.013, 0.0005)),

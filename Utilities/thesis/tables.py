@@ -75,9 +75,8 @@ def table_4_2(found):
 
 
 def table_4_3(found):
-    heads = ["points", "method", "left, thesis", "here, alone", "here, after rough", "largest, thesis", "alone",
-             "after rough", "mean, thesis", "alone", "after rough", "ms alone, thesis", "here", "ms after rough, thesis",
-             "here"]
+    heads = ["points", "method", "left, thesis", "alone", "after rough", "largest, thesis", "alone", "after rough",
+             "mean, thesis", "alone", "after rough", "ms alone, thesis", "here", "ms after rough, thesis", "here"]
     rows = []
     for s in found:
         points, spent, largest, mean = reported.ROUGH[s.size][3]
