@@ -5,6 +5,7 @@
 
 #include "DataModel.h"
 #include "Errors.h"
+#include "Parallel.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -228,16 +229,20 @@ LatticePoints ReadPoints(vtkPolyData* horizon)
   }
   LatticePoints points;
   points.Grid = ReadLattice(horizon);
-  points.Plane.reserve(std::size_t(size));
-  points.Height.reserve(std::size_t(size));
-  Eigen::Vector3d world;
-  for (vtkIdType point = 0; point < size; ++point)
-  {
-    horizon->GetPoint(point, world.data());
-    const Eigen::Vector3d place = points.Grid.ToLattice(world);
-    points.Plane.push_back(points.Grid.ToSubVoxels(place, PointId(point)));
-    points.Height.push_back(place.z());
-  }
+  points.Plane.resize(std::size_t(size));
+  points.Height.resize(std::size_t(size));
+  ParallelFor(size, 16384,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Eigen::Vector3d world;
+      for (vtkIdType point = first; point < last; ++point)
+      {
+        horizon->GetPoint(point, world.data());
+        const Eigen::Vector3d place = points.Grid.ToLattice(world);
+        points.Plane[std::size_t(point)] = points.Grid.ToSubVoxels(place, PointId(point));
+        points.Height[std::size_t(point)] = place.z();
+      }
+    });
   return points;
 }
 

@@ -5,13 +5,9 @@
 
 #include "DataModel.h"
 #include "DistanceReport.h"
-#include "ExteriorBoundary.h"
-#include "HorizonData.h"
 #include "HorizonPairs.h"
-#include "SurfaceDistance.h"
-#include "Triangulation.h"
+#include "SurfacePair.h"
 
-#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -24,9 +20,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
@@ -37,110 +31,6 @@ constexpr int ReferencePort = 0;
 constexpr int MeshPort = 1;
 constexpr int TablePort = 2;
 
-/// Runs `work`, and lets what it says of its input begin with the name of that input.
-template <typename Work>
-auto Naming(const char* input, Work&& work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(std::string(input) + ": " + error.what());
-  }
-}
-
-bool HasTriangles(vtkPolyData* data)
-{
-  return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
-}
-
-/// What the triangulation needs of a horizon; the boundary is found when the horizon has no loops.
-BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monitor)
-{
-  LatticePoints points = ReadPoints(input);
-  if (input->GetNumberOfLines() > 0)
-  {
-    return ReadBoundedHorizon(input, std::move(points));
-  }
-  BoundaryOptions options;
-  options.Radius = radius;
-  ExteriorBoundary found = FindExteriorBoundary(ToColumns(points), options, monitor);
-  BoundedHorizon horizon;
-  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
-  horizon.Plane = std::move(points.Plane);
-  horizon.Patch = std::move(found.Patch);
-  horizon.Boundary = std::move(found.Boundary);
-  return horizon;
-}
-
-/// The horizon with all its points as a mesh.
-void MeshHorizon(vtkPolyData* input, int radius, vtkPolyData* output, const Monitor& monitor)
-{
-  const BoundedHorizon horizon = ReadHorizon(input, radius, monitor.Step(0.0, 0.5));
-  Triangulation mesh = Triangulate(horizon, TriangulationOptions(), monitor.Step(0.5, 1.0));
-  FaceUp(ReadLattice(input), mesh.Triangles);
-  output->SetPoints(input->GetPoints());
-  output->GetPointData()->PassData(input->GetPointData());
-  output->GetFieldData()->PassData(input->GetFieldData());
-  output->SetLines(MakePolylines(horizon.Boundary));
-  output->SetPolys(MakeTriangles(mesh.Triangles));
-}
-
-/// A mesh in world coordinates.
-TriangleSurface ReadSurface(vtkPolyData* data)
-{
-  if (data->GetNumberOfStrips() > 0)
-  {
-    throw InputError(
-      std::to_string(data->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate before");
-  }
-  TriangleSurface surface;
-  surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
-  for (std::size_t point = 0; point < surface.Points.size(); ++point)
-  {
-    data->GetPoint(vtkIdType(point), surface.Points[point].data());
-  }
-  vtkCellArray* const polys = data->GetPolys();
-  surface.Triangles.reserve(std::size_t(data->GetNumberOfPolys()));
-  for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    polys->GetCellAtId(cell, size, corners);
-    if (size != 3)
-    {
-      throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
-        " corners, expected triangles: apply Triangulate before");
-    }
-    surface.Triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
-  }
-  return surface;
-}
-
-std::optional<SeismicHorizons::Lattice> FindLattice(vtkPolyData* reference, vtkPolyData* mesh)
-{
-  for (const auto& [name, data] : { std::make_pair("reference", reference), std::make_pair("mesh", mesh) })
-  {
-    vtkFieldData* const fields = data->GetFieldData();
-    if (fields->HasArray(FieldArray::LatticeDimensions) || fields->HasArray(FieldArray::LatticeToWorld))
-    {
-      return Naming(name, [horizon = data]() { return ReadLattice(horizon); });
-    }
-  }
-  return std::nullopt;
-}
-
-template <typename Map>
-void MovePoints(TriangleSurface& surface, Map&& map)
-{
-  for (Eigen::Vector3d& point : surface.Points)
-  {
-    point = map(point);
-  }
-}
-
 void AddArray(const char* name, std::vector<double>& values, double factor, vtkPolyData* output)
 {
   vtkNew<vtkDoubleArray> array;
@@ -149,88 +39,6 @@ void AddArray(const char* name, std::vector<double>& values, double factor, vtkP
   std::transform(values.begin(), values.end(), array->GetPointer(0), [factor](double value) { return factor * value; });
   values = std::vector<double>();
   output->GetPointData()->AddArray(array);
-}
-
-std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distance)
-{
-  return { distance.ReferenceToMesh, distance.MeshToReference, distance.TwoSided };
-}
-
-/// Gives the output the reference with triangles.
-void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
-{
-  if (HasTriangles(pair.Reference) || pair.Reference->GetNumberOfPoints() == 0)
-  {
-    pair.ReferenceOutput->ShallowCopy(pair.Reference);
-    return;
-  }
-  Naming("reference", [&]() { MeshHorizon(pair.Reference, radius, pair.ReferenceOutput, monitor); });
-}
-
-/// Both surfaces of a pair, in world coordinates at first.
-struct Surfaces
-{
-  TriangleSurface Reference;
-  TriangleSurface Mesh;
-
-  explicit Surfaces(const HorizonPair& pair)
-    : Reference(Naming("reference", [&]() { return ReadSurface(pair.ReferenceOutput); }))
-    , Mesh(Naming("mesh", [&]() { return ReadSurface(pair.Mesh); }))
-  {
-    CheckSurface(this->Reference, "reference");
-    CheckSurface(this->Mesh, "mesh");
-  }
-
-  template <typename Map>
-  void Move(Map&& map)
-  {
-    MovePoints(this->Reference, map);
-    MovePoints(this->Mesh, map);
-  }
-
-  SurfaceDistance Measure(const SurfaceDistanceOptions& options, const Monitor& monitor) const
-  {
-    return MeasureSurfaceDistance(this->Reference, this->Mesh, options, monitor);
-  }
-};
-
-/// Distances of points in the unit that was asked for, and the figures in all.
-struct Measured
-{
-  SurfaceDistance Points;
-  double Upwards = 1.0; // from heights on the lattice to those of the unit
-  DistanceReport Report;
-};
-
-/// Without a lattice, lattice units are those of the world.
-Measured Measure(Surfaces surfaces, const std::optional<SeismicHorizons::Lattice>& lattice,
-  SurfaceDistanceOptions options, bool inWorldUnits, const Monitor& monitor)
-{
-  const Eigen::Vector3d origin = surfaces.Reference.Points.front();
-  surfaces.Move([&](const Eigen::Vector3d& world)
-    { return Eigen::Vector3d(lattice ? lattice->ToLattice(world) : world - origin); });
-  Measured measured;
-  measured.Points = surfaces.Measure(options, monitor.Step(0.0, lattice ? 0.5 : 1.0));
-  DistanceReport& report = measured.Report;
-  report.Lattice = FiguresOf(measured.Points);
-  report.World = report.Lattice;
-  report.Diagonal = MeasureDiagonal(surfaces.Reference);
-  report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
-  if (lattice)
-  {
-    const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
-    measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
-    surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
-    options.Vertical = false;
-    SurfaceDistance inWorld = surfaces.Measure(options, monitor.Step(0.5, 1.0));
-    report.World = FiguresOf(inWorld);
-    if (inWorldUnits)
-    {
-      measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
-      measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
-    }
-  }
-  return measured;
 }
 
 void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
@@ -320,8 +128,7 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, vtkTable* t
   SurfaceDistanceOptions options;
   options.SamplesPerPoint = this->SamplesPerPoint;
   options.Seed = std::uint64_t(this->Seed);
-  Measured measured = Measure(Surfaces(pair), FindLattice(pair.Reference, pair.Mesh), options,
-    this->DistanceUnit == World, monitor.Step(0.1, 0.95));
+  MeasuredPair measured = MeasureSurfaces(pair, options, this->DistanceUnit == World, monitor.Step(0.1, 0.95));
   AddArrays(measured.Points.Reference, measured.Upwards, pair.ReferenceOutput);
   AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
   WriteFieldData(measured.Report, measured.Report.Surfaces[0], pair.ReferenceOutput);

@@ -92,6 +92,15 @@ bool IsNear(double a, double b, double tolerance = 1e-9)
   return std::abs(a - b) <= tolerance;
 }
 
+/// A lattice unit of 5 world units, and a millionth more upwards on request.
+vtkSmartPointer<vtkMatrix4x4> UniformSurvey(double more = 0.0)
+{
+  auto map = HorizonFixtures::UnitSurvey();
+  const double values[16] = { 3, -4, 0, 604321.25, 4, 3, 0, 6079543.5, 0, 0, -5 * (1 + more), 100, 0, 0, 0, 1 };
+  map->DeepCopy(values);
+  return map;
+}
+
 /// Lifted by a multiple of the vertical step: everything is known, in every unit and on every survey.
 void TestLifted(vtkMatrix4x4* survey)
 {
@@ -120,6 +129,9 @@ void TestLifted(vtkMatrix4x4* survey)
   CHECK(IsNear(output->GetPointData()->GetArray("Distance")->GetTuple1(5), 3.0));
   CHECK(IsNear(output->GetPointData()->GetArray("VerticalDistance")->GetTuple1(5), 3.0));
   CHECK(IsNear(reference->GetPointData()->GetArray("VerticalDistance")->GetTuple1(0), -3.0));
+  // The inputs stay as they were.
+  CHECK(mesh->GetPointData()->GetNumberOfArrays() == 0 && mesh->GetFieldData()->GetNumberOfArrays() == 0);
+  CHECK(flat->GetNumberOfPolys() == 0 && !flat->GetFieldData()->HasArray("LargestDistance"));
   meter.Filter->SetDistanceUnitToWorld();
   reference = meter.Update(0);
   CHECK(IsNear(reference->GetPointData()->GetArray("Distance")->GetTuple1(7), 3.0 * std::abs(step), 1e-7));
@@ -152,6 +164,34 @@ void TestSimplified()
     {
       Meter other(same, Simplified(horizon));
       CHECK_EQUAL(Figure(other.Update(1), "MeanDistance", 2, 0), found);
+    }
+  }
+}
+
+/// World distances follow from those on the lattice where its unit is as long in all directions, and are measured anew
+/// where it is not quite.
+void TestUniformUnits()
+{
+  Data horizon = Horizon(UniformSurvey());
+  Data nearly = Horizon(UniformSurvey(1e-6));
+  Meter meter(horizon, Simplified(horizon));
+  Meter nearlyMeter(nearly, Simplified(nearly));
+  meter.Filter->SetDistanceUnitToWorld();
+  nearlyMeter.Filter->SetDistanceUnitToWorld();
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkPolyData* const output = meter.Update(port);
+    vtkPolyData* const other = nearlyMeter.Update(port);
+    for (const char* name : { "LargestDistance", "MeanDistance", "RmsDistance", "DistancePercentile90" })
+    {
+      CHECK(IsNear(Figure(output, name, port, 1), 5.0 * Figure(output, name, port, 0)));
+      // Samples lie elsewhere.
+      CHECK(IsNear(Figure(output, name, port, 1), Figure(other, name, port, 1), 0.05 * Figure(other, name, port, 1)));
+    }
+    for (vtkIdType point = 0; point < output->GetNumberOfPoints(); point += 7)
+    {
+      const double distance = output->GetPointData()->GetArray("Distance")->GetTuple1(point);
+      CHECK(IsNear(distance, other->GetPointData()->GetArray("Distance")->GetTuple1(point), 1e-4));
     }
   }
 }
@@ -320,6 +360,8 @@ int TestHorizonSurfaceDistance(int, char*[])
 {
   TestLifted(HorizonFixtures::UnitSurvey());
   TestLifted(HorizonFixtures::RotatedSurvey());
+  TestLifted(UniformSurvey());
+  TestUniformUnits();
   TestSimplified();
   TestPlainMeshes();
   TestMatching();

@@ -134,9 +134,9 @@ def _add_stage_options(group):
 
 def _add_error_options(group):
     group.add_argument("--measure-error", action="store_true",
-                       help="measure how far each mesh is from the horizon at full resolution, both ways: adds columns to "
-                       "the table (in lattice units), the arrays Distance and VerticalDistance to the meshes, and writes "
-                       "all figures to a .csv file for each input")
+                       help="measure how far each mesh is from the horizon at full resolution, both ways: adds columns "
+                       "to the table (in lattice units), the arrays Distance and VerticalDistance to the meshes, and "
+                       "writes all figures to a .csv file for each input")
     group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
                        help="the unit of the arrays; the .csv file has both")
     group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N",

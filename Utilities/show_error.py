@@ -5,8 +5,8 @@
 
     pvbatch show_error.py [OPTIONS] REFERENCE MESH [MESH ...] PICTURE.png
 
-Runs in pvbatch and pvpython, and needs an X server. The plugin SeismicHorizons is loaded from the build tree, or else from
-where PV_PLUGIN_PATH says.
+Runs in pvbatch and pvpython, and needs an X server. The plugin SeismicHorizons is loaded from the build tree, or else
+from where PV_PLUGIN_PATH says.
 """
 
 import argparse
@@ -35,7 +35,8 @@ def make_parser():
     parser.add_argument("--array", choices=sorted(PRESETS), default="Distance", help="what the colours show")
     parser.add_argument("--unit", choices=("Lattice", "World"), default="Lattice", help="the unit of the distances")
     parser.add_argument("--largest", type=float, metavar="D",
-                        help="the distance of the last colour (default: the largest 99th percentile of all panels, rounded up)")
+                        help="the distance of the last colour (default: the largest 99th percentile of all panels, "
+                        "rounded up)")
     parser.add_argument("--titles", nargs="+", metavar="TEXT", help="titles of the panels (default: the file names)")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the triangles")
     return parser

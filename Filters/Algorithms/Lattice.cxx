@@ -75,6 +75,14 @@ Lattice::Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& to
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double Lattice::UniformScale() const
+{
+  const Eigen::Matrix3d products = this->IntoWorld.linear().transpose() * this->IntoWorld.linear();
+  const double squared = products(0, 0);
+  return products.isApprox(squared * Eigen::Matrix3d::Identity(), 1e-14) ? std::sqrt(squared) : 0.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
 {
   const bool inside = lattice.allFinite() && lattice.x() >= -0.5 && lattice.x() <= this->Dimensions[0] - 0.5 &&
@@ -87,7 +95,9 @@ PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) c
          << " columns";
     throw InputError(text.str());
   }
+  // Halves away from 0, as std::lround has it in several times as long.
+  const auto round = [](double value) { return std::int32_t(value + (value < 0.0 ? -0.5 : 0.5)); };
   const double scale = this->SubVoxelsPerColumn();
-  return { std::int32_t(std::lround(lattice.x() * scale)), std::int32_t(std::lround(lattice.y() * scale)) };
+  return { round(lattice.x() * scale), round(lattice.y() * scale) };
 }
 }

@@ -38,6 +38,9 @@ public:
   /// The area of a column seen from above, in square units of the world.
   double ColumnArea() const { return std::abs(this->IntoWorld.linear().topLeftCorner<2, 2>().determinant()); }
 
+  /// The length of a lattice unit in the world where it is the same in all directions, to rounding; else 0.
+  double UniformScale() const;
+
   /// How many times a column is halved to give sub-voxels.
   int GetSubVoxelBits() const { return this->SubVoxelBits; }
   std::int32_t SubVoxelsPerColumn() const { return std::int32_t(1) << this->SubVoxelBits; }

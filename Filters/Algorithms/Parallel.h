@@ -27,12 +27,12 @@ namespace SeismicHorizons
 {
 namespace Detail
 {
-/// Keeps the first exception of a loop: none may leave a thread.
+/// Keeps the first exception of a loop, in the order of its ranges: none may leave a thread.
 class FirstException
 {
 public:
   template <typename Call>
-  void Guard(Call&& call) noexcept
+  void Guard(std::int64_t range, Call&& call) noexcept
   {
     try
     {
@@ -41,7 +41,11 @@ public:
     catch (...)
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Pointer = this->Pointer ? this->Pointer : std::current_exception();
+      if (!this->Pointer || range < this->Range)
+      {
+        this->Pointer = std::current_exception();
+        this->Range = range;
+      }
     }
   }
 
@@ -56,6 +60,7 @@ public:
 private:
   std::mutex Mutex;
   std::exception_ptr Pointer;
+  std::int64_t Range = 0;
 };
 
 #ifndef SEISMICHORIZONS_USE_VTK_SMP
@@ -93,13 +98,14 @@ void RunOnThreads(std::int64_t size, std::int64_t grain, Range&& range)
 }
 
 /// Calls work(first, last) for ranges of at least about `grain` that cover 0 to `size`, in any order and at the same
-/// time. An exception from `work` comes out of here once all ranges are done with.
+/// time. Once all ranges are done with, an exception of the first range that threw one comes out of here: when each
+/// range throws at its first wrong item, this is the first of all, whatever the ranges.
 template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
 {
   Detail::FirstException exception;
   const auto range = [&](std::int64_t first, std::int64_t last) noexcept
-  { exception.Guard([&]() { work(first, last); }); };
+  { exception.Guard(first, [&]() { work(first, last); }); };
 #ifdef SEISMICHORIZONS_USE_VTK_SMP
   vtkSMPTools::For(0, vtkIdType(size), vtkIdType(grain), range);
 #else

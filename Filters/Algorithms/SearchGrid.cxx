@@ -15,6 +15,9 @@ namespace SeismicHorizons
 {
 namespace
 {
+// How far it is to the nearest boundary edge, at most.
+constexpr unsigned char FarFromHops = 255;
+
 // Bounds the memory of the grid, where points are gathered in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
 
@@ -52,7 +55,7 @@ SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& bound
 {
   this->CheckPlaces();
   this->CheckEdges();
-  this->MarkNearHops();
+  this->MeasureHopDistances();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -79,39 +82,55 @@ SearchGrid::SortedPoints::SortedPoints(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::MarkNearHops()
+// Two passes, as a voxel on the shortest way to the nearest edge comes before it in one of both orders.
+void SearchGrid::MeasureHopDistances()
 {
-  this->NearHops.assign(std::size_t(this->Grid.Size()), false);
-  for (std::int64_t y = 0; y < this->Grid.SizeY(); ++y)
+  const std::int64_t sizeX = this->Grid.SizeX();
+  const std::int64_t sizeY = this->Grid.SizeY();
+  this->HopDistances.assign(std::size_t(this->Grid.Size()), FarFromHops);
+  if (this->HopsInCell.AreEmpty(0, this->Grid.Size() - 1))
   {
-    for (std::int64_t x = 0; x < this->Grid.SizeX(); ++x)
+    return;
+  }
+  const auto distance = [this](std::int64_t x, std::int64_t y) -> unsigned char&
+  { return this->HopDistances[std::size_t(this->Grid.Index(x, y))]; };
+  const auto approach = [&](std::int64_t x, std::int64_t y, std::int64_t rowBefore, std::int64_t columnBefore)
+  {
+    int nearest = FarFromHops;
+    if (rowBefore >= 0 && rowBefore < sizeY)
     {
-      if (!this->HopsInCell.AreEmpty(this->Grid.Index(x, y), this->Grid.Index(x, y)))
+      for (std::int64_t column = std::max<std::int64_t>(0, x - 1); column <= std::min(x + 1, sizeX - 1); ++column)
       {
-        this->MarkAround(x, y);
+        nearest = std::min<int>(nearest, distance(column, rowBefore));
       }
     }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::MarkAround(std::int64_t x, std::int64_t y)
-{
-  const std::int64_t lastRow = std::min(y + 1, this->Grid.SizeY() - 1);
-  const std::int64_t lastColumn = std::min(x + 1, this->Grid.SizeX() - 1);
-  for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= lastRow; ++row)
-  {
-    for (std::int64_t column = std::max<std::int64_t>(0, x - 1); column <= lastColumn; ++column)
+    if (columnBefore >= 0 && columnBefore < sizeX)
     {
-      this->NearHops[std::size_t(this->Grid.Index(column, row))] = true;
+      nearest = std::min<int>(nearest, distance(columnBefore, y));
+    }
+    distance(x, y) = static_cast<unsigned char>(std::min<int>(distance(x, y), nearest + 1));
+  };
+  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
+  {
+    if (!this->HopsInCell.AreEmpty(cell, cell))
+    {
+      this->HopDistances[std::size_t(cell)] = 0;
     }
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool SearchGrid::HasSmallCoordinates() const
-{
-  return std::max(this->Grid.SizeX(), this->Grid.SizeY()) * this->Grid.GetCellSize() < (std::int64_t(1) << 26);
+  for (std::int64_t y = 0; y < sizeY; ++y)
+  {
+    for (std::int64_t x = 0; x < sizeX; ++x)
+    {
+      approach(x, y, y - 1, x - 1);
+    }
+  }
+  for (std::int64_t y = sizeY; y-- > 0;)
+  {
+    for (std::int64_t x = sizeX; x-- > 0;)
+    {
+      approach(x, y, y + 1, x + 1);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

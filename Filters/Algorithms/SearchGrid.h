@@ -33,12 +33,10 @@ public:
 
   /// How far apart points are on average.
   double Spacing() const { return this->PointSpacing; }
-  /// Whether products of two coordinates fit a double.
-  bool HasSmallCoordinates() const;
-  /// Whether no boundary edge is in a voxel or one of its eight neighbours.
-  bool HasNoHopsAround(std::int64_t x, std::int64_t y) const
+  /// How many steps to neighbours, also across corners, a voxel is away from one with boundary edges, up to 255.
+  std::int64_t HopDistance(std::int64_t x, std::int64_t y) const
   {
-    return !this->NearHops[std::size_t(this->Grid.Index(x, y))];
+    return this->HopDistances[std::size_t(this->Grid.Index(x, y))];
   }
 
   /// Places may be read for so many numbers after the last.
@@ -59,8 +57,7 @@ private:
     std::vector<PointId> Numbers; // by the numbers that points had before
   };
 
-  void MarkNearHops();
-  void MarkAround(std::int64_t x, std::int64_t y);
+  void MeasureHopDistances();
   void CheckPlaces() const;
   void CheckEdges() const;
 
@@ -68,7 +65,7 @@ private:
   const CellGrid Grid;
   const SortedPoints Sorted;
   const HopLists HopsInCell;
-  std::vector<bool> NearHops; // by voxel
+  std::vector<unsigned char> HopDistances; // by voxel
 };
 }
 

@@ -121,7 +121,7 @@ void MeasureHeights(const TriangleSurface& from, const TriangleTree& to, double 
     });
 }
 
-/// The largest distance of samples on edges, one on each piece of an edge that is `spacing` long or shorter.
+/// The largest distance of samples on edges, one for each `spacing` of their length; shorter edges have their ends.
 double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleTree& to, double spacing,
   std::uint64_t seed, const Monitor& monitor)
 {
@@ -136,8 +136,8 @@ double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, cons
         {
           const double length = (from.Point(high) - from.Point(low)).norm();
           const std::uint64_t edge = (std::uint64_t(low) << 32U) | std::uint64_t(high);
-          SampleEdge(from.Point(low), from.Point(high), std::int64_t(std::ceil(length / spacing)),
-            Scramble(seed ^ Scramble(edge)), probe);
+          SampleEdge(
+            from.Point(low), from.Point(high), std::int64_t(length / spacing), Scramble(seed ^ Scramble(edge)), probe);
         });
       largest[piece] = probe.Largest;
     });

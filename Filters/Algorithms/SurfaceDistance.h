@@ -72,7 +72,7 @@ struct SurfaceDistance
 
 /// Throws InputError on a surface without triangles, without any area, with a corner that is no point of it, and on
 /// coordinates that are not finite or larger than LargestCoordinate. Messages call
-/// the surfaces "reference" and "mesh". The result is the same for any number of threads. Near linear; about 60 bytes
+/// the surfaces "reference" and "mesh". The result is the same for any number of threads. Near linear; about 40 bytes
 /// per triangle of both.
 SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const TriangleSurface& mesh,
   const SurfaceDistanceOptions& options = SurfaceDistanceOptions(), const Monitor& monitor = Monitor());

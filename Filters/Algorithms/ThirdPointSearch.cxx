@@ -50,109 +50,9 @@ double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// A block of voxels, the last row and column included.
-struct ThirdPointSearch::Box
-{
-  std::int64_t FirstX;
-  std::int64_t FirstY;
-  std::int64_t LastX;
-  std::int64_t LastY;
-};
-
-/// An edge, and how far the search for its third point is.
-struct ThirdPointSearch::Task
-{
-  Task(const PlanePoint& a, const PlanePoint& b, std::vector<WalkedVoxel>* walk)
-    : A(a)
-    , B(b)
-    , Walk(walk)
-  {
-  }
-
-  PlanePoint DoubledMiddle() const { return { this->A.X + this->B.X, this->A.Y + this->B.Y }; }
-  SegmentEnd Middle() const { return { 0.5 * this->DoubledMiddle().X, 0.5 * this->DoubledMiddle().Y }; }
-
-  double SquaredLength() const
-  {
-    const double x = double(this->B.X) - this->A.X;
-    const double y = double(this->B.Y) - this->A.Y;
-    return x * x + y * y;
-  }
-
-  const PlanePoint A;
-  const PlanePoint B;
-  std::vector<WalkedVoxel>* const Walk;
-  int Dilatation = -1; // of the voxels that are being looked into
-  bool OnlyVisible = false;
-  PointId Best = NoPoint;
-  double BestCotangent = 0.0;
-};
-
-//----------------------------------------------------------------------------------------------------------------------
-/// The square box of an edge, in voxels.
-struct ThirdPointSearch::EdgeBox
-{
-  EdgeBox(const Task& task, const CellGrid& grid)
-    : MiddleX(grid.InCellsX(task.Middle().X))
-    , MiddleY(grid.InCellsY(task.Middle().Y))
-    , Size(std::max({ std::int64_t(1), std::abs(grid.CellX(task.A.X) - grid.CellX(task.B.X)),
-        std::abs(grid.CellY(task.A.Y) - grid.CellY(task.B.Y)) }))
-  {
-  }
-
-  const double MiddleX;
-  const double MiddleY;
-  const std::int64_t Size; // of the edge: the thesis's k
-};
-
-//----------------------------------------------------------------------------------------------------------------------
-/// The circle of the points to the left that see an edge at an angle of some cotangent, as seen from the start of the
-/// edge. Plain doubles, and a margin by which their rounding makes it uncertain.
-struct ThirdPointSearch::Circle
-{
-  Circle(const Task& task, double cotangent)
-    : Circle(task, cotangent, 0.5 * std::sqrt((1.0 + cotangent * cotangent) * task.SquaredLength()))
-  {
-  }
-
-  /// For a radius that is known already.
-  Circle(const Task& task, double cotangent, double radius)
-    : Start(task.A)
-    , EdgeX(double(task.B.X) - task.A.X)
-    , EdgeY(double(task.B.Y) - task.A.Y)
-    , X(0.5 * (this->EdgeX - this->EdgeY * cotangent))
-    , Y(0.5 * (this->EdgeY + this->EdgeX * cotangent))
-    , Radius(radius)
-    , Margin(1e-6 + 1e-12 * this->Radius)
-    , Reach((this->Radius + this->Margin) * (this->Radius + this->Margin))
-  {
-  }
-
-  /// False only when the point is for certain outside, or twice its triangle with the edge is less than `leastArea`.
-  /// No branches that a processor would have to guess.
-  bool MayHold(const PlanePoint& point, double leastArea) const
-  {
-    const double x = double(point.X - this->Start.X);
-    const double y = double(point.Y - this->Start.Y);
-    const double fromX = x - this->X;
-    const double fromY = y - this->Y;
-    return (fromX * fromX + fromY * fromY <= this->Reach) & (this->EdgeX * y - this->EdgeY * x >= leastArea);
-  }
-
-  const PlanePoint Start;
-  const double EdgeX;
-  const double EdgeY;
-  const double X;
-  const double Y;
-  const double Radius;
-  const double Margin;
-  const double Reach; // squared
-};
-
-//----------------------------------------------------------------------------------------------------------------------
 PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
 {
-  Task task(this->At(a), this->At(b), walk);
+  SearchTask task(this->Points, a, b, walk);
   this->Search(task);
   if (task.Best != NoPoint && !this->IsVisible(task, task.Best))
   {
@@ -168,11 +68,11 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 // right part. Seen from the right the edge is reversed, and the cotangent has the other sign.
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
-  Task left(this->At(a), this->At(b), nullptr);
+  SearchTask left(this->Points, a, b, nullptr);
   this->Search(left);
-  Task right(this->At(b), this->At(a), nullptr);
+  SearchTask right(this->Points, b, a, nullptr);
   right.BestCotangent = -left.BestCotangent;
-  const Box box = this->LeftPartOf(Circle(right, right.BestCotangent), right);
+  const VoxelBox box = this->LeftPartOf(EdgeCircle(right, right.BestCotangent), right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -188,7 +88,7 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Search(Task& task) const
+void ThirdPointSearch::Search(SearchTask& task) const
 {
   if (this->Strategy == SearchStrategy::VoxelTraversal && task.Walk == nullptr && this->SearchNearby(task))
   {
@@ -210,7 +110,7 @@ void ThirdPointSearch::Search(Task& task) const
   }
   if (task.Best != NoPoint)
   {
-    const Circle circle(task, task.BestCotangent);
+    const EdgeCircle circle(task, task.BestCotangent);
     this->SearchCircle(task, circle, this->LeftPartOf(circle, task));
   }
 }
@@ -218,25 +118,30 @@ void ThirdPointSearch::Search(Task& task) const
 //----------------------------------------------------------------------------------------------------------------------
 // Where points are about as dense as everywhere, the third point lies in a circle with the edge that is little larger
 // than points are apart, and one look at it finds it: when the circle has points to the left of the edge, no other
-// point's circle can be empty. Only where it has none, the strategies have to walk.
-bool ThirdPointSearch::SearchNearby(Task& task) const
+// point's circle can be empty. Where it has none, points are further apart, and a second look goes to a larger circle.
+bool ThirdPointSearch::SearchNearby(SearchTask& task) const
 {
   const double squaredLength = task.SquaredLength();
   const double nearby = NearbyDiameter * this->Points.Spacing();
-  const double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
-  const double cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
-  const Circle circle(task, cotangent, 0.5 * std::sqrt(squaredDiameter));
-  const double reach = circle.Radius + circle.Margin;
-  this->SearchCircle(task, circle,
-    { this->Grid.CellX(task.A.X + circle.X - reach), this->Grid.CellY(task.A.Y + circle.Y - reach),
-      this->Grid.CellX(task.A.X + circle.X + reach), this->Grid.CellY(task.A.Y + circle.Y + reach) });
+  double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
+  double cotangent = 0.0;
+  for (int look = 0; task.Best == NoPoint && look < 2; ++look)
+  {
+    cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
+    const EdgeCircle circle(task, cotangent, 0.5 * std::sqrt(squaredDiameter));
+    const double reach = circle.Radius + circle.Margin;
+    this->SearchCircle(task, circle,
+      { this->Grid.CellX(task.A.X + circle.X - reach), this->Grid.CellY(task.A.Y + circle.Y - reach),
+        this->Grid.CellX(task.A.X + circle.X + reach), this->Grid.CellY(task.A.Y + circle.Y + reach) });
+    squaredDiameter *= 4.0;
+  }
   // A point in the margin may not be the best there is.
   return task.Best != NoPoint && task.BestCotangent < cotangent * (1.0 - 1e-12);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // The bisector, then one line of voxels more on each side of it at a time, up to the border of the box.
-void ThirdPointSearch::TraverseBox(Task& task, const EdgeBox& edgeBox) const
+void ThirdPointSearch::TraverseBox(SearchTask& task, const EdgeBox& edgeBox) const
 {
   for (int dilatation = 0; task.Best == NoPoint && dilatation <= edgeBox.Size; ++dilatation)
   {
@@ -251,7 +156,7 @@ void ThirdPointSearch::TraverseBox(Task& task, const EdgeBox& edgeBox) const
 
 //----------------------------------------------------------------------------------------------------------------------
 // A dilatation is the bisector's line of voxels, moved sideways: along the axis on which it advances less.
-void ThirdPointSearch::SearchDilatation(Task& task, const EdgeBox& edgeBox, std::int64_t shift) const
+void ThirdPointSearch::SearchDilatation(SearchTask& task, const EdgeBox& edgeBox, std::int64_t shift) const
 {
   const double x = double(task.A.Y) - task.B.Y;
   const double y = double(task.B.X) - task.A.X;
@@ -272,10 +177,10 @@ void ThirdPointSearch::SearchDilatation(Task& task, const EdgeBox& edgeBox, std:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::CompareBox(Task& task, const EdgeBox& edgeBox) const
+void ThirdPointSearch::CompareBox(SearchTask& task, const EdgeBox& edgeBox) const
 {
   double most = 0.0;
-  const Box box = this->SquareAround(edgeBox, edgeBox.Size);
+  const VoxelBox box = this->SquareAround(edgeBox, edgeBox.Size);
   for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
   {
     this->VisitRow(task, row, box.FirstX, box.LastX,
@@ -294,7 +199,7 @@ void ThirdPointSearch::CompareBox(Task& task, const EdgeBox& edgeBox) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::SearchSquares(Task& task, const EdgeBox& edgeBox) const
+void ThirdPointSearch::SearchSquares(SearchTask& task, const EdgeBox& edgeBox) const
 {
   const std::int64_t everything = std::max(this->Grid.SizeX(), this->Grid.SizeY());
   for (std::int64_t radius = edgeBox.Size; task.Best == NoPoint && radius < 2 * everything; radius = 2 * radius + 1)
@@ -304,7 +209,7 @@ void ThirdPointSearch::SearchSquares(Task& task, const EdgeBox& edgeBox) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPointSearch::Box ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const
+VoxelBox ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const
 {
   const std::int64_t x = std::int64_t(edgeBox.MiddleX);
   const std::int64_t y = std::int64_t(edgeBox.MiddleY);
@@ -315,7 +220,7 @@ ThirdPointSearch::Box ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std
 //----------------------------------------------------------------------------------------------------------------------
 // The box of the circle's part to the left of the edge: around its ends, and those of the circle's four outermost
 // points that are to the left.
-ThirdPointSearch::Box ThirdPointSearch::LeftPartOf(const Circle& circle, const Task& task) const
+VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const SearchTask& task) const
 {
   const double bx = double(task.B.X) - task.A.X;
   const double by = double(task.B.Y) - task.A.Y;
@@ -344,7 +249,7 @@ ThirdPointSearch::Box ThirdPointSearch::LeftPartOf(const Circle& circle, const T
 //----------------------------------------------------------------------------------------------------------------------
 // Points are looked at a few at a time, even where a row of voxels has fewer, and those inside are noted without a
 // branch: which are is anyone's guess, and a wrong guess takes a processor longer than to look at some points more.
-void ThirdPointSearch::SearchCircle(Task& task, const Circle& circle, const Box& box) const
+void ThirdPointSearch::SearchCircle(SearchTask& task, const EdgeCircle& circle, const VoxelBox& box) const
 {
   constexpr PointId Batch = SearchGrid::Padding;
   std::array<PointId, 16 * std::size_t(Batch)> inside;
@@ -366,7 +271,8 @@ void ThirdPointSearch::SearchCircle(Task& task, const Circle& circle, const Box&
       for (PointId point = first; point < first + Batch; ++point)
       {
         inside[count] = point;
-        count += std::size_t((point < end) & circle.MayHold(this->At(point), this->LeastArea));
+        count +=
+          std::size_t((point < end) & (point != task.From) & (point != task.To) & circle.MayHold(this->At(point)));
       }
       if (count > inside.size() - Batch)
       {
@@ -378,7 +284,7 @@ void ThirdPointSearch::SearchCircle(Task& task, const Circle& circle, const Box&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::SearchBox(Task& task, const Box& box) const
+void ThirdPointSearch::SearchBox(SearchTask& task, const VoxelBox& box) const
 {
   for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
   {
@@ -387,13 +293,13 @@ void ThirdPointSearch::SearchBox(Task& task, const Box& box) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::SearchRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const
+void ThirdPointSearch::SearchRow(SearchTask& task, std::int64_t row, std::int64_t first, std::int64_t last) const
 {
   this->VisitRow(task, row, first, last, [&](PointId point) { this->Consider(task, point); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Trace(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const
+void ThirdPointSearch::Trace(SearchTask& task, std::int64_t row, std::int64_t first, std::int64_t last) const
 {
   for (std::int64_t column = first; task.Walk && column <= last; ++column)
   {
@@ -405,7 +311,7 @@ void ThirdPointSearch::Trace(Task& task, std::int64_t row, std::int64_t first, s
 // The voxels of a row stand one after the other, and so do their points.
 template <typename Visitor>
 void ThirdPointSearch::VisitRow(
-  Task& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
+  SearchTask& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
 {
   this->Trace(task, row, first, last);
   const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
@@ -416,7 +322,7 @@ void ThirdPointSearch::VisitRow(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Consider(Task& task, PointId candidate) const
+void ThirdPointSearch::Consider(SearchTask& task, PointId candidate) const
 {
   const PlanePoint& place = this->At(candidate);
   const std::int64_t area = SignedArea(task.A, task.B, place);
@@ -434,7 +340,7 @@ void ThirdPointSearch::Consider(Task& task, PointId candidate) const
 
 //----------------------------------------------------------------------------------------------------------------------
 // Cotangents are right to some units in the last place; only those that are closer to each other need InCircle.
-bool ThirdPointSearch::IsBetter(const Task& task, PointId candidate, double cotangent) const
+bool ThirdPointSearch::IsBetter(const SearchTask& task, PointId candidate, double cotangent) const
 {
   if (task.Best == NoPoint)
   {
@@ -450,32 +356,22 @@ bool ThirdPointSearch::IsBetter(const Task& task, PointId candidate, double cota
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool ThirdPointSearch::HasHops(const SegmentEnd& from, const SegmentEnd& to) const
+// A segment stays as near to its start as its end is.
+bool ThirdPointSearch::MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const
 {
-  const std::int64_t first = this->Grid.CellX(std::min(from.X, to.X));
-  const std::int64_t last = this->Grid.CellX(std::max(from.X, to.X));
-  const std::int64_t lastRow = this->Grid.CellY(std::max(from.Y, to.Y));
-  for (std::int64_t row = this->Grid.CellY(std::min(from.Y, to.Y)); row <= lastRow; ++row)
-  {
-    if (!this->Points.Hops().AreEmpty(this->Grid.Index(first, row), this->Grid.Index(last, row)))
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::int64_t x = this->Grid.CellX(from.X);
+  const std::int64_t y = this->Grid.CellY(from.Y);
+  return std::max(std::abs(this->Grid.CellX(to.X) - x), std::abs(this->Grid.CellY(to.Y) - y)) >=
+    this->Points.HopDistance(x, y);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // A segment that runs through the end of a boundary edge does not cross it. That does no harm: the end is nearer, so
 // that the circle of the point behind it can not be empty.
-bool ThirdPointSearch::IsVisible(const Task& task, PointId candidate) const
+bool ThirdPointSearch::IsVisible(const SearchTask& task, PointId candidate) const
 {
   const SegmentEnd middle = task.Middle();
-  const PlanePoint& place = this->At(candidate);
-  const double voxel = double(this->Grid.GetCellSize());
-  const bool near = std::abs(place.X - middle.X) <= voxel && std::abs(place.Y - middle.Y) <= voxel;
-  if (near ? this->Points.HasNoHopsAround(this->Grid.CellX(middle.X), this->Grid.CellY(middle.Y))
-           : !this->HasHops(middle, place))
+  if (!this->MayMeetHops(middle, this->At(candidate)))
   {
     return true;
   }

@@ -23,6 +23,7 @@
 #define SeismicHorizonsThirdPointSearch_h
 
 #include "SearchGrid.h"
+#include "SearchTask.h"
 #include "Types.h"
 
 #include <vector>
@@ -35,16 +36,6 @@ enum class SearchStrategy
   Compactness
 };
 
-/// A voxel that was looked into, for showing how the search works.
-struct WalkedVoxel
-{
-  std::int64_t X = 0;
-  std::int64_t Y = 0;
-  /// 0 on the perpendicular bisector, n on its n-th dilatation, -1 beyond: in the box of the edge for Compactness, in
-  /// squares around it, or in the circle of the candidate.
-  int Dilatation = 0;
-};
-
 class ThirdPointSearch
 {
 public:
@@ -53,7 +44,6 @@ public:
     : Strategy(strategy)
     , Points(grid)
     , Grid(grid.Voxels())
-    , LeastArea(grid.HasSmallCoordinates() ? 0.5 : 0.0)
   {
   }
 
@@ -66,40 +56,32 @@ public:
   bool IsDelaunay(PointId a, PointId b) const;
 
 private:
-  struct Box;
-  struct Task;
-  struct EdgeBox;
-  struct Circle;
+  void Search(SearchTask& task) const;
+  bool SearchNearby(SearchTask& task) const;
+  void TraverseBox(SearchTask& task, const EdgeBox& edgeBox) const;
+  void SearchDilatation(SearchTask& task, const EdgeBox& edgeBox, std::int64_t shift) const;
+  void CompareBox(SearchTask& task, const EdgeBox& edgeBox) const;
+  void SearchSquares(SearchTask& task, const EdgeBox& edgeBox) const;
 
-  void Search(Task& task) const;
-  bool SearchNearby(Task& task) const;
-  void TraverseBox(Task& task, const EdgeBox& edgeBox) const;
-  void SearchDilatation(Task& task, const EdgeBox& edgeBox, std::int64_t shift) const;
-  void CompareBox(Task& task, const EdgeBox& edgeBox) const;
-  void SearchSquares(Task& task, const EdgeBox& edgeBox) const;
-
-  Box SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
-  Box LeftPartOf(const Circle& circle, const Task& task) const;
-  void SearchCircle(Task& task, const Circle& circle, const Box& box) const;
-  void SearchBox(Task& task, const Box& box) const;
-  void SearchRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
-  void Trace(Task& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
+  VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
+  VoxelBox LeftPartOf(const EdgeCircle& circle, const SearchTask& task) const;
+  void SearchCircle(SearchTask& task, const EdgeCircle& circle, const VoxelBox& box) const;
+  void SearchBox(SearchTask& task, const VoxelBox& box) const;
+  void SearchRow(SearchTask& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
+  void Trace(SearchTask& task, std::int64_t row, std::int64_t first, std::int64_t last) const;
   template <typename Visitor>
-  void VisitRow(Task& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
+  void VisitRow(SearchTask& task, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
 
-  void Consider(Task& task, PointId candidate) const;
-  bool IsBetter(const Task& task, PointId candidate, double cotangent) const;
-  bool HasHops(const SegmentEnd& from, const SegmentEnd& to) const;
-  bool IsVisible(const Task& task, PointId candidate) const;
+  void Consider(SearchTask& task, PointId candidate) const;
+  bool IsBetter(const SearchTask& task, PointId candidate, double cotangent) const;
+  bool MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const;
+  bool IsVisible(const SearchTask& task, PointId candidate) const;
 
   const PlanePoint& At(PointId point) const { return this->Points.At(point); }
 
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
-  // Twice the area, in doubles, from which on a point may be to the left of an edge. Products of small coordinates are
-  // exact, so that the ends of the edge, which are always near, are left out.
-  const double LeastArea;
 };
 }
 

@@ -96,6 +96,20 @@ void SortByDistance(Waiting* first, Waiting* last)
   }
 }
 
+double SquaredDistanceTo(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& point)
+{
+  return SquaredDistanceToTriangle(point, surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]));
+}
+
+/// The same to the box of a triangle, which is never farther.
+double SquaredDistanceToBox(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& point)
+{
+  const auto& a = surface.Point(t[0]).array();
+  const auto& b = surface.Point(t[1]).array();
+  const auto& c = surface.Point(t[2]).array();
+  return (a.min(b).min(c) - point.array()).max(point.array() - a.max(b).max(c)).max(0.0).square().sum();
+}
+
 /// z of a triangle at a place in plan; nan outside it or when it is vertical.
 double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners, double tolerance)
 {
@@ -267,29 +281,11 @@ void TriangleTree::FillNodes()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double TriangleTree::SquaredDistanceTo(std::int32_t triangle, const Eigen::Vector3d& point) const
-{
-  const Corners& corners = this->Triangles[std::size_t(triangle)];
-  return SquaredDistanceToTriangle(
-    point, this->Surface.Point(corners[0]), this->Surface.Point(corners[1]), this->Surface.Point(corners[2]));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double TriangleTree::SquaredDistanceToBox(std::size_t triangle, const Eigen::Vector3d& point) const
-{
-  const Corners& t = this->Triangles[triangle];
-  const auto& a = this->Surface.Point(t[0]).array();
-  const auto& b = this->Surface.Point(t[1]).array();
-  const auto& c = this->Surface.Point(t[2]).array();
-  return (a.min(b).min(c) - point.array()).max(point.array() - a.max(b).max(c)).max(0.0).square().sum();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint) const
 {
   const Eigen::Vector3f place = point.cast<float>();
   const std::uint32_t levels = std::uint32_t(this->LevelStart.size() - 1);
-  double best = this->SquaredDistanceTo(hint, point);
+  double best = SquaredDistanceTo(this->Surface, this->Triangles[std::size_t(hint)], point);
   float bound = float(Slack * best); // boxes that are farther have nothing nearer
   Waiting stack[DeepestStack];
   std::size_t size = 1;
@@ -307,9 +303,10 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
       for (std::size_t triangle = std::size_t(box.Node) * Fan; triangle < last; ++triangle)
       {
         // Most triangles are out of question for their boxes, which is quicker to see.
-        if (std::int32_t(triangle) != hint && this->SquaredDistanceToBox(triangle, point) < best)
+        const Corners& corners = this->Triangles[triangle];
+        if (std::int32_t(triangle) != hint && SquaredDistanceToBox(this->Surface, corners, point) < best)
         {
-          const double distance = this->SquaredDistanceTo(std::int32_t(triangle), point);
+          const double distance = SquaredDistanceTo(this->Surface, corners, point);
           hint = distance < best ? std::int32_t(triangle) : hint;
           best = std::min(best, distance);
         }

@@ -56,8 +56,6 @@ private:
   void FillFromChildren(std::size_t level, std::size_t node);
   void SetBox(Node& node, int child, const Eigen::AlignedBox3d& box) const;
   std::size_t NodesOf(std::size_t level) const { return this->LevelStart[level + 1] - this->LevelStart[level]; }
-  double SquaredDistanceToBox(std::size_t triangle, const Eigen::Vector3d& point) const;
-  double SquaredDistanceTo(std::int32_t triangle, const Eigen::Vector3d& point) const;
 
   const TriangleSurface& Surface;
   std::vector<Corners> Triangles;

@@ -47,6 +47,21 @@ void TestOrientation()
   CHECK(Lattice({ 2, 2, 2 }, mirrored).KeepsOrientation());
 }
 
+void TestUniformScale()
+{
+  const double c = 12.5 * std::cos(0.3);
+  const double s = 12.5 * std::sin(0.3);
+  Eigen::Matrix4d map = Eigen::Matrix4d::Identity();
+  map << c, -s, 0, 604321.25, s, c, 0, 6079543.5, 0, 0, -12.5, 100, 0, 0, 0, 1;
+  CHECK(std::abs(Lattice({ 2, 2, 2 }, map).UniformScale() - 12.5) < 1e-12);
+  map(2, 2) = -12.4999;
+  CHECK_EQUAL(Lattice({ 2, 2, 2 }, map).UniformScale(), 0.0);
+  CHECK_EQUAL(Lattice({ 2, 2, 2 }, RotatedSurvey()).UniformScale(), 0.0);
+  map = Eigen::Matrix4d::Identity();
+  map(0, 1) = 0.5; // columns that are not square
+  CHECK_EQUAL(Lattice({ 2, 2, 2 }, map).UniformScale(), 0.0);
+}
+
 void TestSubVoxelsFit()
 {
   for (const int size : { 1, 7, 481, 9000, 1 << 20, (1 << 28) - 1 })
@@ -88,6 +103,7 @@ int TestLattice(int, char*[])
 {
   TestRoundTrip();
   TestOrientation();
+  TestUniformScale();
   TestSubVoxelsFit();
   TestErrors();
   return Check::Result();

@@ -3,6 +3,7 @@
 
 #include "Check.h"
 #include "MeshChecker.h"
+#include "Parallel.h"
 #include "Predicates.h"
 #include "RoughSimplification.h"
 #include "TestHorizons.h"
@@ -292,6 +293,35 @@ void TestForeignPointInFullBlocks()
   CHECK_THROWS_WITH(Triangulate(horizon), "lies outside the boundary of its patch");
 }
 
+/// Large enough for several threads to have rows of full blocks, with dropouts, gaps and rings where rows of one meet
+/// those of another.
+void TestThreadsMakeNoDifference()
+{
+  Patches::Random random(14);
+  Patches::Columns columns;
+  for (std::int32_t y = 0; y < 220; ++y)
+  {
+    for (std::int32_t x = 0; x < 500; ++x)
+    {
+      const bool inGap = (x - 250) * (x - 250) + (y - 110) * (y - 110) < 1600;
+      if (!inGap && random.Below(12) != 0)
+      {
+        columns.push_back({ x, y });
+      }
+    }
+  }
+  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+  const int before = Detail::NumberOfThreads();
+  Detail::NumberOfThreads() = 1;
+  const Triangulation alone = Triangulate(horizon);
+  Detail::NumberOfThreads() = 5;
+  const Triangulation together = Triangulate(horizon);
+  Detail::NumberOfThreads() = before;
+  CHECK(alone.Triangles == together.Triangles);
+  CHECK_EQUAL(alone.BoundaryEdges, together.BoundaryEdges);
+  CHECK_EQUAL(MeshChecker::CheckMesh(horizon, together.Triangles), std::string());
+}
+
 /// Stopped after so many triangles, the mesh is a part of the whole, and the walk leads to the last third point.
 void TestStopsAndTraces()
 {
@@ -364,6 +394,7 @@ int TestTriangulation(int, char*[])
   TestNonDelaunayEdgesAreCounted();
   TestBoundaryInsideFullBlocks();
   TestForeignPointInFullBlocks();
+  TestThreadsMakeNoDifference();
   TestStopsAndTraces();
   TestErrors();
   TestAbort();

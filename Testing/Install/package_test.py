@@ -17,10 +17,16 @@ def main():
     maps = pathlib.Path("/proc/self/maps").read_text(encoding="utf-8")
     libraries = {line.split()[-1] for line in maps.splitlines() if "libvtkSeismicHorizons" in line}
     assert libraries and all(str(prefix) in library for library in libraries), libraries
-    meshes = mesh_checks.blocks(pipelines.with_classes(data / "sample.vsm")[-1])
+    stages = pipelines.with_classes(data / "sample.vsm")
+    meshes = mesh_checks.blocks(stages[-1])
     assert len(meshes) >= 2
     for name, mesh in meshes.items():
         print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
+    meter = seismichorizons.vtkHorizonSurfaceDistance()
+    for port, surfaces in enumerate((stages[0], stages[-1])):
+        meter.SetInputDataObject(port, surfaces)
+    meter.Update()
+    assert meter.GetOutputDataObject(2).GetNumberOfRows() == 9 * len(meshes)
 
 
 main()

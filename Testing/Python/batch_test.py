@@ -120,8 +120,8 @@ class BatchTest(unittest.TestCase):
 
     def test_error(self):
         """The columns of the table, the file of figures and the arrays of the mesh say the same."""
-        done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "2", "--measure-error", "--distance-unit", "World",
-                            "--vertical-step", "4", "--samples-per-point", "3")
+        done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "2", "--measure-error", "--distance-unit",
+                            "World", "--vertical-step", "4", "--samples-per-point", "3")
         self.assertEqual(files(self.output), ["sample_error.csv", "sample_horizon_1.vtp", "sample_horizon_2.vtp"])
         with open(self.output / "sample_error.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

@@ -24,6 +24,10 @@ def gather(proxy, path):
     """The horizons of all ranks, by way of a file that all of them write."""
     # Appended data, the default, can not be read by VTK up to 9.2 with a recent Expat library.
     simple.SaveData(str(path), proxy, DataMode="Binary")
+    return read(path)
+
+
+def read(path):
     reader = vtkXMLPartitionedDataSetCollectionReader()
     reader.SetFileName(str(path))
     reader.Update()
@@ -46,6 +50,12 @@ def main():
         shares = ranks_with_points(proxy, ranks)
         print("%s: points per rank %s" % (proxy.GetXMLName(), shares))
         assert all(shares) and sum(shares) == sum(h.GetNumberOfPoints() for h in expected.values()), shares
+    # Each rank measures its own horizons; the last `expected` are the meshes.
+    distance = simple.HorizonSurfaceDistance(Reference=proxies[0], Mesh=proxies[-1])
+    simple.SaveData(str(folder / "distance.vtpc"), simple.OutputPort(distance, 1), DataMode="Binary")
+    for name, mesh in read(folder / "distance.vtpc").items():
+        assert len(mesh_checks.array(mesh, "Distance")) == expected.pop(name).GetNumberOfPoints()
+    assert not expected, expected.keys()
 
 
 main()

@@ -39,8 +39,8 @@ def main():
     done, picture = draw("one.png", "--horizon", 2, sample, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr
     assert picture.shape[:2] == (780, 900) and colors(picture) > 500, (picture.shape, colors(picture))
-    done, picture = draw("two.png", "--horizon", 2, "--array", "VerticalDistance", "--unit", "World", "--edges", "--titles",
-                         "One", "Two", "--", sample, mesh, mesh)
+    done, picture = draw("two.png", "--horizon", 2, "--array", "VerticalDistance", "--unit", "World", "--edges",
+                         "--titles", "One", "Two", "--", sample, mesh, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr
     assert picture.shape[:2] == (780, 1800) and colors(picture) > 500, (picture.shape, colors(picture))
     done, picture = draw("none.png", "--horizon", 7, sample, mesh)
