@@ -21,6 +21,7 @@ import tempfile
 
 SIZES = (15626, 32402, 60511, 68956, 98231, 148317, 346796, 664582, 886639, 10000000)
 HUGE = 50000000
+MOST_SECONDS = 10.0  # for a run of another program
 PEERS_UP_TO = 1000000  # for the programs in C++, which make points of their own
 
 
@@ -55,13 +56,12 @@ def measure_stages(path, threads, before):
 class Peers:
     """Other programs, each until it is too slow."""
 
-    def __init__(self, most_seconds=10.0):
-        self.most_seconds = most_seconds
+    def __init__(self):
         self.last = {}  # name: (points, seconds)
 
     def measure(self, path, points, threads):
         slow = [name for name, (size, seconds) in self.last.items()
-                if seconds * (points / size) ** 1.3 > self.most_seconds]
+                if seconds * (points / size) ** 1.3 > MOST_SECONDS]
         found = measure_apart("peers", str(path), str(threads), json.dumps(slow))
         self.last.update((r["peer"], (points, r["seconds"])) for r in found)
         return found
@@ -107,7 +107,8 @@ def measure_locator(folder, sizes):
     """Distances of all points of a horizon to a simplified mesh of it."""
     found = []
     for size in sizes:
-        rows = {row[0]: row for row in map(cells, run_program(folder, "SurfaceDistanceBenchmark", size)) if len(row) == 6}
+        lines = map(cells, run_program(folder, "SurfaceDistanceBenchmark", size))
+        rows = {row[0]: row for row in lines if len(row) == 6}
         if rows:
             seconds = [float(rows[name][1]) + float(rows[name][2]) for name in ("vtkStaticCellLocator", "TriangleTree")]
             found.append(program_result("error", "vtkStaticCellLocator, points only", size, *seconds))
@@ -172,8 +173,8 @@ def growth_sentences(results, threads):
         middle = [f for f in found if f[0] >= 100000] or found
         (few, quick), (many, slow) = middle[0], middle[-1]
         if many > few:
-            lines.append("- %s: %s times at %s points what it is at %s" % (
-                stage, number((slow / many) / (quick / few)), "{:,}".format(many), "{:,}".format(few)))
+            lines.append("- %s, at %s points, %s times what it is at %s" % (
+                stage, "{:,}".format(many), number((slow / many) / (quick / few)), "{:,}".format(few)))
     return "\n".join(lines) + "\n" if lines else ""
 
 
@@ -191,10 +192,11 @@ PAGE = """\
 # Benchmarks
 
 Made by `Utilities/benchmark.sh --markdown Documentation/Benchmarks.md`, on {processors} processors. Generated horizons
-of so many points; boundary simplification with a threshold of 0.4, rough with cells of 3, elaborate with cells of 8 and a
-flatness of 0.03 without rough before, triangulation of all points and of those that rough leaves, and the error between
-these two meshes. The whole chain is read, boundary, its simplification, rough and triangulation, in one go. Attributes
-are carried along everywhere.
+of so many points; boundary simplification with a threshold of 0.4, rough with cells of 3, elaborate with cells of 8
+and a flatness of 0.03 without rough before, triangulation of all points and of those that rough leaves, and the error
+between these two meshes. The whole chain is read, boundary, its simplification, rough and triangulation, in one go.
+Attributes are carried along everywhere. Points per second are those of the input of the stage, for the error those of
+the larger mesh.
 
 {tables}## Memory: bytes per point
 
@@ -204,16 +206,18 @@ input. Below some hundred thousand points, what libraries load at their first us
 {memory}
 ## Growth
 
-The time per point on {most_threads} threads is, in
+The time per point, by the clock on {most_threads} threads, is in
 
 {growth}
 ## Other programs
 
-Their time divided by ours at the same thread count, above 1 where ours is faster; each until it takes too long. Those in
-C++ (OpenCV, CGAL, vtkStaticCellLocator) are timed with our algorithm alone in one process on one thread, on horizons that
-they make themselves; the others with our filters, attributes included. The clustering filters are timed with cells of 3
-on the mesh of all points, and `vtkQuadricDecimation` down to as many vertices, without the time to make that mesh.
-*ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro.
+Their time divided by ours at the same thread count, above 1 where ours is faster; each until it would take longer than
+{most_seconds:g} s. Those in C++ (OpenCV, CGAL, vtkStaticCellLocator) are timed with our algorithm alone in one process
+on one thread, on horizons that they make themselves; the others with our filters, attributes included. OpenCV begins
+with an image that is ready, ours with a list of points. The clustering filters are timed with cells of 3 on the mesh of
+all points, and `vtkQuadricDecimation` down to as many vertices as rough leaves, all without the time to make that
+mesh. *ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro. What their
+results are worth is on another page: [Tables.md](Tables.md#what-a-vertex-buys).
 
 {peers}"""
 
@@ -228,7 +232,8 @@ def page(results):
         parts.append("## Million points per second, %s\n\n%s" % (
             title, stage_table(stages, n, lambda r: 1e-6 * r["points_per_second"])))
     peers = peer_table(results["peers"]) if results["peers"] else "None were run.\n"
-    return PAGE.format(processors=results["processors"], most_threads=threads[-1], tables="\n".join(parts) + "\n",
+    return PAGE.format(processors=results["processors"], most_threads=threads[-1], most_seconds=MOST_SECONDS,
+                       tables="\n".join(parts) + "\n",
                        memory=stage_table(stages, threads[-1], lambda r: r["bytes_per_point"]),
                        growth=growth_sentences(stages, threads[-1]), peers=peers)
 

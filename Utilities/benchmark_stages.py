@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The part of benchmark.py that runs in a process of its own; prints JSON.
 
-    benchmark_stages.py stages FILE.vsm THREADS NEEDS     all stages; NEEDS are bytes per point by stage, as far as known
+    benchmark_stages.py stages FILE.vsm THREADS NEEDS     all stages; NEEDS: bytes per point by stage, as far as known
     benchmark_stages.py peers FILE.vsm THREADS SLOW       filters of VTK, but for those named in SLOW
 """
 

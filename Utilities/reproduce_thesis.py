@@ -46,8 +46,8 @@ Beside others that make as many vertices as our elaborate simplification with ce
 
 {surfaces}
 Points, boxes and how full these are agree. How the gaps lie, the thesis does not say: ours are bays, a few holes and
-{dropouts} of single dropouts, with a shorter outline than surveys have. Heights are whole, as those of voxels are, so that
-a mesh that passes between them has a mean error of up to a quarter of a step even where it is right.
+{dropouts} of single dropouts, with a shorter outline than surveys have. Heights are whole, as those of voxels are, so
+that a mesh that passes between them has a mean error of up to a quarter of a step even where it is right.
 
 ## Exterior boundary (figures 3.18 and 3.19)
 
@@ -91,9 +91,9 @@ Medians over the surfaces, and for the last three rows over the flatnesses:
   outline and gaps would keep 11 % at s = 3; the thesis keeps up to 27 %, so its surfaces have long outlines, or many
   cells with few points. Ours have less of both, and less is left of them.
 - *Elaborate, alone.* The thesis gives no values for its three boundary thresholds. How densely outline points lie in
-  ring 1 sets the size of cells from there on (eq. 4.3), so what is left depends on the outline more than on the flatness.
-  The synthetic surfaces are smooth: thresholds of 0.12 and above find all cells flat, 0.03 nearly all. Those of the
-  thesis have noise, and the part varies with the threshold.
+  ring 1 sets the size of cells from there on (eq. 4.3), so that what is left depends more on the outline than on the
+  flatness. The synthetic surfaces are smooth: thresholds of 0.12 and above find all cells flat, 0.03 nearly all. Those
+  of the thesis have noise, and the part varies with the threshold.
 - *Elaborate, after rough.* A cell of 8 then has at most 9 points, a piece of 4 about two, so that less is left than
   alone. The thesis gives one number for both, and says that the result does not depend on the rough step; at cells of 3
   its numbers are close to those of the rough step alone for most surfaces, so that hardly anything was merged after it.
@@ -120,11 +120,12 @@ Everybody gets to make a mesh with as many vertices as ours (within {near:.0f} %
 measured by the same meter. Errors of good meshes fall in proportion to the vertices, so that *error times vertices*
 compares what each vertex was good for. Times are ratios to ours from the points to the mesh: boundary, its
 simplification, simplification and triangulation, attributes included. Theirs are without attributes, and without the
-mesh of all points that all but `vtkDelaunay2D` need before. VTK's filters run with their defaults; the cells of the
-two clustering ones are as high as the surface. MeshLab's seconds are of the processor, without reading and writing
-files. `vtkGreedyTerrainDecimation` knows no blanked pixels: gaps are filled smoothly for it, and what it makes of
-them is cut off along the outline; it also spends vertices there. `vtkDelaunay2D` meshes the points that we leave,
-without an outline. The outline is how far that of the mesh is off on the map, anywhere. Medians over the surfaces:
+mesh of all points that all but `vtkDelaunay2D` need before. The two clustering filters run with what served them best:
+`vtkBinnedDecimation` with means, in cells as high as the surface; `vtkQuadricClustering` with feature edges, in cubic
+cells. The others run with their defaults. MeshLab's seconds are of the processor, without reading and writing files.
+`vtkGreedyTerrainDecimation` knows no blanked pixels: gaps are filled smoothly for it, and what it makes of them is cut
+off along the outline; it also spends vertices there. `vtkDelaunay2D` meshes the points that we leave, without an
+outline. The outline is how far that of the mesh is off on the map, anywhere. Medians over the surfaces:
 
 As many vertices as `rough, s = 6`:
 
@@ -137,9 +138,8 @@ As many vertices as `elaborate, s = 8, flatness 0.03`:
 {own_words}
 ![Errors over vertices](Pictures/VertexWorth.png)
 
-*The surface of {curve_surface} points. Ours, drawn heavier, keeps the outline where it is by design; so the largest
-error, which others have at the outline, is bounded by what happens inside. The boundary simplification alone decides
-how far the outline moves.*
+*The surface of {curve_surface} points. Ours, drawn heavier, keep the outline where it is on the map, by design; how far
+the others move it is in the third panel.*
 
 {left_out_partners}
 ### Surface by surface

@@ -230,7 +230,14 @@ int main(int argc, char* argv[])
   for (const std::int64_t points : sizes)
   {
     const Benchmark benchmark(points);
-    exteriorOnly ? RunExterior(benchmark, true) : RunAll(benchmark);
+    if (exteriorOnly)
+    {
+      RunExterior(benchmark, true);
+    }
+    else
+    {
+      RunAll(benchmark);
+    }
   }
   return EXIT_SUCCESS;
 }

@@ -109,9 +109,9 @@ def own_sentence(found):
     """Whether the vertices of the elaborate simplification buy more than those of the rough one."""
     pairs = [(s.alone[0], s.rough[3]) for s in found]
     mean, largest = (median(per_vertex(e, r, name) for e, r in pairs) for name in ("mean", "largest"))
-    return "Of our own two, a vertex of the elaborate simplification alone (s = 8, flatness 0.03) buys %s than one of the " \
-        "rough one (s = 3) in the mean error (%s times its error times vertices), and %s in the largest (%s times).\n" % (
-            comparison(mean), ratio(mean), comparison(largest), ratio(largest))
+    return "Of our own two, a vertex of the elaborate simplification alone (s = 8, flatness 0.03) buys %s than one " \
+        "of the rough one (s = 3) in the mean error (%s times its error times vertices), and %s in the largest (%s " \
+        "times).\n" % (comparison(mean), ratio(mean), comparison(largest), ratio(largest))
 
 
 def comparison(value):
