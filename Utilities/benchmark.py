@@ -178,14 +178,33 @@ def growth_sentences(results, threads):
     return "\n".join(lines) + "\n" if lines else ""
 
 
-def peer_table(peers):
-    rows = []
-    for stage, peer in dict.fromkeys((r["stage"], r["peer"]) for r in peers):
-        of_peer = sorted((r["points"], r["ratio"]) for r in peers if (r["stage"], r["peer"]) == (stage, peer))
-        text = ", ".join("%s at %s" % (number(ratio), "{:,}".format(points)) for points, ratio in of_peer)
-        verdict = "slower" if of_peer[-1][1] > 1.1 else "faster" if of_peer[-1][1] < 0.9 else "as fast"
-        rows.append([stage, peer, text, verdict])
-    return table(["stage", "other program", "its time / ours, at points", "at the largest it is"], rows)
+def ratios_by_size(results):
+    """Of each other program, by the size asked for: those in C++ make horizons of nearly that size."""
+    sizes = sorted({r["size"] for r in results["stages"]})
+    found = {}
+    for r in results["peers"]:
+        size = min(sizes, key=lambda s: abs(s - r["points"]))
+        found.setdefault((r["stage"], r["peer"]), {})[size] = r["ratio"]
+    return sizes, found
+
+
+def peer_table(results):
+    sizes, found = ratios_by_size(results)
+    rows = [[stage, peer] + [number(ratios[size]) if size in ratios else "-" for size in sizes]
+            for (stage, peer), ratios in found.items()]
+    return table(["stage", "other program"] + ["{:,}".format(size) for size in sizes], rows)
+
+
+def peer_sentences(results):
+    """Who is slower and who is faster at every size, and who now this, now that."""
+    lines = []
+    for (stage, peer), ratios in ratios_by_size(results)[1].items():
+        least, most = min(ratios.values()), max(ratios.values())
+        verdict = "slower than ours" if least > 1.1 else "faster than ours" if most < 0.9 else "sometimes faster, " \
+            "sometimes slower than ours, or the same"
+        span = number(least) if least == most else "%s to %s" % (number(least), number(most))
+        lines.append("- %s: %s is %s, at %s times the time" % (stage, peer, verdict, span))
+    return "\n".join(lines) + "\n"
 
 
 PAGE = """\
@@ -231,7 +250,7 @@ def page(results):
         parts.append("## Seconds, %s\n\n%s" % (title, stage_table(stages, n, lambda r: r["seconds"])))
         parts.append("## Million points per second, %s\n\n%s" % (
             title, stage_table(stages, n, lambda r: 1e-6 * r["points_per_second"])))
-    peers = peer_table(results["peers"]) if results["peers"] else "None were run.\n"
+    peers = peer_table(results) + "\n" + peer_sentences(results) if results["peers"] else "None were run.\n"
     return PAGE.format(processors=results["processors"], most_threads=threads[-1], most_seconds=MOST_SECONDS,
                        tables="\n".join(parts) + "\n",
                        memory=stage_table(stages, threads[-1], lambda r: r["bytes_per_point"]),

@@ -29,7 +29,7 @@ about as many points as one of the thesis, in a box of the same proportions that
 with [vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all points and the mesh of
 those that are left, in lattice units, and are divided by the diagonal of the bounding box, as the thesis has them.
 Times are those of the filters, attributes included, the fastest of up to {runs} runs, on {threads} threads; those of
-the thesis are from a PC of its time. {meshlab}
+the thesis are from a PC of its time.{meshlab}
 
 ## In short
 
@@ -42,6 +42,7 @@ Beside others that make as many vertices as our rough simplification with cells 
 Beside others that make as many vertices as our elaborate simplification with cells of 8:
 
 {elaborate_words}
+{own_words}
 ## The surfaces
 
 {surfaces}
@@ -110,7 +111,7 @@ in table 4.1. A program is left out of a surface when it would take longer than 
 
 *Where the lattice is full our triangulation searches nothing, which is why it is linear and why its two searches
 differ so little on such surfaces. CGAL, where it was found, meshes the hull of as many points of horizons with
-another outline; ball pivoting and vtkDelaunay2D mesh the points of the table.*
+another outline; ball pivoting, with the radius it guesses, and vtkDelaunay2D mesh the points of the table.*
 
 {meshing_words}
 {left_out_meshing}
@@ -135,7 +136,6 @@ As many vertices as `elaborate, s = 8, flatness 0.03`:
 
 {elaborate_partners}
 {elaborate_best}
-{own_words}
 ![Errors over vertices](Pictures/VertexWorth.png)
 
 *The surface of {curve_surface} points. Ours, drawn heavier, keep the outline where it is on the map, by design; how far
@@ -222,7 +222,7 @@ def page(found, curves, meshings, paces):
     rough, elaborate = found[0].equal
     return PAGE.format(
         runs=stages.MOST_RUNS, threads=vtkSMPTools.GetEstimatedNumberOfThreads(),
-        meshlab="" if meshlab.is_installed() else "MeshLab was not installed.",
+        meshlab="" if meshlab.is_installed() else " MeshLab was not run.",
         thesis_words=words.thesis_sentence(found), thesis_table=words.thesis_table(found),
         rough_words=words.partner_sentences(found, rough), elaborate_words=words.partner_sentences(found, elaborate),
         surfaces=tables.surfaces(found),

@@ -60,7 +60,7 @@ def boundary_time(found, path):
         size, radius, spent = reported.BOUNDARY_TIME
         axis.plot(radius, spent, "*", color=THESIS, markersize=11, label="thesis, {:,} points".format(size))
         axis.set_yscale("log")
-        logarithmic(axis.yaxis)
+        crowded(axis.yaxis)
         axis.set_title(rule)
         axis.set_xlabel("radius k (columns)")
     axes[0].set_ylabel("exterior boundary (ms)")
@@ -102,7 +102,7 @@ def triangulation_time(meshings, others, path):
     axis.set_yscale("log")
     logarithmic(axis.xaxis)
     logarithmic(axis.yaxis)
-    axis.set_xticks((20000, 50000, 100000, 200000, 500000, 1000000))
+    axis.set_xticks((20000, 50000, 100000, 200000, 500000))
     axis.set_xlabel("points")
     axis.set_ylabel("seconds to mesh all points")
     legend(axis)

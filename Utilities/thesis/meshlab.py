@@ -69,13 +69,13 @@ class MeshLab:
 
     def merge(self, distance):
         """The mesh with vertices merged that are nearer than the distance; and seconds, or None for both."""
-        return self._run("merge", FILTERS["merge"] % distance, self.triangles)
+        return self._run(FILTERS["merge"] % distance, self.triangles)
 
     def ball_pivoting(self):
         """A mesh of the points; and seconds, or None for both."""
-        return self._run("ball pivoting", FILTERS["ball pivoting"], np.empty((0, 3), int))
+        return self._run(FILTERS["ball pivoting"], np.empty((0, 3), int))
 
-    def _run(self, name, script, triangles):
+    def _run(self, script, triangles):
         kind = len(triangles) > 0
         if kind not in self.overhead:
             write_ply(self.folder / ("in%d.ply" % kind), self.points, triangles)

@@ -8,6 +8,7 @@ from . import reported
 from .study import OURS
 from .tables import table
 
+MESHERS = {"VTS": "Voxel traversal", "CTC": "Compactness", "BP": "Ball pivoting"}
 SAME = 1.1  # ratios nearer to 1 than this are called the same
 
 
@@ -178,24 +179,24 @@ def cluster_sentence(found):
 
 def meshing_sentences(meshings):
     lines = []
-    for name, title in (("VTS", "Voxel traversal"), ("CTC", "Compactness"), ("BP", "Ball pivoting (MeshLab)")):
+    for name, title in MESHERS.items():
         pairs = [(m, reported.TRIANGULATION[m.size][name][1] / (1000.0 * m.seconds[name]))
                  for m in meshings if name in m.seconds]
         if pairs:
             lines.append("- *%s*: %s to %s times as fast as in the thesis." % (
                 title, ratio(min(r for _, r in pairs)), ratio(max(r for _, r in pairs))))
-    for name, title in (("BP", "Ball pivoting"), ("vtkDelaunay2D", "vtkDelaunay2D"), ("CTC", "Compactness")):
+    for name in ("BP", "vtkDelaunay2D", "CTC"):
         ratios = [m.seconds[name] / m.seconds["VTS"] for m in meshings if name in m.seconds]
         if ratios:
             lines.append("- *%s* takes %s to %s times the time of voxel traversal on the same points here." % (
-                title, ratio(min(ratios)), ratio(max(ratios))))
+                MESHERS.get(name, name), ratio(min(ratios)), ratio(max(ratios))))
     return "\n".join(lines) + "\n"
 
 
 def left_out(pace):
     if not pace.left_out:
         return "Nobody was left out for being slow.\n"
-    lines = ["- %s on %s points" % (name, listing(["%d" % n for n in sorted(sizes)]))
+    lines = ["- %s on %s points" % (MESHERS.get(name, name), listing(["%d" % n for n in sorted(sizes)]))
              for name, sizes in pace.left_out.items()]
     return "Left out, since one run would have taken longer than %g s, going by the surface before:\n\n" \
         "%s\n" % (pace.most_seconds, "\n".join(lines))
