@@ -234,8 +234,8 @@ Their time divided by ours at the same thread count, above 1 where ours is faste
 {most_seconds:g} s. Those in C++ (OpenCV, CGAL, vtkStaticCellLocator) are timed with our algorithm alone in one process
 on one thread, on horizons that they make themselves; the others with our filters, attributes included. OpenCV begins
 with an image that is ready, ours with a list of points. The clustering filters are timed with cells of 3 on the mesh of
-all points, and `vtkQuadricDecimation` down to as many vertices as rough leaves, all without the time to make that
-mesh. *ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro. What their
+all points, and `vtkQuadricDecimation` down to as many triangles as the mesh after rough has, all without the time
+to make that mesh. *ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro. What their
 results are worth is on another page: [Tables.md](Tables.md#what-a-vertex-buys).
 
 {peers}"""
