@@ -130,6 +130,7 @@ class Meshing:
         horizon = surfaces.make(generator, size, folder)
         self.points = horizon.GetNumberOfPoints()
         outlined = stages.outline(stages.start(horizon))
+        stages.mesh(outlined)  # or the first strategy would pay for memory that the second one finds ready
         self.seconds = {}
         self.faces = {}
         for name, strategy in (("VTS", sh.vtkHorizonTriangulation.VoxelTraversal),
