@@ -3,7 +3,9 @@
 //
 // Measures boundaries and their simplification on generated horizons, beside OpenCV where it was found.
 //
-//   BoundaryBenchmark [POINTS]...     (148317 886639 10000000 when none is given)
+//   BoundaryBenchmark [--exterior] [POINTS]...     (148317 886639 10000000 when none is given)
+//
+// With --exterior, only the exterior boundary at radius 1.
 //
 // Prints lines "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points". Seconds are those of
 // the processor, the least of five runs (of one from 10 million points); bytes are the largest memory in use at a time
@@ -130,13 +132,13 @@ public:
   }
 
 #ifdef SEISMICHORIZONS_HAS_OPENCV
-  void OpenCv() const
+  void OpenCv(bool exteriorOnly) const
   {
     cv::setNumThreads(1);
     const cv::Mat image = OpenCvContours::ToImage(this->Columns);
     for (const bool holes : { false, true })
     {
-      if (holes && this->Columns.size() > MostPointsForAllOpenCvLoops)
+      if (holes && (exteriorOnly || this->Columns.size() > MostPointsForAllOpenCvLoops))
       {
         continue;
       }
@@ -185,14 +187,18 @@ private:
   int Runs = 1;
 };
 
-void Run(std::int64_t points)
+void RunExterior(const Benchmark& benchmark, [[maybe_unused]] bool exteriorOnly)
 {
-  const Benchmark benchmark(points);
   benchmark.Boundary("exterior", 1, GrowthStrategy::Clockwise, false);
-  benchmark.Boundary("all loops", 1, GrowthStrategy::Clockwise, true);
 #ifdef SEISMICHORIZONS_HAS_OPENCV
-  benchmark.OpenCv();
+  benchmark.OpenCv(exteriorOnly);
 #endif
+}
+
+void RunAll(const Benchmark& benchmark)
+{
+  RunExterior(benchmark, false);
+  benchmark.Boundary("all loops", 1, GrowthStrategy::Clockwise, true);
   for (const int radius : { 2, 3, 4, 5 })
   {
     benchmark.Boundary("clockwise", radius, GrowthStrategy::Clockwise, false);
@@ -211,7 +217,8 @@ void Run(std::int64_t points)
 int main(int argc, char* argv[])
 {
   std::vector<std::int64_t> sizes;
-  for (int n = 1; n < argc; ++n)
+  const bool exteriorOnly = argc > 1 && std::string(argv[1]) == "--exterior";
+  for (int n = exteriorOnly ? 2 : 1; n < argc; ++n)
   {
     sizes.push_back(std::atoll(argv[n]));
   }
@@ -222,7 +229,15 @@ int main(int argc, char* argv[])
   std::cout << "points,what,parameter,seconds,bytes per lattice cell,loops,boundary points\n";
   for (const std::int64_t points : sizes)
   {
-    Run(points);
+    const Benchmark benchmark(points);
+    if (exteriorOnly)
+    {
+      RunExterior(benchmark, true);
+    }
+    else
+    {
+      RunAll(benchmark);
+    }
   }
   return EXIT_SUCCESS;
 }

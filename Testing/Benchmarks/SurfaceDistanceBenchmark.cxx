@@ -79,7 +79,7 @@ TriangleSurface Mesh(const BoundedHorizon& horizon)
   {
     surface.Points.emplace_back(point.X, point.Y, point.Z);
   }
-  const std::vector<PointId> triangles = Triangulate(horizon).Triangles;
+  const RawVector<PointId> triangles = Triangulate(horizon).Triangles;
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
   {
     surface.Triangles.push_back({ triangles[corner], triangles[corner + 1], triangles[corner + 2] });

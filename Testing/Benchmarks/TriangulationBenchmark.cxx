@@ -4,7 +4,10 @@
 // Times the triangulation beside CGAL and VTK on generated horizons, in one run. Prints Markdown: processor seconds on
 // one thread, the least of several runs; at the end what it takes by the clock on all threads, and memory.
 //
-//   TriangulationBenchmark [POINTS ...]      sizes of the horizons; without them those of the thesis's table 5.1
+//   TriangulationBenchmark [--full] [POINTS ...]
+//
+// POINTS are the sizes of the horizons; without them those of the thesis's table 5.1. With --full, horizons with all
+// their points only.
 
 #include "ElaborateSimplification.h"
 #include "HorizonGenerator.h"
@@ -183,7 +186,8 @@ void PrintRow(const char* what, const BoundedHorizon& horizon)
 int main(int argc, char* argv[])
 {
   std::vector<std::int64_t> sizes;
-  for (int n = 1; n < argc; ++n)
+  const bool fullOnly = argc > 1 && std::string(argv[1]) == "--full";
+  for (int n = fullOnly ? 2 : 1; n < argc; ++n)
   {
     sizes.push_back(std::atoll(argv[n]));
   }
@@ -199,6 +203,10 @@ int main(int argc, char* argv[])
   {
     const BoundedHorizon full = MakeGenerated(size);
     PrintRow("full", full);
+    if (fullOnly)
+    {
+      continue;
+    }
     const BoundedHorizon straight = Straighten(full);
     PrintRow("outline simplified", straight);
     PrintRow("simplified", TestHorizons::Reduce(straight, SimplifyRough(straight, 3)));

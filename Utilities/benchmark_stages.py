@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The part of benchmark.py that runs in a process of its own; prints JSON.
+
+    benchmark_stages.py stages FILE.vsm THREADS NEEDS     all stages; NEEDS: bytes per point by stage, as far as known
+    benchmark_stages.py peers FILE.vsm THREADS SLOW       filters of VTK, but for those named in SLOW
+"""
+
+import ctypes
+import gc
+import json
+import pathlib
+import sys
+import tempfile
+import time
+
+import numpy as np
+import seismichorizons as sh
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkFiltersCore import vtkDecimatePro, vtkDelaunay2D
+from vtkmodules.vtkFiltersGeneral import vtkTableToPolyData
+from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
+
+from thesis import peers, stages
+from thesis.worth import arrays_of
+
+CELL_SIZE = 3  # of rough
+LARGE_CELL_SIZE = 8  # of elaborate
+FLATNESS = 0.03
+MOST_RUNS = 5
+ENOUGH_SECONDS = 1.0
+MEMORY_LEFT = 0.8  # a stage may fill this part of the free memory
+
+
+def memory(name, path="/proc/self/status"):
+    """A line of what Linux tells, in bytes."""
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            if line.startswith(name + ":"):
+                return 1024 * int(line.split()[1])
+    raise SystemExit("%s has no line %s" % (path, name))
+
+
+def start_peak():
+    """The peak starts anew; what was freed but not given back would hide what is taken."""
+    gc.collect()
+    ctypes.CDLL(None).malloc_trim(0)
+    pathlib.Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
+    return memory("VmRSS")
+
+
+def measure(work, points):
+    """Memory of the first run, seconds of the fastest one."""
+    seconds = []
+    before = start_peak()
+    while not seconds or (len(seconds) < MOST_RUNS and sum(seconds) < ENOUGH_SECONDS):
+        start = time.perf_counter()
+        work()
+        seconds.append(time.perf_counter() - start)
+        if len(seconds) == 1:
+            grown = memory("VmHWM") - before
+    return {"points": points, "seconds": min(seconds), "points_per_second": points / min(seconds),
+            "bytes_per_point": grown / points}
+
+
+class Chain:
+    """Runs filters one after the other, and notes what each takes."""
+
+    def __init__(self, needs):
+        self.needs = needs
+        self.results = []
+
+    def run(self, stage, algorithm, points=None, **inputs):
+        """Returns what comes out, or None where there is not enough memory."""
+        for port, data in inputs.items():
+            algorithm.SetInputDataObject({"data": 0, "mesh": 1}[port], data)
+        points = points or inputs["data"].GetNumberOfPoints()
+        if self.needs.get(stage, 0.0) * points > MEMORY_LEFT * memory("MemAvailable", "/proc/meminfo"):
+            return None
+
+        def work():
+            algorithm.Modified()
+            algorithm.Update()
+
+        self.results.append({"stage": stage, **measure(work, points)})
+        return algorithm.GetOutputDataObject(0)
+
+
+def make(class_name, **properties):
+    algorithm = getattr(sh, class_name)()
+    for name, value in properties.items():
+        getattr(algorithm, "Set" + name)(value)
+    return algorithm
+
+
+def make_reader(path):
+    return make("vtkVerneySparseMatrixReader", FileName=path)
+
+
+def make_stages():
+    """Of the whole chain."""
+    return [make("vtkHorizonExteriorBoundary"),
+            make("vtkHorizonBoundarySimplification", DistanceThreshold=stages.DISTANCE_THRESHOLD),
+            make("vtkHorizonRoughSimplification", CellSize=CELL_SIZE),
+            make("vtkHorizonTriangulation")]
+
+
+def read(path):
+    reader = make_reader(path)
+    reader.Update()
+    return reader.GetOutputDataObject(0).GetPartition(0, 0)
+
+
+def measure_stages(path, needs):
+    # The chain as a whole comes first, when nothing else is in memory.
+    points = read(path).GetNumberOfPoints()
+    chain = Chain(needs)
+    measure_chain(chain, path, points)
+    horizon = chain.run("read", make_reader(path), points).GetPartition(0, 0)
+    boundary, straighten, rough, triangulation = make_stages()
+    outlined = chain.run("boundary", boundary, data=horizon)
+    straight = chain.run("boundary simplification", straighten, data=outlined)
+    thinned = chain.run("rough", rough, data=straight)
+    chain.run("elaborate", make("vtkHorizonElaborateSimplification", CellSize=LARGE_CELL_SIZE,
+                                FlatnessThreshold=FLATNESS), data=straight)
+    full = chain.run("triangulation, all points", make("vtkHorizonTriangulation"), data=outlined)
+    mesh = chain.run("triangulation, after rough", triangulation, data=thinned)
+    chain.run("error", make("vtkHorizonSurfaceDistance"), data=full, mesh=mesh)
+    return chain.results[1:] + chain.results[:1]
+
+
+def measure_chain(chain, path, points):
+    def work():
+        data = read(path)
+        for stage in make_stages():
+            stage.SetInputDataObject(0, data)
+            stage.Update()
+            data = stage.GetOutputDataObject(0)
+
+    chain.results.append({"stage": "whole chain", **measure(work, points)})
+
+
+def write_text(horizon, path):
+    np.savetxt(path, arrays_of(horizon)[0], fmt="%d", delimiter=",", header="i,j,k", comments="")
+
+
+def read_text(path):
+    reader = vtkDelimitedTextReader()
+    reader.SetFileName(str(path))
+    reader.SetHaveHeaders(True)
+    reader.SetDetectNumericColumns(True)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def chain_of_paraview(path):
+    points = vtkTableToPolyData()
+    points.SetInputData(read_text(path))
+    points.SetXColumn("i")
+    points.SetYColumn("j")
+    points.SetZColumn("k")
+    surface = vtkDelaunay2D()
+    surface.SetInputConnection(points.GetOutputPort())
+    surface.SetTolerance(0.0)
+    fewer = vtkDecimatePro()
+    fewer.SetInputConnection(surface.GetOutputPort())
+    fewer.SetTargetReduction(0.9)
+    fewer.Update()
+
+
+def measure_peers(path, slow):
+    straight = stages.straighten(stages.outline(stages.start(read(path))))
+    full = stages.triangles_only(stages.mesh(stages.outline(stages.start(read(path)))).data)
+    target = stages.mesh(stages.rough(straight, CELL_SIZE)).triangles
+    with tempfile.TemporaryDirectory() as folder:
+        text = pathlib.Path(folder) / "points.csv"
+        works = (
+            ("read", "vtkDelimitedTextReader", lambda: read_text(text)),
+            ("rough", "vtkBinnedDecimation", lambda: peers.binned_decimation(full, CELL_SIZE)),
+            ("rough", "vtkQuadricClustering", lambda: peers.quadric_clustering(full, CELL_SIZE)),
+            ("elaborate", "vtkQuadricDecimation", lambda: peers.quadric_decimation(full, target)),
+            ("triangulation, all points", "vtkDelaunay2D", lambda: peers.delaunay(full)),
+            ("whole chain", "ParaView's chain", lambda: chain_of_paraview(text)))
+        wanted = [work for work in works if work[1] not in slow]
+        if any(stage in ("read", "whole chain") for stage, _, _ in wanted):
+            write_text(full, text)
+        points = full.GetNumberOfPoints()
+        return [{"stage": stage, "peer": name, **measure(work, points)} for stage, name, work in wanted]
+
+
+def main():
+    what, path, threads, given = sys.argv[1:5]
+    vtkSMPTools.SetBackend("STDThread")
+    vtkSMPTools.Initialize(int(threads))
+    print(json.dumps({"stages": measure_stages, "peers": measure_peers}[what](path, json.loads(given))))
+
+
+main()

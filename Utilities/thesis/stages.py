@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stages of this project, each timed."""
+
+import time
+
+import seismichorizons as sh
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+DISTANCE_THRESHOLD = 0.4  # of the boundary simplification, as in the thesis
+MOST_RUNS = 3  # the fastest counts
+ENOUGH_SECONDS = 1.0  # after which there are no more runs
+
+
+class Result:
+    """Data, and the seconds from the input surface to it."""
+
+    def __init__(self, data, seconds):
+        self.data = data
+        self.seconds = seconds
+        self.points = data.GetNumberOfPoints()
+        self.triangles = data.GetNumberOfPolys()
+
+
+def time_update(algorithm):
+    """Seconds of the fastest of some runs."""
+    best = float("inf")
+    total = 0.0
+    for _ in range(MOST_RUNS):
+        algorithm.Modified()
+        start = time.perf_counter()
+        algorithm.Update()
+        seconds = time.perf_counter() - start
+        best = min(best, seconds)
+        total += seconds
+        if total > ENOUGH_SECONDS:
+            break
+    return best
+
+
+def apply(algorithm, before, **properties):
+    for name, value in properties.items():
+        getattr(algorithm, "Set" + name)(value)
+    algorithm.SetInputDataObject(0, before.data)
+    seconds = time_update(algorithm)
+    return Result(algorithm.GetPolyDataOutput(), before.seconds + seconds)
+
+
+def start(horizon):
+    return Result(horizon, 0.0)
+
+
+def outline(before, **properties):
+    return apply(sh.vtkHorizonExteriorBoundary(), before, **properties)
+
+
+def straighten(before, threshold=DISTANCE_THRESHOLD):
+    return apply(sh.vtkHorizonBoundarySimplification(), before, DistanceThreshold=threshold)
+
+
+def rough(before, cell_size):
+    return apply(sh.vtkHorizonRoughSimplification(), before, CellSize=cell_size)
+
+
+def elaborate(before, cell_size, flatness, growth=1.0):
+    return apply(sh.vtkHorizonElaborateSimplification(), before, CellSize=cell_size, FlatnessThreshold=flatness,
+                 GrowthPerRing=growth)
+
+
+def mesh(before, strategy=sh.vtkHorizonTriangulation.VoxelTraversal):
+    return apply(sh.vtkHorizonTriangulation(), before, SearchStrategy=strategy)
+
+
+def outline_points(horizon):
+    lines = horizon.GetLines()
+    return lines.GetNumberOfConnectivityIds() - lines.GetNumberOfCells()
+
+
+def triangles_only(data):
+    """Without lines and attributes, for filters that would do something with them."""
+    bare = vtkPolyData()
+    bare.SetPoints(data.GetPoints())
+    bare.SetPolys(data.GetPolys())
+    return bare

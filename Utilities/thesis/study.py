@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""All measurements: one object for each surface, and one for each row of table 5.1."""
+
+import numpy as np
+import seismichorizons as sh
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from . import peers, reported, stages, surfaces
+from .meshlab import is_installed
+from .worth import Worth
+
+RADII = range(1, 9)
+GROWTH_RULES = ("Clockwise", "Distance")
+THRESHOLDS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
+CURVE_CELLS = (12, 8, 6, 4, 3)
+CURVE_FLATNESS = (0.03, 0.01, 0.003)
+CURVE_GROWTH = 1.5
+MOST_SECONDS_TO_MESH = 15.0  # for other programs that mesh all points
+
+OURS = "ours"
+
+
+class Measured:
+    """Points that a simplification left, its seconds, and what a mesh of them is worth."""
+
+    def __init__(self, points, seconds, worth):
+        self.points = points
+        self.seconds = seconds
+        self.worth = worth
+
+
+class Surface:
+    """All results for one surface of table 4.1."""
+
+    def __init__(self, generator, size, folder, pace):
+        self.size = size
+        horizon = surfaces.make(generator, size, folder)
+        self.points = horizon.GetNumberOfPoints()
+        self.box = surfaces.size_of_box(horizon)
+        self._measured = []
+        self.outlined = stages.outline(stages.start(horizon))
+        self.full = stages.mesh(self.outlined)
+        self.straight = stages.straighten(self.outlined)
+        self.boundary = stages.outline_points(self.straight.data)
+        self.partners = peers.Partners(self.full.data, folder, pace)
+        self._boundary_curves(horizon)
+        self._our_tables()
+        self._cluster_method()
+        self.equal = {name: self._with_vertices(ours) for name, ours in (
+            ("rough, s = 6", stages.rough(self.straight, 6)),
+            ("elaborate, s = 8, flatness 0.03", stages.elaborate(self.straight, 8, 0.03)))}
+
+    def forget(self):
+        """Lets go of all that is large."""
+        del self.outlined, self.full, self.straight, self.partners, self._measured
+
+    def _boundary_curves(self, horizon):
+        self.boundary_seconds = {
+            rule: [(k, stages.outline(stages.start(horizon), Radius=k,
+                                      GrowthStrategy=getattr(sh.vtkHorizonExteriorBoundary, rule)).seconds)
+                   for k in RADII]
+            for rule in GROWTH_RULES}
+        before = stages.outline_points(self.outlined.data)
+        self.boundary_rates = [
+            (t, 100.0 * (1.0 - stages.outline_points(stages.straighten(self.outlined, t).data) / before))
+            for t in THRESHOLDS]
+
+    def _our_tables(self):
+        start = stages.Result(self.straight.data, 0.0)  # times in the tables are of the simplification alone
+        rough = {size: stages.rough(start, size) for size in (3, 6, 8)}
+        self.rough = {size: self._measure(result) for size, result in rough.items()}
+        self.alone = [self._measure(stages.elaborate(start, 8, flatness)) for flatness in reported.FLATNESS]
+        self.after = [self._measure(stages.elaborate(rough[3], 8, flatness)) for flatness in reported.FLATNESS]
+        self.both = {size: [self._measure(stages.elaborate(rough[size], 10, flatness))
+                            for flatness in reported.FLATNESS] for size in (3, 6, 8)}
+
+    def _cluster_method(self):
+        self.cluster = {}
+        for distance in (6, 8):
+            peer = self.partners.merge(distance)
+            if peer:
+                self.cluster[distance] = self._measure_peer(peer)
+
+    def _measure(self, simplified):
+        return Measured(simplified.points, simplified.seconds, self._worth(stages.mesh(simplified).data))
+
+    def _worth(self, mesh):
+        """Several flatnesses may give the same mesh, which is then measured once."""
+        places = vtk_to_numpy(mesh.GetPoints().GetData())
+        for known, worth in self._measured:
+            if np.array_equal(known, places):
+                return worth
+        worth = Worth(self.full.data, mesh)
+        self._measured.append((places, worth))
+        return worth
+
+    def _measure_peer(self, peer):
+        return Measured(peer.vertices, peer.seconds, Worth(self.full.data, peer.mesh))
+
+    def _with_vertices(self, simplified):
+        """What all make of the surface with as many vertices, by name; without those that are too slow. Our seconds are
+        those from the points to the mesh."""
+        mesh = stages.mesh(simplified)
+        found = {OURS: Measured(simplified.points, mesh.seconds, self._worth(mesh.data))}
+        for name, peer in self.partners.with_vertices(mesh).items():
+            found[name] = self._measure_peer(peer)
+        return found
+
+    def curves(self):
+        """Results of several sizes for each method, by name."""
+        rough = {size: stages.rough(self.straight, size) for size in CURVE_CELLS}
+        ours = {
+            "rough": rough.values(),
+            "elaborate": [stages.elaborate(self.straight, 8, flatness) for flatness in CURVE_FLATNESS],
+            "elaborate, growing %g" % CURVE_GROWTH: [
+                stages.elaborate(self.straight, 8, flatness, CURVE_GROWTH) for flatness in CURVE_FLATNESS],
+            "rough and elaborate": [stages.elaborate(rough[size], 10, 0.03) for size in (8, 6, 3)]}
+        found = {name: [Worth(self.full.data, stages.mesh(r).data) for r in results] for name, results in ours.items()}
+        for name, results in self.partners.series([stages.mesh(r) for r in rough.values()]).items():
+            found[name] = [Worth(self.full.data, peer.mesh) for peer in results]
+        return found
+
+
+class Meshing:
+    """A row of table 5.1: all points of a surface meshed. Ours includes the exterior boundary."""
+
+    def __init__(self, generator, size, folder, pace):
+        self.size = size
+        horizon = surfaces.make(generator, size, folder)
+        self.points = horizon.GetNumberOfPoints()
+        outlined = stages.outline(stages.start(horizon))
+        stages.mesh(outlined)  # or the first strategy would pay for memory that the second one finds ready
+        self.seconds = {}
+        self.faces = {}
+        for name, strategy in (("VTS", sh.vtkHorizonTriangulation.VoxelTraversal),
+                               ("CTC", sh.vtkHorizonTriangulation.Compactness)):
+            result = stages.mesh(outlined, strategy)
+            self._note(name, result.triangles, result.seconds)
+        self._others(result.data, folder, pace)
+
+    def _others(self, mesh, folder, pace):
+        bare = stages.triangles_only(mesh)
+        works = {"vtkDelaunay2D": lambda: peers.delaunay(bare)}
+        if is_installed():
+            works["BP"] = lambda: peers.ball_pivoting(bare, folder)
+        for name, work in works.items():
+            peer = pace.allow(name, self.points) and work()
+            if peer:
+                pace.note(name, self.points, peer.seconds)
+                self._note(name, peer.mesh.GetNumberOfPolys(), peer.seconds)
+
+    def _note(self, name, faces, seconds):
+        self.faces[name] = faces
+        self.seconds[name] = seconds
+
+
+def meshing_pace():
+    return peers.Pace(MOST_SECONDS_TO_MESH)

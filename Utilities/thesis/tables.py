@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of the thesis, with ours beside them, as Markdown."""
+
+from . import reported
+from .study import OURS
+from .surfaces import box_of, occupancy
+
+HEADS = ["points", "method", "left, thesis", "here", "largest, thesis", "here", "mean, thesis", "here", "ms, thesis",
+         "here"]
+
+
+def table(heads, rows):
+    lines = ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def percent(part, whole):
+    return "%d (%.1f)" % (part, 100.0 * part / whole)
+
+
+def milliseconds(seconds):
+    return "%.3g" % (1000.0 * seconds) if seconds < 1.0 else "%.0f" % (1000.0 * seconds)
+
+
+def error(value, digits):
+    return "%.*f" % (digits, value)
+
+
+def box(size):
+    return " x ".join("%g" % side for side in size)
+
+
+def filled(points, size):
+    return "%.0f %%" % (100.0 * occupancy(points, size))
+
+
+def surfaces(found):
+    rows = [["%d" % s.size, box(box_of(s.size)), filled(s.size, box_of(s.size)), "%d" % s.points, box(s.box),
+             filled(s.points, s.box), "%d" % s.boundary] for s in found]
+    return table(["points, thesis", "box", "columns filled", "points, here", "box", "columns filled", "outline points"],
+                 rows)
+
+
+def row(surface, method, thesis, here):
+    """Thesis and here side by side: points left, errors, milliseconds."""
+    points, spent, largest, mean = thesis
+    cells = ["%d" % surface.size, method, percent(points, surface.size)]
+    if here is None:
+        return cells + ["-", "%.3f" % largest, "-", "%.4f" % mean, "-", "%d" % spent, "-"]
+    return cells + [percent(here.points, surface.points), "%.3f" % largest, error(here.worth.largest, 4), "%.4f" % mean,
+                    error(here.worth.mean, 5), "%d" % spent, milliseconds(here.seconds)]
+
+
+def rough_row(surface, size):
+    return row(surface, "rough, s = %d" % size, reported.ROUGH[surface.size][size], surface.rough[size])
+
+
+def cluster_row(surface, size):
+    return row(surface, "merged, %d" % size, reported.CLUSTER[surface.size][size], surface.cluster.get(size))
+
+
+def global_rows(surface, size):
+    return [row(surface, "both, flatness %.2f" % flatness, reported.GLOBAL[size][surface.size][n],
+                surface.both[size][n]) for n, flatness in enumerate(reported.FLATNESS)]
+
+
+def table_4_1(found):
+    return table(HEADS, [make(s, 6) for s in found for make in (rough_row, cluster_row)])
+
+
+def table_4_2(found):
+    return table(HEADS, [rough_row(s, size) for s in found for size in (6, 8)])
+
+
+def table_4_3(found):
+    heads = ["points", "method", "left, thesis", "alone", "after rough", "largest, thesis", "alone", "after rough",
+             "mean, thesis", "alone", "after rough", "ms alone, thesis", "here", "ms after rough, thesis", "here"]
+    rows = []
+    for s in found:
+        points, spent, largest, mean = reported.ROUGH[s.size][3]
+        here = s.rough[3]
+        rows.append(["%d" % s.size, "rough, s = 3", percent(points, s.size), percent(here.points, s.points), "",
+                     "%.3f" % largest, error(here.worth.largest, 4), "", "%.4f" % mean, error(here.worth.mean, 5), "",
+                     "%d" % spent, milliseconds(here.seconds), "", ""])
+        rows += [elaborate_row(s, n) for n in range(len(reported.FLATNESS))]
+    return table(heads, rows)
+
+
+def elaborate_row(surface, n):
+    points, spent_alone, spent_after, largest, mean = reported.ELABORATE[surface.size][n]
+    alone, after = surface.alone[n], surface.after[n]
+    return ["%d" % surface.size, "flatness %.2f" % reported.FLATNESS[n], percent(points, surface.size),
+            percent(alone.points, surface.points), percent(after.points, surface.points), "%.3f" % largest,
+            error(alone.worth.largest, 4), error(after.worth.largest, 4), "%.4f" % mean, error(alone.worth.mean, 5),
+            error(after.worth.mean, 5), "%d" % spent_alone, milliseconds(alone.seconds), "%d" % spent_after,
+            milliseconds(after.seconds)]
+
+
+def table_4_4(found):
+    return table(HEADS, [r for s in found for r in [cluster_row(s, 8)] + global_rows(s, 3)])
+
+
+def table_4_5_and_6(found, size):
+    return table(HEADS, [r for s in found for r in [rough_row(s, size)] + global_rows(s, size)])
+
+
+def table_5_1(meshings):
+    heads = ["points", "triangles, thesis", "here", "CTC ms, thesis", "here", "VTS ms, thesis", "here",
+             "triangles of ball pivoting, thesis", "here", "ms, thesis", "here", "vtkDelaunay2D ms"]
+    rows = []
+    for m in meshings:
+        thesis = reported.TRIANGULATION[m.size]
+        rows.append(["%d" % m.size, "%d" % thesis["VTS"][0], "%d" % m.faces["VTS"], "%d" % thesis["CTC"][1],
+                     milliseconds(m.seconds["CTC"]), "%d" % thesis["VTS"][1], milliseconds(m.seconds["VTS"]),
+                     "%d" % thesis["BP"][0], "%d" % m.faces["BP"] if "BP" in m.faces else "-", "%d" % thesis["BP"][1],
+                     milliseconds(m.seconds["BP"]) if "BP" in m.seconds else "-",
+                     milliseconds(m.seconds["vtkDelaunay2D"]) if "vtkDelaunay2D" in m.seconds else "-"])
+    return table(heads, rows)
+
+
+def equal_vertices(found, name):
+    """Everybody's meshes with as many vertices as ours, surface by surface."""
+    rows = []
+    for s in found:
+        ours = s.equal[name][OURS]
+        for partner, result in s.equal[name].items():
+            w = result.worth
+            rows.append(["%d" % s.size, partner, "%d" % w.vertices, error(w.largest, 4), error(w.mean, 5),
+                         "%.1f" % w.outline, "%.2f" % w.smallest_angle, "%.2f" % w.quality,
+                         "%.3g" % (result.seconds / ours.seconds)])
+    return table(["points", "mesh", "vertices", "largest", "mean", "outline, columns", "smallest angle", "mean quality",
+                  "time / ours"], rows)

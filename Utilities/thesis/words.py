@@ -1,0 +1,202 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the figures say, in words that follow from them."""
+
+from statistics import median
+
+from . import reported
+from .study import OURS
+from .tables import table
+
+MESHERS = {"VTS": "Voxel traversal", "CTC": "Compactness", "BP": "Ball pivoting"}
+SAME = 1.1  # ratios nearer to 1 than this are called the same
+
+
+def ratio(value):
+    return "%.0f" % value if value >= 20.0 else "%.2g" % value
+
+
+def judge(value):
+    """Of a ratio to ours in something of which less is better."""
+    return "better" if value < 1.0 / SAME else "worse" if value > SAME else "the same"
+
+
+def listing(parts):
+    return parts[0] if len(parts) == 1 else ", ".join(parts[:-1]) + " and " + parts[-1]
+
+
+class Against:
+    """A partner beside us at equal vertices: medians over the surfaces it was run on. Errors are multiplied by the
+    vertices, which makes up for small differences in their number: the error of a good mesh falls in proportion."""
+
+    def __init__(self, partner, pairs):
+        self.partner = partner
+        self.number = len(pairs)
+        self.vertices = median(p.worth.vertices / o.worth.vertices for p, o in pairs)
+        self.largest = median(per_vertex(p, o, "largest") for p, o in pairs)
+        self.mean = median(per_vertex(p, o, "mean") for p, o in pairs)
+        self.outline = median(p.worth.outline for p, _ in pairs)
+        self.our_outline = median(o.worth.outline for _, o in pairs)
+        self.angle = median(p.worth.smallest_angle for p, _ in pairs)
+        self.our_angle = median(o.worth.smallest_angle for _, o in pairs)
+        self.quality = median(p.worth.quality for p, _ in pairs)
+        self.our_quality = median(o.worth.quality for _, o in pairs)
+        self.seconds = median(p.seconds / o.seconds for p, o in pairs)
+
+    def row(self):
+        return [self.partner, "%d" % self.number, "%.2f" % self.vertices, ratio(self.mean), ratio(self.largest),
+                "%.1f" % self.outline, "%.2f" % self.angle, "%.2f" % self.quality, ratio(self.seconds)]
+
+    def sentence(self):
+        verdicts = {"better": [], "worse": [], "the same": []}
+        for what, value, told in (
+                ("the mean error", self.mean, "%s times ours" % ratio(self.mean)),
+                ("the largest error", self.largest, "%s times" % ratio(self.largest)),
+                ("the outline", (self.outline + 0.01) / (self.our_outline + 0.01),
+                 "%.1f columns off, ours %.1f" % (self.outline, self.our_outline)),
+                ("the mean quality of the triangles", self.our_quality / self.quality,
+                 "%.2f, ours %.2f" % (self.quality, self.our_quality)),
+                ("time", self.seconds, "%s times ours" % ratio(self.seconds))):
+            verdicts[judge(value)].append("%s (%s)" % (what, told))
+        texts = ["%s in %s" % (verdict if verdict == "the same" else verdict + " than ours", listing(parts))
+                 for verdict, parts in verdicts.items() if parts]
+        return "- **%s** is %s." % (self.partner, "; ".join(texts))
+
+
+def per_vertex(partner, ours, name):
+    def product(measured):
+        return getattr(measured.worth, name) * measured.worth.vertices
+
+    return product(partner) / product(ours)
+
+
+def partners(found, name):
+    """Everybody who was compared, in the order of the tables."""
+    names = dict.fromkeys(partner for s in found for partner in s.equal[name] if partner != OURS)
+    return [Against(partner, [(s.equal[name][partner], s.equal[name][OURS]) for s in found if partner in s.equal[name]])
+            for partner in names]
+
+
+def partner_table(found, name):
+    ours = [s.equal[name][OURS] for s in found]
+    own = [OURS, "%d" % len(found), "1", "1", "1", "%.1f" % median(o.worth.outline for o in ours),
+           "%.2f" % median(o.worth.smallest_angle for o in ours), "%.2f" % median(o.worth.quality for o in ours), "1"]
+    heads = ["mesh", "surfaces", "vertices / ours", "mean error x vertices / ours", "largest error x vertices / ours",
+             "outline, columns", "smallest angle", "mean quality", "time / ours"]
+    return table(heads, [own] + [against.row() for against in partners(found, name)])
+
+
+def partner_sentences(found, name):
+    return "\n".join(against.sentence() for against in partners(found, name)) + "\n"
+
+
+def best_sentence(found, name):
+    """Whose vertices buy most, ourselves among them."""
+    against = partners(found, name)
+    parts = []
+    for what, value in (("mean", lambda a: a.mean), ("largest", lambda a: a.largest)):
+        best = min(against, key=value)
+        parts.append("the least %s error per vertex is %s" % (
+            what, "that of **%s**, %s times ours" % (best.partner, ratio(value(best))) if value(best) < 1.0 else
+            "ours; next is that of **%s**, %s times ours" % (best.partner, ratio(value(best)))))
+    nearest = min(against, key=lambda a: a.outline)
+    parts.append("of the others the outline of **%s** is nearest, %.1f columns off, where ours is %.1f" % (
+        nearest.partner, nearest.outline, nearest.our_outline))
+    text = "; ".join(parts)
+    return text[0].upper() + text[1:] + ".\n"
+
+
+def own_sentence(found):
+    """Whether the vertices of the elaborate simplification buy more than those of the rough one."""
+    pairs = [(s.alone[0], s.rough[3]) for s in found]
+    mean, largest = (median(per_vertex(e, r, name) for e, r in pairs) for name in ("mean", "largest"))
+    return "Of our own two, a vertex of the elaborate simplification alone (s = 8, flatness 0.03) buys %s than one " \
+        "of the rough one (s = 3) in the mean error (%s times its error times vertices), and %s in the largest (%s " \
+        "times).\n" % (comparison(mean), ratio(mean), comparison(largest), ratio(largest))
+
+
+def comparison(value):
+    return {"better": "more", "worse": "less", "the same": "not more or less"}[judge(value)]
+
+
+class AgainstThesis:
+    """Medians of here / thesis over (surface, thesis, here)."""
+
+    def __init__(self, what, pairs):
+        self.what = what
+        self.left = median((here.points / s.points) / (points / s.size) for s, (points, *_), here in pairs)
+        self.largest = median(here.worth.largest / thesis[2] for _, thesis, here in pairs)
+        self.mean = median(here.worth.mean / thesis[3] for _, thesis, here in pairs)
+        self.speed = median(thesis[1] / (1000.0 * here.seconds) for _, thesis, here in pairs)
+
+    def row(self):
+        return [self.what] + [ratio(value) for value in (self.left, self.largest, self.mean, self.speed)]
+
+
+def thesis_comparisons(found):
+    comparisons = [AgainstThesis("rough, s = %d" % size, [
+        (s, reported.ROUGH[s.size][size], s.rough[size]) for s in found]) for size in (3, 6, 8)]
+    for name, title in (("alone", "alone"), ("after", "after rough with s = 3")):
+        for n, flatness in enumerate(reported.FLATNESS):
+            pairs = []
+            for s in found:
+                points, alone, after, largest, mean = reported.ELABORATE[s.size][n]
+                pairs.append((s, (points, alone if name == "alone" else after, largest, mean), getattr(s, name)[n]))
+            comparisons.append(AgainstThesis("elaborate, s = 8, flatness %.2f, %s" % (flatness, title), pairs))
+    for size in (3, 6, 8):
+        comparisons.append(AgainstThesis("elaborate, s = 10, after rough with s = %d" % size, [
+            (s, reported.GLOBAL[size][s.size][n], s.both[size][n]) for s in found for n in range(3)]))
+    return comparisons
+
+
+def thesis_table(found):
+    return table(["here / thesis", "points left", "largest error", "mean error", "speed"],
+                 [c.row() for c in thesis_comparisons(found)])
+
+
+def thesis_sentence(found):
+    """The span of that table."""
+    comparisons = thesis_comparisons(found)
+    spans = []
+    for name in ("left", "largest", "mean", "speed"):
+        values = [getattr(c, name) for c in comparisons]
+        spans.append("%s to %s" % (ratio(min(values)), ratio(max(values))))
+    return "with %s times as many points left as in the thesis, the largest error is %s times and the mean error %s " \
+        "times that of the thesis, at %s times the speed of its computer.\n" % tuple(spans)
+
+
+def cluster_sentence(found):
+    """How near MeshLab here is to MeshLab in the thesis: what the surfaces and the machine are worth."""
+    pairs = [(s, reported.CLUSTER[s.size][size], s.cluster[size]) for s in found for size in s.cluster]
+    if not pairs:
+        return "MeshLab was not run where this page was made.\n"
+    c = AgainstThesis("", pairs)
+    return "MeshLab's merging, which is the same program there and here, leaves %s times as many points here as in " \
+        "the thesis; its largest error is %s times, its mean error %s times that in the thesis, and its speed %s " \
+        "times. What is common to these ratios and to ours is due to the surfaces and the computer, not to a " \
+        "method.\n" % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
+
+
+def meshing_sentences(meshings):
+    lines = []
+    for name, title in MESHERS.items():
+        pairs = [(m, reported.TRIANGULATION[m.size][name][1] / (1000.0 * m.seconds[name]))
+                 for m in meshings if name in m.seconds]
+        if pairs:
+            lines.append("- *%s*: %s to %s times as fast as in the thesis." % (
+                title, ratio(min(r for _, r in pairs)), ratio(max(r for _, r in pairs))))
+    for name in ("BP", "vtkDelaunay2D", "CTC"):
+        ratios = [m.seconds[name] / m.seconds["VTS"] for m in meshings if name in m.seconds]
+        if ratios:
+            lines.append("- *%s* takes %s to %s times the time of voxel traversal on the same points here." % (
+                MESHERS.get(name, name), ratio(min(ratios)), ratio(max(ratios))))
+    return "\n".join(lines) + "\n"
+
+
+def left_out(pace):
+    if not pace.left_out:
+        return "Nobody was left out for being slow.\n"
+    lines = ["- %s on %s points" % (MESHERS.get(name, name), listing(["%d" % n for n in sorted(sizes)]))
+             for name, sizes in pace.left_out.items()]
+    return "Left out, since one run would have taken longer than %g s, going by the surface before:\n\n" \
+        "%s\n" % (pace.most_seconds, "\n".join(lines))
