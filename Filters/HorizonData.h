@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Between vtkPolyData and the plain data of the algorithms. All readers of input throw InputError when it breaks the
+// From vtkPolyData to the plain data of the algorithms. All readers of input throw InputError when it breaks the
 // data model (Documentation/DataModel.md).
 
 #ifndef SeismicHorizonsHorizonData_h
@@ -9,15 +9,11 @@
 
 #include "BoundedHorizon.h"
 #include "Lattice.h"
-#include "RawVector.h"
 #include "Types.h"
 
-#include "vtkSmartPointer.h"
-
+#include <cstdint>
 #include <vector>
 
-class vtkCellArray;
-class vtkIntArray;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -51,31 +47,6 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
 BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid);
 
 BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
-
-vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);
-vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
-vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
-
-/// Turns triangles that are counter-clockwise on a lattice so that they are in the world.
-void FaceUp(const Lattice& grid, RawVector<PointId>& triangles);
-
-/// The array CellOrigin.
-vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);
-void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin);
-
-/// Whether a reduction may make new points out of several old ones.
-enum class Merging
-{
-  DropsPoints,
-  AveragesPoints
-};
-
-/// Makes `output` the reduced `input`: points, vertices, loops, and all point data. PointCount is summed. At averaged
-/// points floating point arrays and VerticalIndex (which is then of type double) are averaged, weighted by
-/// PointCount; all other arrays, being labels, are taken from the nearest point that was merged. CellOrigin is added
-/// when the reduction says where points come from.
-void WriteReduction(
-  vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output);
 }
 
 #endif

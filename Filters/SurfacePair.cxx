@@ -7,6 +7,7 @@
 #include "Errors.h"
 #include "ExteriorBoundary.h"
 #include "HorizonData.h"
+#include "HorizonCells.h"
 #include "HorizonPairs.h"
 #include "Triangulation.h"
 

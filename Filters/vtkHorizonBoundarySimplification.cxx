@@ -6,6 +6,7 @@
 #include "BoundarySimplification.h"
 #include "DataModel.h"
 #include "HorizonData.h"
+#include "ReducedHorizon.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

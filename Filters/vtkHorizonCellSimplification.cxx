@@ -5,6 +5,7 @@
 
 #include "DataModel.h"
 #include "HorizonData.h"
+#include "ReducedHorizon.h"
 #include "Monitor.h"
 
 #include "vtkCellArray.h"

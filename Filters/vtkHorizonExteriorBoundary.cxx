@@ -7,6 +7,7 @@
 #include "DataModel.h"
 #include "ExteriorBoundary.h"
 #include "HorizonData.h"
+#include "HorizonCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"

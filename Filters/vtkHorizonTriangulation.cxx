@@ -6,6 +6,7 @@
 #include "ConvexHull.h"
 #include "DataModel.h"
 #include "HorizonData.h"
+#include "HorizonCells.h"
 #include "OutsideTriangles.h"
 #include "TriangleQuality.h"
 #include "Triangulation.h"
