@@ -7,7 +7,7 @@
 //
 //   SurfaceDistanceBenchmark [POINTS ...]      sizes of the horizons; without them 886639
 
-#include "HorizonGenerator.h"
+#include "BenchmarkTools.h"
 #include "Parallel.h"
 #include "RoughSimplification.h"
 #include "SurfaceDistance.h"
@@ -27,51 +27,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <vector>
 
 using namespace SeismicHorizons;
+using namespace BenchmarkTools;
 
 namespace
 {
-double ProcessorSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-/// The least of several runs, of as many as fit into some seconds, at least one.
-template <typename Work>
-double Time(Work&& work)
-{
-  double least = 0.0;
-  double total = 0.0;
-  for (int run = 0; run == 0 || (run < 5 && total < 4.0); ++run)
-  {
-    const double start = ProcessorSeconds();
-    work();
-    const double seconds = ProcessorSeconds() - start;
-    least = run == 0 ? seconds : std::min(least, seconds);
-    total += seconds;
-  }
-  return least;
-}
-
-BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
-{
-  HorizonGeneratorOptions options;
-  options.NumberOfHorizons = 1;
-  options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
-  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
-  std::vector<PlanePoint> columns;
-  for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
-  {
-    columns.push_back({ voxels.I[voxel], voxels.J[voxel] });
-  }
-  return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
-}
-
 TriangleSurface Mesh(const BoundedHorizon& horizon)
 {
   TriangleSurface surface;
@@ -89,8 +51,7 @@ TriangleSurface Mesh(const BoundedHorizon& horizon)
 
 TriangleSurface MeshSimplified(const BoundedHorizon& horizon)
 {
-  const BoundedHorizon straight =
-    TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
+  const BoundedHorizon straight = Straighten(horizon);
   return Mesh(TestHorizons::Reduce(straight, SimplifyRough(straight, 3)));
 }
 

@@ -9,8 +9,8 @@
 // POINTS are the sizes of the horizons; without them those of the thesis's table 5.1. With --full, horizons with all
 // their points only.
 
+#include "BenchmarkTools.h"
 #include "ElaborateSimplification.h"
-#include "HorizonGenerator.h"
 #include "Parallel.h"
 #include "RoughSimplification.h"
 #include "TestHorizons.h"
@@ -26,20 +26,17 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <fstream>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 using namespace SeismicHorizons;
+using namespace BenchmarkTools;
 
 namespace
 {
@@ -50,77 +47,6 @@ using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
 // Above so many points a peer that takes longer than linear time is left out.
 constexpr std::size_t MostForVtk = 70000;
 constexpr std::size_t MostForConstrained = 2000000;
-
-double Seconds(clockid_t clock)
-{
-  timespec time;
-  clock_gettime(clock, &time);
-  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-/// The least of several runs, of as many as fit into about a second, at least one.
-template <typename Work>
-double Time(Work&& work, clockid_t clock = CLOCK_PROCESS_CPUTIME_ID)
-{
-  double least = 0.0;
-  double total = 0.0;
-  for (int run = 0; run == 0 || (run < 9 && total < 1.0); ++run)
-  {
-    const double start = Seconds(clock);
-    work();
-    const double seconds = Seconds(clock) - start;
-    least = run == 0 ? seconds : std::min(least, seconds);
-    total += seconds;
-  }
-  return least;
-}
-
-/// A line of what Linux tells of this process, in bytes.
-double ProcessBytes(const std::string& name)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-  {
-    if (word == name + ":")
-    {
-      double kilobytes = 0.0;
-      status >> kilobytes;
-      return 1024.0 * kilobytes;
-    }
-  }
-  return NAN;
-}
-
-/// By how much the memory grows at most, the result included.
-template <typename Work>
-double PeakBytes(Work&& work)
-{
-  malloc_trim(0);
-  const double before = ProcessBytes("VmRSS");
-  std::ofstream("/proc/self/clear_refs") << 5; // the peak starts anew
-  work();
-  return ProcessBytes("VmHWM") - before;
-}
-
-BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
-{
-  HorizonGeneratorOptions options;
-  options.NumberOfHorizons = 1;
-  options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
-  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
-  std::vector<PlanePoint> columns;
-  for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
-  {
-    columns.push_back({ voxels.I[voxel], voxels.J[voxel] });
-  }
-  return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
-}
-
-/// After the boundary simplification with its default.
-BoundedHorizon Straighten(const BoundedHorizon& horizon)
-{
-  return TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
-}
 
 std::vector<Kernel::Point_2> ToCgal(const BoundedHorizon& horizon)
 {
