@@ -92,6 +92,10 @@ def measure_opencv(folder, sizes):
                            ours[row[0]]) for row in rows if row[1].startswith("opencv")]
 
 
+CGAL_COLUMNS = (("CGAL Delaunay", "CGAL Delaunay s"), ("CGAL constrained Delaunay", "CGAL constrained s"),
+                ("CGAL constrained, triangles inside", "CGAL inside s"))
+
+
 def measure_cgal(folder, sizes):
     """All points at every size; what the simplifications leave, at the least, the middle and the largest."""
     some = [sizes[n] for n in sorted({0, len(sizes) // 2, len(sizes) - 1})]
@@ -109,7 +113,7 @@ def read_cgal(lines, kinds):
     for row in rows[2:]:
         values = dict(zip(rows[0], row))
         points = int(values["points"]) if values["horizon"] == "full" else points
-        for name, column in (("CGAL Delaunay", "CGAL Delaunay s"), ("CGAL constrained Delaunay", "CGAL constrained s")):
+        for name, column in CGAL_COLUMNS:
             if values["horizon"] in kinds:
                 found.append(program_result(stages[values["horizon"]], name, points, float(values[column]),
                                             float(values["VTS s"])))
@@ -246,8 +250,8 @@ The time per point, by the clock on {most_threads} threads, is in
 Their time divided by ours at the same thread count, above 1 where ours is faster; each until it would take longer than
 {most_seconds:g} s. Those in C++ (OpenCV, CGAL, vtkStaticCellLocator) are timed with our algorithm alone in one process
 on one thread, on horizons that they make themselves; the others with our filters, attributes included. OpenCV begins
-with an image that is ready, ours with a list of points. CGAL's triangulations fill the hull: to take away what is
-outside the outline would come on top. What is meshed *after rough* and *after elaborate* has the outline as simplified,
+with an image that is ready, ours with a list of points. CGAL's triangulations fill the hull; *triangles inside* is the
+constrained one with what it takes to list the triangles inside the outline, as ours does. What is meshed *after rough* and *after elaborate* has the outline as simplified,
 and stands under the points before. The clustering filters are timed with cells of 3 on the mesh of all points, and
 `vtkQuadricDecimation` down to as many triangles as the mesh after rough has, all without the time to make that mesh.
 *ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro. What their results
