@@ -245,7 +245,11 @@ std::vector<PointId> FullBlocks::FindLoosePoints(const BoundedHorizon& horizon) 
       covered.push_back(point);
     }
   };
-  horizon.Boundary.ForEachHop([&add](PointId from, PointId) { add(from); });
+  const Loops& boundary = horizon.Boundary;
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    std::for_each(boundary.begin(loop), boundary.end(loop), add);
+  }
   std::sort(covered.begin(), covered.end());
   loose.insert(loose.end(), covered.begin(), std::unique(covered.begin(), covered.end()));
   return loose;

@@ -260,7 +260,8 @@ void TestBoundaryInsideFullBlocks()
   BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
   const auto point = [&horizon](std::int32_t x, std::int32_t y)
   {
-    const auto found = std::find(horizon.Plane.begin(), horizon.Plane.end(), PlanePoint{ x, y });
+    const auto found = std::find(
+      horizon.Plane.begin(), horizon.Plane.end(), PlanePoint{ x * SubVoxelsPerColumn, y * SubVoxelsPerColumn });
     return PointId(found - horizon.Plane.begin());
   };
   Loops withSpur;
@@ -278,11 +279,17 @@ void TestBoundaryInsideFullBlocks()
       }
     });
   withSpur.Close();
+  CHECK_EQUAL(withSpur.TotalLength(), outline.TotalLength() + 6);
   const std::vector<PointId> same = Unchanged(horizon.Plane.size());
   const auto plain = Canonical(Triangulate(horizon).Triangles, same);
   horizon.Boundary = withSpur;
   CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
   CHECK(Canonical(Triangulate(horizon, { SearchStrategy::VoxelTraversal, 1000 }).Triangles, same) == plain);
+  // So may a loop of a single point, which has no hop.
+  horizon.Boundary = outline;
+  horizon.Boundary.Append(point(3, 2));
+  horizon.Boundary.Close();
+  CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
 }
 
 /// A point of another patch in the middle of full blocks is outside its own patch.
