@@ -21,6 +21,7 @@ from vtkmodules.vtkFiltersCore import vtkDecimatePro, vtkDelaunay2D
 from vtkmodules.vtkFiltersGeneral import vtkTableToPolyData
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 
+from generated import read
 from thesis import peers, stages
 from thesis.worth import arrays_of
 
@@ -103,12 +104,6 @@ def make_stages():
             make("vtkHorizonBoundarySimplification", DistanceThreshold=stages.DISTANCE_THRESHOLD),
             make("vtkHorizonRoughSimplification", CellSize=CELL_SIZE),
             make("vtkHorizonTriangulation")]
-
-
-def read(path):
-    reader = make_reader(path)
-    reader.Update()
-    return reader.GetOutputDataObject(0).GetPartition(0, 0)
 
 
 def measure_stages(path, needs):

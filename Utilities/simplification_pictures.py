@@ -9,32 +9,14 @@ GENERATOR is the program generate_horizons. Needs an X server, and the package s
 """
 
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import seismichorizons as sh
 from seismichorizons import pictures
 
+from generated import apply, make_surface
+
 SURFACE = ("--size", "150", "120", "40", "--horizons", "1", "--holes", "2", "--islands", "0", "--dropouts", "0.005")
-
-
-def apply(algorithm, data, **properties):
-    for name, value in properties.items():
-        getattr(algorithm, "Set" + name)(value)
-    algorithm.SetInputDataObject(0, data)
-    algorithm.Update()
-    return algorithm.GetOutputDataObject(0)
-
-
-def make_surface(generator):
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "surface.vsm"
-        subprocess.run([generator, *SURFACE, path], check=True, stdout=subprocess.DEVNULL)
-        reader = sh.vtkVerneySparseMatrixReader()
-        reader.SetFileName(str(path))
-        reader.Update()
-    return reader.GetOutputDataObject(0).GetPartition(0, 0)
 
 
 def panel(title, horizon, style, caption=None):
@@ -43,7 +25,7 @@ def panel(title, horizon, style, caption=None):
 
 def main():
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    full = make_surface(generator)
+    full = make_surface(generator, SURFACE)
     outlined = apply(sh.vtkHorizonExteriorBoundary(), full)
     straight = apply(sh.vtkHorizonBoundarySimplification(), outlined)
     rough = [apply(sh.vtkHorizonRoughSimplification(), straight, CellSize=size) for size in (3, 6)]

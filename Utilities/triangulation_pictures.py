@@ -11,9 +11,7 @@ GENERATOR is the program generate_horizons. Needs an X server, and the package s
 from collections import namedtuple
 import math
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -25,6 +23,8 @@ from vtkmodules.vtkRenderingCore import (
 
 import seismichorizons as sh
 from seismichorizons import pictures
+
+from generated import apply, make_surface
 
 SURFACE = ("--size", "50", "40", "16", "--horizons", "1", "--holes", "0", "--islands", "0", "--dropouts", "0.02")
 STAR = ("--size", "70", "56", "16", "--horizons", "1", "--holes", "0", "--islands", "0", "--squareness", "-1")
@@ -51,24 +51,6 @@ EDGE = "10161d"
 
 # A map: title, caption, the actors from the lowest to the highest, and the box that it shows (x0, x1, y0, y1).
 Map = namedtuple("Map", "title caption actors box")
-
-
-def apply(algorithm, data, **properties):
-    for name, value in properties.items():
-        getattr(algorithm, "Set" + name)(value)
-    algorithm.SetInputDataObject(0, data)
-    algorithm.Update()
-    return algorithm.GetOutputDataObject(0)
-
-
-def make_surface(generator, options):
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "surface.vsm"
-        subprocess.run([generator, *options, path], check=True, stdout=subprocess.DEVNULL)
-        reader = sh.vtkVerneySparseMatrixReader()
-        reader.SetFileName(str(path))
-        reader.Update()
-    return reader.GetOutputDataObject(0).GetPartition(0, 0)
 
 
 def rgb(color):

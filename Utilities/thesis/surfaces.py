@@ -5,7 +5,7 @@
 import pathlib
 import subprocess
 
-import seismichorizons as sh
+from generated import read
 
 from . import reported
 
@@ -28,13 +28,6 @@ def generate(generator, points, size, squareness, path):
         if subprocess.run(command + features, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0:
             return
     raise SystemExit("generate_horizons failed: %s" % " ".join(map(str, command)))
-
-
-def read(path):
-    reader = sh.vtkVerneySparseMatrixReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutputDataObject(0).GetPartition(0, 0)
 
 
 def size_of_box(horizon):
