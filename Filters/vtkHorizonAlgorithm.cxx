@@ -3,9 +3,9 @@
 
 #include "vtkHorizonAlgorithm.h"
 
-#include "DataModel.h"
-#include "Errors.h"
-#include "ProgressMonitor.h"
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/VTK/ProgressMonitor.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"

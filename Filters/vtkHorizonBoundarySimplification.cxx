@@ -3,10 +3,10 @@
 
 #include "vtkHorizonBoundarySimplification.h"
 
-#include "BoundarySimplification.h"
-#include "DataModel.h"
-#include "HorizonData.h"
-#include "ReducedHorizon.h"
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Common/DataModel.h"
+#include "Marshalling/HorizonData.h"
+#include "Marshalling/ReducedHorizon.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -3,10 +3,10 @@
 
 #include "vtkHorizonCellSimplification.h"
 
-#include "DataModel.h"
-#include "HorizonData.h"
-#include "ReducedHorizon.h"
-#include "Monitor.h"
+#include "Common/DataModel.h"
+#include "Common/Monitor.h"
+#include "Marshalling/HorizonData.h"
+#include "Marshalling/ReducedHorizon.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

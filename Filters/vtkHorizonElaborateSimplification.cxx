@@ -3,7 +3,7 @@
 
 #include "vtkHorizonElaborateSimplification.h"
 
-#include "ElaborateSimplification.h"
+#include "CellSimplification/ElaborateSimplification.h"
 
 #include "vtkObjectFactory.h"
 
@@ -25,7 +25,7 @@ SeismicHorizons::Reduction vtkHorizonElaborateSimplification::Simplify(
   const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor)
 {
   SeismicHorizons::ElaborateOptions options(this->GetCellSize(), this->FlatnessThreshold);
-  options.StandIn = SeismicHorizons::Representative(this->GetRepresentative());
+  options.Representative = SeismicHorizons::RepresentativeKind(this->GetRepresentative());
   options.ListCells = this->GetShowCells();
   options.BoundaryDensityThreshold = this->BoundaryDensityThreshold;
   options.BoundaryExtentThreshold = this->BoundaryExtentThreshold;

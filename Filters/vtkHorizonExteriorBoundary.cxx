@@ -3,11 +3,11 @@
 
 #include "vtkHorizonExteriorBoundary.h"
 
-#include "BoundaryMarks.h"
-#include "DataModel.h"
-#include "ExteriorBoundary.h"
-#include "HorizonData.h"
-#include "HorizonCells.h"
+#include "Boundary/BoundaryMarks.h"
+#include "Boundary/ExteriorBoundary.h"
+#include "Common/DataModel.h"
+#include "Marshalling/HorizonCells.h"
+#include "Marshalling/HorizonData.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"

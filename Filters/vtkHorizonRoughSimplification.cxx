@@ -3,7 +3,7 @@
 
 #include "vtkHorizonRoughSimplification.h"
 
-#include "RoughSimplification.h"
+#include "CellSimplification/RoughSimplification.h"
 
 #include "vtkObjectFactory.h"
 
@@ -14,6 +14,6 @@ SeismicHorizons::Reduction vtkHorizonRoughSimplification::Simplify(
   const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor)
 {
   const SeismicHorizons::CellOptions options(
-    this->GetCellSize(), SeismicHorizons::Representative(this->GetRepresentative()), this->GetShowCells());
+    this->GetCellSize(), SeismicHorizons::RepresentativeKind(this->GetRepresentative()), this->GetShowCells());
   return SeismicHorizons::SimplifyRough(horizon, options, monitor);
 }

@@ -3,10 +3,10 @@
 
 #include "vtkHorizonSurfaceDistance.h"
 
-#include "DataModel.h"
-#include "DistanceReport.h"
-#include "HorizonPairs.h"
-#include "SurfacePair.h"
+#include "Common/DataModel.h"
+#include "Marshalling/DistanceReport.h"
+#include "Marshalling/HorizonPairs.h"
+#include "Marshalling/SurfacePair.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -3,13 +3,13 @@
 
 #include "vtkHorizonTriangulation.h"
 
-#include "ConvexHull.h"
-#include "DataModel.h"
-#include "HorizonData.h"
-#include "HorizonCells.h"
-#include "OutsideTriangles.h"
-#include "TriangleQuality.h"
-#include "Triangulation.h"
+#include "Common/DataModel.h"
+#include "Marshalling/HorizonCells.h"
+#include "Marshalling/HorizonData.h"
+#include "Triangulation/ConvexHull.h"
+#include "Triangulation/OutsideTriangles.h"
+#include "Triangulation/TriangleQuality.h"
+#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsBenchmarkTools_h
 #define SeismicHorizonsBenchmarkTools_h
 
-#include "BoundarySimplification.h"
-#include "HorizonGenerator.h"
-#include "TestHorizons.h"
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Generator/HorizonGenerator.h"
+#include "Tools/TestHorizons.h"
 
 #include <malloc.h>
 

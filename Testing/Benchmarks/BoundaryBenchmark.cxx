@@ -12,11 +12,11 @@
 // beyond input and result, per column of the bounding box; -1 where that is not known. OpenCV starts from an image that
 // is ready, we from the list of columns.
 
-#include "BoundarySimplification.h"
-#include "ExteriorBoundary.h"
-#include "HorizonGenerator.h"
+#include "Boundary/ExteriorBoundary.h"
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Generator/HorizonGenerator.h"
 #ifdef SEISMICHORIZONS_HAS_OPENCV
-#include "OpenCvContours.h"
+#include "Tools/OpenCvContours.h"
 #endif
 
 #include <malloc.h>

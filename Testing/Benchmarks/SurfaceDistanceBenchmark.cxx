@@ -8,12 +8,12 @@
 //   SurfaceDistanceBenchmark [POINTS ...]      sizes of the horizons; without them 886639
 
 #include "BenchmarkTools.h"
-#include "Parallel.h"
-#include "RoughSimplification.h"
-#include "SurfaceDistance.h"
-#include "TestHorizons.h"
-#include "TriangleTree.h"
-#include "Triangulation.h"
+#include "CellSimplification/RoughSimplification.h"
+#include "Common/Parallel.h"
+#include "SurfaceDistance/SurfaceDistance.h"
+#include "SurfaceDistance/TriangleTree.h"
+#include "Tools/TestHorizons.h"
+#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellLocator.h"

@@ -10,11 +10,11 @@
 // their points only.
 
 #include "BenchmarkTools.h"
-#include "ElaborateSimplification.h"
-#include "Parallel.h"
-#include "RoughSimplification.h"
-#include "TestHorizons.h"
-#include "Triangulation.h"
+#include "CellSimplification/ElaborateSimplification.h"
+#include "CellSimplification/RoughSimplification.h"
+#include "Common/Parallel.h"
+#include "Tools/TestHorizons.h"
+#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkDelaunay2D.h"
@@ -76,10 +76,10 @@ void TimeCgal(const std::vector<Kernel::Point_2>& points)
 /// All points and the outline, no more: triangles outside it are left in.
 void TimeCgalConstrained(const std::vector<Kernel::Point_2>& points, const Loops& boundary)
 {
-  std::vector<std::pair<std::size_t, std::size_t>> hops;
-  boundary.ForEachHop([&hops](PointId from, PointId to) { hops.emplace_back(from, to); });
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  boundary.ForEachEdge([&edges](PointId from, PointId to) { edges.emplace_back(from, to); });
   Constrained mesh;
-  mesh.insert_constraints(points.begin(), points.end(), hops.begin(), hops.end());
+  mesh.insert_constraints(points.begin(), points.end(), edges.begin(), edges.end());
 }
 
 constexpr int Unknown = -1;
@@ -124,7 +124,7 @@ std::vector<PointId> MeshInsideByCgal(const BoundedHorizon& horizon)
   {
     vertices[std::size_t(vertex->info())] = vertex;
   }
-  horizon.Boundary.ForEachHop(
+  horizon.Boundary.ForEachEdge(
     [&](PointId from, PointId to) { mesh.insert_constraint(vertices[std::size_t(from)], vertices[std::size_t(to)]); });
   for (const Numbered::Face_handle face : mesh.all_face_handles())
   {

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The plain data the algorithms work on.
+
+#ifndef SeismicHorizonsTypes_h
+#define SeismicHorizonsTypes_h
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// The index of a point of one horizon. A horizon has less than 2^31 points.
+using PointId = std::int32_t;
+
+constexpr PointId NoPoint = -1;
+
+/// A place in the plane of the lattice, in whole columns or in sub-voxels (Lattice.h); which one, the name of the
+/// variable says. Both coordinates are below 2^29 in size, so that differences and their products fit 64 bits.
+struct PlanePoint
+{
+  std::int32_t X = 0;
+  std::int32_t Y = 0;
+
+  friend bool operator==(const PlanePoint& a, const PlanePoint& b) { return a.X == b.X && a.Y == b.Y; }
+  friend bool operator!=(const PlanePoint& a, const PlanePoint& b) { return !(a == b); }
+  /// The order of the thesis's first boundary point: least x, then least y.
+  friend bool operator<(const PlanePoint& a, const PlanePoint& b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
+};
+
+/// A point of the plane with its height, in lattice units.
+struct SpacePoint
+{
+  double X = 0.0;
+  double Y = 0.0;
+  double Z = 0.0;
+};
+
+/// Closed polylines over the points of a horizon, one after the other; the edge from the last point of a loop to its
+/// first is implied. Seen from +z the surface lies to the right of every edge: exterior loops run clockwise.
+class Loops
+{
+public:
+  std::size_t Size() const { return this->Ends.size(); }
+  std::size_t TotalLength() const { return this->Points.size(); }
+  std::size_t Length(std::size_t loop) const { return this->Ends[loop] - this->Start(loop); }
+
+  const PointId* begin(std::size_t loop) const { return this->Points.data() + this->Start(loop); }
+  const PointId* end(std::size_t loop) const { return this->Points.data() + this->Ends[loop]; }
+
+  /// Appends to the loop that is being built.
+  void Append(PointId point) { this->Points.push_back(point); }
+  /// Ends the loop that is being built; the next point starts another one.
+  void Close() { this->Ends.push_back(this->Points.size()); }
+
+  /// Appends a whole loop of another set.
+  void AppendLoop(const Loops& other, std::size_t loop)
+  {
+    this->Points.insert(this->Points.end(), other.begin(loop), other.end(loop));
+    this->Close();
+  }
+
+  /// The same loops over points that have other numbers: number[point] for each point.
+  Loops Renumbered(const std::vector<PointId>& number) const
+  {
+    Loops result(*this);
+    for (PointId& point : result.Points)
+    {
+      point = number[std::size_t(point)];
+    }
+    return result;
+  }
+
+  /// Calls visit(from, to) for each edge, the closing one included. A loop of one point has none.
+  template <typename Visitor>
+  void ForEachEdge(Visitor&& visit) const
+  {
+    for (std::size_t loop = 0; loop < this->Size(); ++loop)
+    {
+      this->ForEachEdgeOf(loop, visit);
+    }
+  }
+
+  /// The same for one loop.
+  template <typename Visitor>
+  void ForEachEdgeOf(std::size_t loop, Visitor&& visit) const
+  {
+    const PointId* const first = this->begin(loop);
+    const std::size_t length = this->Length(loop);
+    for (std::size_t n = 0; length > 1 && n < length; ++n)
+    {
+      visit(first[n], first[n + 1 < length ? n + 1 : 0]);
+    }
+  }
+
+private:
+  std::size_t Start(std::size_t loop) const { return loop == 0 ? 0 : this->Ends[loop - 1]; }
+
+  std::vector<PointId> Points;
+  std::vector<std::size_t> Ends;
+};
+
+/// Where a point of a simplified horizon comes from. The numbers go into an array (Documentation/DataModel.md).
+enum class PointKind : unsigned char
+{
+  Boundary = 0,
+  Barycentre = 1,
+  InputPoint = 2
+};
+
+struct PointOrigin
+{
+  std::int32_t Ring = 0; // of its cell: 1 at the boundary; 0 where cells have no rings
+  unsigned char Level = 0; // how many times the cell was halved
+  PointKind Kind = PointKind::Boundary;
+};
+
+/// One of the cells that a horizon was cut into, for inspection.
+struct SimplificationCell
+{
+  SpacePoint Low; // its least corner, in lattice units
+  double Size = 0.0;
+  PointOrigin Origin; // that of the point that stands for the cell; Boundary for a cell that keeps boundary points
+  std::int32_t Patch = 0;
+  std::int32_t Points = 0; // how many input points it holds
+};
+
+/// What a simplification made of the points of a horizon.
+struct Reduction
+{
+  /// For each input point the output point that stands for it: itself, or the one it was merged into.
+  std::vector<PointId> Target;
+  /// For each output point the input point it is, or the input point of its group that lies nearest to it.
+  std::vector<PointId> Source;
+  /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, so that threads can
+  /// write them side by side.
+  std::vector<unsigned char> Averaged;
+  /// For each output point its place: in sub-voxels in the plane, in lattice units upwards.
+  std::vector<PlanePoint> Plane;
+  std::vector<double> Height;
+  /// The loops over the output points.
+  Loops Boundary;
+  /// For each output point the cell it comes from. Empty where a stage has no cells.
+  std::vector<PointOrigin> Origin;
+  /// The cells, when they were asked for.
+  std::vector<SimplificationCell> Cells;
+};
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which point of a horizon stands in which column, over the bounding box of the horizon with an empty rim. 4 bytes per
+// column of that box.
+
+#ifndef SeismicHorizonsColumnRaster_h
+#define SeismicHorizonsColumnRaster_h
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+class ColumnRaster
+{
+public:
+  /// `rim` is the width of the rim in columns. Throws InputError when two points stand in the same column.
+  explicit ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t rim = 1);
+
+  /// Rows and columns of the box, the rim included.
+  std::int64_t Width() const { return this->SizeX; }
+  std::int64_t Height() const { return this->SizeY; }
+
+  /// The place of a column in the raster; one row up is Width() further.
+  std::int64_t Place(const PlanePoint& column) const
+  {
+    return (std::int64_t(column.Y) - this->MinY) * this->SizeX + (std::int64_t(column.X) - this->MinX);
+  }
+
+  /// The point at a place, or NoPoint.
+  PointId operator[](std::int64_t place) const { return this->Points[std::size_t(place)]; }
+
+private:
+  std::int64_t MinX = 0;
+  std::int64_t MinY = 0;
+  std::int64_t SizeX = 0;
+  std::int64_t SizeY = 0;
+  std::vector<PointId> Points;
+};
+}
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ExteriorBoundary.h"
+
+#include "BorderScan.h"
+#include "Common/Errors.h"
+#include "PatchBridges.h"
+#include "PatchOutlines.h"
+
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+ExteriorBoundary FollowNeighbours(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
+  const BoundaryOptions& options, const Monitor& monitor)
+{
+  const HopVectors hops(1, raster.Width());
+  return BorderScan<NeighbourSweep>(columns, raster, hops, NeighbourSweep(raster, hops), options).Run(monitor);
+}
+
+/// Neighbours first: where nothing is left to bridge, that is all.
+ExteriorBoundary GrowByDistance(
+  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+{
+  const ColumnRaster raster(columns, options.Radius);
+  BoundaryOptions allHoles = options;
+  allHoles.SmallestHoleSize = 1;
+  const HopVectors hops(options.Radius, raster.Width());
+  ExteriorBoundary parts = FollowNeighbours(columns, raster, allHoles, monitor.Step(0.0, 0.4));
+  const PatchBridges bridges(columns, raster, hops, parts);
+  monitor.Progress(0.5);
+  if (bridges.IsEmpty() && options.SmallestHoleSize <= 1)
+  {
+    return parts;
+  }
+  return BorderScan<BridgeSweep>(columns, raster, hops, BridgeSweep(raster, hops, bridges), options)
+    .Run(monitor.Step(0.5, 1.0));
+}
+
+ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+{
+  if (options.Radius == 1)
+  {
+    return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
+  }
+  return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
+                                                    : PatchOutlines(columns, options).Run(monitor);
+}
+
+/// Patches that are too small lose their number and their loops, those of their holes included.
+ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimumSize)
+{
+  std::vector<std::int64_t> size(all.NumberOfPatches, 0);
+  for (const std::int32_t patch : all.Patch)
+  {
+    ++size[std::size_t(patch)];
+  }
+  ExteriorBoundary result;
+  std::vector<std::int32_t> number(size.size(), NoPatch);
+  for (std::size_t patch = 0; patch < size.size(); ++patch)
+  {
+    number[patch] = size[patch] < minimumSize ? NoPatch : std::int32_t(result.NumberOfPatches++);
+  }
+  for (std::size_t loop = 0; loop < all.Boundary.Size(); ++loop)
+  {
+    if (number[std::size_t(all.Patch[std::size_t(*all.Boundary.begin(loop))])] != NoPatch)
+    {
+      result.Boundary.AppendLoop(all.Boundary, loop);
+    }
+  }
+  for (const std::int32_t patch : all.Patch)
+  {
+    result.Patch.push_back(number[std::size_t(patch)]);
+  }
+  return result;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ExteriorBoundary FindExteriorBoundary(
+  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+{
+  if (options.Radius < 1 || options.Radius > LargestRadius)
+  {
+    throw InputError(
+      "radius " + std::to_string(options.Radius) + ", expected 1 to " + std::to_string(LargestRadius) + " columns");
+  }
+  ExteriorBoundary result = Find(columns, options, monitor);
+  return options.MinimumPatchSize > 1 ? WithoutSpecks(result, options.MinimumPatchSize) : result;
+}
+}

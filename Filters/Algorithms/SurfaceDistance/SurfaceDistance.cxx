@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceDistance.h"
+
+#include "Common/FixedChunks.h"
+#include "SurfaceEdges.h"
+#include "SurfaceSamples.h"
+#include "TriangleTree.h"
+#include "WeightedHistogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t PointsPerChunk = 4096;
+constexpr std::int64_t TrianglesPerChunk = 512;
+constexpr std::size_t EntriesAtOnce = 16384;
+
+// A millionth of the mean spacing of points: places on an outline are still above it.
+constexpr double OutlineTolerance = 1e-6;
+
+// The weight of all faces of both surfaces, in the integers of the histogram.
+const double TotalWeight = std::ldexp(1.0, 60);
+
+/// What is known of a surface that is measured.
+struct Side
+{
+  const TriangleSurface& Surface;
+  TriangleTree Tree;
+  SurfaceEdges Edges;
+  double Area = 0.0;
+
+  Side(const TriangleSurface& surface, const Monitor& monitor)
+    : Surface(surface)
+    , Tree(surface, monitor)
+    , Edges(surface)
+  {
+    for (const Corners& triangle : surface.Triangles)
+    {
+      this->Area += surface.Area(triangle);
+    }
+  }
+};
+
+/// Distances to one surface, each search beginning where the one before ended.
+class Probe
+{
+public:
+  explicit Probe(const TriangleTree& tree)
+    : Tree(tree)
+  {
+  }
+
+  double operator()(const Eigen::Vector3d& place)
+  {
+    const double distance = std::sqrt(this->Tree.SquaredDistance(place, this->Nearest));
+    this->Largest = std::max(this->Largest, distance);
+    return distance;
+  }
+
+  double Largest = 0.0; // of all so far
+
+private:
+  const TriangleTree& Tree;
+  std::int32_t Nearest = 0;
+};
+
+std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
+{
+  std::vector<unsigned char> marks(surface.Points.size(), 0);
+  for (const Corners& triangle : surface.Triangles)
+  {
+    for (const PointId corner : triangle)
+    {
+      marks[std::size_t(corner)] = 1;
+    }
+  }
+  return marks;
+}
+
+/// The distances of all points; the largest of those that are corners.
+double MeasurePoints(
+  const TriangleSurface& from, const TriangleTree& to, std::vector<double>& distances, const Monitor& monitor)
+{
+  const std::int64_t size = std::int64_t(from.Points.size());
+  distances.resize(std::size_t(size));
+  ForEachChunk(size, PointsPerChunk, monitor,
+    [&](std::size_t, std::int64_t first, std::int64_t last)
+    {
+      Probe probe(to);
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        distances[std::size_t(point)] = probe(from.Points[std::size_t(point)]);
+      }
+    });
+  const std::vector<unsigned char> corners = MarkCorners(from);
+  double largest = 0.0;
+  for (std::size_t point = 0; point < distances.size(); ++point)
+  {
+    largest = corners[point] ? std::max(largest, distances[point]) : largest;
+  }
+  return largest;
+}
+
+void MeasureHeights(const TriangleSurface& from, const TriangleTree& to, double tolerance, std::vector<double>& heights)
+{
+  const std::int64_t size = std::int64_t(from.Points.size());
+  heights.resize(std::size_t(size));
+  ForEachChunk(size, PointsPerChunk, Monitor(),
+    [&](std::size_t, std::int64_t first, std::int64_t last)
+    {
+      for (std::size_t point = std::size_t(first); point < std::size_t(last); ++point)
+      {
+        heights[point] = from.Points[point].z() - to.FindHeight(from.Points[point], tolerance);
+      }
+    });
+}
+
+/// The largest distance of samples on edges, one for each `spacing` of their length; shorter edges have their ends.
+double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleTree& to, double spacing,
+  std::uint64_t seed, const Monitor& monitor)
+{
+  const std::int64_t size = std::int64_t(from.Points.size());
+  std::vector<double> largest(CountChunks(size, PointsPerChunk), 0.0);
+  ForEachChunk(size, PointsPerChunk, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      Probe probe(to);
+      edges.ForEach(first, last,
+        [&](PointId low, PointId high, std::uint32_t)
+        {
+          const double length = (from.Point(high) - from.Point(low)).norm();
+          const std::uint64_t edge = (std::uint64_t(low) << 32U) | std::uint64_t(high);
+          SampleEdge(
+            from.Point(low), from.Point(high), std::int64_t(length / spacing), Scramble(seed ^ Scramble(edge)), probe);
+        });
+      largest[chunk] = probe.Largest;
+    });
+  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+}
+
+/// Sums over the faces of a surface, or of a chunk of it.
+struct FaceSums
+{
+  double Area = 0.0;
+  double Distance = 0.0;
+  double Square = 0.0;
+  double Largest = 0.0;
+  std::int64_t Samples = 0;
+
+  void Add(const FaceSums& other)
+  {
+    this->Area += other.Area;
+    this->Distance += other.Distance;
+    this->Square += other.Square;
+    this->Largest = std::max(this->Largest, other.Largest);
+    this->Samples += other.Samples;
+  }
+};
+
+/// Measures the samples of a range of sorted triangles.
+class FaceMeter
+{
+public:
+  FaceMeter(const TriangleTree& to, double density, double weightPerArea, std::uint64_t seed)
+    : Measure(to)
+    , Density(density)
+    , WeightPerArea(weightPerArea)
+    , Seed(seed)
+  {
+  }
+
+  FaceSums Run(const Side& from, std::int64_t first, std::int64_t last, WeightedHistogram& histogram)
+  {
+    for (std::int64_t n = first; n < last; ++n)
+    {
+      const Corners& t = from.Tree.SortedTriangles()[std::size_t(n)];
+      const double area = from.Surface.Area(t);
+      if (area > 0.0)
+      {
+        this->Sample(from.Surface, t, area, Scramble(this->Seed ^ Scramble(std::uint64_t(n))), histogram);
+      }
+    }
+    histogram.Add(this->Entries);
+    this->Sums.Largest = this->Measure.Largest;
+    return this->Sums;
+  }
+
+private:
+  void Sample(
+    const TriangleSurface& surface, const Corners& t, double area, std::uint64_t random, WeightedHistogram& histogram)
+  {
+    const std::int64_t count = std::max<std::int64_t>(1, std::llround(area * this->Density));
+    const double share = area / double(count);
+    const std::uint64_t weight = std::uint64_t(share * this->WeightPerArea);
+    SampleTriangle(surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]), count, random,
+      [&](const Eigen::Vector3d& place)
+      {
+        const double distance = this->Measure(place);
+        this->Sums.Distance += share * distance;
+        this->Sums.Square += share * distance * distance;
+        this->Entries.push_back(WeightedHistogram::MakeEntry(distance, weight));
+        if (this->Entries.size() == EntriesAtOnce)
+        {
+          histogram.Add(this->Entries);
+        }
+      });
+    this->Sums.Area += area;
+    this->Sums.Samples += count;
+  }
+
+  Probe Measure;
+  double Density;
+  double WeightPerArea;
+  std::uint64_t Seed;
+  FaceSums Sums;
+  std::vector<WeightedHistogram::Entry> Entries;
+};
+
+FaceSums MeasureFaces(const Side& from, const Side& to, double density, std::uint64_t seed,
+  WeightedHistogram& histogram, const Monitor& monitor)
+{
+  const std::int64_t size = std::int64_t(from.Surface.Triangles.size());
+  std::vector<FaceSums> chunks(CountChunks(size, TrianglesPerChunk));
+  const double weightPerArea = TotalWeight / (from.Area + to.Area);
+  ForEachChunk(size, TrianglesPerChunk, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    { chunks[chunk] = FaceMeter(to.Tree, density, weightPerArea, seed).Run(from, first, last, histogram); });
+  FaceSums sums;
+  for (const FaceSums& chunk : chunks)
+  {
+    sums.Add(chunk);
+  }
+  return sums;
+}
+
+/// Fills in what follows from the faces.
+void SetFaceFigures(const FaceSums& sums, const WeightedHistogram& histogram, DistanceFigures& figures)
+{
+  figures.Largest = std::max(figures.Largest, sums.Largest);
+  figures.Mean = sums.Distance / sums.Area;
+  figures.Rms = std::sqrt(sums.Square / sums.Area);
+  figures.Samples = sums.Samples;
+  for (std::size_t n = 0; n < Percentiles.size(); ++n)
+  {
+    // Where a bin of the histogram ends need not be a distance that occurs.
+    figures.Percentile[n] = std::min(histogram.Percentile(0.01 * Percentiles[n]), sums.Largest);
+  }
+}
+
+double MeasureOutline(const TriangleSurface& from, const TriangleSurface& to, double spacing, std::uint64_t seed)
+{
+  if (from.Triangles.empty() || to.Triangles.empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const TriangleTree tree(to);
+  std::vector<double> distances;
+  const double corners = MeasurePoints(from, tree, distances, Monitor());
+  return std::max(corners, MeasureEdges(from, SurfaceEdges(from), tree, spacing, seed, Monitor()));
+}
+
+/// One direction of the measure.
+struct Direction
+{
+  const Side& From;
+  const Side& To;
+  double Samples;
+  const SurfaceDistanceOptions& Options;
+  FaceSums Sums;
+  WeightedHistogram Histogram;
+
+  DistanceFigures Run(PointDistances& points, const Monitor& monitor)
+  {
+    const double density = this->Samples / this->From.Area;
+    const double spacing = 1.0 / std::sqrt(density);
+    DistanceFigures figures;
+    figures.Largest = MeasurePoints(this->From.Surface, this->To.Tree, points.Distance, monitor.Step(0.0, 0.2));
+    figures.Largest = std::max(figures.Largest,
+      MeasureEdges(
+        this->From.Surface, this->From.Edges, this->To.Tree, spacing, this->Options.Seed, monitor.Step(0.2, 0.5)));
+    this->Sums =
+      MeasureFaces(this->From, this->To, density, this->Options.Seed, this->Histogram, monitor.Step(0.5, 0.9));
+    SetFaceFigures(this->Sums, this->Histogram, figures);
+    monitor.Progress(0.9);
+    figures.Outline = MeasureOutline(FindOutline(this->From.Surface, this->From.Edges),
+      FindOutline(this->To.Surface, this->To.Edges), spacing, this->Options.Seed);
+    if (this->Options.Vertical)
+    {
+      MeasureHeights(this->From.Surface, this->To.Tree, OutlineTolerance * spacing, points.Vertical);
+    }
+    return figures;
+  }
+};
+
+DistanceFigures Combine(const DistanceFigures& a, const DistanceFigures& b, Direction& there, const Direction& back)
+{
+  DistanceFigures both;
+  both.Largest = std::max(a.Largest, b.Largest);
+  both.Outline = std::max(a.Outline, b.Outline);
+  there.Sums.Add(back.Sums);
+  there.Histogram.Add(back.Histogram);
+  SetFaceFigures(there.Sums, there.Histogram, both);
+  return both;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const TriangleSurface& mesh,
+  const SurfaceDistanceOptions& options, const Monitor& monitor)
+{
+  CheckSurface(reference, "reference");
+  CheckSurface(mesh, "mesh");
+  const Side referenceSide(reference, monitor.Step(0.0, 0.1));
+  const Side meshSide(mesh, monitor.Step(0.1, 0.2));
+  const double samples = std::max(SurfaceDistanceOptions::LeastSamples,
+    options.SamplesPerPoint * double(std::max(reference.Points.size(), mesh.Points.size())));
+  Direction there{ referenceSide, meshSide, samples, options, {}, {} };
+  Direction back{ meshSide, referenceSide, samples, options, {}, {} };
+  SurfaceDistance result;
+  result.ReferenceToMesh = there.Run(result.Reference, monitor.Step(0.2, 0.6));
+  result.MeshToReference = back.Run(result.Mesh, monitor.Step(0.6, 1.0));
+  result.TwoSided = Combine(result.ReferenceToMesh, result.MeshToReference, there, back);
+  return result;
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A triangle mesh of any origin, as plain data.
+
+#ifndef SeismicHorizonsTriangleSurface_h
+#define SeismicHorizonsTriangleSurface_h
+
+#include "Common/Types.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace SeismicHorizons
+{
+using Corners = std::array<PointId, 3>;
+
+/// Points relative to a place near them, so that their differences are exact; triangles of any shape and orientation,
+/// those without an area included. Points that are the corner of no triangle are no part of the surface.
+struct TriangleSurface
+{
+  std::vector<Eigen::Vector3d> Points;
+  std::vector<Corners> Triangles;
+
+  const Eigen::Vector3d& Point(PointId point) const { return this->Points[std::size_t(point)]; }
+
+  double Area(const Corners& t) const
+  {
+    return 0.5 * (this->Point(t[1]) - this->Point(t[0])).cross(this->Point(t[2]) - this->Point(t[0])).norm();
+  }
+};
+
+/// Squares of larger coordinates would leave the range of single precision, which searches use.
+constexpr double LargestCoordinate = 1e15;
+
+/// Throws InputError on a surface without triangles, without any area, with a corner that is no point of it, and on
+/// coordinates that are not finite or larger than LargestCoordinate. Messages begin with `name`.
+void CheckSurface(const TriangleSurface& surface, const char* name);
+
+/// The diagonal of the bounding box of all triangles.
+double MeasureDiagonal(const TriangleSurface& surface);
+}
+
+#endif

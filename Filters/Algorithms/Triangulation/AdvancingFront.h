@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The edges that wait for a triangle to their left (the thesis's edge pool, 5.3.7).
+
+#ifndef SeismicHorizonsAdvancingFront_h
+#define SeismicHorizonsAdvancingFront_h
+
+#include "Common/CellGrid.h"
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A set of directed edges from which the newest can be taken. Few edges leave one point at a time, so each point has
+/// a short linked list of its own. 4 bytes per point, and 8 per edge.
+class AdvancingFront
+{
+public:
+  explicit AdvancingFront(std::size_t points)
+    : First(points, None)
+  {
+  }
+
+  void Add(PointId from, PointId to)
+  {
+    std::int32_t& first = this->First[std::size_t(from)];
+    const std::int32_t link = this->NewLink();
+    this->Links[std::size_t(link)] = { to, first };
+    first = link;
+    this->Newest.push_back({ from, to });
+  }
+
+  /// Removes an edge; false when it is not in the front.
+  bool Remove(PointId from, PointId to)
+  {
+    std::int32_t* link = &this->First[std::size_t(from)];
+    while (*link != None && this->Links[std::size_t(*link)].To != to)
+    {
+      link = &this->Links[std::size_t(*link)].Next;
+    }
+    if (*link == None)
+    {
+      return false;
+    }
+    this->Free.push_back(*link);
+    *link = this->Links[std::size_t(*link)].Next;
+    return true;
+  }
+
+  /// Removes the edge that was added last; false when the front is empty.
+  bool TakeNewest(BoundaryEdge& edge)
+  {
+    while (!this->Newest.empty())
+    {
+      edge = this->Newest.back();
+      this->Newest.pop_back();
+      // Edges that were removed since are still in this list.
+      if (this->Remove(edge.From, edge.To))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  static constexpr std::int32_t None = -1;
+
+  struct Link
+  {
+    PointId To;
+    std::int32_t Next;
+  };
+
+  std::int32_t NewLink()
+  {
+    if (this->Free.empty())
+    {
+      this->Links.emplace_back();
+      return std::int32_t(this->Links.size() - 1);
+    }
+    const std::int32_t link = this->Free.back();
+    this->Free.pop_back();
+    return link;
+  }
+
+  std::vector<std::int32_t> First;
+  std::vector<Link> Links;
+  std::vector<std::int32_t> Free;
+  std::vector<BoundaryEdge> Newest;
+};
+}
+
+#endif

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OutsideTriangles.h"
+
+#include "Common/Errors.h"
+#include "Common/Predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <sstream>
+#include <tuple>
+
+namespace SeismicHorizons
+{
+namespace
+{
+std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
+{
+  const std::int64_t x = std::int64_t(b.X) - a.X;
+  const std::int64_t y = std::int64_t(b.Y) - a.Y;
+  return x * x + y * y;
+}
+
+void CheckLimits(const BoundaryLimits& limits)
+{
+  std::ostringstream text;
+  if (!(limits.LargestAngle >= 0.0 && limits.LargestAngle <= 180.0))
+  {
+    text << "boundary angle " << limits.LargestAngle << ", expected a number of degrees from 0 to 180";
+    throw InputError(text.str());
+  }
+  if (!(limits.LongestEdge >= 0.0) || !std::isfinite(limits.LongestEdge))
+  {
+    text << "boundary edge length " << limits.LongestEdge << ", expected a number of lattice units that is at least 0";
+    throw InputError(text.str());
+  }
+}
+
+/// The limits in whole numbers, so that each question has one answer.
+class WholeLimits
+{
+public:
+  WholeLimits(const BoundaryLimits& limits, std::int32_t subVoxelsPerColumn)
+  {
+    const double angle = limits.LargestAngle * std::atan(1.0) / 45.0;
+    constexpr double scale = 1 << 30;
+    this->Cosine = std::llround(scale * std::cos(angle));
+    this->Sine = std::llround(scale * std::sin(angle));
+    // Coordinates are below 2^29 in size, so no edge is as long as 2^31.
+    const double longest = limits.LongestEdge * subVoxelsPerColumn;
+    if (longest > 0.0 && longest < 2147483648.0)
+    {
+      this->SquaredLength = std::int64_t(std::floor(longest * longest));
+    }
+  }
+
+  /// Whether the triangle a, b, c, which turns counter-clockwise, has too long an edge from a to b or too large an
+  /// angle at c.
+  bool AreExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
+  {
+    return SquaredDistance(a, b) > this->SquaredLength || this->IsAngleExceeded(a, b, c);
+  }
+
+private:
+  /// The angle of two vectors with this scalar and cross product is beyond the limit when a turn from the limit's
+  /// direction to (along, across) goes to the left; both are between 0 and 180 degrees.
+  bool IsAngleExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
+  {
+    const std::int64_t along =
+      (std::int64_t(a.X) - c.X) * (std::int64_t(b.X) - c.X) + (std::int64_t(a.Y) - c.Y) * (std::int64_t(b.Y) - c.Y);
+    const std::int64_t across = SignedArea(a, b, c);
+    return Int128(this->Cosine) * across - Int128(this->Sine) * along > 0;
+  }
+
+  std::int64_t Cosine;
+  std::int64_t Sine;
+  std::int64_t SquaredLength = std::numeric_limits<std::int64_t>::max();
+};
+
+/// The number of a corner in the list of triangles. A mesh of less than 2^29 points has less than 2^32 corners.
+using CornerId = std::uint32_t;
+
+CornerId NextInTriangle(CornerId corner)
+{
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+/// The corners that triangles have at each point.
+class CornersAtPoints
+{
+public:
+  CornersAtPoints(std::size_t points, const RawVector<PointId>& triangles)
+    : Starts(points + 1, 0)
+    , List(triangles.size())
+  {
+    for (const PointId point : triangles)
+    {
+      ++this->Starts[std::size_t(point)];
+    }
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    // Each start is where the next list begins now, and moves to the front as its own list is filled.
+    for (CornerId corner = CornerId(triangles.size()); corner-- > 0;)
+    {
+      this->List[--this->Starts[std::size_t(triangles[corner])]] = corner;
+    }
+  }
+
+  const CornerId* begin(PointId point) const { return this->List.data() + this->Starts[std::size_t(point)]; }
+  const CornerId* end(PointId point) const { return this->List.data() + this->Starts[std::size_t(point) + 1]; }
+
+private:
+  std::vector<CornerId> Starts;
+  std::vector<CornerId> List;
+};
+
+class Peeler
+{
+public:
+  Peeler(const BoundedHorizon& hull, RawVector<PointId>& triangles, const BoundaryLimits& limits)
+    : Places(hull.Plane)
+    , Triangles(triangles)
+    , Limits(limits, hull.SubVoxelsPerColumn)
+    , Corners(hull.Plane.size(), triangles)
+    , Next(hull.Plane.size(), NoPoint)
+  {
+    hull.Boundary.ForEachEdge([this](PointId from, PointId to) { this->Next[std::size_t(from)] = to; });
+    hull.Boundary.ForEachEdge([this](PointId from, PointId to) { this->Consider(from, to); });
+  }
+
+  void Run(const Monitor& monitor)
+  {
+    const std::size_t all = this->Triangles.size() / 3;
+    for (std::size_t done = 0; !this->Outside.empty(); ++done)
+    {
+      if (done % 4096 == 0)
+      {
+        monitor.Progress(double(done) / double(all));
+      }
+      const Candidate longest = this->Outside.top();
+      this->Outside.pop();
+      if (!this->IsOnBoundary(longest.Third))
+      {
+        this->TakeOff(longest);
+      }
+    }
+    this->Compact();
+  }
+
+  Loops Boundary(PointId start) const
+  {
+    Loops boundary;
+    PointId point = start;
+    do
+    {
+      boundary.Append(point);
+      point = this->Next[std::size_t(point)];
+    } while (point != start);
+    boundary.Close();
+    return boundary;
+  }
+
+private:
+  /// A triangle outside, behind the boundary edge between two of its points.
+  struct Candidate
+  {
+    std::int64_t SquaredLength;
+    PlanePoint FromPlace;
+    PlanePoint ToPlace;
+    PointId From;
+    PointId To;
+    PointId Third;
+    CornerId FirstCorner; // of the triangle
+
+    /// By places and not by numbers, so that the order of the points does not matter.
+    bool operator<(const Candidate& other) const
+    {
+      return std::tie(this->SquaredLength, this->FromPlace, this->ToPlace) <
+        std::tie(other.SquaredLength, other.FromPlace, other.ToPlace);
+    }
+  };
+
+  const PlanePoint& At(PointId point) const { return this->Places[std::size_t(point)]; }
+
+  bool IsOnBoundary(PointId point) const { return this->Next[std::size_t(point)] != NoPoint; }
+
+  /// The corner at `from` of the triangle to the left of an edge.
+  CornerId Find(PointId from, PointId to) const
+  {
+    return *std::find_if(this->Corners.begin(from), this->Corners.end(from),
+      [this, to](CornerId corner) { return this->Triangles[NextInTriangle(corner)] == to; });
+  }
+
+  /// The surface lies to the right of a edge, so the triangle has its reverse. Points never leave the boundary: a
+  /// triangle that has to stay now will have to stay later on.
+  void Consider(PointId from, PointId to)
+  {
+    const CornerId corner = this->Find(to, from);
+    const PointId third = this->Triangles[NextInTriangle(NextInTriangle(corner))];
+    if (!this->IsOnBoundary(third) && this->Limits.AreExceeded(this->At(to), this->At(from), this->At(third)))
+    {
+      this->Outside.push({ SquaredDistance(this->At(from), this->At(to)), this->At(from), this->At(to), from, to, third,
+        corner - corner % 3 });
+    }
+  }
+
+  void TakeOff(const Candidate& outside)
+  {
+    this->Triangles[outside.FirstCorner] = NoPoint;
+    this->Next[std::size_t(outside.From)] = outside.Third;
+    this->Next[std::size_t(outside.Third)] = outside.To;
+    this->Consider(outside.From, outside.Third);
+    this->Consider(outside.Third, outside.To);
+  }
+
+  /// Those that were taken off have no first point.
+  void Compact()
+  {
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first < this->Triangles.size(); first += 3)
+    {
+      if (this->Triangles[first] != NoPoint)
+      {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+          this->Triangles[kept++] = this->Triangles[first + corner];
+        }
+      }
+    }
+    this->Triangles.resize(kept);
+  }
+
+  const std::vector<PlanePoint>& Places;
+  RawVector<PointId>& Triangles;
+  const WholeLimits Limits;
+  const CornersAtPoints Corners;
+  std::vector<PointId> Next; // along the boundary
+  std::priority_queue<Candidate> Outside;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RemoveOutsideTriangles(
+  BoundedHorizon& hull, Triangulation& mesh, const BoundaryLimits& limits, const Monitor& monitor)
+{
+  CheckLimits(limits);
+  const bool unlimited = limits.LargestAngle == 180.0 && limits.LongestEdge == 0.0;
+  if (unlimited || mesh.Triangles.empty())
+  {
+    return;
+  }
+  monitor.Progress(0.0);
+  Peeler peeler(hull, mesh.Triangles, limits);
+  peeler.Run(monitor.Step(0.5, 1.0));
+  hull.Boundary = peeler.Boundary(*hull.Boundary.begin(0));
+  mesh.BoundaryEdges = hull.Boundary.TotalLength();
+}
+}

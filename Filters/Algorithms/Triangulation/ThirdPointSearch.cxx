@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ThirdPointSearch.h"
+
+#include "Common/Predicates.h"
+#include "VoxelWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// The first circle that is looked into: its diameter when points were one apart on average, and at least how many times
+// as long as the edge it is. Larger ones hold more points than needed, smaller ones too often none.
+constexpr double NearbyDiameter = 1.5;
+constexpr double LeastDiameter = 1.1;
+
+PlanePoint Doubled(const PlanePoint& p)
+{
+  return { 2 * p.X, 2 * p.Y };
+}
+
+/// The cotangent of the angle at which a point to the left of an edge from a to b sees it; `area` is twice that of the
+/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left, and
+/// half of it times the length of the edge is how far the centre of that circle lies to the left.
+double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
+{
+  const std::int64_t ax = std::int64_t(a.X) - point.X;
+  const std::int64_t ay = std::int64_t(a.Y) - point.Y;
+  const std::int64_t bx = std::int64_t(b.X) - point.X;
+  const std::int64_t by = std::int64_t(b.Y) - point.Y;
+  return double(ax * bx + ay * by) / double(area);
+}
+
+/// Up to a factor: the thesis's C without 4 sqrt(3) / 2 (eq. 5.9).
+double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
+{
+  const auto squared = [](const PlanePoint& p, const PlanePoint& q)
+  {
+    const double x = double(p.X) - q.X;
+    const double y = double(p.Y) - q.Y;
+    return x * x + y * y;
+  };
+  return double(area) / (squared(a, b) + squared(b, c) + squared(c, a));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
+{
+  ThirdPointQuery query(this->Points, a, b, walk);
+  this->Search(query);
+  if (query.Best != NoPoint && !this->IsVisible(query, query.Best))
+  {
+    query.OnlyVisible = true;
+    query.Best = NoPoint;
+    this->Search(query);
+  }
+  return query.Best;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The circle through the best point to the left has no point in its left part, and of all such circles the smallest
+// right part. Seen from the right the edge is reversed, and the cotangent has the other sign.
+bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
+{
+  ThirdPointQuery left(this->Points, a, b, nullptr);
+  this->Search(left);
+  ThirdPointQuery right(this->Points, b, a, nullptr);
+  right.BestCotangent = -left.BestCotangent;
+  const VoxelBox box = this->LeftPartOf(EdgeCircle(right, right.BestCotangent), right);
+  bool empty = true;
+  for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
+  {
+    this->VisitRow(right, row, box.FirstX, box.LastX,
+      [&](PointId point)
+      {
+        empty = empty &&
+          (SignedArea(right.A, right.B, this->At(point)) <= 0 ||
+            InCircle(left.A, left.B, this->At(left.Best), this->At(point)) <= 0);
+      });
+  }
+  return empty;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::Search(ThirdPointQuery& query) const
+{
+  if (this->Strategy == SearchStrategy::VoxelTraversal && query.Walk == nullptr && this->SearchNearby(query))
+  {
+    return;
+  }
+  const EdgeBox edgeBox(query, this->Grid);
+  if (this->Strategy == SearchStrategy::VoxelTraversal)
+  {
+    this->TraverseBox(query, edgeBox);
+  }
+  else
+  {
+    this->CompareBox(query, edgeBox);
+  }
+  query.Dilatation = -1;
+  if (query.Best == NoPoint)
+  {
+    this->SearchSquares(query, edgeBox);
+  }
+  if (query.Best != NoPoint)
+  {
+    const EdgeCircle circle(query, query.BestCotangent);
+    this->SearchCircle(query, circle, this->LeftPartOf(circle, query));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Where points are about as dense as everywhere, the third point lies in a circle with the edge that is little larger
+// than points are apart, and one look at it finds it: when the circle has points to the left of the edge, no other
+// point's circle can be empty. Where it has none, points are further apart, and a second look goes to a larger circle.
+bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
+{
+  const double squaredLength = query.SquaredLength();
+  const double nearby = NearbyDiameter * this->Points.Spacing();
+  double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
+  double cotangent = 0.0;
+  for (int look = 0; query.Best == NoPoint && look < 2; ++look)
+  {
+    cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
+    const EdgeCircle circle(query, cotangent, 0.5 * std::sqrt(squaredDiameter));
+    const double reach = circle.Radius + circle.Margin;
+    this->SearchCircle(query, circle,
+      { this->Grid.CellX(query.A.X + circle.X - reach), this->Grid.CellY(query.A.Y + circle.Y - reach),
+        this->Grid.CellX(query.A.X + circle.X + reach), this->Grid.CellY(query.A.Y + circle.Y + reach) });
+    squaredDiameter *= 4.0;
+  }
+  // A point in the margin may not be the best there is.
+  return query.Best != NoPoint && query.BestCotangent < cotangent * (1.0 - 1e-12);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The bisector, then one line of voxels more on each side of it at a time, up to the border of the box.
+void ThirdPointSearch::TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const
+{
+  for (int dilatation = 0; query.Best == NoPoint && dilatation <= edgeBox.Size; ++dilatation)
+  {
+    query.Dilatation = dilatation;
+    this->SearchDilatation(query, edgeBox, dilatation);
+    if (dilatation > 0)
+    {
+      this->SearchDilatation(query, edgeBox, -dilatation);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// A dilatation is the bisector's line of voxels, moved sideways: along the axis on which it advances less.
+void ThirdPointSearch::SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const
+{
+  const double x = double(query.A.Y) - query.B.Y;
+  const double y = double(query.B.X) - query.A.X;
+  const std::int64_t shiftX = std::abs(x) < std::abs(y) ? shift : 0;
+  const std::int64_t shiftY = shift - shiftX;
+  VoxelWalk walk(edgeBox.MiddleX, edgeBox.MiddleY, x, y);
+  const std::int64_t startX = walk.X();
+  const std::int64_t startY = walk.Y();
+  for (; std::max(std::abs(walk.X() - startX), std::abs(walk.Y() - startY)) <= edgeBox.Size; walk.Next())
+  {
+    const std::int64_t cellX = walk.X() + shiftX;
+    const std::int64_t cellY = walk.Y() + shiftY;
+    if (cellX >= 0 && cellX < this->Grid.SizeX() && cellY >= 0 && cellY < this->Grid.SizeY())
+    {
+      this->SearchRow(query, cellY, cellX, cellX);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const
+{
+  double most = 0.0;
+  const VoxelBox box = this->SquareAround(edgeBox, edgeBox.Size);
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->VisitRow(query, row, box.FirstX, box.LastX,
+      [&](PointId point)
+      {
+        const std::int64_t area = SignedArea(query.A, query.B, this->At(point));
+        const double compactness = Compactness(query.A, query.B, this->At(point), area);
+        if (compactness > most && (!query.OnlyVisible || this->IsVisible(query, point)))
+        {
+          most = compactness;
+          query.Best = point;
+          query.BestCotangent = Cotangent(query.A, query.B, this->At(point), area);
+        }
+      });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox) const
+{
+  const std::int64_t everything = std::max(this->Grid.SizeX(), this->Grid.SizeY());
+  for (std::int64_t radius = edgeBox.Size; query.Best == NoPoint && radius < 2 * everything; radius = 2 * radius + 1)
+  {
+    this->SearchBox(query, this->SquareAround(edgeBox, radius));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+VoxelBox ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const
+{
+  const std::int64_t x = std::int64_t(edgeBox.MiddleX);
+  const std::int64_t y = std::int64_t(edgeBox.MiddleY);
+  return { std::max<std::int64_t>(x - radius, 0), std::max<std::int64_t>(y - radius, 0),
+    std::min(x + radius, this->Grid.SizeX() - 1), std::min(y + radius, this->Grid.SizeY() - 1) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The box of the circle's part to the left of the edge: around its ends, and those of the circle's four outermost
+// points that are to the left.
+VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const
+{
+  const double bx = double(query.B.X) - query.A.X;
+  const double by = double(query.B.Y) - query.A.Y;
+  double minX = std::min(0.0, bx);
+  double minY = std::min(0.0, by);
+  double maxX = std::max(0.0, bx);
+  double maxY = std::max(0.0, by);
+  const double outermost[4][2] = { { circle.X - circle.Radius, circle.Y }, { circle.X + circle.Radius, circle.Y },
+    { circle.X, circle.Y - circle.Radius }, { circle.X, circle.Y + circle.Radius } };
+  const double nearlyLeft = -2.0 * circle.Margin * (std::abs(bx) + std::abs(by));
+  for (const auto& point : outermost)
+  {
+    // What is not to the left is taken to be at the start of the edge: no branch that a processor would have to guess.
+    const bool left = bx * point[1] - by * point[0] > nearlyLeft;
+    const double px = left ? point[0] : 0.0;
+    const double py = left ? point[1] : 0.0;
+    minX = std::min(minX, px);
+    maxX = std::max(maxX, px);
+    minY = std::min(minY, py);
+    maxY = std::max(maxY, py);
+  }
+  return { this->Grid.CellX(query.A.X + minX - circle.Margin), this->Grid.CellY(query.A.Y + minY - circle.Margin),
+    this->Grid.CellX(query.A.X + maxX + circle.Margin), this->Grid.CellY(query.A.Y + maxY + circle.Margin) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Points are looked at a few at a time, even where a row of voxels has fewer, and those inside are noted without a
+// branch: which are is anyone's guess, and a wrong guess takes a processor longer than to look at some points more.
+void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const
+{
+  constexpr PointId Batch = SearchGrid::Padding;
+  std::array<PointId, 16 * std::size_t(Batch)> inside;
+  std::size_t count = 0;
+  const auto considerAll = [&]()
+  {
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      this->Consider(query, inside[n]);
+    }
+    count = 0;
+  };
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->Trace(query, row, box.FirstX, box.LastX);
+    const PointId end = this->Points.EndOf(this->Grid.Index(box.LastX, row));
+    for (PointId first = this->Points.FirstIn(this->Grid.Index(box.FirstX, row)); first < end; first += Batch)
+    {
+      for (PointId point = first; point < first + Batch; ++point)
+      {
+        inside[count] = point;
+        count +=
+          std::size_t((point < end) & (point != query.From) & (point != query.To) & circle.MayHold(this->At(point)));
+      }
+      if (count > inside.size() - Batch)
+      {
+        considerAll();
+      }
+    }
+  }
+  considerAll();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchBox(ThirdPointQuery& query, const VoxelBox& box) const
+{
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->SearchRow(query, row, box.FirstX, box.LastX);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const
+{
+  this->VisitRow(query, row, first, last, [&](PointId point) { this->Consider(query, point); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const
+{
+  for (std::int64_t column = first; query.Walk && column <= last; ++column)
+  {
+    query.Walk->push_back({ column, row, query.Dilatation });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The voxels of a row stand one after the other, and so do their points.
+template <typename Visitor>
+void ThirdPointSearch::VisitRow(
+  ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
+{
+  this->Trace(query, row, first, last);
+  const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
+  for (PointId point = this->Points.FirstIn(this->Grid.Index(first, row)); point < end; ++point)
+  {
+    visit(point);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::Consider(ThirdPointQuery& query, PointId candidate) const
+{
+  const PlanePoint& place = this->At(candidate);
+  const std::int64_t area = SignedArea(query.A, query.B, place);
+  if (area <= 0)
+  {
+    return;
+  }
+  const double cotangent = Cotangent(query.A, query.B, place, area);
+  if (this->IsBetter(query, candidate, cotangent) && (!query.OnlyVisible || this->IsVisible(query, candidate)))
+  {
+    query.Best = candidate;
+    query.BestCotangent = cotangent;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Cotangents are right to some units in the last place; only those that are closer to each other need InCircle.
+bool ThirdPointSearch::IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const
+{
+  if (query.Best == NoPoint)
+  {
+    return true;
+  }
+  const double difference = cotangent - query.BestCotangent;
+  const double uncertain = 1e-14 * (std::abs(cotangent) + std::abs(query.BestCotangent));
+  if (std::abs(difference) > uncertain)
+  {
+    return difference < 0.0;
+  }
+  return candidate != query.Best && InCircle(query.A, query.B, this->At(query.Best), this->At(candidate)) > 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// A segment stays as near to its start as its end is.
+bool ThirdPointSearch::MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const
+{
+  const std::int64_t x = this->Grid.CellX(from.X);
+  const std::int64_t y = this->Grid.CellY(from.Y);
+  return std::max(std::abs(this->Grid.CellX(to.X) - x), std::abs(this->Grid.CellY(to.Y) - y)) >=
+    this->Points.EdgeDistance(x, y);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// A segment that runs through the end of a boundary edge does not cross it. That does no harm: the end is nearer, so
+// that the circle of the point behind it can not be empty.
+bool ThirdPointSearch::IsVisible(const ThirdPointQuery& query, PointId candidate) const
+{
+  const SegmentEnd middle = query.Middle();
+  if (!this->MayMeetHops(middle, this->At(candidate)))
+  {
+    return true;
+  }
+  const PlanePoint target = Doubled(this->At(candidate));
+  bool visible = true;
+  const auto blocks = [&](const BoundaryEdge& edge)
+  { return ProperlyCross(Doubled(this->At(edge.From)), Doubled(this->At(edge.To)), query.DoubledMiddle(), target); };
+  this->Grid.ForEachCellAlong(middle, this->At(candidate),
+    [&](std::int64_t cell)
+    { visible = visible && std::none_of(this->Points.Edges().begin(cell), this->Points.Edges().end(cell), blocks); });
+  return visible;
+}
+}

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The point that makes a triangle with an edge (thesis 5.3.4 to 5.3.6 and 5.4): of all points to the left of the edge
+// that can be seen from it, the one whose circle with the edge is empty.
+//
+// Points are looked up in a grid of square voxels with about one point each. A first candidate is found by one of two
+// strategies in the square box of the edge, which is as far around its middle as the edge is long:
+//  - VoxelTraversal: along the perpendicular bisector from the middle of the edge, then along its dilatations, one
+//    voxel further to both sides each time, until there is a point. As that is often the voxel next to the edge, a
+//    circle with the edge that is little wider than points are apart is looked into first: when it has points to the
+//    left of the edge, the third point is one of them;
+//  - Compactness: of all points in the box the one that makes the most compact triangle (eq. 5.9).
+// When the box has none, growing squares are searched. Then what the circle of the candidate covers is searched for
+// better points (the Delaunay criterion, Alg. 5.1). As that is exact, both strategies end with the same point.
+//
+// With constraints, a point counts only when the segment from the middle of the edge to it crosses none. Looking from
+// the middle is enough: the third point is seen from every place on the edge, and a point of the circle that is seen
+// from the middle would be seen from inside the triangle as well, which a constrained Delaunay triangle excludes. As
+// few edges have a constraint near, the best of all points is looked for first, seen or not; if it is seen, it is best.
+
+#ifndef SeismicHorizonsThirdPointSearch_h
+#define SeismicHorizonsThirdPointSearch_h
+
+#include "Common/Types.h"
+#include "SearchGrid.h"
+#include "ThirdPointQuery.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+enum class SearchStrategy
+{
+  VoxelTraversal,
+  Compactness
+};
+
+class ThirdPointSearch
+{
+public:
+  /// `grid` must outlive the search; edges are asked for by its numbers.
+  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy)
+    : Strategy(strategy)
+    , Points(grid)
+    , Grid(grid.Voxels())
+  {
+  }
+
+  /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
+  /// given, takes the voxels that were looked into, in their order; nothing but the strategy is used then.
+  PointId Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk = nullptr) const;
+
+  /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it
+  /// would be an edge of the triangulation without being asked for. There must be a point to the left of it.
+  bool IsDelaunay(PointId a, PointId b) const;
+
+private:
+  void Search(ThirdPointQuery& query) const;
+  bool SearchNearby(ThirdPointQuery& query) const;
+  void TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
+  void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const;
+  void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
+  void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
+
+  VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
+  VoxelBox LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const;
+  void SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const;
+  void SearchBox(ThirdPointQuery& query, const VoxelBox& box) const;
+  void SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
+  void Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
+  template <typename Visitor>
+  void VisitRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
+
+  void Consider(ThirdPointQuery& query, PointId candidate) const;
+  bool IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const;
+  bool MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const;
+  bool IsVisible(const ThirdPointQuery& query, PointId candidate) const;
+
+  const PlanePoint& At(PointId point) const { return this->Points.At(point); }
+
+  const SearchStrategy Strategy;
+  const SearchGrid& Points;
+  const CellGrid& Grid;
+};
+}
+
+#endif

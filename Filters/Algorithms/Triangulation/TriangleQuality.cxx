@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TriangleQuality.h"
+
+#include "Common/Parallel.h"
+#include "Common/Predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t Grain = 16384;
+
+/// A triangle as its sides, the shortest first, and its area.
+struct Shape
+{
+  Shape(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+    : Side{ Distance(a, b), Distance(b, c), Distance(c, a) }
+    , Area(0.5 * double(SignedArea(a, b, c)))
+  {
+    std::sort(this->Side.begin(), this->Side.end());
+  }
+
+  static double Distance(const PlanePoint& a, const PlanePoint& b)
+  {
+    const double x = double(a.X) - b.X;
+    const double y = double(a.Y) - b.Y;
+    return std::sqrt(x * x + y * y);
+  }
+
+  double Squared(std::size_t n) const { return this->Side[n] * this->Side[n]; }
+
+  double Compactness() const
+  {
+    return 4.0 * std::sqrt(3.0) * this->Area / (this->Squared(0) + this->Squared(1) + this->Squared(2));
+  }
+
+  double Quality() const
+  {
+    return 4.0 * std::sqrt(3.0) * this->Area / (this->Side[2] * (this->Side[0] + this->Side[1] + this->Side[2]));
+  }
+
+  /// Of the angle opposite to the shortest side, by the law of cosines.
+  double LargestCotangent() const
+  {
+    return (this->Squared(1) + this->Squared(2) - this->Squared(0)) / (4.0 * this->Area);
+  }
+
+  std::array<double, 3> Side;
+  double Area;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles)
+{
+  TriangleQuality quality;
+  quality.Compactness.resize(triangles.size() / 3);
+  quality.Shape.resize(triangles.size() / 3);
+  const auto at = [&](std::size_t corner) { return places[std::size_t(triangles[corner])]; };
+  // The largest cotangent belongs to the smallest angle.
+  double largest = -1.0;
+  std::mutex mutex;
+  ParallelFor(std::int64_t(triangles.size() / 3), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      double largestHere = -1.0;
+      for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
+      {
+        const Shape shape(at(3 * triangle), at(3 * triangle + 1), at(3 * triangle + 2));
+        quality.Compactness[triangle] = float(shape.Compactness());
+        quality.Shape[triangle] = float(shape.Quality());
+        largestHere = std::max(largestHere, shape.LargestCotangent());
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      largest = std::max(largest, largestHere);
+    });
+  if (!triangles.empty())
+  {
+    quality.SmallestAngle = std::atan2(1.0, largest) * 45.0 / std::atan(1.0);
+  }
+  return quality;
+}
+}

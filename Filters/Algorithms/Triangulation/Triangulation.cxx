@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Triangulation.h"
+
+#include "AdvancingFront.h"
+#include "Common/Errors.h"
+#include "FullBlocks.h"
+#include "PatchList.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Meshes a patch from its boundary inwards, and from its full blocks outwards.
+class PatchTriangulator
+{
+public:
+  PatchTriangulator(const Patch& patch, const TriangulationOptions& options, Triangulation& result)
+    : Input(patch)
+    , Options(options)
+    , Points(patch.Places, patch.Boundary, patch.Points)
+    , Search(this->Points, options.Strategy)
+    , Front(patch.Points.size())
+    , Used(patch.Points.size(), false)
+    , Result(result)
+    , Triangles(result.Triangles)
+  {
+    // The surface lies to the right of each boundary edge, so its reverse waits for a triangle. Of a edge that the
+    // boundary walks in both directions neither side has surface.
+    patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddOuterSide(from, to); });
+    for (const BoundaryEdge& side : patch.BlockSides)
+    {
+      this->AddOuterSide(side.From, side.To);
+    }
+    for (std::size_t loop = 0; loop < patch.Boundary.Size(); ++loop)
+    {
+      // A loop of one point has no edge.
+      this->Used[std::size_t(this->Points.NumberOf(*patch.Boundary.begin(loop)))] = true;
+    }
+  }
+
+  void Run(const Monitor& monitor)
+  {
+    // By Euler's formula a plane mesh has less than two triangles per point.
+    const std::size_t most = 2 * this->Used.size();
+    const std::size_t wanted = this->Options.MostTriangles > 0 ? this->Options.MostTriangles : most + 1;
+    std::size_t made = 0;
+    for (BoundaryEdge edge; made < wanted && this->Front.TakeNewest(edge); ++made)
+    {
+      if (made % 4096 == 0)
+      {
+        monitor.Progress(std::min(1.0, double(made) / double(most)));
+      }
+      const PointId third = this->FindThird(edge, made + 1 == this->Options.MostTriangles);
+      if (third == NoPoint || made >= most)
+      {
+        throw InputError("no surface to the left of the edge from point " + this->Name(edge.From) + " to point " +
+          this->Name(edge.To) + ", expected closed boundary loops with the surface to their right");
+      }
+      this->AddTriangle(edge.From, edge.To, third);
+    }
+    if (this->Options.MostTriangles == 0)
+    {
+      this->CheckAllUsed();
+    }
+  }
+
+  /// How many edges, by the numbers of the patch, are not Delaunay among its points.
+  std::size_t CountNonDelaunay(const std::vector<BoundaryEdge>& edges) const
+  {
+    return std::size_t(std::count_if(edges.begin(), edges.end(),
+      [this](const BoundaryEdge& edge)
+      { return !this->Search.IsDelaunay(this->Points.NumberOf(edge.From), this->Points.NumberOf(edge.To)); }));
+  }
+
+private:
+  std::string Name(PointId point) const { return std::to_string(this->Points.NameOf(point)); }
+
+  PointId FindThird(const BoundaryEdge& edge, bool traced)
+  {
+    if (!traced)
+    {
+      return this->Search.Find(edge.From, edge.To);
+    }
+    std::vector<WalkedVoxel> walk;
+    const PointId third = this->Search.Find(edge.From, edge.To, &walk);
+    const CellGrid& voxels = this->Points.Voxels();
+    const PlaneFrame& frame = this->Input.Frame;
+    this->Result.Walk.clear();
+    for (const WalkedVoxel& voxel : walk)
+    {
+      this->Result.Walk.push_back({ frame.Outward(voxels.CornerOf(voxel.X, voxel.Y)),
+        frame.Outward(voxels.CornerOf(voxel.X + 1, voxel.Y + 1)), voxel.Dilatation });
+    }
+    return third;
+  }
+
+  void AddOuterSide(PointId from, PointId to)
+  {
+    const PointId a = this->Points.NumberOf(from);
+    const PointId b = this->Points.NumberOf(to);
+    this->Used[std::size_t(a)] = true;
+    this->Used[std::size_t(b)] = true;
+    this->AddSide(a, b);
+  }
+
+  void AddTriangle(PointId a, PointId b, PointId c)
+  {
+    // What a side ends in has been used.
+    this->Used[std::size_t(c)] = true;
+    for (const PointId point : { a, b, c })
+    {
+      this->Triangles.push_back(this->Points.NameOf(point));
+    }
+    this->AddSide(b, c);
+    this->AddSide(c, a);
+  }
+
+  /// A side of something to its left: either it waited for that, or its reverse waits for something now.
+  void AddSide(PointId from, PointId to)
+  {
+    if (!this->Front.Remove(from, to))
+    {
+      this->Front.Add(to, from);
+    }
+  }
+
+  void CheckAllUsed() const
+  {
+    const auto unused = std::find(this->Used.begin(), this->Used.end(), false);
+    if (unused != this->Used.end())
+    {
+      throw InputError("point " + this->Name(PointId(unused - this->Used.begin())) +
+        " lies outside the boundary of its patch, expected all points inside");
+    }
+  }
+
+  const Patch& Input;
+  const TriangulationOptions Options;
+  const SearchGrid Points;
+  const ThirdPointSearch Search;
+  AdvancingFront Front;
+  std::vector<bool> Used; // by the numbers of the search, as in the front
+  Triangulation& Result;
+  RawVector<PointId>& Triangles;
+};
+
+/// The boundary edges of a patch that have surface on one side, turned so that it is to their left.
+std::vector<BoundaryEdge> FindBoundaryEdges(const Patch& patch)
+{
+  AdvancingFront walked(patch.Points.size());
+  patch.Boundary.ForEachEdge(
+    [&walked](PointId from, PointId to)
+    {
+      if (!walked.Remove(from, to))
+      {
+        walked.Add(to, from);
+      }
+    });
+  std::vector<BoundaryEdge> edges;
+  for (BoundaryEdge edge; walked.TakeNewest(edge);)
+  {
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+/// Those that may be no Delaunay edges: two points no further apart than the diagonal of a sub-voxel, which on whole
+/// columns is that of a block, have no point in the circle around them.
+std::vector<BoundaryEdge> FindLong(const std::vector<BoundaryEdge>& edges, const std::vector<PlanePoint>& places)
+{
+  std::vector<BoundaryEdge> result;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(result),
+    [&places](const BoundaryEdge& edge)
+    {
+      const PlanePoint& from = places[std::size_t(edge.From)];
+      const PlanePoint& to = places[std::size_t(edge.To)];
+      return std::max(std::abs(from.X - to.X), std::abs(from.Y - to.Y)) > 1;
+    });
+  return result;
+}
+
+/// Meshes the patches of a horizon one after the other.
+class HorizonTriangulator
+{
+public:
+  HorizonTriangulator(const BoundedHorizon& horizon, const TriangulationOptions& options)
+    : Horizon(horizon)
+    , Options(options)
+    , Frame(horizon.Plane)
+    , Blocks(options.MostTriangles > 0 ? FullBlocks() : FullBlocks(horizon, this->Frame))
+    , Patches(horizon, this->Frame, this->Blocks)
+  {
+  }
+
+  Triangulation Run(const Monitor& monitor)
+  {
+    monitor.Progress(0.3);
+    // By Euler's formula loose points are corners of less than two triangles each.
+    this->Result.Triangles.reserve(3 * this->Blocks.NumberOfTriangles() + 6 * this->Patches.NumberOfPoints());
+    this->Result.Triangles.resize(3 * this->Blocks.NumberOfTriangles());
+    this->Blocks.WriteTriangles(this->Result.Triangles.data());
+    std::size_t done = 0;
+    for (std::int64_t number = 0; number < this->Patches.Size(); ++number)
+    {
+      const Patch patch = this->Patches.Get(number);
+      if (!patch.Points.empty())
+      {
+        const double all = double(this->Patches.NumberOfPoints());
+        const double before = 0.5 + 0.5 * double(done) / all;
+        done += patch.Points.size();
+        this->RunPatch(number, patch, monitor.Step(before, 0.5 + 0.5 * double(done) / all));
+      }
+    }
+    this->CountAmongCovered();
+    return std::move(this->Result);
+  }
+
+private:
+  void RunPatch(std::int64_t number, const Patch& patch, const Monitor& monitor)
+  {
+    PatchTriangulator triangulator(patch, this->Options, this->Result);
+    triangulator.Run(monitor);
+    if (this->Options.MostTriangles > 0)
+    {
+      return;
+    }
+    const std::vector<BoundaryEdge> edges = FindBoundaryEdges(patch);
+    this->Result.BoundaryEdges += edges.size();
+    const std::vector<BoundaryEdge> longEdges = FindLong(edges, patch.Places);
+    if (this->Blocks.NumberOfTriangles() == 0)
+    {
+      this->Result.NonDelaunayEdges += triangulator.CountNonDelaunay(longEdges);
+      return;
+    }
+    for (const BoundaryEdge& edge : longEdges)
+    {
+      this->Doubtful.push_back(
+        { number, { patch.Points[std::size_t(edge.From)], patch.Points[std::size_t(edge.To)] } });
+    }
+  }
+
+  /// Points that full blocks cover may be in the circles of long boundary edges, too.
+  void CountAmongCovered()
+  {
+    if (this->Doubtful.empty())
+    {
+      return;
+    }
+    PatchList whole(this->Horizon, this->Frame, FullBlocks());
+    for (auto first = this->Doubtful.begin(); first != this->Doubtful.end();)
+    {
+      const auto last = std::find_if(
+        first, this->Doubtful.end(), [first](const DoubtfulEdge& edge) { return edge.Patch != first->Patch; });
+      const Patch patch = whole.Get(first->Patch);
+      const SearchGrid points(patch.Places, Loops(), patch.Points);
+      const ThirdPointSearch search(points, this->Options.Strategy);
+      const auto number = [&](PointId point) { return points.NumberOf(whole.NumberInPatch(point)); };
+      this->Result.NonDelaunayEdges += std::size_t(std::count_if(first, last,
+        [&](const DoubtfulEdge& doubtful)
+        { return !search.IsDelaunay(number(doubtful.Edge.From), number(doubtful.Edge.To)); }));
+      first = last;
+    }
+  }
+
+  struct DoubtfulEdge
+  {
+    std::int64_t Patch;
+    BoundaryEdge Edge; // by the numbers of the horizon
+  };
+
+  const BoundedHorizon& Horizon;
+  const TriangulationOptions Options;
+  const PlaneFrame Frame;
+  const FullBlocks Blocks;
+  PatchList Patches;
+  std::vector<DoubtfulEdge> Doubtful; // patch by patch
+  Triangulation Result;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options, const Monitor& monitor)
+{
+  return HorizonTriangulator(horizon, options).Run(monitor);
+}
+}

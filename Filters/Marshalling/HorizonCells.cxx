@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonCells.h"
+
+#include "Common/Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkTypeInt32Array.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t Grain = 16384; // triangles that a thread takes at a time
+
+vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt32Array* offsets, vtkTypeInt32Array* points)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, points);
+  return cells;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points)
+{
+  vtkNew<vtkTypeInt32Array> offsets;
+  vtkNew<vtkTypeInt32Array> ids;
+  offsets->SetNumberOfValues(points + 1);
+  ids->SetNumberOfValues(points);
+  std::iota(offsets->Begin(), offsets->End(), 0);
+  std::iota(ids->Begin(), ids->End(), 0);
+  return MakeCells(offsets, ids);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops)
+{
+  vtkNew<vtkTypeInt32Array> offsets;
+  vtkNew<vtkTypeInt32Array> ids;
+  offsets->InsertNextValue(0);
+  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+  {
+    std::for_each(loops.begin(loop), loops.end(loop), [&ids](PointId point) { ids->InsertNextValue(point); });
+    ids->InsertNextValue(*loops.begin(loop));
+    offsets->InsertNextValue(std::int32_t(ids->GetNumberOfValues()));
+  }
+  return MakeCells(offsets, ids);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
+{
+  vtkNew<vtkTypeInt32Array> offsets;
+  vtkNew<vtkTypeInt32Array> ids;
+  const vtkIdType size = vtkIdType(triangles.size() / 3);
+  offsets->SetNumberOfValues(size + 1);
+  ids->SetNumberOfValues(3 * size);
+  offsets->SetValue(size, std::int32_t(3 * size));
+  std::int32_t* const begins = offsets->GetPointer(0);
+  std::int32_t* const corners = ids->GetPointer(0);
+  ParallelFor(size, Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType triangle = first; triangle < last; ++triangle)
+      {
+        begins[triangle] = std::int32_t(3 * triangle);
+      }
+      std::copy(triangles.data() + 3 * first, triangles.data() + 3 * last, corners + 3 * first);
+    });
+  return MakeCells(offsets, ids);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FaceUp(const Lattice& grid, RawVector<PointId>& triangles)
+{
+  for (std::size_t corner = 0; !grid.KeepsOrientation() && corner < triangles.size(); corner += 3)
+  {
+    std::swap(triangles[corner + 1], triangles[corner + 2]);
+  }
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From vtkPolyData to the plain data of the algorithms. All readers of input throw InputError when it breaks the
+// data model (Documentation/DataModel.md).
+
+#ifndef SeismicHorizonsHorizonData_h
+#define SeismicHorizonsHorizonData_h
+
+#include "Common/BoundedHorizon.h"
+#include "Common/Lattice.h"
+#include "Common/Types.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+namespace SeismicHorizons
+{
+/// The lattice of a horizon.
+Lattice ReadLattice(vtkPolyData* horizon);
+
+/// The points of a horizon on their lattice.
+struct LatticePoints
+{
+  Lattice Grid;
+  std::vector<PlanePoint> Plane; // sub-voxels
+  std::vector<double> Height; // lattice units
+};
+
+LatticePoints ReadPoints(vtkPolyData* horizon);
+
+/// The column of each point, for stages before points leave their columns.
+std::vector<PlanePoint> ToColumns(const LatticePoints& points);
+
+/// The boundary loops: all lines of the horizon, which must be closed polylines, at least one.
+Loops ReadBoundary(vtkPolyData* horizon);
+
+/// The patch number of each point.
+std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon);
+
+/// How many points of the original horizon each point stands for: 1 when the horizon does not say.
+std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
+
+/// Without heights and counts, which no mesh needs.
+BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid);
+
+BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
+}
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfacePair.h"
+
+#include "Boundary/ExteriorBoundary.h"
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "HorizonCells.h"
+#include "HorizonData.h"
+#include "HorizonPairs.h"
+#include "Triangulation/Triangulation.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Runs `work`, and lets what it says of its input begin with the name of that input.
+template <typename Work>
+auto Naming(const char* input, Work&& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(std::string(input) + ": " + error.what());
+  }
+}
+
+bool HasTriangles(vtkPolyData* data)
+{
+  return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+}
+
+/// What the triangulation needs of a horizon; the boundary is found when the horizon has no loops.
+BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monitor)
+{
+  LatticePoints points = ReadPoints(input);
+  if (input->GetNumberOfLines() > 0)
+  {
+    return ReadPatchesAndBoundary(input, std::move(points.Plane), points.Grid);
+  }
+  BoundaryOptions options;
+  options.Radius = radius;
+  ExteriorBoundary found = FindExteriorBoundary(ToColumns(points), options, monitor);
+  BoundedHorizon horizon;
+  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+  horizon.Plane = std::move(points.Plane);
+  horizon.Patch = std::move(found.Patch);
+  horizon.Boundary = std::move(found.Boundary);
+  return horizon;
+}
+
+/// The horizon with all its points as a mesh.
+void MeshHorizon(vtkPolyData* input, int radius, vtkPolyData* output, const Monitor& monitor)
+{
+  const BoundedHorizon horizon = ReadHorizon(input, radius, monitor.Step(0.0, 0.5));
+  Triangulation mesh = Triangulate(horizon, TriangulationOptions(), monitor.Step(0.5, 1.0));
+  FaceUp(ReadLattice(input), mesh.Triangles);
+  output->SetPoints(input->GetPoints());
+  output->GetPointData()->PassData(input->GetPointData());
+  output->GetFieldData()->PassData(input->GetFieldData());
+  output->SetLines(MakePolylines(horizon.Boundary));
+  output->SetPolys(MakeTriangles(mesh.Triangles));
+}
+
+/// Numbers of points and triangles have 32 bits in the algorithms, and an edge list three entries for each triangle.
+void CheckSize(vtkPolyData* data)
+{
+  constexpr vtkIdType Most = vtkIdType(1) << 30;
+  if (data->GetNumberOfPoints() >= Most || data->GetNumberOfPolys() >= Most)
+  {
+    throw InputError(std::to_string(data->GetNumberOfPoints()) + " points and " +
+      std::to_string(data->GetNumberOfPolys()) + " triangles, expected less than 2^30 of each");
+  }
+}
+
+/// A mesh in world coordinates.
+TriangleSurface ReadSurface(vtkPolyData* data)
+{
+  if (data->GetNumberOfStrips() > 0)
+  {
+    throw InputError(
+      std::to_string(data->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate before");
+  }
+  CheckSize(data);
+  TriangleSurface surface;
+  surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
+  for (std::size_t point = 0; point < surface.Points.size(); ++point)
+  {
+    data->GetPoint(vtkIdType(point), surface.Points[point].data());
+  }
+  vtkCellArray* const polys = data->GetPolys();
+  surface.Triangles.reserve(std::size_t(data->GetNumberOfPolys()));
+  for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    polys->GetCellAtId(cell, size, corners);
+    if (size != 3)
+    {
+      throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
+        " corners, expected triangles: apply Triangulate before");
+    }
+    surface.Triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
+  }
+  return surface;
+}
+
+std::optional<Lattice> FindLattice(vtkPolyData* reference, vtkPolyData* mesh)
+{
+  for (const auto& [name, data] : { std::make_pair("reference", reference), std::make_pair("mesh", mesh) })
+  {
+    vtkFieldData* const fields = data->GetFieldData();
+    if (fields->HasArray(FieldArray::LatticeDimensions) || fields->HasArray(FieldArray::LatticeToWorld))
+    {
+      return Naming(name, [horizon = data]() { return ReadLattice(horizon); });
+    }
+  }
+  return std::nullopt;
+}
+
+template <typename Map>
+void MovePoints(TriangleSurface& surface, Map&& map)
+{
+  for (Eigen::Vector3d& point : surface.Points)
+  {
+    point = map(point);
+  }
+}
+
+std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distance)
+{
+  return { distance.ReferenceToMesh, distance.MeshToReference, distance.TwoSided };
+}
+
+DistanceFigures Scaled(DistanceFigures figures, double scale)
+{
+  for (double* figure : { &figures.Largest, &figures.Mean, &figures.Rms, &figures.Outline })
+  {
+    *figure *= scale;
+  }
+  for (double& percentile : figures.Percentile)
+  {
+    percentile *= scale;
+  }
+  return figures;
+}
+
+void Scale(std::vector<double>& distances, double scale)
+{
+  std::transform(distances.begin(), distances.end(), distances.begin(), [scale](double d) { return scale * d; });
+}
+
+/// Both surfaces of a pair, in world coordinates at first.
+struct Surfaces
+{
+  TriangleSurface Reference;
+  TriangleSurface Mesh;
+
+  explicit Surfaces(const HorizonPair& pair)
+    : Reference(Naming("reference", [&]() { return ReadSurface(pair.ReferenceOutput); }))
+    , Mesh(Naming("mesh", [&]() { return ReadSurface(pair.Mesh); }))
+  {
+    CheckSurface(this->Reference, "reference");
+    CheckSurface(this->Mesh, "mesh");
+  }
+
+  template <typename Map>
+  void Move(Map&& map)
+  {
+    MovePoints(this->Reference, map);
+    MovePoints(this->Mesh, map);
+  }
+
+  SurfaceDistance Measure(const SurfaceDistanceOptions& options, const Monitor& monitor) const
+  {
+    return MeasureSurfaceDistance(this->Reference, this->Mesh, options, monitor);
+  }
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
+{
+  if (HasTriangles(pair.Reference) || pair.Reference->GetNumberOfPoints() == 0)
+  {
+    pair.ReferenceOutput->ShallowCopy(pair.Reference);
+    return;
+  }
+  Naming("reference", [&]() { MeshHorizon(pair.Reference, radius, pair.ReferenceOutput, monitor); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+MeasuredPair MeasureSurfaces(
+  const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits, const Monitor& monitor)
+{
+  Surfaces surfaces(pair);
+  const std::optional<Lattice> lattice = FindLattice(pair.Reference, pair.Mesh);
+  const Eigen::Vector3d origin = surfaces.Reference.Points.front();
+  surfaces.Move([&](const Eigen::Vector3d& world)
+    { return Eigen::Vector3d(lattice ? lattice->ToLattice(world) : world - origin); });
+  MeasuredPair measured;
+  // Where a lattice unit is as long in all directions, the nearest place is the same one in the world.
+  const double scale = lattice ? lattice->UniformScale() : 1.0;
+  measured.Points = surfaces.Measure(options, monitor.Step(0.0, scale > 0.0 ? 1.0 : 0.5));
+  DistanceReport& report = measured.Report;
+  report.Lattice = FiguresOf(measured.Points);
+  report.World = report.Lattice;
+  report.Diagonal = MeasureDiagonal(surfaces.Reference);
+  report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
+  if (!lattice)
+  {
+    return measured;
+  }
+  const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
+  measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
+  if (scale > 0.0)
+  {
+    std::transform(report.Lattice.begin(), report.Lattice.end(), report.World.begin(),
+      [scale](const DistanceFigures& figures) { return Scaled(figures, scale); });
+    Scale(measured.Points.Reference.Distance, inWorldUnits ? scale : 1.0);
+    Scale(measured.Points.Mesh.Distance, inWorldUnits ? scale : 1.0);
+    return measured;
+  }
+  surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
+  SurfaceDistanceOptions again = options;
+  again.Vertical = false;
+  SurfaceDistance inWorld = surfaces.Measure(again, monitor.Step(0.5, 1.0));
+  report.World = FiguresOf(inWorld);
+  if (inWorldUnits)
+  {
+    measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
+    measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
+  }
+  return measured;
+}
+}

@@ -1,0 +1,409 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CellSimplification/RoughSimplification.h"
+#include "Common/Parallel.h"
+#include "Common/Predicates.h"
+#include "Tools/Check.h"
+#include "Tools/MeshChecker.h"
+#include "Tools/TestHorizons.h"
+#include "Triangulation/Triangulation.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+
+using namespace TestHorizons;
+
+namespace
+{
+BoundedHorizon FromPicture(const std::vector<std::string>& picture)
+{
+  const Patches::Columns columns = Patches::FromPicture(picture);
+  return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+}
+
+/// A horizon of one patch with one loop over its first points.
+BoundedHorizon FromPolygon(const std::vector<PlanePoint>& places, int loopLength)
+{
+  BoundedHorizon horizon;
+  horizon.Plane = places;
+  horizon.Height.assign(places.size(), 0.0);
+  horizon.Patch.assign(places.size(), 0);
+  horizon.Count.assign(places.size(), 1);
+  for (int point = 0; point < loopLength; ++point)
+  {
+    horizon.Boundary.Append(point);
+  }
+  horizon.Boundary.Close();
+  return horizon;
+}
+
+/// Triangles with the numbers their points had before they were put into another order, sorted.
+std::set<std::array<PointId, 3>> Canonical(const RawVector<PointId>& triangles, const std::vector<PointId>& number)
+{
+  std::set<std::array<PointId, 3>> result;
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    std::array<PointId, 3> triangle;
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      triangle[n] = number[std::size_t(triangles[corner + n])];
+    }
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    result.insert(triangle);
+  }
+  return result;
+}
+
+std::vector<PointId> Unchanged(std::size_t size)
+{
+  std::vector<PointId> numbers(size);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// What is wrong with the mesh of a horizon; with that of the other strategy too, which must be the same.
+std::string Mesh(const BoundedHorizon& horizon)
+{
+  const RawVector<PointId> triangles = Triangulate(horizon).Triangles;
+  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
+  if (Canonical(triangles, same) != Canonical(Triangulate(horizon, { SearchStrategy::Compactness }).Triangles, same))
+  {
+    return "the strategies differ";
+  }
+  return MeshChecker::CheckMesh(horizon, triangles);
+}
+
+void TestSmallMeshes()
+{
+  CHECK(Triangulate(FromPicture({ "#" })).Triangles.empty());
+  CHECK(Triangulate(FromPicture({ "####" })).Triangles.empty());
+  CHECK_EQUAL(Triangulate(FromPicture({ "##", "##" })).Triangles.size(), 6u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "##", "#." })).Triangles.size(), 3u);
+  // Four triangles around the middle one, eight when its square is full, two fewer when it is missing.
+  CHECK_EQUAL(Triangulate(FromPicture({ ".#.", "###", ".#." })).Triangles.size(), 12u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "###", "###", "###" })).Triangles.size(), 24u);
+  CHECK_EQUAL(Triangulate(FromPicture({ "###", "#.#", "###" })).Triangles.size(), 18u);
+}
+
+/// By hand: of the quadrangle's two diagonals the one that leaves the circles empty.
+void TestDelaunayDiagonal()
+{
+  const RawVector<PointId> triangles =
+    Triangulate(FromPolygon({ { 0, 0 }, { 5, 2 }, { 10, 0 }, { 5, -2 } }, 4)).Triangles;
+  CHECK_EQUAL(triangles.size(), 6u);
+  // Both triangles have the short diagonal from point 1 to point 3.
+  CHECK_EQUAL(std::count(triangles.begin(), triangles.end(), 1), 2);
+  CHECK_EQUAL(std::count(triangles.begin(), triangles.end(), 3), 2);
+}
+
+/// An edge that is not Delaunay, but a boundary: a deep notch whose tip lies in the circles around it.
+void TestConstrainedEdges()
+{
+  const BoundedHorizon notch =
+    FromPolygon({ { 0, 0 }, { 0, 40 }, { 19, 40 }, { 20, 3 }, { 21, 40 }, { 40, 40 }, { 40, 0 }, { 20, 1 } }, 7);
+  CHECK_EQUAL(Mesh(notch), std::string());
+}
+
+void TestRandomPatches()
+{
+  Patches::Random random(4);
+  for (int shape = 0; shape < int(Patches::Shape::Count); ++shape)
+  {
+    for (int n = 0; n < 200; ++n)
+    {
+      const Patches::Columns columns = Patches::Make(Patches::Shape(shape), random);
+      const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
+      CHECK_EQUAL(Mesh(full), std::string());
+      const BoundedHorizon straight =
+        Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+      CHECK_EQUAL(Mesh(straight), std::string());
+      const BoundedHorizon rough = Reduce(straight, SimplifyRough(straight, 1 + random.Below(7)));
+      CHECK_EQUAL(Mesh(rough), std::string());
+      CHECK_EQUAL(Mesh(Reduce(rough, SimplifyRough(rough, 1 + random.Below(9)))), std::string());
+    }
+  }
+}
+
+/// Points at random inside a square frame, many of them nearly on one line or on one circle.
+void TestHardPoints()
+{
+  Patches::Random random(5);
+  for (int n = 0; n < 300; ++n)
+  {
+    const std::int32_t size = 1 << (4 + random.Below(25));
+    std::vector<PlanePoint> places = { { 0, 0 }, { 0, size }, { size, size }, { size, 0 } };
+    std::set<PlanePoint> taken(places.begin(), places.end());
+    for (int point = 0; point < 60; ++point)
+    {
+      const double angle = 6.2831853 * random.Fraction();
+      const double along = 0.1 + 0.8 * random.Fraction();
+      const PlanePoint place = n % 3 == 0
+        ? PlanePoint{ std::int32_t(size * along), std::int32_t(size * along) + random.Below(2) }
+        : (n % 3 == 1 ? PlanePoint{ std::int32_t(size * (0.5 + 0.4 * std::cos(angle))),
+                          std::int32_t(size * (0.5 + 0.4 * std::sin(angle))) }
+                      : PlanePoint{ 1 + random.Below(size - 1), 1 + random.Below(size - 1) });
+      if (place.X > 0 && place.Y > 0 && place.X < size && place.Y < size && taken.insert(place).second)
+      {
+        places.push_back(place);
+      }
+    }
+    CHECK_EQUAL(Mesh(FromPolygon(places, 4)), std::string());
+  }
+}
+
+void TestOrderOfPointsIsNoMatter()
+{
+  Patches::Random random(6);
+  for (int n = 0; n < 100; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape::Blob, random);
+    const std::size_t size = columns.size();
+    const std::vector<PointId> same = Unchanged(size);
+    const std::vector<PointId> reversed(same.rbegin(), same.rend());
+    const Patches::Columns turned(columns.rbegin(), columns.rend());
+    const std::vector<double> heights(size, 0.0);
+    CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)).Triangles, same) ==
+      Canonical(Triangulate(MakeHorizon(turned, heights)).Triangles, reversed));
+  }
+}
+
+/// Full blocks are cut without a search. Three times as far apart, points have no neighbouring columns, and all
+/// triangles are searched for: the mesh must be the same.
+void TestFullBlocksAreWhatTheSearchFinds()
+{
+  Patches::Random random(9);
+  for (int n = 0; n < 500; ++n)
+  {
+    // With few points missing, so that most that are miss alone.
+    Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const double missing = 0.2 * random.Fraction();
+    columns.erase(
+      std::remove_if(columns.begin() + 1, columns.end(), [&](const PlanePoint&) { return random.Chance(missing); }),
+      columns.end());
+    BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+    const std::vector<PointId> same = Unchanged(columns.size());
+    const auto blocks = Canonical(Triangulate(horizon).Triangles, same);
+    for (PlanePoint& place : horizon.Plane)
+    {
+      place = { 3 * place.X, 3 * place.Y };
+    }
+    CHECK(blocks == Canonical(Triangulate(horizon).Triangles, same));
+  }
+}
+
+/// Whether some circle through the ends of an edge holds no point, by trying the circle of each point to the left of
+/// it. With `ties` a circle with a point on it counts as empty.
+bool IsDelaunay(const std::vector<PlanePoint>& places, const PlanePoint& a, const PlanePoint& b, bool ties)
+{
+  const auto isEmpty = [&](const PlanePoint& third)
+  {
+    return std::none_of(places.begin(), places.end(),
+      [&](const PlanePoint& p)
+      {
+        const int side = MeshChecker::SideOfCircle(a, b, third, p);
+        return !(p == a) && !(p == b) && !(p == third) && (ties ? side > 0 : side >= 0);
+      });
+  };
+  return std::any_of(places.begin(), places.end(),
+    [&](const PlanePoint& third) { return SignedArea(a, b, third) > 0 && isEmpty(third); });
+}
+
+/// Points on one circle may or may not count, as ties are settled; all others must be counted as by hand.
+void TestNonDelaunayEdgesAreCounted()
+{
+  Patches::Random random(11);
+  std::size_t found = 0;
+  for (int n = 0; n < 300; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
+    const BoundedHorizon straight = Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 5.0));
+    const BoundedHorizon horizon = n % 2 == 0 ? straight : Reduce(straight, SimplifyRough(straight, 3));
+    std::set<std::pair<PointId, PointId>> edges;
+    horizon.Boundary.ForEachEdge(
+      [&edges](PointId from, PointId to)
+      {
+        if (edges.erase({ from, to }) == 0)
+        {
+          edges.insert({ to, from });
+        }
+      });
+    std::size_t least = 0;
+    std::size_t most = 0;
+    for (const auto& [from, to] : edges)
+    {
+      std::vector<PlanePoint> patch;
+      for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
+      {
+        if (horizon.Patch[point] == horizon.Patch[std::size_t(from)])
+        {
+          patch.push_back(horizon.Plane[point]);
+        }
+      }
+      least += IsDelaunay(patch, horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)], true) ? 0 : 1;
+      most += IsDelaunay(patch, horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)], false) ? 0 : 1;
+    }
+    const Triangulation mesh = Triangulate(horizon);
+    CHECK_EQUAL(mesh.BoundaryEdges, edges.size());
+    CHECK(least <= mesh.NonDelaunayEdges && mesh.NonDelaunayEdges <= most);
+    found += mesh.NonDelaunayEdges;
+  }
+  CHECK(found > 0);
+}
+
+/// A boundary may run through the inside and back: its edges are edges, and what is beside them is meshed all the same.
+void TestBoundaryInsideFullBlocks()
+{
+  BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
+  const auto point = [&horizon](std::int32_t x, std::int32_t y)
+  {
+    const auto found = std::find(
+      horizon.Plane.begin(), horizon.Plane.end(), PlanePoint{ x * SubVoxelsPerColumn, y * SubVoxelsPerColumn });
+    return PointId(found - horizon.Plane.begin());
+  };
+  Loops withSpur;
+  const Loops outline = horizon.Boundary;
+  std::for_each(outline.begin(0), outline.end(0),
+    [&](PointId onOutline)
+    {
+      withSpur.Append(onOutline);
+      if (onOutline == point(0, 2))
+      {
+        for (const std::int32_t x : { 1, 2, 3, 2, 1, 0 })
+        {
+          withSpur.Append(point(x, 2));
+        }
+      }
+    });
+  withSpur.Close();
+  CHECK_EQUAL(withSpur.TotalLength(), outline.TotalLength() + 6);
+  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
+  const auto plain = Canonical(Triangulate(horizon).Triangles, same);
+  horizon.Boundary = withSpur;
+  CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
+  CHECK(Canonical(Triangulate(horizon, { SearchStrategy::VoxelTraversal, 1000 }).Triangles, same) == plain);
+  // So may a loop of a single point, which has no edge.
+  horizon.Boundary = outline;
+  horizon.Boundary.Append(point(3, 2));
+  horizon.Boundary.Close();
+  CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
+}
+
+/// A point of another patch in the middle of full blocks is outside its own patch.
+void TestForeignPointInFullBlocks()
+{
+  BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
+  horizon.Patch[14] = 1;
+  CHECK_THROWS_WITH(Triangulate(horizon), "lies outside the boundary of its patch");
+}
+
+/// Large enough for several threads to have rows of full blocks, with dropouts, gaps and rings where rows of one meet
+/// those of another.
+void TestThreadsMakeNoDifference()
+{
+  Patches::Random random(14);
+  Patches::Columns columns;
+  for (std::int32_t y = 0; y < 220; ++y)
+  {
+    for (std::int32_t x = 0; x < 500; ++x)
+    {
+      const bool inGap = (x - 250) * (x - 250) + (y - 110) * (y - 110) < 1600;
+      if (!inGap && random.Below(12) != 0)
+      {
+        columns.push_back({ x, y });
+      }
+    }
+  }
+  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+  const int before = Detail::NumberOfThreads();
+  Detail::NumberOfThreads() = 1;
+  const Triangulation alone = Triangulate(horizon);
+  Detail::NumberOfThreads() = 5;
+  const Triangulation together = Triangulate(horizon);
+  Detail::NumberOfThreads() = before;
+  CHECK(alone.Triangles == together.Triangles);
+  CHECK_EQUAL(alone.BoundaryEdges, together.BoundaryEdges);
+  CHECK_EQUAL(MeshChecker::CheckMesh(horizon, together.Triangles), std::string());
+}
+
+/// Stopped after so many triangles, the mesh is a part of the whole, and the walk leads to the last third point.
+void TestStopsAndTraces()
+{
+  const BoundedHorizon horizon = FromPicture({ "######", "######", "##..##", "######", "######" });
+  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
+  const auto whole = Canonical(Triangulate(horizon).Triangles, same);
+  for (const SearchStrategy strategy : { SearchStrategy::VoxelTraversal, SearchStrategy::Compactness })
+  {
+    for (std::size_t most = 1; most <= whole.size(); ++most)
+    {
+      const Triangulation part = Triangulate(horizon, { strategy, most });
+      CHECK_EQUAL(part.Triangles.size(), 3 * most);
+      const auto triangles = Canonical(part.Triangles, same);
+      CHECK(std::includes(whole.begin(), whole.end(), triangles.begin(), triangles.end()));
+      const PlanePoint third = horizon.Plane[std::size_t(part.Triangles.back())];
+      CHECK(std::any_of(part.Walk.begin(), part.Walk.end(),
+        [&third](const TracedVoxel& voxel)
+        {
+          return voxel.Least.X <= third.X && third.X < voxel.Greatest.X && voxel.Least.Y <= third.Y &&
+            third.Y < voxel.Greatest.Y;
+        }));
+      CHECK_EQUAL(part.Walk.front().Dilatation, strategy == SearchStrategy::VoxelTraversal ? 0 : -1);
+    }
+    CHECK(Canonical(Triangulate(horizon, { strategy, 10000 }).Triangles, same) == whole);
+  }
+  CHECK(Triangulate(horizon).Walk.empty());
+}
+
+void TestErrors()
+{
+  const std::vector<PlanePoint> square = { { 0, 0 }, { 0, 8 }, { 8, 8 }, { 8, 0 } };
+  std::vector<PlanePoint> places = square;
+  places.push_back({ 3, 3 });
+  places.push_back({ 3, 3 });
+  CHECK_THROWS_WITH(Triangulate(FromPolygon(places, 4)), "points 4 and 5 in one place in plan");
+  places = square;
+  places.push_back({ 0, 3 });
+  CHECK_THROWS_WITH(Triangulate(FromPolygon(places, 4)), "point 4 lies on boundary edge 0 - 1");
+  places = square;
+  places.push_back({ 9, 3 });
+  CHECK_THROWS_WITH(Triangulate(FromPolygon(places, 4)), "point 4 lies outside the boundary of its patch");
+  CHECK_THROWS_WITH(Triangulate(FromPolygon({ { 0, 0 }, { 8, 8 }, { 0, 8 }, { 8, 0 } }, 4)),
+    "boundary edge 2 - 3 crosses boundary edge 0 - 1");
+  // The same square the wrong way round.
+  CHECK_THROWS_WITH(
+    Triangulate(FromPolygon({ { 0, 0 }, { 8, 0 }, { 8, 8 }, { 0, 8 } }, 4)), "no surface to the left of the edge");
+  BoundedHorizon horizon = FromPolygon(square, 4);
+  horizon.Patch[2] = 1;
+  CHECK_THROWS_WITH(Triangulate(horizon), "boundary loop 0 runs from patch 0 to patch 1 at point 2");
+  horizon.Patch[2] = -5;
+  CHECK_THROWS_WITH(Triangulate(horizon), "patch numbers from -5 to 0, expected numbers from 0");
+}
+
+void TestAbort()
+{
+  const Monitor stop([](double) { return false; });
+  CHECK_THROWS_WITH(Triangulate(FromPicture({ "###", "###" }), TriangulationOptions(), stop), "stopped on request");
+}
+}
+
+int TestTriangulation(int, char*[])
+{
+  TestSmallMeshes();
+  TestDelaunayDiagonal();
+  TestConstrainedEdges();
+  TestRandomPatches();
+  TestHardPoints();
+  TestOrderOfPointsIsNoMatter();
+  TestFullBlocksAreWhatTheSearchFinds();
+  TestNonDelaunayEdgesAreCounted();
+  TestBoundaryInsideFullBlocks();
+  TestForeignPointInFullBlocks();
+  TestThreadsMakeNoDifference();
+  TestStopsAndTraces();
+  TestErrors();
+  TestAbort();
+  return Check::Result();
+}
