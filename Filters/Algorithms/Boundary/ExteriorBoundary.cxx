@@ -46,8 +46,9 @@ ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOpti
   {
     return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
   }
-  return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
-                                                    : PatchOutlines(columns, options).Run(monitor);
+  return options.Growth == GrowthStrategy::Distance
+    ? GrowByDistance(columns, options, monitor)
+    : PatchOutlines(columns, options, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
 }
 
 /// Patches that are too small lose their number and their loops, those of their holes included.

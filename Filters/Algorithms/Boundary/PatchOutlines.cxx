@@ -30,14 +30,16 @@ void Toggle(std::vector<std::size_t>& around, std::size_t loop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PatchOutlines::PatchOutlines(const std::vector<PlanePoint>& columns, const BoundaryOptions& options)
+PatchOutlines::PatchOutlines(
+  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
   : Columns(columns)
   , Options(options)
   , Raster(columns, 2 * options.Radius)
   , Hops(options.Radius, this->Raster.Width())
-  , Graph(this->Raster, this->Hops)
+  , Graph(this->Raster, columns.size(), this->Hops, monitor)
   , Parts(FindPatchComponents(this->Raster, columns.size(), options.Radius))
   , PatchOf(this->Parts.First.size())
+  , Walked(this->Graph.Size() + 1, false)
 {
   std::iota(this->PatchOf.begin(), this->PatchOf.end(), 0);
 }
@@ -45,8 +47,7 @@ PatchOutlines::PatchOutlines(const std::vector<PlanePoint>& columns, const Bound
 //----------------------------------------------------------------------------------------------------------------------
 ExteriorBoundary PatchOutlines::Run(const Monitor& monitor)
 {
-  monitor.Progress(0.1);
-  this->WalkOutlines(monitor.Step(0.1, this->Options.HoleBoundaries ? 0.4 : 0.9));
+  this->WalkOutlines(monitor.Step(0.0, this->Options.HoleBoundaries ? 0.4 : 0.9));
   if (this->Options.HoleBoundaries)
   {
     this->WalkHoles(monitor.Step(0.4, 0.9));
@@ -116,7 +117,7 @@ void PatchOutlines::WalkFacesAt(std::int64_t place)
   HopId hop = first;
   while (hop != NoHop)
   {
-    if (this->Walked.count(place * this->Hops.Size() + hop) == 0)
+    if (!this->Walked[this->NumberOf({ this->Raster[place], hop })])
     {
       this->WalkFace(place, hop);
     }
@@ -152,9 +153,9 @@ void PatchOutlines::Remember()
 {
   for (const FaceStep& step : this->Steps)
   {
-    const std::int64_t place = this->Raster.Place(this->Columns[std::size_t(step.Point)]);
-    this->Walked.insert(place * this->Hops.Size() + step.Hop);
+    this->Walked[this->NumberOf(step)] = true;
   }
+  this->Walked.back() = false; // the number of hops that have none
 }
 
 //----------------------------------------------------------------------------------------------------------------------

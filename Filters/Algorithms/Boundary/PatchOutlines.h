@@ -13,7 +13,6 @@
 #include "PatchComponents.h"
 #include "PlanarHops.h"
 
-#include <unordered_set>
 #include <vector>
 
 namespace SeismicHorizons
@@ -21,7 +20,7 @@ namespace SeismicHorizons
 class PatchOutlines
 {
 public:
-  PatchOutlines(const std::vector<PlanePoint>& columns, const BoundaryOptions& options);
+  PatchOutlines(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor);
 
   ExteriorBoundary Run(const Monitor& monitor);
 
@@ -39,6 +38,7 @@ private:
   void WalkFace(std::int64_t place, HopId hop);
   void Walk(std::int64_t start, HopId first);
   void Remember();
+  std::size_t NumberOf(const FaceStep& step) const { return this->Graph.NumberOf(step.Point, step.Hop); }
   bool IsOnBorder(std::int64_t place) const;
 
   template <typename Condition>
@@ -69,11 +69,11 @@ private:
   const BoundaryOptions& Options;
   const ColumnRaster Raster;
   const HopVectors Hops;
-  PlanarHops Graph;
+  const PlanarHops Graph;
   PatchComponents Parts;
   Loops Faces; // the outline of each component, then holes
   std::vector<std::int32_t> PatchOf; // the component that stands for each component: itself, or the one it lies in
-  std::unordered_set<std::int64_t> Walked; // hops that border a face with something inside, by place and number
+  std::vector<bool> Walked; // hops that border a face with something inside, by their numbers in the graph
   std::vector<FaceStep> Steps; // of the walk that was last
 };
 }

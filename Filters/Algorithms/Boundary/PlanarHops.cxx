@@ -3,170 +3,243 @@
 
 #include "PlanarHops.h"
 
+#include "Common/Errors.h"
 #include "Common/Predicates.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// Walks ask about the same hops again soon, or not at all.
-constexpr std::size_t MostAnswersToKeep = 1 << 14;
+constexpr std::int32_t NoLink = -1;
 
-PlanePoint Sum(const PlanePoint& a, const PlanePoint& b)
-{
-  return { a.X + b.X, a.Y + b.Y };
-}
-
-PlanePoint Difference(const PlanePoint& a, const PlanePoint& b)
-{
-  return { a.X - b.X, a.Y - b.Y };
-}
-
-bool IsRising(const PlanePoint& vector)
-{
-  return vector.Y > 0 || (vector.Y == 0 && vector.X > 0);
-}
+constexpr std::size_t Batch = 4096; // points from one report of progress to the next
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops)
+PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor)
   : Raster(raster)
   , Hops(hops)
-  , InTheWay(std::size_t(hops.Size()))
+  , Long(hops)
+  , IsOnBorder(points, false)
 {
   for (HopId hop = 0; hop < hops.Size(); ++hop)
   {
-    if (IsRising(hops.Vector(hop)))
+    const PlanePoint& vector = hops.Vector(hop);
+    if (ChebyshevLength(vector) == 1)
     {
-      this->Rising.push_back(hop);
-      this->FindPlaces(hop);
-    }
-  }
-  std::sort(this->Rising.begin(), this->Rising.end(), [this](HopId a, HopId b) { return this->IsBefore(a, b); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool PlanarHops::IsBefore(HopId a, HopId b) const
-{
-  const std::int64_t lengthA = SquaredLength(this->Hops.Vector(a));
-  const std::int64_t lengthB = SquaredLength(this->Hops.Vector(b));
-  return lengthA != lengthB ? lengthA < lengthB : a < b;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PlanarHops::FindPlaces(HopId hop)
-{
-  const PlanePoint& end = this->Hops.Vector(hop);
-  Obstacles& obstacles = this->InTheWay[std::size_t(hop)];
-  for (HopId other = 0; other < this->Hops.Size(); ++other)
-  {
-    const PlanePoint& place = this->Hops.Vector(other);
-    if (OnOpenSegment({ 0, 0 }, end, place))
-    {
-      obstacles.Over.push_back(this->Hops.Offset(other));
-    }
-    if (IsNearer(place, end) && IsNearer(Difference(end, place), end))
-    {
-      obstacles.Between.push_back(this->Hops.Offset(other));
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PlanarHops::FindCrossings(HopId hop)
-{
-  const PlanePoint& end = this->Hops.Vector(hop);
-  const std::int32_t reach = this->Hops.Radius();
-  Obstacles& obstacles = this->InTheWay[std::size_t(hop)];
-  for (const HopId other : this->Rising)
-  {
-    const PlanePoint& way = this->Hops.Vector(other);
-    for (std::int32_t y = -reach; y <= end.Y; ++y)
-    {
-      for (std::int32_t x = std::min(0, end.X) - reach; x <= std::max(0, end.X) + reach; ++x)
+      this->Short.push_back(hop);
+      // Of the two diagonals of four points the sweep meets the one from the south-east first.
+      if (vector.X * vector.Y <= 0)
       {
-        const PlanePoint from{ x, y };
-        if (ProperlyCross({ 0, 0 }, end, from, Sum(from, way)))
-        {
-          obstacles.Crossings.push_back({ this->Hops.OffsetOf(from), other, this->IsBefore(other, hop) });
-        }
+        this->Inner.push_back(hop);
       }
     }
   }
-  obstacles.HasCrossings = true;
+  this->FindBorder();
+  this->First.assign(std::size_t(raster.Width() * raster.Height()), NoLink);
+  const HopCandidates candidates(raster, hops, this->Long);
+  this->AddDirectHops(candidates, monitor.Step(0.0, 0.4));
+  this->AddFurtherHops(candidates, monitor.Step(0.4, 0.9));
+  std::vector<std::int32_t>().swap(this->First);
+  std::vector<Link>().swap(this->Links);
+  this->ListByPoint(points);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HopId PlanarHops::Next(std::int64_t place, HopId from)
+void PlanarHops::FindBorder()
 {
-  const HopId size = this->Hops.Size();
-  HopId hop = from;
-  do
+  const std::int64_t up = this->Raster.Width();
+  for (std::int64_t place = up; place < up * (this->Raster.Height() - 1); ++place)
   {
-    hop = hop + 1 < size ? hop + 1 : 0;
-    if (this->Has(place + this->Hops.Offset(hop)) && this->IsAdmissible(place, hop))
+    if (this->Has(place) &&
+      !std::all_of(
+        this->Short.begin(), this->Short.end(), [&](HopId hop) { return this->Has(place + this->Hops.Offset(hop)); }))
     {
-      return hop;
+      this->IsOnBorder[std::size_t(this->Raster[place])] = true;
+      this->Border.push_back(place);
     }
-  } while (hop != from);
-  return NoHop;
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool PlanarHops::IsAdmissible(std::int64_t place, HopId hop)
+/// Calls visit(hop) for the long hops between points that no points near their starts are in the way of.
+template <typename Visitor>
+void PlanarHops::ForEachCandidate(const HopCandidates& candidates, const Monitor& monitor, Visitor&& visit) const
 {
-  if (!IsRising(this->Hops.Vector(hop)))
+  for (std::size_t n = 0; n < this->Border.size(); ++n)
   {
-    place += this->Hops.Offset(hop);
-    hop = this->Hops.Opposite(hop);
-  }
-  const std::vector<std::int64_t>& over = this->InTheWay[std::size_t(hop)].Over;
-  if (std::any_of(over.begin(), over.end(), [&](std::int64_t offset) { return this->Has(place + offset); }))
-  {
-    return false;
-  }
-  if (this->IsDirect(place, hop))
-  {
-    return true;
-  }
-  const std::int64_t key = place * this->Hops.Size() + hop;
-  const auto known = this->Known.find(key);
-  if (known != this->Known.end())
-  {
-    return known->second;
-  }
-  const bool admissible = !this->IsCrossed(place, hop);
-  if (this->Known.size() >= MostAnswersToKeep)
-  {
-    this->Known.clear();
-  }
-  this->Known.emplace(key, admissible);
-  return admissible;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool PlanarHops::IsDirect(std::int64_t place, HopId hop) const
-{
-  const std::vector<std::int64_t>& between = this->InTheWay[std::size_t(hop)].Between;
-  return std::none_of(between.begin(), between.end(), [&](std::int64_t offset) { return this->Has(place + offset); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool PlanarHops::IsCrossed(std::int64_t place, HopId hop)
-{
-  if (!this->InTheWay[std::size_t(hop)].HasCrossings)
-  {
-    this->FindCrossings(hop);
-  }
-  const std::vector<Crossing>& crossings = this->InTheWay[std::size_t(hop)].Crossings;
-  return std::any_of(crossings.begin(), crossings.end(),
-    [&](const Crossing& crossing)
+    if (n % Batch == 0)
     {
-      const std::int64_t from = place + crossing.Offset;
-      return this->Has(from) && this->Has(from + this->Hops.Offset(crossing.Hop)) &&
-        (crossing.IsBefore ? this->IsAdmissible(from, crossing.Hop) : this->IsDirect(from, crossing.Hop));
+      monitor.Progress(double(n) / double(this->Border.size()));
+    }
+    const std::int64_t place = this->Border[n];
+    const PlanePoint from{ std::int32_t(place % this->Raster.Width()), std::int32_t(place / this->Raster.Width()) };
+    candidates.ForEach(from,
+      [&](std::size_t number)
+      {
+        const PlanePoint& vector = this->Hops.Vector(this->Long[number].Hop);
+        visit(PlacedHop{ from, { from.X + vector.X, from.Y + vector.Y }, std::int32_t(number) });
+      });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlanarHops::AddDirectHops(const HopCandidates& candidates, const Monitor& monitor)
+{
+  this->ForEachCandidate(candidates, monitor,
+    [this](const PlacedHop& hop)
+    {
+      if (this->IsDirect(hop))
+      {
+        this->Add(hop);
+      }
     });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlanarHops::AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor)
+{
+  std::vector<PlacedHop> left;
+  this->ForEachCandidate(candidates, monitor.Step(0.0, 0.8),
+    [&](const PlacedHop& hop)
+    {
+      if (!this->IsCrossed(hop) && candidates.IsFree(this->StartOf(hop), this->Long[std::size_t(hop.Number)]) &&
+        !this->IsDirect(hop))
+      {
+        left.push_back(hop);
+      }
+    });
+  // Hops with the same vector never cross, so that their order does not matter.
+  std::sort(left.begin(), left.end(), [](const PlacedHop& a, const PlacedHop& b) { return a.Number < b.Number; });
+  for (std::size_t n = 0; n < left.size(); ++n)
+  {
+    if (n % Batch == 0)
+    {
+      monitor.Progress(0.8 + 0.2 * double(n) / double(left.size()));
+    }
+    if (!this->IsCrossed(left[n]))
+    {
+      this->Add(left[n]);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool PlanarHops::IsDirect(const PlacedHop& hop) const
+{
+  const std::int64_t start = this->StartOf(hop);
+  const std::vector<std::int64_t>& between = this->Long[std::size_t(hop.Number)].Between;
+  return std::none_of(between.begin(), between.end(), [&](std::int64_t offset) { return this->Has(start + offset); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool PlanarHops::IsCrossed(const PlacedHop& hop) const
+{
+  const std::int64_t start = this->StartOf(hop);
+  for (const std::int64_t square : this->Long[std::size_t(hop.Number)].Squares)
+  {
+    std::int32_t link = this->First[std::size_t(start + square)];
+    while (link != NoLink)
+    {
+      const PlacedHop& other = this->Placed[std::size_t(this->Links[std::size_t(link)].Hop)];
+      if (ProperlyCross(hop.From, hop.To, other.From, other.To))
+      {
+        return true;
+      }
+      link = this->Links[std::size_t(link)].Next;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlanarHops::Add(const PlacedHop& hop)
+{
+  const std::vector<std::int64_t>& squares = this->Long[std::size_t(hop.Number)].Squares;
+  if (this->Links.size() + squares.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw InputError("more than 2^31 unit squares that hops touch, expected fewer points or a smaller radius");
+  }
+  const std::int32_t number = std::int32_t(this->Placed.size());
+  this->Placed.push_back(hop);
+  const std::int64_t start = this->StartOf(hop);
+  for (const std::int64_t square : squares)
+  {
+    std::int32_t& first = this->First[std::size_t(start + square)];
+    this->Links.push_back({ number, first });
+    first = std::int32_t(this->Links.size()) - 1;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Of the diagonals of four points one is admissible, of fewer each.
+template <typename Visitor>
+void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
+{
+  for (const HopId hop : this->Short)
+  {
+    const PlanePoint& vector = this->Hops.Vector(hop);
+    const bool isOfFour =
+      vector.X * vector.Y > 0 && this->Has(place + vector.X) && this->Has(place + this->Hops.OffsetOf({ 0, vector.Y }));
+    if (this->Has(place + this->Hops.Offset(hop)) && !isOfFour)
+    {
+      visit(hop);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlanarHops::ListByPoint(std::size_t points)
+{
+  const auto forEach = [this](auto&& visit)
+  {
+    for (const std::int64_t place : this->Border)
+    {
+      this->ForEachShortHop(place, [&](HopId hop) { visit(this->Raster[place], hop); });
+    }
+    for (const PlacedHop& placed : this->Placed)
+    {
+      const HopId hop = this->Long[std::size_t(placed.Number)].Hop;
+      const std::int64_t start = this->StartOf(placed);
+      visit(this->Raster[start], hop);
+      visit(this->Raster[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
+    }
+  };
+  this->Starts.assign(points + 1, 0);
+  forEach([this](PointId point, HopId) { ++this->Starts[std::size_t(point) + 1]; });
+  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+  this->Listed.resize(this->Starts.back());
+  std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
+  forEach([&](PointId point, HopId hop) { this->Listed[next[std::size_t(point)]++] = hop; });
+  for (std::size_t point = 0; point < points; ++point)
+  {
+    std::sort(this->Listed.begin() + std::ptrdiff_t(this->Starts[point]),
+      this->Listed.begin() + std::ptrdiff_t(this->Starts[point + 1]));
+  }
+  std::vector<PlacedHop>().swap(this->Placed);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HopId PlanarHops::Next(std::int64_t place, HopId from) const
+{
+  const std::size_t point = std::size_t(this->Raster[place]);
+  const bool isListed = this->IsOnBorder[point];
+  const HopId* const first = isListed ? this->Listed.data() + this->Starts[point] : this->Inner.data();
+  const HopId* const last = isListed ? this->Listed.data() + this->Starts[point + 1] : first + this->Inner.size();
+  const HopId* const next = std::upper_bound(first, last, from);
+  return next != last ? *next : first != last ? *first : NoHop;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t PlanarHops::NumberOf(PointId point, HopId hop) const
+{
+  const auto first = this->Listed.begin() + std::ptrdiff_t(this->Starts[std::size_t(point)]);
+  const auto last = this->Listed.begin() + std::ptrdiff_t(this->Starts[std::size_t(point) + 1]);
+  const auto found = std::lower_bound(first, last, hop);
+  return found != last && *found == hop ? std::size_t(found - this->Listed.begin()) : this->Size();
 }
 }

@@ -18,61 +18,90 @@
 //          . . . . . d     not direct, a-b is.
 //          . . . . . .
 //          b . . . . .
+//
+// Hops to neighbours need no search: all are admissible, but for one of the two diagonals of four neighbouring points.
+// Longer ones only lead from points beside an empty column to others. First the direct ones are found; what crosses one
+// of these is out. What is left, a few hops per point, is tried in order of length, and compared with the admissible
+// hops that touch the same unit squares.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
 
 #include "ColumnRaster.h"
+#include "Common/Monitor.h"
+#include "HopCandidates.h"
 #include "HopVectors.h"
+#include "LongHops.h"
 
-#include <unordered_map>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Every question is answered from the points at most 2 k columns around, and answers that took long are remembered.
+/// Time: for each point beside an empty column its rows of 2 k + 1 columns, and at most about k^2 for each point among
+/// them that no neighbouring points hide. Memory: 4 bytes and a bit per column of the raster, 24 per hop and 8 per unit
+/// square that it touches, about 2 k at most; and tables of about 8 k^4 bytes.
 class PlanarHops
 {
 public:
-  /// The raster has an empty rim of at least 2 k columns.
-  PlanarHops(const ColumnRaster& raster, const HopVectors& hops);
+  /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it and to
+  /// `hops`.
+  PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor);
 
   /// The first admissible hop from a place in a clockwise sweep that begins after `from` and ends with it; NoHop when
   /// there is none.
-  HopId Next(std::int64_t place, HopId from);
+  HopId Next(std::int64_t place, HopId from) const;
 
-  bool IsAdmissible(std::int64_t place, HopId hop);
+  /// Numbers the hops of all points beside an empty column, one for each direction, from 0. Size() for other hops.
+  std::size_t NumberOf(PointId point, HopId hop) const;
+  std::size_t Size() const { return this->Listed.size(); }
 
 private:
-  /// A hop that crosses another one, and from where, as seen from the start of that one.
-  struct Crossing
+  /// A long hop between two points, in columns of the raster.
+  struct PlacedHop
   {
-    std::int64_t Offset;
-    HopId Hop;
-    bool IsBefore; // in the order of step 2
+    PlanePoint From;
+    PlanePoint To;
+    std::int32_t Number; // in the long hops
   };
 
-  /// What can be in the way of a hop. Offsets are from its start.
-  struct Obstacles
+  /// One of the hops that touch a unit square.
+  struct Link
   {
-    std::vector<std::int64_t> Over; // places the hop passes over
-    std::vector<std::int64_t> Between; // places nearer to both of its ends than they are to each other
-    std::vector<Crossing> Crossings; // shortest first: those are admissible most often
-    bool HasCrossings = false; // they are found when they are first asked for
+    std::int32_t Hop;
+    std::int32_t Next;
   };
+
+  void FindBorder();
+  void AddDirectHops(const HopCandidates& candidates, const Monitor& monitor);
+  void AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor);
+  template <typename Visitor>
+  void ForEachCandidate(const HopCandidates& candidates, const Monitor& monitor, Visitor&& visit) const;
+  bool IsDirect(const PlacedHop& hop) const;
+  bool IsCrossed(const PlacedHop& hop) const;
+  void Add(const PlacedHop& hop);
+  void ListByPoint(std::size_t points);
+  template <typename Visitor>
+  void ForEachShortHop(std::int64_t place, Visitor&& visit) const;
 
   bool Has(std::int64_t place) const { return this->Raster[place] != NoPoint; }
-  bool IsDirect(std::int64_t place, HopId hop) const;
-  bool IsCrossed(std::int64_t place, HopId hop);
-  bool IsBefore(HopId a, HopId b) const;
-  void FindPlaces(HopId hop);
-  void FindCrossings(HopId hop);
+  std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Raster.Width() + hop.From.X; }
 
   const ColumnRaster& Raster;
   const HopVectors& Hops;
-  std::vector<HopId> Rising; // hops upwards, or level to the right; every other one is the opposite of one of them
-  std::vector<Obstacles> InTheWay; // of each rising hop
-  std::unordered_map<std::int64_t, bool> Known; // by place and hop
+  const LongHops Long;
+  std::vector<HopId> Short; // those to the eight neighbours
+  std::vector<HopId> Inner; // those of a point without an empty column beside it
+  std::vector<std::int64_t> Border; // places of the points beside an empty column, row by row
+  std::vector<bool> IsOnBorder; // the same by point
+  // Only while hops are tried.
+  std::vector<PlacedHop> Placed; // admissible long hops
+  std::vector<std::int32_t> First; // of the links of each unit square
+  std::vector<Link> Links;
+  // The hops of all points on the border, point by point, each in the order of a sweep.
+  std::vector<std::size_t> Starts;
+  std::vector<HopId> Listed;
 };
 }
 

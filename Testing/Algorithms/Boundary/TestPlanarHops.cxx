@@ -4,7 +4,6 @@
 // Clockwise growth beside a graph that is built by the definition, from all pairs of points, and walked face by face.
 
 #include "Boundary/ExteriorBoundary.h"
-#include "Common/Predicates.h"
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/Patches.h"
@@ -20,6 +19,29 @@ using namespace SeismicHorizons;
 namespace
 {
 using Edge = std::pair<std::size_t, std::size_t>;
+
+// Plane geometry of its own, so that nothing is shared with what is tested.
+
+std::int64_t Turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+{
+  return (std::int64_t(b.X) - a.X) * (std::int64_t(c.Y) - a.Y) - (std::int64_t(b.Y) - a.Y) * (std::int64_t(c.X) - a.X);
+}
+
+bool AreOnBothSides(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
+{
+  return (Turn(a, b, c) < 0 && Turn(a, b, d) > 0) || (Turn(a, b, c) > 0 && Turn(a, b, d) < 0);
+}
+
+bool Cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
+{
+  return AreOnBothSides(a, b, c, d) && AreOnBothSides(c, d, a, b);
+}
+
+bool IsBetween(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
+{
+  return p != a && p != b && Turn(a, b, p) == 0 && p.X >= std::min(a.X, b.X) && p.X <= std::max(a.X, b.X) &&
+    p.Y >= std::min(a.Y, b.Y) && p.Y <= std::max(a.Y, b.Y);
+}
 
 class ReferenceGraph
 {
@@ -122,7 +144,7 @@ private:
   bool IsOverPoint(std::size_t a, std::size_t b) const
   {
     return std::any_of(this->Columns.begin(), this->Columns.end(),
-      [&](const PlanePoint& point) { return OnOpenSegment(this->Columns[a], this->Columns[b], point); });
+      [&](const PlanePoint& point) { return IsBetween(this->Columns[a], this->Columns[b], point); });
   }
 
   bool IsDirect(std::size_t a, std::size_t b) const
@@ -144,7 +166,7 @@ private:
     return std::any_of(this->Edges.begin(), this->Edges.end(),
       [&](const Edge& other)
       {
-        return ProperlyCross(this->Columns[edge.first], this->Columns[edge.second], this->Columns[other.first],
+        return Cross(this->Columns[edge.first], this->Columns[edge.second], this->Columns[other.first],
           this->Columns[other.second]);
       });
   }
@@ -241,6 +263,20 @@ void Compare(const Patches::Columns& columns, int radius, const std::string& nam
               << '\n';
   }
 }
+
+/// Random columns of a square.
+Patches::Columns Scatter(int size, double density, Patches::Random& random)
+{
+  Patches::Columns columns;
+  for (int n = 0; n < size * size; ++n)
+  {
+    if (random.Chance(density))
+    {
+      columns.push_back({ n % size, n / size });
+    }
+  }
+  return columns;
+}
 }
 
 int TestPlanarHops(int, char*[])
@@ -250,6 +286,15 @@ int TestPlanarHops(int, char*[])
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
     Compare(columns, 2 + n % 4, "patch " + std::to_string(n));
+    if (n < 60)
+    {
+      Compare(columns, 6 + n % 10, "patch " + std::to_string(n));
+    }
+  }
+  // Hops as long as can be, from nearly every point to nearly every other one.
+  for (const double density : { 0.01, 0.03, 0.1 })
+  {
+    Compare(Scatter(60, density, random), LargestRadius, "density " + std::to_string(density));
   }
   return Check::Result();
 }

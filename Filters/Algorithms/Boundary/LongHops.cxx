@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LongHops.h"
+
+#include "Common/Predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+PlanePoint Sum(const PlanePoint& a, const PlanePoint& b)
+{
+  return { a.X + b.X, a.Y + b.Y };
+}
+
+PlanePoint Difference(const PlanePoint& a, const PlanePoint& b)
+{
+  return { a.X - b.X, a.Y - b.Y };
+}
+
+/// Whether the hop from the origin to `end`, without its ends, touches a unit square. It meets the next row or column
+/// of squares after a whole multiple of 1 / length; so less than that can be cut off at both ends.
+bool Touches(const PlanePoint& end, const PlanePoint& corner)
+{
+  const std::int32_t parts = 2 * ChebyshevLength(end);
+  const PlanePoint from = end;
+  const PlanePoint to{ end.X * (parts - 1), end.Y * (parts - 1) };
+  const PlanePoint low{ corner.X * parts, corner.Y * parts };
+  const PlanePoint high{ low.X + parts, low.Y + parts };
+  const auto x = std::minmax(from.X, to.X);
+  const auto y = std::minmax(from.Y, to.Y);
+  if (x.second < low.X || x.first > high.X || y.second < low.Y || y.first > high.Y)
+  {
+    return false;
+  }
+  const std::array<int, 4> sides = { Sign(SignedArea(from, to, low)), Sign(SignedArea(from, to, { high.X, low.Y })),
+    Sign(SignedArea(from, to, high)), Sign(SignedArea(from, to, { low.X, high.Y })) };
+  return *std::min_element(sides.begin(), sides.end()) <= 0 && *std::max_element(sides.begin(), sides.end()) >= 0;
+}
+
+void FindColumns(const HopVectors& hops, LongHop& hop)
+{
+  const PlanePoint& end = hops.Vector(hop.Hop);
+  for (HopId other = 0; other < hops.Size(); ++other)
+  {
+    const PlanePoint& column = hops.Vector(other);
+    if (OnOpenSegment({ 0, 0 }, end, column))
+    {
+      hop.Over.push_back(hops.Offset(other));
+      hop.ColumnsOver.push_back(column);
+    }
+    if (IsNearer(column, end) && IsNearer(Difference(end, column), end))
+    {
+      hop.Between.push_back(hops.Offset(other));
+    }
+  }
+}
+
+void FindSquares(const HopVectors& hops, LongHop& hop)
+{
+  const PlanePoint& end = hops.Vector(hop.Hop);
+  std::vector<std::pair<std::int32_t, Gate>> gates; // with their distance from the nearer end
+  for (std::int32_t y = -1; y <= end.Y; ++y)
+  {
+    for (std::int32_t x = std::min(0, end.X) - 1; x <= std::max(0, end.X) + 1; ++x)
+    {
+      const PlanePoint column{ x, y };
+      if (Touches(end, column))
+      {
+        hop.Squares.push_back(hops.OffsetOf(column));
+      }
+      const std::int32_t distance = std::min(ChebyshevLength(column), ChebyshevLength(Difference(end, column)));
+      for (std::size_t step = 0; step < NeighbourSteps.size(); ++step)
+      {
+        const PlanePoint other = Sum(column, NeighbourSteps[step]);
+        if (ProperlyCross({ 0, 0 }, end, column, other))
+        {
+          gates.push_back({ distance, { column, step, hops.OffsetOf(column), hops.OffsetOf(other) } });
+        }
+      }
+    }
+  }
+  std::stable_sort(gates.begin(), gates.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(
+    gates.begin(), gates.end(), std::back_inserter(hop.Gates), [](const auto& gate) { return gate.second; });
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LongHops::LongHops(const HopVectors& hops)
+  : Radius(hops.Radius())
+{
+  for (HopId hop = 0; hop < hops.Size(); ++hop)
+  {
+    if (IsLongAndRising(hops.Vector(hop)))
+    {
+      LongHop longHop;
+      longHop.Hop = hop;
+      FindColumns(hops, longHop);
+      FindSquares(hops, longHop);
+      this->Hops.push_back(std::move(longHop));
+    }
+  }
+  std::stable_sort(this->Hops.begin(), this->Hops.end(),
+    [&hops](const LongHop& a, const LongHop& b)
+    { return SquaredLength(hops.Vector(a.Hop)) < SquaredLength(hops.Vector(b.Hop)); });
+  this->Numbers.assign(std::size_t((this->Radius + 1) * (2 * this->Radius + 1)), this->Size());
+  for (std::size_t number = 0; number < this->Size(); ++number)
+  {
+    this->Numbers[this->Slot(hops.Vector(this->Hops[number].Hop))] = number;
+  }
+}
+}
