@@ -4,6 +4,7 @@
 #include "BoundaryMarks.h"
 
 #include "ColumnRaster.h"
+#include "EmptyBands.h"
 
 #include <algorithm>
 
@@ -47,6 +48,21 @@ BoundaryKind KindOfCorner(const ColumnRaster& raster, const std::vector<Boundary
   }
   return kind;
 }
+
+/// Marks the points that no loop runs through and that have an empty column corner to corner.
+void MarkCorners(
+  const std::vector<PlanePoint>& columns, const std::vector<std::int32_t>& patches, std::vector<BoundaryKind>& marks)
+{
+  const std::vector<BoundaryKind> loops = marks;
+  const ColumnRaster raster(columns);
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    if (loops[point] == BoundaryKind::Inside && patches[point] != NoPatch)
+    {
+      marks[point] = KindOfCorner(raster, loops, raster.Place(columns[point]));
+    }
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -66,18 +82,11 @@ BoundaryOptions OptionsFor(BoundaryType type, const BoundaryOptions& options)
 std::vector<BoundaryKind> MarkBoundary(
   BoundaryType type, const std::vector<PlanePoint>& columns, const ExteriorBoundary& boundary)
 {
-  const std::vector<BoundaryKind> loops = MarkLoops(boundary);
-  std::vector<BoundaryKind> marks = loops;
+  std::vector<BoundaryKind> marks = MarkLoops(boundary);
   if (type == BoundaryType::Topological8)
   {
-    const ColumnRaster raster(columns);
-    for (std::size_t point = 0; point < columns.size(); ++point)
-    {
-      if (loops[point] == BoundaryKind::Inside && boundary.Patch[point] != NoPatch)
-      {
-        marks[point] = KindOfCorner(raster, loops, raster.Place(columns[point]));
-      }
-    }
+    WithoutWideBands(
+      columns, 1, [&](const std::vector<PlanePoint>& near) { MarkCorners(near, boundary.Patch, marks); });
   }
   return marks;
 }

@@ -3,13 +3,21 @@
 
 #include "ColumnRaster.h"
 
-#include "Common/Errors.h"
-
 #include <algorithm>
 #include <sstream>
 
 namespace SeismicHorizons
 {
+//----------------------------------------------------------------------------------------------------------------------
+InputError SameColumnError(PointId first, PointId second, const PlanePoint& column)
+{
+  std::ostringstream text;
+  text << "points " << first << " and " << second << " both in column (" << column.X << ", " << column.Y
+       << "), expected at most one point of a horizon in a column";
+  return InputError(text.str());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 ColumnRaster::ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t rim)
 {
   if (columns.empty())
@@ -30,10 +38,7 @@ ColumnRaster::ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t 
     PointId& point = this->Points[std::size_t(this->Place(columns[n]))];
     if (point != NoPoint)
     {
-      std::ostringstream text;
-      text << "points " << point << " and " << n << " both in column (" << columns[n].X << ", " << columns[n].Y
-           << "), expected at most one point of a horizon in a column";
-      throw InputError(text.str());
+      throw SameColumnError(point, PointId(n), columns[n]);
     }
     point = PointId(n);
   }

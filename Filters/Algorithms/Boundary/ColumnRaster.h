@@ -7,12 +7,16 @@
 #ifndef SeismicHorizonsColumnRaster_h
 #define SeismicHorizonsColumnRaster_h
 
+#include "Common/Errors.h"
 #include "Common/Types.h"
 
 #include <vector>
 
 namespace SeismicHorizons
 {
+/// What is wrong when two points, the lesser number first, are in one column.
+InputError SameColumnError(PointId first, PointId second, const PlanePoint& column);
+
 class ColumnRaster
 {
 public:

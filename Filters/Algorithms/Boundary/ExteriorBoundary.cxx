@@ -5,6 +5,7 @@
 
 #include "BorderScan.h"
 #include "Common/Errors.h"
+#include "EmptyBands.h"
 #include "PatchBridges.h"
 #include "PatchOutlines.h"
 
@@ -89,7 +90,8 @@ ExteriorBoundary FindExteriorBoundary(
     throw InputError(
       "radius " + std::to_string(options.Radius) + ", expected 1 to " + std::to_string(LargestRadius) + " columns");
   }
-  ExteriorBoundary result = Find(columns, options, monitor);
+  const ExteriorBoundary result = WithoutWideBands(
+    columns, options.Radius, [&](const std::vector<PlanePoint>& near) { return Find(near, options, monitor); });
   return options.MinimumPatchSize > 1 ? WithoutSpecks(result, options.MinimumPatchSize) : result;
 }
 }

@@ -263,6 +263,36 @@ void TestOrderOfPointsIsNoMatter()
   }
 }
 
+/// Patches in the far corners of the largest lattice have the loops they have near each other; a raster of their
+/// bounding box would take 2^58 bytes.
+void TestPatchesFarApart()
+{
+  constexpr std::int32_t Far = (1 << 28) - 100;
+  Patches::Random random(12);
+  for (int n = 0; n < 40; ++n)
+  {
+    const BoundaryOptions options = RandomOptions(1 + n % 4, GrowthStrategy(n / 4 % 2), random);
+    const BoundaryType type = BoundaryType(n % 3);
+    Patches::Columns near;
+    Patches::Columns apart;
+    for (const PlanePoint& corner : { PlanePoint{ 0, 0 }, { 40, 0 }, { 40, 40 } })
+    {
+      for (const PlanePoint& column : Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random))
+      {
+        near.push_back({ corner.X + column.X, corner.Y + column.Y });
+        apart.push_back({ column.X + (corner.X > 0 ? Far : 0), column.Y + (corner.Y > 0 ? Far : 0) });
+      }
+    }
+    const ExteriorBoundary expected = FindExteriorBoundary(near, OptionsFor(type, options));
+    const ExteriorBoundary found = FindExteriorBoundary(apart, OptionsFor(type, options));
+    CHECK_EQUAL(Text(near, found.Boundary), Text(near, expected.Boundary));
+    CHECK((found.Patch == expected.Patch));
+    CHECK((MarkBoundary(type, apart, found) == MarkBoundary(type, near, expected)));
+  }
+  CHECK_THROWS_WITH(FindExteriorBoundary({ { 0, 0 }, { Far, 7 }, { Far, 7 } }),
+    "points 1 and 2 both in column (268435356, 7), expected at most one point of a horizon in a column");
+}
+
 void TestErrorsAndEmpty()
 {
   CHECK_EQUAL(FindExteriorBoundary({}).Boundary.Size(), 0u);
@@ -308,6 +338,7 @@ int TestExteriorBoundary(int, char*[])
   TestContract();
   TestTopologicalMarks();
   TestOrderOfPointsIsNoMatter();
+  TestPatchesFarApart();
   TestErrorsAndEmpty();
   TestAbort();
   return Check::Result();

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "EmptyBands.h"
+
+#include "ColumnRaster.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// A raster of so many columns per point, or of so many in all, is no burden.
+constexpr std::int64_t EnoughColumnsPerPoint = 16;
+constexpr std::int64_t EnoughColumns = 1 << 20;
+
+/// Throws InputError when two points stand in the same column.
+void CheckColumns(const std::vector<PlanePoint>& columns)
+{
+  std::vector<PointId> order(columns.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto column = [&columns](PointId point) -> const PlanePoint& { return columns[std::size_t(point)]; };
+  std::stable_sort(order.begin(), order.end(), [&](PointId a, PointId b) { return column(a) < column(b); });
+  const auto twin =
+    std::adjacent_find(order.begin(), order.end(), [&](PointId a, PointId b) { return column(a) == column(b); });
+  if (twin != order.end())
+  {
+    throw SameColumnError(*twin, *(twin + 1), column(*twin));
+  }
+}
+
+/// Narrows the bands along one axis.
+void Narrow(std::vector<PlanePoint>& columns, std::int32_t PlanePoint::*axis, std::int32_t widest)
+{
+  std::vector<std::int32_t> before;
+  before.reserve(columns.size());
+  std::transform(columns.begin(), columns.end(), std::back_inserter(before),
+    [axis](const PlanePoint& column) { return column.*axis; });
+  std::sort(before.begin(), before.end());
+  before.erase(std::unique(before.begin(), before.end()), before.end());
+  std::vector<std::int32_t> after(before.size(), 0);
+  for (std::size_t n = 1; n < before.size(); ++n)
+  {
+    after[n] = after[n - 1] + std::int32_t(std::min<std::int64_t>(std::int64_t(before[n]) - before[n - 1], widest));
+  }
+  for (PlanePoint& column : columns)
+  {
+    const auto found = std::lower_bound(before.begin(), before.end(), column.*axis);
+    column.*axis = after[std::size_t(found - before.begin())];
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreScattered(const std::vector<PlanePoint>& columns)
+{
+  if (columns.empty())
+  {
+    return false;
+  }
+  const auto x = std::minmax_element(
+    columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
+  const auto y = std::minmax_element(
+    columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
+  const double width = double(x.second->X) - x.first->X + 1.0;
+  const double height = double(y.second->Y) - y.first->Y + 1.0;
+  return width * height > double(std::max(EnoughColumns, EnoughColumnsPerPoint * std::int64_t(columns.size())));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PlanePoint> NarrowEmptyBands(std::vector<PlanePoint> columns, int radius)
+{
+  CheckColumns(columns); // while a message can name them as they are
+  Narrow(columns, &PlanePoint::X, radius + 1);
+  Narrow(columns, &PlanePoint::Y, radius + 1);
+  return columns;
+}
+}
