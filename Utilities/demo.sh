@@ -2,25 +2,52 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# demo.sh [FILE.vsm] [OUTPUT_FOLDER]
+# demo.sh [-o OUTPUT_FOLDER] [FILE.vsm]...
 #
-# Sets everything up, and turns the horizons of a file (the sample without one) into meshes: one .vtp file per
-# horizon, a picture of every stage, and a table. Results go to out/ in the source tree when no folder is named.
+# Sets everything up, and turns the horizons of files (of the bundled sample without any) into meshes: one .vtp file
+# per horizon, a picture of every stage, and a table. Results go to out/ in the current folder when no other is named.
 set -eu
 
-case ${1:-} in
-  -h | --help)
-    echo "usage: $0 [FILE.vsm] [OUTPUT_FOLDER]"
-    exit 0
-    ;;
-esac
+usage="usage: $0 [-o OUTPUT_FOLDER] [FILE.vsm]..."
+refuse() {
+  printf 'demo: %s\n%s\n' "$1" "$usage" >&2
+  exit 2
+}
+
+output=out
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help)
+      echo "$usage"
+      exit 0
+      ;;
+    -o | --output-folder)
+      [ $# -ge 2 ] || refuse "no folder after $1"
+      output=$2
+      shift 2
+      ;;
+    --)
+      shift
+      break
+      ;;
+    -*) refuse "unknown option $1, expected -o or files" ;;
+    *) break ;;
+  esac
+done
+# All of this is told before the minutes that the setup takes.
+for file in "$@"; do
+  [ "$file" != -o ] || refuse "-o after a file, expected options before files"
+  [ -f "$file" ] || refuse "no file $file"
+  [ -r "$file" ] || refuse "$file can not be read"
+done
+mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output can not be made"
+[ -w "$output" ] || refuse "the folder $output can not be written to"
 
 utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")
-file=${1:-$source_folder/Data/sample.vsm}
-output=${2:-$source_folder/out}
+[ $# -gt 0 ] || set -- "$source_folder/Data/sample.vsm"
 
 "$utilities/setup.sh"
 PYTHONPATH=$source_folder/build/release/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH} \
-  "$utilities/with-xvfb.sh" pvbatch "$utilities/horizon_mesh.py" --output-folder "$output" "$file"
+  "$utilities/with-xvfb.sh" pvbatch "$utilities/horizon_mesh.py" --output-folder "$output" "$@"
 echo "demo: results are in $output"

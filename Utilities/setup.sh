@@ -6,9 +6,47 @@
 # build/release. What is done already is skipped. Needs to be root, or sudo, only when a package is missing.
 set -eu
 
-packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libopenmpi-dev xvfb"
+# libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
+packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libopenmpi-dev libqt5svg5 qttools5-dev
+  qtxmlpatterns5-dev-tools xvfb"
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build_folder=$source_folder/build/release
+log=$(mktemp)
+ticker=
+cleanup() {
+  [ -z "$ticker" ] || kill "$ticker" 2>/dev/null || true
+  rm -f "$log"
+}
+trap cleanup EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
+fail() {
+  echo "setup: $1" >&2
+  exit 1
+}
+
+# Says every now and then that work goes on.
+say_still() {
+  seconds=0
+  while sleep 20; do
+    seconds=$((seconds + 20))
+    echo "setup: still $1 ($seconds s)"
+  done
+}
+
+# quietly WHAT COMMAND...: runs a command whose output is shown only when it fails.
+quietly() {
+  say_still "$1" &
+  ticker=$!
+  shift
+  status=0
+  "$@" >"$log" 2>&1 || status=$?
+  kill "$ticker" 2>/dev/null || true
+  wait "$ticker" 2>/dev/null || true
+  ticker=
+  return "$status"
+}
 
 missing_packages() {
   for package in $packages; do
@@ -18,53 +56,56 @@ missing_packages() {
   done
 }
 
-# Runs a command as root and quietly: its output is shown only when it fails.
 as_root() {
-  log=$(mktemp)
   if [ "$(id -u)" -eq 0 ]; then
-    env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@" >"$log" 2>&1 || status=$?
-  elif command -v sudo >/dev/null 2>&1; then
-    # shellcheck disable=SC2024  # the log is ours, not root's
-    sudo env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@" >"$log" 2>&1 || status=$?
+    env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"
   else
-    echo "setup: installing packages needs root or sudo" >"$log"
-    status=1
+    sudo env DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"
   fi
-  if [ "${status:-0}" -ne 0 ]; then
-    cat "$log" >&2
-    rm -f "$log"
-    echo "setup: failed: $*" >&2
-    exit 1
-  fi
-  rm -f "$log"
+}
+
+# Where no package list can be had, apt-get only complains that it knows no such package.
+require_package_lists() {
+  for package in $1; do
+    apt-cache show "$package" >/dev/null 2>&1 ||
+      fail "no package lists with $package, expected those of Debian 12: is the network there?"
+  done
 }
 
 install_packages() {
   missing=$(missing_packages)
   [ -n "$missing" ] || return 0
-  echo "setup: installing$missing (this takes some minutes the first time)"
-  as_root apt-get update
+  [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null 2>&1 ||
+    fail "installing$missing needs root or sudo"
+  [ "$(id -u)" -eq 0 ] || sudo -v || fail "installing$missing needs root or sudo"
+  echo "setup: installing$missing (some minutes the first time)"
+  quietly "fetching package lists" as_root apt-get update || true
+  require_package_lists "$missing"
   # shellcheck disable=SC2086  # one word per package
-  as_root apt-get install -y --no-install-recommends $missing
+  if ! quietly "installing packages" as_root apt-get install -y --no-install-recommends $missing; then
+    cat "$log" >&2
+    fail "installing$missing failed"
+  fi
+}
+
+configure() {
+  echo "setup: configuring in build/release"
+  if ! quietly "configuring" cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DBUILD_TESTING=ON; then
+    cat "$log" >&2
+    # A half-configured folder would look like a finished one the next time.
+    rm -f "$build_folder/build.ninja"
+    fail "configuring failed"
+  fi
 }
 
 build() {
-  if [ ! -f "$build_folder/build.ninja" ]; then
-    echo "setup: configuring in build/release"
-    configure_log=$(mktemp)
-    if ! cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
-      >"$configure_log" 2>&1; then
-      cat "$configure_log" >&2
-      # A half-configured folder would look like a finished one the next time.
-      rm -f "$build_folder/build.ninja" "$configure_log"
-      echo "setup: configuring failed" >&2
-      exit 1
-    fi
-    rm -f "$configure_log"
-  fi
+  [ -f "$build_folder/build.ninja" ] || configure
   echo "setup: building in build/release"
-  # Ninja says little on its own when there is nothing to do, and shows a failing command with its messages.
-  cmake --build "$build_folder" -- --quiet
+  if ! quietly "building" cmake --build "$build_folder" -- --quiet; then
+    cat "$log" >&2
+    fail "building failed"
+  fi
 }
 
 install_packages

@@ -15,7 +15,8 @@ def main():
     prefix, data = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     assert prefix in pathlib.Path(seismichorizons.__file__).resolve().parents, seismichorizons.__file__
     maps = pathlib.Path("/proc/self/maps").read_text(encoding="utf-8")
-    libraries = {line.split()[-1] for line in maps.splitlines() if "libvtkSeismicHorizons" in line}
+    # Five fields, and a path that may have blanks in it.
+    libraries = {line.split(maxsplit=5)[-1] for line in maps.splitlines() if "libvtkSeismicHorizons" in line}
     assert libraries and all(str(prefix) in library for library in libraries), libraries
     stages = pipelines.with_classes(data / "sample.vsm")
     meshes = mesh_checks.blocks(stages[-1])
