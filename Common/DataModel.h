@@ -27,10 +27,6 @@ constexpr const char* VerticalDistance = "VerticalDistance";
 namespace CellArray
 {
 constexpr const char* CellSize = "CellSize";
-}
-
-namespace CellArray
-{
 constexpr const char* Compactness = "Compactness";
 constexpr const char* Quality = "Quality";
 constexpr const char* Dilatation = "Dilatation";

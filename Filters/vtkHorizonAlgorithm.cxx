@@ -3,9 +3,10 @@
 
 #include "vtkHorizonAlgorithm.h"
 
-#include "Common/DataModel.h"
 #include "Common/Errors.h"
-#include "Common/VTK/ProgressMonitor.h"
+#include "Common/Monitor.h"
+#include "Common/VTK/HorizonName.h"
+#include "Common/VTK/PipelineRequest.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -13,13 +14,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,8 +27,6 @@ struct Horizon
   vtkPolyData* Input;
   std::vector<vtkPolyData*> Outputs; // by port
 };
-
-constexpr const char* NoMemory = "not enough memory, expected a horizon whose bounding box has fewer columns";
 
 /// Every horizon of a composite input with an empty one for it at the same place of each output.
 std::vector<Horizon> MakeHorizons(vtkDataObjectTree* input, const std::vector<vtkDataObject*>& outputs)
@@ -74,15 +69,6 @@ std::vector<Horizon> MakeHorizons(vtkDataObject* input, const std::vector<vtkDat
     horizon.Outputs.push_back(vtkPolyData::SafeDownCast(output));
   }
   return { horizon };
-}
-
-/// How messages call a horizon: by the surface ID of its points, when they have one.
-std::string Name(vtkPolyData* horizon)
-{
-  vtkDataArray* const ids = horizon->GetPointData()->GetArray(SeismicHorizons::PointArray::SurfaceId);
-  return ids && ids->GetNumberOfTuples() > 0
-    ? "Horizon " + std::to_string(static_cast<long long>(ids->GetComponent(0, 0))) + ": "
-    : std::string();
 }
 }
 
@@ -145,13 +131,13 @@ int vtkHorizonAlgorithm::RequestData(
     outputs.push_back(vtkDataObject::GetData(outputVector, port));
   }
   return this->Run(outputs,
-    [this, input, &outputs](std::string& name, const SeismicHorizons::Monitor& monitor)
+    [this, input, &outputs](std::string& subject, const SeismicHorizons::Monitor& monitor)
     {
       const std::vector<Horizon> horizons = MakeHorizons(input, outputs);
       for (std::size_t n = 0; n < horizons.size(); ++n)
       {
         const Horizon& horizon = horizons[n];
-        name = Name(horizon.Input);
+        subject = SeismicHorizons::NameBySurfaceId(horizon.Input);
         for (vtkPolyData* output : horizon.Outputs)
         {
           output->GetFieldData()->PassData(horizon.Input->GetFieldData());
@@ -173,33 +159,6 @@ int vtkHorizonAlgorithm::RequestData(
 //------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::Run(const std::vector<vtkDataObject*>& outputs, const Work& work)
 {
-  std::string name;
-  std::string problem;
-  try
-  {
-    work(name, SeismicHorizons::MakeMonitor(this));
-    return 1;
-  }
-  catch (const SeismicHorizons::Aborted&)
-  {
-  }
-  catch (const SeismicHorizons::InputError& error)
-  {
-    problem = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = NoMemory;
-  }
-  catch (const std::length_error&) // more than any memory could hold
-  {
-    problem = NoMemory;
-  }
-  std::for_each(outputs.begin(), outputs.end(), [](vtkDataObject* output) { output->Initialize(); });
-  if (problem.empty())
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< name << problem);
-  return 0;
+  return SeismicHorizons::RunRequest(
+    this, outputs, "not enough memory, expected a horizon whose bounding box has fewer columns", work);
 }

@@ -56,8 +56,9 @@ protected:
   /// contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor);
 
-  /// The work of a stage on all its horizons. It may set `name` to what messages shall begin with.
-  using Work = std::function<void(std::string& name, const SeismicHorizons::Monitor& monitor)>;
+  /// The work of a stage on all its horizons. It may set `subject` to the name that an error begins
+  /// with.
+  using Work = std::function<void(std::string& subject, const SeismicHorizons::Monitor& monitor)>;
 
   /// Runs the work and gives what RequestData returns. What the work throws becomes one error, and leaves all outputs
   /// empty; so does a request to stop, without an error.

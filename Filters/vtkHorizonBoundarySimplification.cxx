@@ -5,12 +5,12 @@
 
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/ReducedHorizon.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -30,7 +30,7 @@ std::vector<SpacePoint> ToSpacePoints(const LatticePoints& points)
   return places;
 }
 
-/// Closes the ranks of the points that stay.
+/// Numbers the points that stay from 0.
 Reduction ToReduction(const BoundarySimplification& simplified, const LatticePoints& points)
 {
   Reduction reduction;
@@ -52,14 +52,6 @@ Reduction ToReduction(const BoundarySimplification& simplified, const LatticePoi
   }
   reduction.Boundary = simplified.Boundary.Renumbered(number);
   return reduction;
-}
-
-void AddDeviation(const char* name, double deviation, vtkPolyData* output)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(deviation);
-  output->GetFieldData()->AddArray(array);
 }
 }
 
@@ -86,6 +78,6 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(vtkPolyData* input, vtkPol
   const BoundarySimplification simplified =
     SimplifyBoundary(ToSpacePoints(points), ReadBoundary(input), options, monitor.Step(0.2, 0.7));
   WriteReduction(input, points.Grid, ToReduction(simplified, points), Merging::DropsPoints, output);
-  AddDeviation(FieldArray::BoundaryDeviation, simplified.Deviation, output);
-  AddDeviation(FieldArray::OutlineDeviation, simplified.OutlineDeviation, output);
+  AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::BoundaryDeviation, simplified.Deviation);
+  AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::OutlineDeviation, simplified.OutlineDeviation);
 }

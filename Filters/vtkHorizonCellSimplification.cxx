@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/Monitor.h"
+#include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/ReducedHorizon.h"
 
@@ -48,18 +49,6 @@ void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid
   }
 }
 
-template <typename Array, typename Value>
-void AddCellArray(const char* name, const Reduction& reduction, vtkPolyData* output, Value&& value)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  for (const SimplificationCell& cell : reduction.Cells)
-  {
-    array->InsertNextValue(value(cell));
-  }
-  output->GetCellData()->AddArray(array);
-}
-
 void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -72,13 +61,14 @@ void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, 
     AddOutline(reduction.Cells[n], areCubes, grid, output);
     SetOrigin(origins, vtkIdType(n), reduction.Cells[n].Origin);
   }
-  output->GetCellData()->AddArray(origins);
-  AddCellArray<vtkDoubleArray>(
-    CellArray::CellSize, reduction, output, [](const SimplificationCell& cell) { return cell.Size; });
-  AddCellArray<vtkIntArray>(
-    PointArray::PatchId, reduction, output, [](const SimplificationCell& cell) { return cell.Patch; });
-  AddCellArray<vtkIdTypeArray>(
-    PointArray::PointCount, reduction, output, [](const SimplificationCell& cell) { return cell.Points; });
+  vtkCellData* const data = output->GetCellData();
+  data->AddArray(origins);
+  AddArray<vtkDoubleArray>(
+    data, CellArray::CellSize, reduction.Cells, [](const SimplificationCell& cell) { return cell.Size; });
+  AddArray<vtkIntArray>(
+    data, PointArray::PatchId, reduction.Cells, [](const SimplificationCell& cell) { return cell.Patch; });
+  AddArray<vtkIdTypeArray>(
+    data, PointArray::PointCount, reduction.Cells, [](const SimplificationCell& cell) { return cell.Points; });
 }
 }
 

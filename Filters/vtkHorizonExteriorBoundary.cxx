@@ -6,6 +6,8 @@
 #include "Boundary/BoundaryMarks.h"
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/VertexCells.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
 
@@ -29,34 +31,7 @@ namespace
 {
 using namespace SeismicHorizons;
 
-void AddPatches(const std::vector<std::int32_t>& patches, vtkPolyData* output)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(PointArray::PatchId);
-  array->SetNumberOfValues(vtkIdType(patches.size()));
-  std::copy(patches.begin(), patches.end(), array->Begin());
-  output->GetPointData()->AddArray(array);
-}
-
-void AddMarks(const std::vector<BoundaryKind>& marks, vtkPolyData* output)
-{
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(PointArray::Boundary);
-  array->SetNumberOfValues(vtkIdType(marks.size()));
-  std::transform(
-    marks.begin(), marks.end(), array->Begin(), [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
-  output->GetPointData()->AddArray(array);
-}
-
-void AddCount(const char* name, std::size_t count, vtkPolyData* output)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->InsertNextValue(vtkIdType(count));
-  output->GetFieldData()->AddArray(array);
-}
-
-/// Hands on the points that have a patch, with their arrays, and closes the ranks.
+/// Copies the points that have a patch, with their arrays, and numbers them from 0.
 void CopyPointsOfPatches(
   vtkPolyData* input, ExteriorBoundary& found, std::vector<BoundaryKind>& marks, vtkPolyData* output)
 {
@@ -107,8 +82,10 @@ void vtkHorizonExteriorBoundary::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea) const
 {
-  // A whole number of columns often makes the area just so; rounding must not ask for one more.
-  const double columns = std::ceil(this->SmallestHoleArea / columnArea * (1.0 - 1e-12));
+  // Areas are often whole multiples of the column's. The quotient may then come out a few roundings (1e-16 each) above
+  // the whole number, which must not ask for one more column.
+  constexpr double rounding = 1e-12;
+  const double columns = std::ceil(this->SmallestHoleArea / columnArea * (1.0 - rounding));
   const double most = double(std::numeric_limits<std::int64_t>::max() / 2);
   return std::max(std::int64_t(this->SmallestHoleSize), columns > 0.0 ? std::int64_t(std::min(columns, most)) : 0);
 }
@@ -139,9 +116,12 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* input, vtkPolyData*
   }
   output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   output->SetLines(MakePolylines(found.Boundary));
-  AddPatches(found.Patch, output);
-  AddMarks(marks, output);
-  AddCount(FieldArray::NumberOfPatches, found.NumberOfPatches, output);
-  AddCount(FieldArray::NumberOfHoles, found.Boundary.Size() - found.NumberOfPatches, output);
-  AddCount(FieldArray::DroppedSpeckPoints, columns.size() - found.Patch.size(), output);
+  AddArray<vtkIntArray>(output->GetPointData(), PointArray::PatchId, found.Patch);
+  AddArray<vtkUnsignedCharArray>(output->GetPointData(), PointArray::Boundary, marks,
+    [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
+  vtkFieldData* const figures = output->GetFieldData();
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(found.NumberOfPatches));
+  AddValue<vtkIdTypeArray>(
+    figures, FieldArray::NumberOfHoles, vtkIdType(found.Boundary.Size() - found.NumberOfPatches));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSpeckPoints, vtkIdType(columns.size() - found.Patch.size()));
 }

@@ -4,6 +4,7 @@
 #include "vtkHorizonSurfaceDistance.h"
 
 #include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 #include "Marshalling/DistanceReport.h"
 #include "Marshalling/HorizonPairs.h"
 #include "Marshalling/SurfacePair.h"
@@ -12,7 +13,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -31,20 +31,12 @@ constexpr int ReferencePort = 0;
 constexpr int MeshPort = 1;
 constexpr int TablePort = 2;
 
-void AddArray(const char* name, std::vector<double>& values, double factor, vtkPolyData* output)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(vtkIdType(values.size()));
-  std::transform(values.begin(), values.end(), array->GetPointer(0), [factor](double value) { return factor * value; });
-  values = std::vector<double>();
-  output->GetPointData()->AddArray(array);
-}
-
 void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
 {
-  AddArray(PointArray::Distance, points.Distance, 1.0, output);
-  AddArray(PointArray::VerticalDistance, points.Vertical, upwards, output);
+  std::transform(points.Vertical.begin(), points.Vertical.end(), points.Vertical.begin(),
+    [upwards](double distance) { return upwards * distance; });
+  MoveToArray<vtkDoubleArray>(output->GetPointData(), PointArray::Distance, points.Distance);
+  MoveToArray<vtkDoubleArray>(output->GetPointData(), PointArray::VerticalDistance, points.Vertical);
 }
 }
 
@@ -101,14 +93,14 @@ int vtkHorizonSurfaceDistance::RequestData(
   const std::vector<vtkDataObject*> outputs = { vtkDataObject::GetData(outputVector, ReferencePort),
     vtkDataObject::GetData(outputVector, MeshPort), vtkDataObject::GetData(outputVector, TablePort) };
   return this->Run(outputs,
-    [&](std::string& name, const Monitor& monitor)
+    [&](std::string& subject, const Monitor& monitor)
     {
       auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
       MakeColumns(table);
       const std::vector<HorizonPair> pairs = MatchHorizons(reference, mesh, outputs[ReferencePort], outputs[MeshPort]);
       for (std::size_t n = 0; n < pairs.size(); ++n)
       {
-        name = pairs[n].Name.empty() ? std::string() : pairs[n].Name + ": ";
+        subject = pairs[n].Name;
         if (pairs[n].Reference->GetNumberOfPoints() + pairs[n].Mesh->GetNumberOfPoints() > 0)
         {
           const double size = double(pairs.size());

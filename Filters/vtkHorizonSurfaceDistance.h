@@ -29,8 +29,8 @@
  * The measure is that of Metro (Cignoni, Rocchini and Scopigno 1998, "Metro: measuring error on simplified surfaces";
  * thesis 4.4). Vertices, edges and faces of a surface are sampled, evenly and by a seed, and the distance of each
  * sample to the other surface is exact. The nearest place in lattice units need not be the nearest one in world units,
- * so that everything is measured in both, unless a lattice unit is as long in all directions. The lattice is that of the reference, else that of the mesh; where neither
- * has one, lattice units are those of the world.
+ * so that everything is measured in both, unless a lattice unit is as long in all directions. The lattice is that of
+ * the reference, else that of the mesh; where neither has one, lattice units are those of the world.
  *
  * Runs on several threads, and gives the same bytes on any number of them. Near linear; about 70 bytes per triangle
  * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, all else is exact for

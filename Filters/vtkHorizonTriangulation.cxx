@@ -4,6 +4,7 @@
 #include "vtkHorizonTriangulation.h"
 
 #include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
 #include "Triangulation/ConvexHull.h"
@@ -45,22 +46,11 @@ BoundedHorizon MakeHull(std::vector<PlanePoint> plane, const Lattice& grid)
 
 void AddQuality(const char* name, const RawVector<float>& values, vtkPolyData* output)
 {
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(output->GetNumberOfCells());
+  auto array = NewArray<vtkFloatArray>(name, output->GetNumberOfCells());
   float* const triangles = array->GetPointer(output->GetNumberOfLines());
   std::fill(array->GetPointer(0), triangles, std::numeric_limits<float>::quiet_NaN());
   std::copy(values.begin(), values.end(), triangles);
   output->GetCellData()->AddArray(array);
-}
-
-template <typename Array, typename Value>
-void AddFigure(const char* name, Value value, vtkPolyData* output)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
 }
 
 /// The voxels as squares at the height of the horizon's first point.
@@ -69,8 +59,6 @@ void WriteWalk(const std::vector<TracedVoxel>& walk, const Lattice& grid, double
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> squares;
-  vtkNew<vtkIntArray> dilatation;
-  dilatation->SetName(CellArray::Dilatation);
   for (const TracedVoxel& voxel : walk)
   {
     const double x0 = grid.ToLatticeUnits(voxel.Least.X);
@@ -85,11 +73,11 @@ void WriteWalk(const std::vector<TracedVoxel>& walk, const Lattice& grid, double
       ids[n] = points->InsertNextPoint(grid.ToWorld(corners[n]).data());
     }
     squares->InsertNextCell(4, ids.data());
-    dilatation->InsertNextValue(voxel.Dilatation);
   }
   output->SetPoints(points);
   output->SetPolys(squares);
-  output->GetCellData()->AddArray(dilatation);
+  AddArray<vtkIntArray>(
+    output->GetCellData(), CellArray::Dilatation, walk, [](const TracedVoxel& voxel) { return voxel.Dilatation; });
 }
 }
 
@@ -144,9 +132,10 @@ void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outp
   mesh.Triangles = RawVector<PointId>();
   AddQuality(CellArray::Compactness, quality.Compactness, output);
   AddQuality(CellArray::Quality, quality.Shape, output);
-  AddFigure<vtkIdTypeArray>(FieldArray::TriangleCount, output->GetNumberOfPolys(), output);
-  AddFigure<vtkIdTypeArray>(FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges), output);
-  AddFigure<vtkIdTypeArray>(FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges), output);
-  AddFigure<vtkDoubleArray>(FieldArray::SmallestAngle, quality.SmallestAngle, output);
+  vtkFieldData* const figures = output->GetFieldData();
+  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
+  AddValue<vtkIdTypeArray>(figures, FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges));
+  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, quality.SmallestAngle);
   WriteWalk(mesh.Walk, grid, height, outputs[1]);
 }

@@ -4,6 +4,7 @@
 #include "DistanceReport.h"
 
 #include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -68,10 +69,7 @@ void WriteFieldData(const DistanceReport& report, const Grading& grading, vtkPol
   const std::vector<Figure> names = ListFigures(DistanceFigures());
   for (std::size_t n = 0; n < names.size(); ++n)
   {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(names[n].first.c_str());
-    array->SetNumberOfComponents(int(UnitNames.size()));
-    array->SetNumberOfTuples(vtkIdType(Directions));
+    auto array = NewArray<vtkDoubleArray>(names[n].first.c_str(), vtkIdType(Directions), int(UnitNames.size()));
     for (std::size_t unit = 0; unit < UnitNames.size(); ++unit)
     {
       array->SetComponentName(vtkIdType(unit), UnitNames[unit]);
@@ -82,12 +80,10 @@ void WriteFieldData(const DistanceReport& report, const Grading& grading, vtkPol
     }
     output->GetFieldData()->AddArray(array);
   }
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(FieldArray::Grading);
-  array->SetNumberOfComponents(2);
+  auto array = NewArray<vtkDoubleArray>(FieldArray::Grading, 1, 2);
   array->SetComponentName(0, "Median");
   array->SetComponentName(1, "Percentile95");
-  array->InsertNextTuple2(grading.Median, grading.Percentile95);
+  array->SetTuple2(0, grading.Median, grading.Percentile95);
   output->GetFieldData()->AddArray(array);
 }
 

@@ -10,7 +10,6 @@
 #include "vtkTypeInt32Array.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -25,18 +24,6 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt32Array* offsets, vtkTypeInt32
   cells->SetData(offsets, points);
   return cells;
 }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points)
-{
-  vtkNew<vtkTypeInt32Array> offsets;
-  vtkNew<vtkTypeInt32Array> ids;
-  offsets->SetNumberOfValues(points + 1);
-  ids->SetNumberOfValues(points);
-  std::iota(offsets->Begin(), offsets->End(), 0);
-  std::iota(ids->Begin(), ids->End(), 0);
-  return MakeCells(offsets, ids);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

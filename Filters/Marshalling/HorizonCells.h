@@ -16,7 +16,7 @@ class vtkCellArray;
 
 namespace SeismicHorizons
 {
-vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType points);
+/// One closed polyline for each loop: its last point is its first one again.
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
 vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
 

@@ -3,11 +3,10 @@
 
 #include "HorizonPairs.h"
 
-#include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/VTK/HorizonName.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
@@ -15,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -32,14 +30,6 @@ struct Leaf
   vtkPolyData* Output;
 };
 
-std::string NameBySurface(vtkPolyData* horizon)
-{
-  vtkDataArray* const ids = horizon->GetPointData()->GetArray(PointArray::SurfaceId);
-  return ids && ids->GetNumberOfTuples() > 0
-    ? "Horizon " + std::to_string(static_cast<long long>(ids->GetComponent(0, 0)))
-    : std::string();
-}
-
 std::string NameOf(vtkInformation* block, const std::string& above)
 {
   const char* const name = block ? block->Get(vtkCompositeDataSet::NAME()) : nullptr;
@@ -51,7 +41,7 @@ void Collect(vtkDataObject* data, const std::string& name, std::vector<Leaf>& le
 {
   if (auto* const horizon = vtkPolyData::SafeDownCast(data))
   {
-    leaves.push_back({ name.empty() ? NameBySurface(horizon) : name, horizon, nullptr });
+    leaves.push_back({ name.empty() ? NameBySurfaceId(horizon) : name, horizon, nullptr });
   }
   else if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
   {

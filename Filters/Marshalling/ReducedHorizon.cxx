@@ -5,6 +5,8 @@
 
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/VertexCells.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 
@@ -171,9 +173,7 @@ void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, const std:
 
 void SumCounts(const Reduction& reduction, const std::vector<std::int64_t>& counts, vtkPolyData* output)
 {
-  vtkNew<vtkIdTypeArray> sums;
-  sums->SetName(PointArray::PointCount);
-  sums->SetNumberOfValues(vtkIdType(reduction.Source.size()));
+  auto sums = NewArray<vtkIdTypeArray>(PointArray::PointCount, vtkIdType(reduction.Source.size()));
   sums->FillValue(0);
   for (std::size_t point = 0; point < counts.size(); ++point)
   {
@@ -187,13 +187,10 @@ void SumCounts(const Reduction& reduction, const std::vector<std::int64_t>& coun
 //----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size)
 {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(PointArray::CellOrigin);
-  array->SetNumberOfComponents(3);
+  auto array = NewArray<vtkIntArray>(PointArray::CellOrigin, size, 3);
   array->SetComponentName(0, "Level");
   array->SetComponentName(1, "Ring");
   array->SetComponentName(2, "Kind");
-  array->SetNumberOfTuples(size);
   return array;
 }
 

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Named arrays out of plain data. `data` is the point, cell or field data they are added to; an array of the same name
+// is replaced.
+
+#ifndef SeismicHorizonsDataArrays_h
+#define SeismicHorizonsDataArrays_h
+
+#include "vtkFieldData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// An array of that size, whose values are still to be written.
+template <typename Array>
+vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(numberOfComponents);
+  array->SetNumberOfTuples(numberOfTuples);
+  return array;
+}
+
+/// Adds an array with one value for each item: value(item).
+template <typename Array, typename Item, typename Value>
+void AddArray(vtkFieldData* data, const char* name, const std::vector<Item>& items, Value&& value)
+{
+  auto array = NewArray<Array>(name, static_cast<vtkIdType>(items.size()));
+  std::transform(items.begin(), items.end(), array->GetPointer(0), value);
+  data->AddArray(array);
+}
+
+/// Adds an array with these values.
+template <typename Array, typename Value>
+void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& values)
+{
+  auto array = NewArray<Array>(name, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+/// Adds an array with these values and frees what held them, so that large data are held twice for a short time only.
+template <typename Array, typename Value>
+void MoveToArray(vtkFieldData* data, const char* name, std::vector<Value>& values)
+{
+  AddArray<Array>(data, name, values);
+  values = std::vector<Value>();
+}
+
+/// Adds an array that has the same value everywhere.
+template <typename Array>
+void AddConstant(vtkFieldData* data, const char* name, vtkIdType numberOfValues, typename Array::ValueType value)
+{
+  auto array = NewArray<Array>(name, numberOfValues);
+  array->FillValue(value);
+  data->AddArray(array);
+}
+
+/// Adds an array of a single value.
+template <typename Array>
+void AddValue(vtkFieldData* data, const char* name, typename Array::ValueType value)
+{
+  AddConstant<Array>(data, name, 1, value);
+}
+
+/// Adds an array of a single tuple.
+template <typename Array, typename Tuple>
+void AddTuple(vtkFieldData* data, const char* name, const Tuple& tuple)
+{
+  auto array = NewArray<Array>(name, 1, static_cast<int>(tuple.size()));
+  std::copy(tuple.begin(), tuple.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+}
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsVertexCells_h
+#define SeismicHorizonsVertexCells_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+class vtkCellArray;
+
+namespace SeismicHorizons
+{
+/// One vertex cell for each of the points, in their order. Numbers are stored in 32 bits where they fit, else in 64.
+vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints);
+}
+
+#endif
