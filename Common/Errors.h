@@ -8,6 +8,7 @@
 #define SeismicHorizonsErrors_h
 
 #include <stdexcept>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -17,6 +18,20 @@ class InputError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// Runs `work` so that the InputErrors it throws begin with `name`, and gives what it returns.
+template <typename Work>
+auto PrefixErrors(const std::string& name, Work&& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(name + ": " + error.what());
+  }
+}
 
 /// The monitor asked to stop. Not a failure: the caller leaves an empty result behind.
 class Aborted : public std::exception

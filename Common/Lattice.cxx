@@ -16,9 +16,17 @@ namespace
 // Coordinates stay below 2^29, half a column outside the lattice included (see PlanePoint).
 constexpr int CoordinateBits = 29;
 constexpr int MaximumLatticeBits = 28;
-// Finer than a millionth of a column nothing is gained, and small numbers are quicker to work with.
+// No point is known more finely than to a millionth of a column, and smaller numbers are quicker to compare.
 constexpr int MaximumSubVoxelBits = 20;
 
+// The least sine of the angle between two column steps. World coordinates have about 16 digits, and turning them into
+// columns loses as many as the sine has zeros: with a smaller one, less than seven digits tell where a column is.
+constexpr double SmallestSine = 1e-9;
+// How far the scalar products of the steps may be from those of a cube, relative to them: about fifty roundings of a
+// double, which is more than the sines and cosines of a turned survey bring in.
+constexpr double RoundingOfProducts = 1e-14;
+
+/// The bits of whole numbers from 0 to `size`.
 int BitsFor(int size)
 {
   int bits = 0;
@@ -52,15 +60,19 @@ void CheckMap(const Eigen::Matrix4d& toWorld)
   {
     throw InputError("lattice-to-world matrix that tilts the columns, expected vertical columns over a level plane");
   }
-  // Relative to the steps, so that survey units do not matter: the sine of the angle between the two step vectors.
-  const Eigen::Matrix2d steps = toWorld.topLeftCorner<2, 2>();
-  const double size = steps.col(0).norm() * steps.col(1).norm();
-  if (toWorld(2, 2) == 0.0 || !(std::abs(steps.determinant()) > 1e-9 * size))
+  if (toWorld(2, 2) == 0.0 || AreParallel(toWorld.block<2, 1>(0, 0), toWorld.block<2, 1>(0, 1)))
   {
     throw InputError("lattice-to-world matrix that can not be inverted, expected two column steps that are not "
                      "parallel and a vertical step that is not 0");
   }
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreParallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  const double lengths = std::hypot(a.x(), a.y()) * std::hypot(b.x(), b.y());
+  return !(std::abs(a.x() * b.y() - a.y() * b.x()) > SmallestSine * lengths);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -79,7 +91,7 @@ double Lattice::UniformScale() const
 {
   const Eigen::Matrix3d products = this->IntoWorld.linear().transpose() * this->IntoWorld.linear();
   const double squared = products(0, 0);
-  return products.isApprox(squared * Eigen::Matrix3d::Identity(), 1e-14) ? std::sqrt(squared) : 0.0;
+  return products.isApprox(squared * Eigen::Matrix3d::Identity(), RoundingOfProducts) ? std::sqrt(squared) : 0.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -95,7 +107,7 @@ PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) c
          << " columns";
     throw InputError(text.str());
   }
-  // Halves away from 0, as std::lround has it in several times as long.
+  // Halves are rounded away from 0, as std::lround does, which takes several times as long.
   const auto round = [](double value) { return std::int32_t(value + (value < 0.0 ? -0.5 : 0.5)); };
   const double scale = this->SubVoxelsPerColumn();
   return { round(lattice.x() * scale), round(lattice.y() * scale) };

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The regular grid a horizon lives on, and the two ways in which the algorithms see a place on it:
-//  - lattice units: 1 is one column sideways and one vertical index upwards;
-//  - sub-voxels: the plane coordinates as integers, each column cut into a power of two. As fine as 30-bit numbers
-//    allow, so that every question the triangulation asks of them has an exact answer in integers.
+// The regular grid whose columns hold the points of a horizon, and the two units of places on it:
+//  - lattice units: 1 is one column sideways, and one vertical index upwards;
+//  - sub-voxels: coordinates in the plane as integers. Each column is cut into a power of two, 2^20 at most, and fewer
+//  on
+//    lattices of more than 511 columns: coordinates stay below 2^29, so that the predicates are exact (Predicates.h).
 
 #ifndef SeismicHorizonsLattice_h
 #define SeismicHorizonsLattice_h
@@ -18,14 +19,19 @@
 
 namespace SeismicHorizons
 {
+/// Whether the steps from a column to its two neighbours are too nearly parallel to span a lattice: the sine of the
+/// angle between them is at most 1e-9, or one of them is 0. Lengths do not matter otherwise.
+bool AreParallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
 class Lattice
 {
 public:
   Lattice() = default;
 
-  /// `toWorld` is the affine map from (i, j, k) to world coordinates. Throws InputError on dimensions that are not
-  /// positive or exceed 2^28 columns a side, and on a map that is not finite, not affine, can not be inverted or
-  /// tilts columns against each other (x and y may not depend on k, nor z on i and j).
+  /// `dimensions` are the numbers of columns along i and j and of vertical indices; `toWorld` is the affine map from
+  /// (i, j, k) to world coordinates. Throws InputError on dimensions that are not positive, on 2^28 columns or more
+  /// along i or j, and on a map that is not finite, not affine, can not be inverted, or whose columns are not vertical:
+  /// x and y may not depend on k, nor z on i and j.
   Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& toWorld);
 
   Eigen::Vector3d ToLattice(const Eigen::Vector3d& world) const { return this->FromWorld * world; }
@@ -38,11 +44,10 @@ public:
   /// The area of a column seen from above, in square units of the world.
   double ColumnArea() const { return std::abs(this->IntoWorld.linear().topLeftCorner<2, 2>().determinant()); }
 
-  /// The length of a lattice unit in the world where it is the same in all directions, to rounding; else 0.
+  /// The length of a lattice unit in the world, when it is the same in all directions up to rounding; else 0.
   double UniformScale() const;
 
-  /// How many times a column is halved to give sub-voxels.
-  int GetSubVoxelBits() const { return this->SubVoxelBits; }
+  /// How many sub-voxels a column has along i and along j: a power of two.
   std::int32_t SubVoxelsPerColumn() const { return std::int32_t(1) << this->SubVoxelBits; }
 
   /// The sub-voxel nearest to a place in lattice units. Throws InputError when it is not finite or lies outside the

@@ -27,20 +27,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Runs `work`, and lets what it says of its input begin with the name of that input.
-template <typename Work>
-auto Naming(const char* input, Work&& work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(std::string(input) + ": " + error.what());
-  }
-}
-
 bool HasTriangles(vtkPolyData* data)
 {
   return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
@@ -128,7 +114,7 @@ std::optional<Lattice> FindLattice(vtkPolyData* reference, vtkPolyData* mesh)
     vtkFieldData* const fields = data->GetFieldData();
     if (fields->HasArray(FieldArray::LatticeDimensions) || fields->HasArray(FieldArray::LatticeToWorld))
     {
-      return Naming(name, [horizon = data]() { return ReadLattice(horizon); });
+      return PrefixErrors(name, [horizon = data]() { return ReadLattice(horizon); });
     }
   }
   return std::nullopt;
@@ -173,8 +159,8 @@ struct Surfaces
   TriangleSurface Mesh;
 
   explicit Surfaces(const HorizonPair& pair)
-    : Reference(Naming("reference", [&]() { return ReadSurface(pair.ReferenceOutput); }))
-    , Mesh(Naming("mesh", [&]() { return ReadSurface(pair.Mesh); }))
+    : Reference(PrefixErrors("reference", [&]() { return ReadSurface(pair.ReferenceOutput); }))
+    , Mesh(PrefixErrors("mesh", [&]() { return ReadSurface(pair.Mesh); }))
   {
     CheckSurface(this->Reference, "reference");
     CheckSurface(this->Mesh, "mesh");
@@ -202,7 +188,7 @@ void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
     pair.ReferenceOutput->ShallowCopy(pair.Reference);
     return;
   }
-  Naming("reference", [&]() { MeshHorizon(pair.Reference, radius, pair.ReferenceOutput, monitor); });
+  PrefixErrors("reference", [&]() { MeshHorizon(pair.Reference, radius, pair.ReferenceOutput, monitor); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,111 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Turns the voxels of a horizon into a map: an image with a pixel for each column of its bounding box.
+// Turns the voxels of a horizon into a map.
 
 #ifndef SeismicHorizonsHorizonImage_h
 #define SeismicHorizonsHorizonImage_h
 
-#include "Common/Errors.h"
-#include "HorizonDataSet.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkImageData.h"
-#include "vtkUnsignedCharArray.h"
+#include "Common/LatticePlacement.h"
+#include "SparseMatrixParser.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
 
 namespace SeismicHorizons
 {
-/// The pixel of each voxel, in an image whose extent is the bounding box of their columns.
-class HorizonPixels
-{
-public:
-  HorizonPixels(const HorizonVoxels& voxels, vtkImageData* image)
-  {
-    const auto i = std::minmax_element(voxels.I.begin(), voxels.I.end());
-    const auto j = std::minmax_element(voxels.J.begin(), voxels.J.end());
-    image->SetExtent(*i.first, *i.second, *j.first, *j.second, 0, 0);
-    this->Size = image->GetNumberOfPoints();
-    const vtkIdType width = vtkIdType(*i.second) - *i.first + 1;
-    for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
-    {
-      this->Pixels.push_back((vtkIdType(voxels.J[voxel]) - *j.first) * width + voxels.I[voxel] - *i.first);
-    }
-  }
-
-  /// An array with the values of the voxels at their pixels, and another value where there is none.
-  template <typename Array, typename Values, typename Value>
-  void Add(vtkFieldData* data, const char* name, const Values& values, Value missing) const
-  {
-    vtkNew<Array> array;
-    array->SetName(name);
-    array->SetNumberOfValues(this->Size);
-    array->FillValue(missing);
-    for (std::size_t voxel = 0; voxel < this->Pixels.size(); ++voxel)
-    {
-      array->SetValue(this->Pixels[voxel], values[voxel]);
-    }
-    data->AddArray(array);
-  }
-
-private:
-  vtkIdType Size = 0;
-  std::vector<vtkIdType> Pixels;
-};
-
-/// Places an image on the lattice, at vertical index 0. Images can be turned and stretched, but not sheared.
-inline void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
-{
-  const double column[2] = { toWorld[0], toWorld[4] };
-  const double row[2] = { toWorld[1], toWorld[5] };
-  const double columnSize = std::hypot(column[0], column[1]);
-  const double rowSize = std::hypot(row[0], row[1]);
-  if (std::abs(column[0] * row[0] + column[1] * row[1]) > 1e-9 * columnSize * rowSize)
-  {
-    throw InputError("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for images");
-  }
-  const double up = toWorld[10] < 0.0 ? -1.0 : 1.0;
-  image->SetOrigin(toWorld[3], toWorld[7], toWorld[11]);
-  image->SetSpacing(columnSize, rowSize, std::abs(toWorld[10]));
-  image->SetDirectionMatrix(
-    column[0] / columnSize, row[0] / rowSize, 0, column[1] / columnSize, row[1] / rowSize, 0, 0, 0, up);
-}
-
-/// Makes the map of a horizon. Pixels without a voxel are blanked, and their attributes are nan.
-inline vtkSmartPointer<vtkImageData> MakeHorizonImage(
-  const HorizonVoxels& voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  PlaceOnLattice(toWorld, image);
-  AddHorizonFields(image->GetFieldData(), size, toWorld, voxels.DroppedDuplicates);
-  if (voxels.I.empty())
-  {
-    return image;
-  }
-  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-  const HorizonPixels pixels(voxels, image);
-  std::vector<double> elevation(voxels.RealZ);
-  for (std::size_t voxel = 0; voxel < elevation.size() && !useRealZ; ++voxel)
-  {
-    elevation[voxel] = toWorld[10] * voxels.K[voxel] + toWorld[11];
-  }
-  vtkPointData* const data = image->GetPointData();
-  AddConstant<vtkIntArray>(data, PointArray::SurfaceId, image->GetNumberOfPoints(), voxels.SurfaceId);
-  pixels.Add<vtkDoubleArray>(data, PointArray::Elevation, elevation, missing);
-  pixels.Add<vtkDoubleArray>(data, PointArray::VerticalIndex, voxels.K, missing);
-  pixels.Add<vtkDoubleArray>(data, PointArray::Thickness, voxels.Thickness, missing);
-  pixels.Add<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude, missing);
-  pixels.Add<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ, missing);
-  const std::vector<unsigned char> shown(voxels.I.size(), 0);
-  pixels.Add<vtkUnsignedCharArray>(
-    data, vtkDataSetAttributes::GhostArrayName(), shown, static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT));
-  return image;
-}
+/// Makes an image with a pixel for each column of the horizon's bounding box. Pixels without a voxel are blanked, and
+/// their attributes are nan. Throws InputError when the steps of the lattice are not perpendicular.
+vtkSmartPointer<vtkImageData> MakeHorizonImage(
+  const HorizonVoxels& voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ);
 }
 
 #endif

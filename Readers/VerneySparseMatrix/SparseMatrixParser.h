@@ -4,9 +4,9 @@
 // Reads the sparse-matrix text format: a header "nX nY nZ", then one line per column of the lattice (i runs fastest)
 // with five values per voxel. Documentation/FileFormat.md has the grammar and all messages.
 //
-// The parser streams: it holds one block of the file at a time and hands each column that has voxels to a visitor. So
-// one parser serves to scan a file and to load a part of it, and memory follows what is in the file, never what its
-// header claims. Time is linear in the bytes. Numbers are read independently of the locale and rounded correctly.
+// A file is parsed piece by piece: some megabytes of it are in memory at a time, beside the result. So memory follows
+// what is in the file, and not what its header says. Time is linear in the bytes. Numbers are read independently of the
+// locale and rounded correctly.
 //
 // A file that breaks the format gives an InputError whose text starts with the number of the line, as "line 17: ".
 
@@ -36,26 +36,11 @@ struct SparseMatrixVoxel
   double RealZ = 0.0;
 };
 
-class SparseMatrixVisitor
-{
-public:
-  virtual ~SparseMatrixVisitor() = default;
-
-  /// Takes the voxels of the column (i, j) in the order of the file, at least one, no two with the same vertical
-  /// index. Columns come in the order of the file, each at most once.
-  virtual void VisitColumn(int i, int j, const std::vector<SparseMatrixVoxel>& voxels) = 0;
-};
-
-/// How many bytes of a file are held at a time. A longer line makes the block grow.
-constexpr std::size_t SparseMatrixBlockSize = 4 * 1024 * 1024;
+/// How many bytes of a file are held at a time. A longer line makes the buffer grow.
+constexpr std::size_t SparseMatrixBufferSize = 4 * 1024 * 1024;
 
 /// Reads the first line and leaves the stream behind it.
 SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream);
-
-/// Reads a whole file. Progress is by bytes, where the stream can tell its length. The visitor may have seen a part of
-/// the file when an error is thrown.
-SparseMatrixSize ParseSparseMatrix(std::istream& stream, SparseMatrixVisitor& visitor,
-  const Monitor& monitor = Monitor(), std::size_t blockSize = SparseMatrixBlockSize);
 
 /// Voxels per surface ID, all of them: duplicates count as well.
 using SparseMatrixCounts = std::map<int, std::int64_t>;
@@ -74,9 +59,9 @@ struct SparseMatrixSummary
   SparseMatrixVerticalFit VerticalFit; ///< by least squares, through all voxels
 };
 
-/// Checks a whole file and tells which horizons it has.
+/// Checks a whole file and lists the horizons it has. Progress is by bytes, where the stream can tell its length.
 SparseMatrixSummary ScanSparseMatrix(
-  std::istream& stream, const Monitor& monitor = Monitor(), std::size_t blockSize = SparseMatrixBlockSize);
+  std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 
 /// Which voxel stays when a horizon has several in one column.
 enum class DuplicatePolicy
@@ -105,12 +90,12 @@ struct SparseMatrix
   std::vector<HorizonVoxels> Horizons; ///< by ascending surface ID
 };
 
-/// Loads the horizons named by the keys of `horizons`; its values only size the arrays beforehand. A horizon that is
-/// not in the file comes out without voxels. The other horizons are checked all the same, so an error in the file does
-/// not depend on what is asked for.
+/// Loads the horizons named by the keys of `horizons`; the values are the numbers of voxels to make room for. A horizon
+/// that is not in the file comes out without voxels. The whole file is checked, so that a file which breaks the format
+/// is refused whichever horizons are asked for.
 SparseMatrix LoadSparseMatrix(std::istream& stream, const SparseMatrixCounts& horizons,
   DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, const Monitor& monitor = Monitor(),
-  std::size_t blockSize = SparseMatrixBlockSize);
+  std::size_t bufferSize = SparseMatrixBufferSize);
 }
 
 #endif

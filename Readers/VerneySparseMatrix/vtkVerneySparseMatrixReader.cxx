@@ -1,35 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parser knows the format; this file turns parameters into what it is asked for, and its result into datasets.
-// Nothing reaches the output before all of it is there, so an error or a stop can not leave a part.
+// The parser reads files, and HorizonDataSet and HorizonImage make datasets of what it gives; here parameters become
+// what they are asked for. All horizons are made before the first of them goes into the output, so that an error or a
+// stop leaves no part of them there.
 
 #include "vtkVerneySparseMatrixReader.h"
 
-#include "Common/VTK/ProgressMonitor.h"
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/LatticePlacement.h"
+#include "Common/VTK/HorizonName.h"
+#include "Common/VTK/PipelineRequest.h"
 #include "HorizonDataSet.h"
 #include "HorizonImage.h"
 #include "SparseMatrixParser.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <new>
-#include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -37,91 +39,7 @@ namespace
 {
 using namespace SeismicHorizons;
 
-// ---- Files -------------------------------------------------------------------------------------------------------
-/// What tells that a file is still the one that was read.
-struct FileStamp
-{
-  std::string Name;
-  std::filesystem::file_time_type Time;
-  std::uintmax_t Size = 0;
-
-  bool operator==(const FileStamp& other) const
-  {
-    return this->Name == other.Name && this->Time == other.Time && this->Size == other.Size;
-  }
-};
-
-FileStamp GetStamp(const std::string& name)
-{
-  const std::filesystem::path path = std::filesystem::u8path(name);
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status))
-  {
-    throw InputError("nothing there, expected a file");
-  }
-  if (!std::filesystem::is_regular_file(status))
-  {
-    throw InputError(std::filesystem::is_directory(status) ? "a directory, expected a file"
-                                                           : "a special file, expected a regular one");
-  }
-  return { name, std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored) };
-}
-
-std::ifstream OpenFile(const std::string& name)
-{
-  std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
-  if (!stream)
-  {
-    throw InputError("a file that can not be opened, expected a readable one");
-  }
-  return stream;
-}
-
-/// Runs work on a file so that its errors start with the name of the file.
-template <typename Work>
-void WorkOnFile(const std::string& name, Work work)
-{
-  try
-  {
-    work();
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(name + ": " + error.what());
-  }
-}
-
-// ---- Parameters --------------------------------------------------------------------------------------------------
-std::string HorizonName(int surfaceId)
-{
-  return "Horizon " + std::to_string(surfaceId);
-}
-
-std::string ToText(const double* vector, int size)
-{
-  std::ostringstream text;
-  for (int component = 0; component < size; ++component)
-  {
-    text << (component == 0 ? "(" : ", ") << vector[component];
-  }
-  text << ')';
-  return text.str();
-}
-
-bool IsFinite(const double* vector, int size)
-{
-  return std::all_of(vector, vector + size, [](double component) { return std::isfinite(component); });
-}
-
-/// Whether two steps are too close to parallel to span a lattice: a billionth of a right angle, or of no length.
-bool AreParallel(const double* a, const double* b)
-{
-  const double product = std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]);
-  return !(std::abs(a[0] * b[1] - a[1] * b[0]) > 1e-9 * product);
-}
-
-// ---- Horizons ----------------------------------------------------------------------------------------------------
+/// The horizons whose names are enabled.
 SparseMatrixCounts Select(const SparseMatrixCounts& horizons, vtkDataArraySelection* selection)
 {
   SparseMatrixCounts selected;
@@ -135,7 +53,8 @@ SparseMatrixCounts Select(const SparseMatrixCounts& horizons, vtkDataArraySelect
   return selected;
 }
 
-/// The horizons of one of several pieces, which take them in turn.
+/// The horizons of one of several pieces: the first piece has the first horizon, the second piece the second one, and
+/// after the last piece it is the first one's turn again.
 SparseMatrixCounts DealOut(const SparseMatrixCounts& horizons, int piece, int numberOfPieces)
 {
   SparseMatrixCounts dealt;
@@ -151,7 +70,7 @@ SparseMatrixCounts DealOut(const SparseMatrixCounts& horizons, int piece, int nu
   return dealt;
 }
 
-/// Gives the collection a named place for each horizon.
+/// Adds an empty partitioned dataset for each horizon, with its name.
 void AddNames(vtkPartitionedDataSetCollection* collection, const SparseMatrixCounts& horizons)
 {
   for (const auto& horizon : horizons)
@@ -161,6 +80,24 @@ void AddNames(vtkPartitionedDataSetCollection* collection, const SparseMatrixCou
     collection->SetPartitionedDataSet(position, partitions);
     collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), HorizonName(horizon.first).c_str());
   }
+}
+
+vtkSmartPointer<vtkDataObject> MakeHorizon(
+  bool asImage, HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
+{
+  if (asImage)
+  {
+    return MakeHorizonImage(voxels, size, toWorld, useRealZ);
+  }
+  return MakeHorizonPoints(std::move(voxels), size, toWorld, useRealZ);
+}
+
+/// Runs the work of a request; an error or a stop leaves the output empty.
+int Run(vtkVerneySparseMatrixReader* reader, vtkInformationVector* outputVector, const RequestWork& work)
+{
+  const std::string file = reader->GetFileName() ? reader->GetFileName() : "";
+  return RunRequest(reader, { vtkDataObject::GetData(outputVector) },
+    file + ": more data than memory, expected fewer or smaller horizons", work);
 }
 }
 
@@ -190,8 +127,8 @@ int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 {
   try
   {
-    GetStamp(fileName ? fileName : "");
-    std::ifstream stream = OpenFile(fileName);
+    MakeFileStamp(fileName ? fileName : "");
+    std::ifstream stream = OpenInputFile(fileName);
     ReadSparseMatrixHeader(stream);
     return 1;
   }
@@ -250,74 +187,22 @@ vtkMTimeType vtkVerneySparseMatrixReader::GetMTime()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Runs work so that an exception becomes an error, or a quiet end when the user wants it, and an empty output.
-template <typename Work>
-int vtkVerneySparseMatrixReader::Guard(vtkInformationVector* outputVector, Work work)
-{
-  std::string problem;
-  try
-  {
-    work();
-    return 1;
-  }
-  catch (const Aborted&)
-  {
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = std::string(this->FileName) + ": more data than memory, expected fewer or smaller horizons";
-  }
-  catch (const InputError& error)
-  {
-    problem = error.what();
-  }
-  if (auto output = vtkPartitionedDataSetCollection::GetData(outputVector))
-  {
-    output->Initialize();
-  }
-  if (problem.empty())
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< problem);
-  return 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::CheckParameters() const
-{
-  if (!IsFinite(this->Origin, 3))
-  {
-    throw InputError("Origin " + ToText(this->Origin, 3) + ", expected finite numbers");
-  }
-  if (!IsFinite(this->ColumnStep, 2) || !IsFinite(this->RowStep, 2) || AreParallel(this->ColumnStep, this->RowStep))
-  {
-    throw InputError("ColumnStep " + ToText(this->ColumnStep, 2) + " and RowStep " + ToText(this->RowStep, 2) +
-      ", expected finite vectors that are not parallel");
-  }
-  if (!std::isfinite(this->VerticalStep) || this->VerticalStep == 0.0)
-  {
-    throw InputError("VerticalStep " + ToText(&this->VerticalStep, 1) + ", expected a finite number other than 0");
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
 {
   if (!this->FileName)
   {
     throw InputError("no FileName, expected the path of a file");
   }
-  WorkOnFile(this->FileName,
+  PrefixErrors(this->FileName,
     [&]()
     {
-      const FileStamp stamp = GetStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->FileName);
       if (this->Summary && this->Summary->Stamp == stamp)
       {
         return;
       }
       this->Summary.reset();
-      std::ifstream stream = OpenFile(this->FileName);
+      std::ifstream stream = OpenInputFile(this->FileName);
       this->Summary = std::make_unique<FileSummary>(FileSummary{ stamp, ScanSparseMatrix(stream, monitor) });
     });
 
@@ -332,17 +217,28 @@ void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SeismicHorizons::LatticeMatrix vtkVerneySparseMatrixReader::MakeLatticeToWorld() const
+LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
 {
-  SparseMatrixVerticalFit vertical{ this->Origin[2], this->VerticalStep };
-  if (this->Elevation == RealZ && this->Summary->Content.VerticalFit.Step != 0.0)
+  LatticePlacement placement;
+  placement.Origin = Eigen::Vector3d(this->Origin);
+  placement.ColumnStep = Eigen::Vector2d(this->ColumnStep);
+  placement.RowStep = Eigen::Vector2d(this->RowStep);
+  placement.VerticalStep = this->VerticalStep;
+  return placement;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// With real z, heights are those of the line that fits it; where there is none, those of the parameters.
+LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
+{
+  LatticePlacement placement = this->MakePlacement();
+  const SparseMatrixVerticalFit& fit = this->Summary->Content.VerticalFit;
+  if (this->Elevation == RealZ && fit.Step != 0.0)
   {
-    vertical = this->Summary->Content.VerticalFit;
+    placement.Origin.z() = fit.Offset;
+    placement.VerticalStep = fit.Step;
   }
-  return { this->ColumnStep[0], this->RowStep[0], 0.0, this->Origin[0], //
-    this->ColumnStep[1], this->RowStep[1], 0.0, this->Origin[1], //
-    0.0, 0.0, vertical.Step, vertical.Offset, //
-    0.0, 0.0, 0.0, 1.0 };
+  return placement;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -350,44 +246,33 @@ int vtkVerneySparseMatrixReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  return this->Guard(outputVector, [this]() { this->UpdateSummary(MakeMonitor(this)); });
+  return Run(this, outputVector, [this](std::string&, const Monitor& monitor) { this->UpdateSummary(monitor); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::Load(int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output)
+void vtkVerneySparseMatrixReader::Load(
+  int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output, const Monitor& monitor)
 {
-  const Monitor monitor = MakeMonitor(this);
-  this->CheckParameters();
+  this->MakePlacement().Check();
   this->UpdateSummary(monitor.Step(0.0, 0.5)); // in case the file has changed since the information was asked for
-
   const SparseMatrixCounts selected = Select(this->Summary->Content.VoxelCounts, this->HorizonSelection);
-  SparseMatrix matrix;
-  WorkOnFile(this->FileName,
+  SparseMatrix matrix = PrefixErrors(this->FileName,
     [&]()
     {
-      std::ifstream stream = OpenFile(this->FileName);
-      matrix = LoadSparseMatrix(stream, DealOut(selected, piece, numberOfPieces),
+      std::ifstream stream = OpenInputFile(this->FileName);
+      return LoadSparseMatrix(stream, DealOut(selected, piece, numberOfPieces),
         static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.5, 0.9));
     });
 
-  const LatticeMatrix toWorld = this->MakeLatticeToWorld();
-  const bool useRealZ = this->Elevation == RealZ;
+  const LatticeMatrix toWorld = this->MakeFittedPlacement().ToWorld();
   vtkNew<vtkPartitionedDataSetCollection> horizons;
   AddNames(horizons, selected);
   for (HorizonVoxels& voxels : matrix.Horizons)
   {
     const auto position = static_cast<unsigned int>(std::distance(selected.begin(), selected.find(voxels.SurfaceId)));
-    HorizonVoxels taken = std::move(voxels); // so that memory is freed horizon by horizon
-    vtkSmartPointer<vtkDataObject> horizon;
-    if (this->OutputType == Images)
-    {
-      horizon = MakeHorizonImage(taken, matrix.Size, toWorld, useRealZ);
-    }
-    else
-    {
-      horizon = MakeHorizonPoints(std::move(taken), matrix.Size, toWorld, useRealZ);
-    }
-    horizons->SetPartition(position, 0, horizon);
+    // Moved out of the list, so that the voxels of each horizon are freed once it is made.
+    horizons->SetPartition(position, 0,
+      MakeHorizon(this->OutputType == Images, std::move(voxels), matrix.Size, toWorld, this->Elevation == RealZ));
     monitor.Progress(0.9 + 0.1 * (position + 1) / static_cast<double>(selected.size()));
   }
   output->ShallowCopy(horizons);
@@ -400,8 +285,9 @@ int vtkVerneySparseMatrixReader::RequestData(
   vtkInformation* const info = outputVector->GetInformationObject(0);
   const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   const int numberOfPieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  return this->Guard(outputVector,
-    [&]() { this->Load(piece, std::max(1, numberOfPieces), vtkPartitionedDataSetCollection::GetData(outputVector)); });
+  auto* const output = vtkPartitionedDataSetCollection::GetData(outputVector);
+  return Run(this, outputVector,
+    [&](std::string&, const Monitor& monitor) { this->Load(piece, std::max(1, numberOfPieces), output, monitor); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -414,9 +300,10 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';
   os << indent << "Elevation: " << elevations[static_cast<std::size_t>(this->Elevation)] << '\n';
-  os << indent << "Origin: " << ToText(this->Origin, 3) << '\n';
-  os << indent << "ColumnStep: " << ToText(this->ColumnStep, 2) << '\n';
-  os << indent << "RowStep: " << ToText(this->RowStep, 2) << '\n';
+  const LatticePlacement placement = this->MakePlacement();
+  os << indent << "Origin: " << ToText(placement.Origin) << '\n';
+  os << indent << "ColumnStep: " << ToText(placement.ColumnStep) << '\n';
+  os << indent << "RowStep: " << ToText(placement.RowStep) << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
   os << indent << "DuplicatePolicy: " << policies[static_cast<std::size_t>(this->DuplicatePolicy)] << '\n';
   os << indent << "HorizonSelection:\n";

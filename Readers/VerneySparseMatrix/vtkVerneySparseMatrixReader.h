@@ -53,13 +53,12 @@
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <array> // for LatticeMatrix
 #include <memory> // for std::unique_ptr
 
 namespace SeismicHorizons
 {
 class Monitor;
-using LatticeMatrix = std::array<double, 16>;
+struct LatticePlacement;
 }
 class vtkDataArraySelection;
 
@@ -206,12 +205,11 @@ private:
   vtkVerneySparseMatrixReader(const vtkVerneySparseMatrixReader&) = delete;
   void operator=(const vtkVerneySparseMatrixReader&) = delete;
 
-  template <typename Work>
-  int Guard(vtkInformationVector* outputVector, Work work);
-  void CheckParameters() const;
-  SeismicHorizons::LatticeMatrix MakeLatticeToWorld() const;
+  SeismicHorizons::LatticePlacement MakePlacement() const;
+  SeismicHorizons::LatticePlacement MakeFittedPlacement() const;
   void UpdateSummary(const SeismicHorizons::Monitor& monitor);
-  void Load(int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output);
+  void Load(
+    int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output, const SeismicHorizons::Monitor& monitor);
 
   char* FileName = nullptr;
   int OutputType = Points;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The parser of sparse-matrix files: what it reads, and what it refuses in which words. All checks run with several
-// sizes of block, from two bytes on, so that every token is cut by a block somewhere.
+// sizes of buffer, from two bytes on, so that every token is cut by the end of one somewhere.
 
 #include "Tools/Check.h"
 #include "VerneySparseMatrix/SparseMatrixParser.h"
@@ -19,7 +19,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr std::array<std::size_t, 6> BlockSizes = { 1, 2, 3, 7, 64, 4096 };
+constexpr std::array<std::size_t, 6> BufferSizes = { 1, 2, 3, 7, 64, 4096 };
 
 // 3 x 2 x 10 cells, horizons 4 and -7. Column (1, 0) has both, (2, 0) none, the last one has horizon 4.
 const std::string Small = "3 2 10\n"
@@ -30,17 +30,17 @@ const std::string Small = "3 2 10\n"
                           "9 -7 1 7 36\n"
                           "0 4 1 3 0.125\n";
 
-SparseMatrixSummary Scan(const std::string& text, std::size_t blockSize = 4096)
+SparseMatrixSummary Scan(const std::string& text, std::size_t bufferSize = 4096)
 {
   std::istringstream stream(text);
-  return ScanSparseMatrix(stream, Monitor(), blockSize);
+  return ScanSparseMatrix(stream, Monitor(), bufferSize);
 }
 
 SparseMatrix Load(const std::string& text, const SparseMatrixCounts& horizons,
-  DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, std::size_t blockSize = 4096)
+  DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, std::size_t bufferSize = 4096)
 {
   std::istringstream stream(text);
-  return LoadSparseMatrix(stream, horizons, policy, Monitor(), blockSize);
+  return LoadSparseMatrix(stream, horizons, policy, Monitor(), bufferSize);
 }
 
 /// The real z of the only voxel of a file, after it went through the parser as `number`.
@@ -51,10 +51,10 @@ double ReadNumber(const std::string& number)
 
 void CheckRefused(const std::string& text, const std::string& message)
 {
-  for (const std::size_t blockSize : BlockSizes)
+  for (const std::size_t bufferSize : BufferSizes)
   {
-    CHECK_THROWS_WITH(Scan(text, blockSize), message);
-    CHECK_THROWS_WITH(Load(text, { { 1, 0 } }, DuplicatePolicy::Topmost, blockSize), message);
+    CHECK_THROWS_WITH(Scan(text, bufferSize), message);
+    CHECK_THROWS_WITH(Load(text, { { 1, 0 } }, DuplicatePolicy::Topmost, bufferSize), message);
   }
 }
 
@@ -67,15 +67,15 @@ void CheckLineRefused(const std::string& line, const std::string& message)
 // ---- What is read ------------------------------------------------------------------------------------------------
 void ScanCountsVoxels()
 {
-  for (const std::size_t blockSize : BlockSizes)
+  for (const std::size_t bufferSize : BufferSizes)
   {
-    const SparseMatrixSummary summary = Scan(Small, blockSize);
+    const SparseMatrixSummary summary = Scan(Small, bufferSize);
     CHECK((summary.Size == SparseMatrixSize{ 3, 2, 10 }));
     CHECK((summary.VoxelCounts == SparseMatrixCounts{ { -7, 2 }, { 4, 3 } }));
   }
 }
 
-void DefaultBlockSizeWorks()
+void DefaultBufferSizeWorks()
 {
   std::istringstream stream(Small);
   CHECK_EQUAL(ScanSparseMatrix(stream).VoxelCounts.size(), 2u);
@@ -83,9 +83,9 @@ void DefaultBlockSizeWorks()
 
 void LoadGivesAllAttributes()
 {
-  for (const std::size_t blockSize : BlockSizes)
+  for (const std::size_t bufferSize : BufferSizes)
   {
-    const SparseMatrix matrix = Load(Small, { { 4, 3 } }, DuplicatePolicy::Topmost, blockSize);
+    const SparseMatrix matrix = Load(Small, { { 4, 3 } }, DuplicatePolicy::Topmost, bufferSize);
     CHECK((matrix.Size == SparseMatrixSize{ 3, 2, 10 }));
     CHECK_EQUAL(matrix.Horizons.size(), 1u);
     const HorizonVoxels& horizon = matrix.Horizons.at(0);
@@ -314,12 +314,12 @@ void ReadErrorsAreTold()
 
 // ---- Wrong files of any kind -------------------------------------------------------------------------------------
 /// Parses a file that may be wrong. True when it is accepted; then scanning and loading agree.
-bool IsAccepted(const std::string& text, std::size_t blockSize)
+bool IsAccepted(const std::string& text, std::size_t bufferSize)
 {
   try
   {
-    const SparseMatrixSummary summary = Scan(text, blockSize);
-    const SparseMatrix matrix = Load(text, summary.VoxelCounts, DuplicatePolicy::Lowest, blockSize);
+    const SparseMatrixSummary summary = Scan(text, bufferSize);
+    const SparseMatrix matrix = Load(text, summary.VoxelCounts, DuplicatePolicy::Lowest, bufferSize);
     for (const HorizonVoxels& horizon : matrix.Horizons)
     {
       const auto kept = static_cast<std::int64_t>(horizon.I.size());
@@ -338,7 +338,7 @@ bool IsAccepted(const std::string& text, std::size_t blockSize)
 
 void TruncatedFilesAreRefused()
 {
-  for (const std::size_t blockSize : BlockSizes)
+  for (const std::size_t bufferSize : BufferSizes)
   {
     // Only within the last value, "0.125", can a cut go unnoticed, or where it leaves the last column empty.
     const std::size_t lastLine = Small.size() - std::string("0 4 1 3 0.125\n").size();
@@ -346,7 +346,7 @@ void TruncatedFilesAreRefused()
     for (std::size_t length = 0; length < Small.size(); ++length)
     {
       const bool isFine = length == lastLine || length > lastValue;
-      CHECK_EQUAL(IsAccepted(Small.substr(0, length), blockSize), isFine);
+      CHECK_EQUAL(IsAccepted(Small.substr(0, length), bufferSize), isFine);
     }
   }
 }
@@ -409,7 +409,7 @@ void ParsingStopsOnRequest()
 int TestSparseMatrixParser(int, char*[])
 {
   ScanCountsVoxels();
-  DefaultBlockSizeWorks();
+  DefaultBufferSizeWorks();
   LoadGivesAllAttributes();
   HorizonsComeByAscendingId();
   LayoutIsFree();

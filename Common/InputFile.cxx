@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "InputFile.h"
+
+#include "Errors.h"
+
+#include <system_error>
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+FileStamp MakeFileStamp(const std::string& name)
+{
+  const std::filesystem::path path = std::filesystem::u8path(name);
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status))
+  {
+    throw InputError("nothing there, expected a file");
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    throw InputError(std::filesystem::is_directory(status) ? "a directory, expected a file"
+                                                           : "a special file, expected a regular one");
+  }
+  return { name, std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::ifstream OpenInputFile(const std::string& name)
+{
+  std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
+  if (!stream)
+  {
+    throw InputError("a file that can not be opened, expected a readable one");
+  }
+  return stream;
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files that readers read: opened by names in UTF-8, and recognised while they stay as they were.
+
+#ifndef SeismicHorizonsInputFile_h
+#define SeismicHorizonsInputFile_h
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace SeismicHorizons
+{
+/// What is compared to see whether a file is still the one that was read.
+struct FileStamp
+{
+  std::string Name;
+  std::filesystem::file_time_type Time; // of the last change
+  std::uintmax_t Size = 0; // bytes
+
+  bool operator==(const FileStamp& other) const
+  {
+    return this->Name == other.Name && this->Time == other.Time && this->Size == other.Size;
+  }
+};
+
+/// The stamp of a file as it is now. Throws InputError when there is no regular file of that name.
+FileStamp MakeFileStamp(const std::string& name);
+
+/// Opens a file to read its bytes. Throws InputError when that fails.
+std::ifstream OpenInputFile(const std::string& name);
+}
+
+#endif

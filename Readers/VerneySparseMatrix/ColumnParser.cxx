@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ColumnParser.h"
+
+#include "LineErrors.h"
+#include "SparseMatrixNumbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t ValuesPerVoxel = 5;
+constexpr std::array<const char*, ValuesPerVoxel> ValueNames = { "vertical index ", "surface ID ", "thickness ",
+  "amplitude ", "real z " };
+
+/// Holds the state between the lines. The functions are defined inside the class, where compilers inline them: outside,
+/// reading takes a tenth longer.
+class ColumnParser
+{
+public:
+  ColumnParser(const SparseMatrixSize& size, SparseMatrixVisitor& visitor)
+    : Size(size)
+    , NumberOfColumns(std::int64_t(size[0]) * size[1])
+    , Visitor(visitor)
+  {
+  }
+
+  /// Takes complete lines: the last character is a newline.
+  void ParseLines(const char* text, const char* last)
+  {
+    while (text != last)
+    {
+      text = this->Column < this->NumberOfColumns ? this->ParseColumn(text) : this->ParseRest(text);
+      ++this->LineNumber;
+    }
+  }
+
+  /// For the end of the file.
+  void RequireAllColumns() const
+  {
+    if (this->Column < this->NumberOfColumns)
+    {
+      throw ErrorAt(this->LineNumber - 1,
+        "end of file after " + std::to_string(this->Column) + " columns, expected " +
+          std::to_string(this->NumberOfColumns));
+    }
+  }
+
+  /// The number of the line that comes next.
+  std::int64_t Line() const { return this->LineNumber; }
+
+private:
+  // Each of these takes the text at the start of what it parses and returns where that ends.
+
+  const char* ParseColumn(const char* text)
+  {
+    this->Voxels.clear();
+    text = SkipBlanks(text);
+    while (*text != '\n')
+    {
+      text = this->ParseVoxel(text);
+    }
+    if (!this->Voxels.empty())
+    {
+      this->RequireOneVoxelPerCell();
+      this->Visitor.VisitColumn(this->I, this->J, this->Voxels);
+    }
+    ++this->Column;
+    if (++this->I == this->Size[0])
+    {
+      this->I = 0;
+      ++this->J;
+    }
+    return text + 1;
+  }
+
+  /// A line after the last column.
+  const char* ParseRest(const char* text)
+  {
+    text = SkipBlanks(text);
+    if (*text != '\n')
+    {
+      throw ErrorAt(this->LineNumber, Quote(TokenAt(text)) + " after the last column, expected the end of the file");
+    }
+    return text + 1;
+  }
+
+  const char* ParseVoxel(const char* text)
+  {
+    SparseMatrixVoxel& voxel = this->Voxels.emplace_back();
+    text = this->ParseInteger(text, 0, 0, this->Size[2] - 1, voxel.VerticalIndex);
+    text =
+      this->ParseInteger(text, 1, std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), voxel.SurfaceId);
+    text = this->ParseNumber(text, 2, voxel.Thickness);
+    text = this->ParseNumber(text, 3, voxel.Amplitude);
+    return this->ParseNumber(text, 4, voxel.RealZ);
+  }
+
+  const char* ParseNumber(const char* text, std::size_t position, double& value)
+  {
+    const char* last = ReadPlainNumber(text, value);
+    if (!last)
+    {
+      last = this->ParseRareNumber(text, position, value);
+    }
+    return SkipBlanks(last);
+  }
+
+  const char* ParseInteger(const char* text, std::size_t position, int least, int largest, int& value)
+  {
+    double number = 0.0;
+    const char* const next = this->ParseNumber(text, position, number);
+    const bool inRange = number >= least && number <= largest; // a conversion of other numbers is undefined
+    value = inRange ? static_cast<int>(number) : 0;
+    if (!inRange || value != number)
+    {
+      throw ErrorAt(this->LineNumber,
+        ValueNames[position] + Quote(TokenAt(text)) + ", expected an integer from " + std::to_string(least) + " to " +
+          std::to_string(largest));
+    }
+    return next;
+  }
+
+  /// What ReadPlainNumber does not take: a number with an exponent or of many digits, or no number at all.
+  const char* ParseRareNumber(const char* text, std::size_t position, double& value)
+  {
+    const std::string_view token = TokenAt(text);
+    if (token.empty())
+    {
+      throw ErrorAt(this->LineNumber,
+        std::to_string(ValuesPerVoxel * (this->Voxels.size() - 1) + position) + " values, expected a multiple of " +
+          std::to_string(ValuesPerVoxel));
+    }
+    const NumberKind kind = ReadAnyNumber(token, value);
+    if (kind != NumberKind::Finite)
+    {
+      throw ErrorAt(this->LineNumber,
+        ValueNames[position] + Quote(token) +
+          (kind == NumberKind::NotFinite ? ", expected a finite number" : ", expected a number"));
+    }
+    return text + token.size();
+  }
+
+  void RequireOneVoxelPerCell()
+  {
+    this->Indices.clear();
+    for (const SparseMatrixVoxel& voxel : this->Voxels)
+    {
+      this->Indices.push_back(voxel.VerticalIndex);
+    }
+    std::sort(this->Indices.begin(), this->Indices.end());
+    const auto twice = std::adjacent_find(this->Indices.begin(), this->Indices.end());
+    if (twice != this->Indices.end())
+    {
+      throw ErrorAt(this->LineNumber,
+        "two voxels at vertical index " + std::to_string(*twice) + ", expected at most one in a cell");
+    }
+  }
+
+  const SparseMatrixSize Size;
+  const std::int64_t NumberOfColumns;
+  SparseMatrixVisitor& Visitor;
+  std::vector<SparseMatrixVoxel> Voxels; // of the column at hand
+  std::vector<int> Indices; // theirs, sorted
+  std::int64_t LineNumber = 2; // of the line at hand; the header is line 1
+  std::int64_t Column = 0; // how many came before the line at hand
+  int I = 0;
+  int J = 0;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ParseColumns(LineBuffer& lines, const SparseMatrixSize& size, SparseMatrixVisitor& visitor, const Monitor& monitor)
+{
+  ColumnParser columns(size, visitor);
+  while (!lines.AtEnd())
+  {
+    const bool isRead = lines.Read();
+    columns.ParseLines(lines.First(), lines.Last());
+    if (!isRead)
+    {
+      throw ErrorAt(columns.Line(), "reading failed, expected the rest of the file");
+    }
+    monitor.Progress(lines.PartRead());
+  }
+  columns.RequireAllColumns();
+}
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonDataSet.h"
+
+#include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/VertexCells.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace SeismicHorizons
+{
+namespace
+{
+vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const LatticeMatrix& toWorld, bool useRealZ)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(voxels.I.size()));
+  double* world = coordinates->GetPointer(0);
+  for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
+  {
+    const double i = voxels.I[voxel];
+    const double j = voxels.J[voxel];
+    *world++ = toWorld[0] * i + toWorld[1] * j + toWorld[3];
+    *world++ = toWorld[4] * i + toWorld[5] * j + toWorld[7];
+    *world++ = ElevationOf(voxels, voxel, toWorld, useRealZ);
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(coordinates);
+  return points;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AddHorizonFields(
+  vtkFieldData* data, const SparseMatrixSize& size, const LatticeMatrix& toWorld, std::int64_t droppedDuplicates)
+{
+  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, size);
+  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, toWorld);
+  AddValue<vtkIdTypeArray>(data, FieldArray::DroppedDuplicates, static_cast<vtkIdType>(droppedDuplicates));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeHorizonPoints(
+  HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
+{
+  auto horizon = vtkSmartPointer<vtkPolyData>::New();
+  horizon->SetPoints(MakePoints(voxels, toWorld, useRealZ));
+  voxels.I = std::vector<int>();
+  voxels.J = std::vector<int>();
+
+  const vtkIdType numberOfPoints = horizon->GetNumberOfPoints();
+  vtkPointData* const data = horizon->GetPointData();
+  AddConstant<vtkIntArray>(data, PointArray::SurfaceId, numberOfPoints, voxels.SurfaceId);
+  MoveToArray<vtkIntArray>(data, PointArray::VerticalIndex, voxels.K);
+  MoveToArray<vtkDoubleArray>(data, PointArray::Thickness, voxels.Thickness);
+  MoveToArray<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude);
+  MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ);
+  AddConstant<vtkIdTypeArray>(data, PointArray::PointCount, numberOfPoints, 1);
+  horizon->SetVerts(MakeVertices(numberOfPoints));
+
+  AddHorizonFields(horizon->GetFieldData(), size, toWorld, voxels.DroppedDuplicates);
+  return horizon;
+}
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LineBuffer.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t SmallestSize = 2; // room for one character and a newline
+
+/// The bytes from here to the end, or 0 when the stream can not tell.
+double CountBytes(std::istream& stream)
+{
+  const std::istream::pos_type here = stream.good() ? stream.tellg() : std::istream::pos_type(-1);
+  if (here == std::istream::pos_type(-1))
+  {
+    return 0.0;
+  }
+  stream.seekg(0, std::ios::end);
+  const std::istream::pos_type end = stream.tellg();
+  stream.seekg(here);
+  return static_cast<double>(end - here);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LineBuffer::LineBuffer(std::istream& stream, std::size_t size)
+  : Stream(stream)
+  , BytesInStream(CountBytes(stream))
+  , Bytes(std::max(size, SmallestSize))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double LineBuffer::PartRead() const
+{
+  return this->BytesInStream > 0.0 ? std::min(1.0, static_cast<double>(this->BytesRead) / this->BytesInStream) : 0.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool LineBuffer::Read()
+{
+  std::copy(this->Last(), this->First() + this->Filled, this->Bytes.data());
+  this->Filled -= this->Complete;
+  this->Complete = 0;
+  while (this->Complete == 0)
+  {
+    if (!this->ReadMore())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Reads behind the start of a line, and adds the last newline of the file. False when reading failed.
+bool LineBuffer::ReadMore()
+{
+  if (this->Filled + 1 == this->Bytes.size())
+  {
+    this->Bytes.resize(2 * this->Bytes.size());
+  }
+  this->Stream.read(
+    this->Bytes.data() + this->Filled, static_cast<std::streamsize>(this->Bytes.size() - this->Filled - 1));
+  const auto count = static_cast<std::size_t>(this->Stream.gcount());
+  const auto fresh = std::make_reverse_iterator(this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->Filled));
+  this->Filled += count;
+  this->BytesRead += count;
+  if (this->Stream.eof())
+  {
+    this->Bytes[this->Filled++] = '\n';
+  }
+  const auto last = std::make_reverse_iterator(this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->Filled));
+  const auto newline = std::find(last, fresh, '\n');
+  this->Complete = newline == fresh ? 0 : static_cast<std::size_t>(newline.base() - this->Bytes.begin());
+  return this->Stream.good() || this->Stream.eof();
+}
+}

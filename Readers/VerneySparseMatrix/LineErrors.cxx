@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LineErrors.h"
+
+#include <algorithm>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t MaximumQuote = 32;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string Quote(std::string_view text)
+{
+  std::string quote(text.substr(0, MaximumQuote));
+  std::replace_if(
+    quote.begin(), quote.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return '"' + quote + (text.size() > MaximumQuote ? "...\"" : "\"");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+InputError ErrorAt(std::int64_t line, const std::string& text)
+{
+  return InputError("line " + std::to_string(line) + ": " + text);
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What errors in a text file say.
+
+#ifndef SeismicHorizonsLineErrors_h
+#define SeismicHorizonsLineErrors_h
+
+#include "Common/Errors.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace SeismicHorizons
+{
+/// Text of a file in quotes: clipped after 32 characters, with a question mark for each one that can not be printed.
+std::string Quote(std::string_view text);
+
+/// An error whose text begins with the number of the line, counted from 1: "line 17: ".
+InputError ErrorAt(std::int64_t line, const std::string& text);
+}
+
+#endif
