@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the stages inside the boundary work on.
+// The input of the simplifications of the inside and of the triangulation.
 
 #ifndef SeismicHorizonsBoundedHorizon_h
 #define SeismicHorizonsBoundedHorizon_h

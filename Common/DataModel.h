@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The names under which the stages hand data to each other. Documentation/DataModel.md gives their meaning.
+// The names of the arrays that readers and stages write and read. Documentation/DataModel.md gives their meaning.
 
 #ifndef SeismicHorizonsDataModel_h
 #define SeismicHorizonsDataModel_h
@@ -54,12 +54,12 @@ constexpr const char* OutlineDistance = "OutlineDistance";
 constexpr const char* Grading = "Grading";
 }
 
-/// The values of the Boundary array.
+/// The values of the point array Boundary.
 enum class BoundaryKind : unsigned char
 {
-  Inside = 0,
-  Exterior = 1,
-  Hole = 2
+  Inside = 0, // on no loop
+  Exterior = 1, // on the outline of a patch, whether on a hole's loop or not
+  Hole = 2 // on the loop of a hole only
 };
 }
 

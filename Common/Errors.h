@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the algorithms refuse work: one exception type each for input that breaks a contract and for a stop that was
-// asked for. Whoever calls an algorithm turns them into its own kind of message.
+// What algorithms and parsers throw. VTK classes turn an InputError into an error of VTK
+// (Common/VTK/PipelineRequest.h), programs print its text.
 
 #ifndef SeismicHorizonsErrors_h
 #define SeismicHorizonsErrors_h
@@ -12,7 +12,7 @@
 
 namespace SeismicHorizons
 {
-/// The input breaks the contract of a stage. The message says what was found, what was expected and where.
+/// Input that a stage can not work on. The message says what was found, what was expected, and where.
 class InputError : public std::runtime_error
 {
 public:
@@ -33,7 +33,7 @@ auto PrefixErrors(const std::string& name, Work&& work)
   }
 }
 
-/// The monitor asked to stop. Not a failure: the caller leaves an empty result behind.
+/// The end of work that was asked to stop (Monitor.h). The caller returns an empty result, and reports no error.
 class Aborted : public std::exception
 {
 public:

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops over chunks of fixed size, whatever the number of threads: what is begun anew with each chunk, and what is
-// added up chunk by chunk, is then the same for any number of them.
+// Loops over chunks whose size does not depend on the number of threads. A sum of real numbers depends on the order in
+// which they are added: added up within each chunk, and then chunk by chunk, it is the same for any number of threads.
+// So are random numbers that start anew in each chunk.
 
 #ifndef SeismicHorizonsFixedChunks_h
 #define SeismicHorizonsFixedChunks_h
@@ -14,12 +15,13 @@
 
 namespace SeismicHorizons
 {
+/// How many chunks it takes to hold `size` items. The last one may be smaller.
 inline std::size_t CountChunks(std::int64_t size, std::int64_t chunkSize)
 {
   return std::size_t((size + chunkSize - 1) / chunkSize);
 }
 
-/// Calls work(chunk, first, last) for all chunks of 0 to `size`, on several threads.
+/// Calls work(chunk, first, last) for each chunk of the indices 0 to `size`, `last` not included, on several threads.
 template <typename Work>
 void ForEachChunk(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Work&& work)
 {

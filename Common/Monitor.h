@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The one way in which long loops report progress and learn that they should stop.
+// How far long work has come, and whether it has to stop.
 
 #ifndef SeismicHorizonsMonitor_h
 #define SeismicHorizonsMonitor_h
@@ -13,6 +13,7 @@
 
 namespace SeismicHorizons
 {
+/// Algorithms take a monitor, and call Progress in their long loops. One without a callback does nothing.
 class Monitor
 {
 public:
@@ -25,7 +26,7 @@ public:
   {
   }
 
-  /// Reports the part done, 0 to 1. Throws Aborted when the callback asks to stop.
+  /// Passes the part done, 0 to 1, to the callback. Throws Aborted when that returns false.
   void Progress(double part) const
   {
     if (this->Report && !this->Report(this->First + part * (this->Last - this->First)))
@@ -34,7 +35,7 @@ public:
     }
   }
 
-  /// A monitor for a step that takes the work from `first` to `last`, both 0 to 1.
+  /// A monitor for one step of the work: 0 to 1 of the step is `first` to `last` of the whole.
   Monitor Step(double first, double last) const
   {
     Monitor step(*this);

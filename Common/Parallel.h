@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops over several threads: the one place where the methods meet VTK. In the module they run on vtkSMPTools, so that
-// its back-end and number of threads count; elsewhere on threads of their own.
+// Loops over several threads. In the module they run on vtkSMPTools, whose back-end and number of threads users choose;
+// in programs without VTK on std::thread. No other file of the algorithms includes VTK.
 //
-// Work on one range must not read what work on another one writes. Then results are the same for any number of threads.
+// Work on one range must neither read nor write what work on another range writes. Then results are the same for any
+// number of threads.
 
 #ifndef SeismicHorizonsParallel_h
 #define SeismicHorizonsParallel_h
@@ -27,7 +28,8 @@ namespace SeismicHorizons
 {
 namespace Detail
 {
-/// Keeps the first exception of a loop, in the order of its ranges: none may leave a thread.
+/// Catches the exceptions of a loop, as one that leaves a thread ends the program, and keeps that of the range with the
+/// least first index.
 class FirstException
 {
 public:
@@ -97,9 +99,12 @@ void RunOnThreads(std::int64_t size, std::int64_t grain, Range&& range)
 #endif
 }
 
-/// Calls work(first, last) for ranges of at least about `grain` that cover 0 to `size`, in any order and at the same
-/// time. Once all ranges are done with, an exception of the first range that threw one comes out of here: when each
-/// range throws at its first wrong item, this is the first of all, whatever the ranges.
+/// Calls work(first, last) for ranges of indices, `last` not included, that together are 0 to `size`: in any order, and
+/// several at a time. A range has about `grain` indices or more, so that starting it takes little of the time.
+///
+/// An exception of the work does not stop the other ranges. After the last of them the one of the lowest range is
+/// thrown again. So work that throws at the first wrong item of its range gives the error of the first wrong item of
+/// all, for any number of threads.
 template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
 {
@@ -114,7 +119,8 @@ void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
   exception.Rethrow();
 }
 
-/// The same in a few batches, with a report to the monitor before each: callbacks run on the calling thread only.
+/// The same in at most 16 batches, one after the other. Before each of them the monitor is called, on the calling
+/// thread: callbacks need not be safe to call from several threads.
 template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, const Monitor& monitor, Work&& work)
 {

@@ -12,7 +12,8 @@ PlaneFrame::PlaneFrame(const std::vector<PlanePoint>& places)
   : Least(places.front())
   , Greatest(places.front())
 {
-  // What divides all distances from the first place divides those from the least coordinates.
+  // A power of two that divides all differences from the first place also divides those from the least coordinates. The
+  // lowest bit that is set in any of them is the largest such power.
   const PlanePoint first = places.front();
   std::int32_t bits = 0;
   for (const PlanePoint& place : places)

@@ -10,27 +10,29 @@
 
 namespace SeismicHorizons
 {
-/// Small coordinates from 0 for places in the plane: without the least ones, and without the power of two that all
-/// share, so that whole columns have the numbers of columns whatever sub-voxels there are. Neither changes any answer
-/// of the predicates.
+/// Makes the coordinates of places in the plane small: the least ones become 0, and all are divided by the largest
+/// power of two that leaves them whole. When all points are on whole columns, the sub-voxels of a column drop out. The
+/// answers of the predicates stay the same.
 struct PlaneFrame
 {
   PlaneFrame() = default;
   /// For places of which there is at least one.
   explicit PlaneFrame(const std::vector<PlanePoint>& places);
 
+  /// From the coordinates of the places to the small ones.
   PlanePoint Inward(const PlanePoint& place) const
   {
     return { (place.X - this->Least.X) >> this->Shift, (place.Y - this->Least.Y) >> this->Shift };
   }
+  /// The other way.
   PlanePoint Outward(const PlanePoint& place) const
   {
     return { (place.X << this->Shift) + this->Least.X, (place.Y << this->Shift) + this->Least.Y };
   }
 
-  PlanePoint Least;
+  PlanePoint Least; // of the places, x and y each on its own
   PlanePoint Greatest;
-  int Shift = 0;
+  int Shift = 0; // the exponent of the power of two
 };
 }
 

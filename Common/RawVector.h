@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A vector that leaves new elements as they are. Large arrays that are written in full right away are not written
-// twice then, and threads that fill a part each get its memory each, which a system hands out at the first write.
+// A vector that does not set new elements to 0. An array that is filled right after it was made is then written once
+// instead of twice. And as systems provide memory page by page at the first write, which takes time, threads that fill
+// a part each share that time too.
 
 #ifndef SeismicHorizonsRawVector_h
 #define SeismicHorizonsRawVector_h
@@ -14,6 +15,7 @@
 
 namespace SeismicHorizons
 {
+/// An allocator that constructs elements without a value as C++ does for local variables: numbers stay uninitialised.
 template <typename T>
 struct RawAllocator : std::allocator<T>
 {
@@ -36,7 +38,7 @@ struct RawAllocator : std::allocator<T>
   }
 };
 
-/// For numbers only: elements that `resize` adds have any value.
+/// For numbers only. Elements that `resize` adds have no value before one is assigned.
 template <typename T>
 using RawVector = std::vector<T, RawAllocator<T>>;
 }

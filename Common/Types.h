@@ -17,8 +17,8 @@ using PointId = std::int32_t;
 
 constexpr PointId NoPoint = -1;
 
-/// A place in the plane of the lattice, in whole columns or in sub-voxels (Lattice.h); which one, the name of the
-/// variable says. Both coordinates are below 2^29 in size, so that differences and their products fit 64 bits.
+/// A place in the plane of the lattice, in whole columns or in sub-voxels (Lattice.h); names and comments of variables
+/// tell in which. The size of both coordinates is below 2^29, so that products of differences fit 64 bits.
 struct PlanePoint
 {
   std::int32_t X = 0;
@@ -26,7 +26,7 @@ struct PlanePoint
 
   friend bool operator==(const PlanePoint& a, const PlanePoint& b) { return a.X == b.X && a.Y == b.Y; }
   friend bool operator!=(const PlanePoint& a, const PlanePoint& b) { return !(a == b); }
-  /// The order of the thesis's first boundary point: least x, then least y.
+  /// By x, and where that is the same by y. Outlines start at the least of their points, as in the thesis.
   friend bool operator<(const PlanePoint& a, const PlanePoint& b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
 };
 
@@ -38,8 +38,9 @@ struct SpacePoint
   double Z = 0.0;
 };
 
-/// Closed polylines over the points of a horizon, one after the other; the edge from the last point of a loop to its
-/// first is implied. Seen from +z the surface lies to the right of every edge: exterior loops run clockwise.
+/// Closed polylines over the points of a horizon. The first point of a loop is not repeated at the end; there is an
+/// edge from the last point to it all the same. Seen from +z the surface lies to the right of every edge, so that
+/// exterior loops run clockwise.
 class Loops
 {
 public:
@@ -134,8 +135,8 @@ struct Reduction
   std::vector<PointId> Target;
   /// For each output point the input point it is, or the input point of its group that lies nearest to it.
   std::vector<PointId> Source;
-  /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, so that threads can
-  /// write them side by side.
+  /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, because the bits of a
+  /// std::vector<bool> can not be written by several threads at a time.
   std::vector<unsigned char> Averaged;
   /// For each output point its place: in sub-voxels in the plane, in lattice units upwards.
   std::vector<PlanePoint> Plane;

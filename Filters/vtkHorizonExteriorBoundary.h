@@ -13,10 +13,11 @@
  * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSpeckPoints, the points of patches
  * that were too small.
  *
- * A patch is what hangs together when each point reaches the columns that are at most Radius away along each axis. A
- * patch inside the loop of another one (an island in a hole without a loop) has no loop: its points belong to the outer
- * patch. A spur of one column's width is walked out and back, and a single point has the loop from itself to itself.
- * Loops may touch themselves and each other, but never cross.
+ * A patch is a connected part of the horizon: two points are neighbours when they are at most Radius columns apart
+ * along each axis, and points that reach each other from neighbour to neighbour are of one patch. A patch inside the
+ * loop of another one (an island in a hole without a loop) has no loop: its points belong to the outer patch. A spur of
+ * one column's width is walked out and back, and a single point has the loop from itself to itself. Loops may touch
+ * themselves and each other, but never cross.
  *
  * The method is that of the thesis (3.3, Def. 3.4, Alg. 3.1 and 3.2) as a walk around the faces of a plane graph of
  * hops, so that it ends, does not cross itself and encloses its patch for every radius and shape. With a radius of 1 it

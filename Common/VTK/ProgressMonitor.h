@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The one connection between the monitor of the algorithms and the progress and abort of a VTK algorithm.
+// Connects the monitor of the algorithms with progress and abort of a VTK algorithm.
 
 #ifndef SeismicHorizonsProgressMonitor_h
 #define SeismicHorizonsProgressMonitor_h
@@ -15,7 +15,8 @@ namespace SeismicHorizons
 /// True when the user asked `algorithm`, or one upstream of it, to stop.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
-  // VTK 9.1 has no CheckAbort. With it, a flag that was set without a new abort time counts all the same.
+  // CheckAbort, which VTK 9.1 does not have, also looks upstream. It misses a flag that was set without
+  // SetAbortExecuteAndUpdateTime, so that the flag is looked at as well.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220831)
   if (algorithm->CheckAbort())
   {

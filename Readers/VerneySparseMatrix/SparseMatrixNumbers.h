@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tokens and numbers of the sparse-matrix format, independent of the locale. All text ends in a newline, which ends
-// every token: so no function needs to know where the text ends.
+// Tokens and numbers of the sparse-matrix format, independent of the locale. All text ends in a newline, which also
+// ends a token. So functions stop there, and do not take the end of the text.
 
 #ifndef SeismicHorizonsSparseMatrixNumbers_h
 #define SeismicHorizonsSparseMatrixNumbers_h
@@ -19,7 +19,7 @@
 
 namespace SeismicHorizons
 {
-/// A carriage return is a blank, so lines may end the Windows way.
+/// Carriage returns are blanks, so that lines may end in \r\n.
 inline bool IsBlank(char c)
 {
   return c == ' ' || c == '\t' || c == '\r';
@@ -44,7 +44,7 @@ inline const char* SkipBlanks(const char* text)
   return text;
 }
 
-/// The token that starts at `text`.
+/// The token that starts at `text`; empty at a blank or a newline.
 inline std::string_view TokenAt(const char* text)
 {
   const char* last = text;
@@ -55,7 +55,7 @@ inline std::string_view TokenAt(const char* text)
   return std::string_view(text, static_cast<std::size_t>(last - text));
 }
 
-/// Takes the digits at `text` onto `number` and returns their end.
+/// Appends the digits at `text` to `number`, and returns where they end.
 inline const char* ReadDigits(const char* text, std::uint64_t& number)
 {
   for (; IsDigit(*text); ++text)
@@ -65,9 +65,10 @@ inline const char* ReadDigits(const char* text, std::uint64_t& number)
   return text;
 }
 
-/// Reads a number without exponent and of few digits, as nearly all are. Its digits are an integer that a double holds
-/// exactly, and so is the power of ten that divides them: one division rounds correctly. Returns the end of the token,
-/// or null when it is anything else.
+/// Reads a number without exponent whose digits, taken as an integer, are at most 2^53. A double holds that integer
+/// exactly, and the power of ten to divide it by as well, so that one division gives the nearest double. Returns the
+/// end of the token, or null when it is anything else. Nearly all numbers are of this kind, and ReadAnyNumber takes
+/// longer.
 inline const char* ReadPlainNumber(const char* text, double& value)
 {
   constexpr std::array<double, 20> powersOfTen = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
@@ -101,7 +102,7 @@ inline const char* ReadPlainNumber(const char* text, double& value)
   return last;
 }
 
-/// Tells a number too small for a double from one too large, when it is known to be one of them.
+/// Whether a number is too small for a double, when it is known to be too small or too large.
 inline bool IsTiny(std::string_view number)
 {
   const std::size_t exponent = number.find_first_of("eE");
@@ -115,6 +116,7 @@ inline std::string_view WithoutPlus(std::string_view token)
   return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
 }
 
+/// What a token is. Numbers too large for a double, infinity and nan are not finite.
 enum class NumberKind
 {
   Finite,
@@ -122,6 +124,7 @@ enum class NumberKind
   NotANumber
 };
 
+/// Reads a number of any length, with or without exponent. One too small for a double is 0.
 inline NumberKind ReadAnyNumber(std::string_view token, double& value)
 {
   const std::string_view number = WithoutPlus(token);

@@ -63,7 +63,7 @@ struct SparseMatrixSummary
 SparseMatrixSummary ScanSparseMatrix(
   std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 
-/// Which voxel stays when a horizon has several in one column.
+/// Which voxel is kept when a horizon has several in one column.
 enum class DuplicatePolicy
 {
   StrongestAmplitude, ///< the largest absolute amplitude; of equal ones the smallest vertical index

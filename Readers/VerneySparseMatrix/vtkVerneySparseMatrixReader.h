@@ -37,8 +37,9 @@
  * file. The peak of memory is 36 bytes per loaded voxel plus 72 bytes per voxel of the output; what was loaded is freed
  * horizon by horizon.
  *
- * When pieces are asked for, the horizons are dealt out among them in turn. In each piece the other horizons are
- * partitioned datasets without a partition. Every process reads the whole file.
+ * When pieces are asked for, the first horizon goes to the first piece, the second one to the second piece, and so on,
+ * starting again after the last piece. In each piece the other horizons are partitioned datasets without a partition.
+ * Every process reads the whole file.
  *
  * A file that is missing or breaks the format gives one error, which starts with the name of the file and has the
  * number of the line; the output is empty then.
@@ -78,12 +79,12 @@ public:
   ///@}
 
   /**
-   * 1 when the first line of the file is what the format asks for: three positive integers, apart by blanks, within the
-   * first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of the file is looked at.
+   * 1 when the first line of the file is what the format asks for: three positive integers, separated by blanks, within
+   * the first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of the file is looked at.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
-  /// What a horizon comes as.
+  /// The kind of dataset that a horizon becomes.
   enum OutputKind
   {
     Points = 0,
@@ -92,8 +93,8 @@ public:
 
   ///@{
   /**
-   * What a horizon comes as. Points: a vtkPolyData, for the stages. Images: a map as vtkImageData, whose ColumnStep and
-   * RowStep must be perpendicular. Default: Points.
+   * The kind of dataset that a horizon becomes. Points: a vtkPolyData, for the stages. Images: a map as vtkImageData,
+   * whose ColumnStep and RowStep must be perpendicular. Default: Points.
    */
   vtkSetClampMacro(OutputType, int, Points, Images);
   vtkGetMacro(OutputType, int);
@@ -157,7 +158,7 @@ public:
   vtkGetMacro(VerticalStep, double);
   ///@}
 
-  /// Which voxel stays when a horizon has several in one column.
+  /// Which voxel is kept when a horizon has several in one column.
   enum DuplicateChoice
   {
     StrongestAmplitude = 0,
@@ -167,7 +168,7 @@ public:
 
   ///@{
   /**
-   * Which voxel stays when a horizon has several in one column. StrongestAmplitude: the one of largest absolute
+   * Which voxel is kept when a horizon has several in one column. StrongestAmplitude: the one of largest absolute
    * amplitude, of equal ones that of smallest vertical index. Topmost: that of smallest vertical index. Lowest: that of
    * largest vertical index. The others are left out and counted in DroppedDuplicates. Default: StrongestAmplitude.
    */
@@ -180,8 +181,8 @@ public:
 
   ///@{
   /**
-   * Which horizons are loaded, by the names "Horizon <ID>". UpdateInformation() fills the list. A choice stays when the
-   * file changes but still has that horizon, and may be made before the list is there. Default: all enabled.
+   * Which horizons are loaded, by the names "Horizon <ID>". UpdateInformation() fills the list. A choice is kept when
+   * another file has a horizon of that name too, and it may be made before the list is filled. Default: all enabled.
    */
   vtkDataArraySelection* GetHorizonSelection();
   int GetNumberOfHorizons();
