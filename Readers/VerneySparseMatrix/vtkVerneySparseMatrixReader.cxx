@@ -125,10 +125,11 @@ vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 {
+  const std::string name = fileName ? fileName : "";
   try
   {
-    MakeFileStamp(fileName ? fileName : "");
-    std::ifstream stream = OpenInputFile(fileName);
+    MakeFileStamp(name); // refuses what is no regular file
+    std::ifstream stream = OpenInputFile(name);
     ReadSparseMatrixHeader(stream);
     return 1;
   }
