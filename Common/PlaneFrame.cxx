@@ -3,24 +3,24 @@
 
 #include "PlaneFrame.h"
 
-#include <algorithm>
+#include "PlaneGeometry.h"
 
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
 PlaneFrame::PlaneFrame(const std::vector<PlanePoint>& places)
-  : Least(places.front())
-  , Greatest(places.front())
 {
-  // What divides all distances from the first place divides those from the least coordinates.
+  // A power of two that divides all distances from the first place also divides those from the least coordinates.
   const PlanePoint first = places.front();
+  PlaneBox box(first);
   std::int32_t bits = 0;
   for (const PlanePoint& place : places)
   {
-    this->Least = { std::min(this->Least.X, place.X), std::min(this->Least.Y, place.Y) };
-    this->Greatest = { std::max(this->Greatest.X, place.X), std::max(this->Greatest.Y, place.Y) };
+    box.Add(place);
     bits |= (place.X - first.X) | (place.Y - first.Y);
   }
+  this->Least = box.Least;
+  this->Greatest = box.Greatest;
   while (bits != 0 && ((bits >> this->Shift) & 1) == 0)
   {
     ++this->Shift;
