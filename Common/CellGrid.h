@@ -14,7 +14,7 @@
 
 namespace SeismicHorizons
 {
-/// A place in sub-voxels that may lie between them.
+/// A place in the units of PlanePoint that may lie between whole coordinates.
 struct SegmentEnd
 {
   double X;
@@ -32,9 +32,9 @@ struct SegmentEnd
   }
 };
 
-/// How far to the left and to the right a coordinate on a segment may really lie. With coordinates below 2^29 and the
-/// 53 bits of a double it is computed to better than 10^-6, so that this is far on the safe side, and yet hardly ever
-/// reaches one cell more.
+/// By how much ranges on a segment are widened to both sides, so that rounding leaves nothing out. With coordinates
+/// below 2^29 and the 53 bits of a double their ends are right to 10^-6; this is far on the safe side, and yet rarely
+/// reaches into one cell more.
 constexpr double SegmentSlack = 1e-3;
 
 /// A segment, for asking where it passes a row of cells.

@@ -34,9 +34,8 @@ void CheckLimits(const BoundaryLimits& limits)
   }
 }
 
-// Directions are vectors of this length, in whole numbers. So angles are cut to 2^-30 of their radius, which is finer
-// than the 10^-7 degrees that BoundaryLimits promises, and products of such vectors with squared distances fit 128
-// bits.
+// The length of the vector, in whole numbers, that stands for an angle. So angles are cut to 2^-30 in radians, which is
+// finer than the 10^-7 degrees that BoundaryLimits promises, and products with squared distances fit 128 bits.
 constexpr double DirectionLength = 1 << 30;
 
 // Coordinates are below 2^29 in size, so no edge is as long as this.
@@ -66,8 +65,8 @@ public:
   }
 
 private:
-  /// The scalar and the cross product of two vectors are the coordinates of a direction with the angle between them. It
-  /// is beyond the limit when the turn from the limit's direction to it goes to the left; both are from 0 to 180
+  /// The scalar and the cross product of two vectors are the coordinates of a direction at the angle between them. It
+  /// is beyond the limit when the turn from the limit's direction to it is to the left, as both are from 0 to 180
   /// degrees.
   bool IsAngleExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
   {
