@@ -3,6 +3,8 @@
 
 #include "CellGrid.h"
 
+#include "PlaneGeometry.h"
+
 #include <limits>
 
 namespace SeismicHorizons
@@ -21,17 +23,11 @@ CellGrid::CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std
   : Side(std::min<std::int64_t>(cellSize, std::numeric_limits<std::int32_t>::max())) // wider than any horizon
   , Inverse((this->Side & (this->Side - 1)) == 0 ? 1.0 / double(this->Side) : 0.0)
 {
-  PlanePoint low = points.front();
-  PlanePoint high = low;
-  for (const PlanePoint& p : points)
-  {
-    low = { std::min(low.X, p.X), std::min(low.Y, p.Y) };
-    high = { std::max(high.X, p.X), std::max(high.Y, p.Y) };
-  }
-  this->MinX = FloorToMultiple(low.X, unit);
-  this->MinY = FloorToMultiple(low.Y, unit);
-  this->CellsX = (high.X - this->MinX) / this->Side + 1;
-  this->CellsY = (high.Y - this->MinY) / this->Side + 1;
+  const PlaneBox box(points);
+  this->MinX = FloorToMultiple(box.Least.X, unit);
+  this->MinY = FloorToMultiple(box.Least.Y, unit);
+  this->CellsX = (box.Greatest.X - this->MinX) / this->Side + 1;
+  this->CellsY = (box.Greatest.Y - this->MinY) / this->Side + 1;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -58,7 +54,7 @@ EdgeLists SortByCell(const CellGrid& grid, const std::vector<PlanePoint>& points
         {
           grid.ForEachCellAlong(points[std::size_t(from)], points[std::size_t(to)],
             [&](std::int64_t cell) {
-              add(cell, BoundaryEdge{ from, to });
+              add(cell, Edge{ from, to });
             });
         });
     });

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsCellGrid_h
 #define SeismicHorizonsCellGrid_h
 
+#include "CountingSort.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace SeismicHorizons
 {
-/// A place in sub-voxels that may lie between them.
+/// A place in the units of PlanePoint that may lie between whole coordinates.
 struct SegmentEnd
 {
   double X;
@@ -31,7 +32,50 @@ struct SegmentEnd
   }
 };
 
-/// Cells are half open: a point on the border of two belongs to the one of greater coordinates.
+/// By how much ranges on a segment are widened to both sides, so that rounding leaves nothing out. With coordinates
+/// below 2^29 and the 53 bits of a double their ends are right to 10^-6; this is far on the safe side, and yet rarely
+/// reaches into one cell more.
+constexpr double SegmentSlack = 1e-3;
+
+/// A segment, for asking where it passes a row of cells.
+class RowSegment
+{
+public:
+  RowSegment(const SegmentEnd& a, const SegmentEnd& b)
+    : Low(a.Y <= b.Y ? a : b)
+    , High(a.Y <= b.Y ? b : a)
+    , IsLevel(a.Y == b.Y)
+    , Slope(this->IsLevel ? 0.0 : (this->High.X - this->Low.X) / (this->High.Y - this->Low.Y))
+  {
+  }
+
+  double LeastY() const { return this->Low.Y; }
+  double GreatestY() const { return this->High.Y; }
+
+  /// The range of X.
+  struct Range
+  {
+    double First;
+    double Last;
+  };
+
+  /// Where the segment is from one Y to another, which it must reach, and SegmentSlack on both sides.
+  Range Between(double bottom, double top) const
+  {
+    const double x0 = this->Low.X + this->Slope * (std::max(bottom, this->Low.Y) - this->Low.Y);
+    const double x1 =
+      this->IsLevel ? this->High.X : this->Low.X + this->Slope * (std::min(top, this->High.Y) - this->Low.Y);
+    return { std::min(x0, x1) - SegmentSlack, std::max(x0, x1) + SegmentSlack };
+  }
+
+private:
+  const SegmentEnd Low;
+  const SegmentEnd High;
+  const bool IsLevel;
+  const double Slope; // X per Y
+};
+
+/// Cells are half open: a point on the side between two belongs to the one of greater coordinates.
 class CellGrid
 {
 public:
@@ -44,7 +88,7 @@ public:
   std::int64_t CellSize() const { return this->Side; }
   std::int64_t Size() const { return this->CellsX * this->CellsY; }
 
-  /// The column and the row of cells at a coordinate; outside the box that of the nearest cell.
+  /// The column and the row of cells at a coordinate; for one outside the box, of the nearest cell in it.
   std::int64_t CellX(double x) const { return Clamp(this->InCellsX(x), this->CellsX); }
   std::int64_t CellY(double y) const { return Clamp(this->InCellsY(y), this->CellsY); }
 
@@ -52,46 +96,36 @@ public:
   double InCellsX(double x) const { return this->InCells(x - this->MinX); }
   double InCellsY(double y) const { return this->InCells(y - this->MinY); }
 
-  /// The least corner of a cell.
+  /// The least corner of a cell, by its column and row.
   PlanePoint CornerOf(std::int64_t cellX, std::int64_t cellY) const
   {
     return { std::int32_t(this->MinX + cellX * this->Side), std::int32_t(this->MinY + cellY * this->Side) };
   }
 
+  /// The same, by its index.
+  PlanePoint Corner(std::int64_t cell) const { return this->CornerOf(cell % this->CellsX, cell / this->CellsX); }
+
   std::int64_t Index(std::int64_t cellX, std::int64_t cellY) const { return cellY * this->CellsX + cellX; }
   std::int64_t CellOf(const PlanePoint& p) const
   {
-    // 32 bits are enough, and much quicker to divide by.
+    // 32 bits are enough, and take less time to divide by than 64.
     const std::uint32_t size = std::uint32_t(this->Side);
     return this->Index(std::uint32_t(p.X - this->MinX) / size, std::uint32_t(p.Y - this->MinY) / size);
   }
 
-  /// The least corner of a cell.
-  PlanePoint Corner(std::int64_t cell) const
-  {
-    return { std::int32_t(this->MinX + cell % this->CellsX * this->Side),
-      std::int32_t(this->MinY + cell / this->CellsX * this->Side) };
-  }
-
-  /// Calls visit(cell) for every cell the segment between two places touches, and at times for one it just misses.
+  /// Calls visit(cell) for every cell that the segment between two places touches, row by row, and at times for one
+  /// that it misses by less than SegmentSlack.
   template <typename Visitor>
   void ForEachCellAlong(const SegmentEnd& from, const SegmentEnd& to, Visitor&& visit) const
   {
-    const SegmentEnd& low = from.Y <= to.Y ? from : to;
-    const SegmentEnd& high = from.Y <= to.Y ? to : from;
-    const bool level = low.Y == high.Y;
-    const double slope = level ? 0.0 : (high.X - low.X) / (high.Y - low.Y);
-    const std::int64_t lastRow = this->CellY(high.Y);
-    for (std::int64_t row = this->CellY(low.Y); row <= lastRow; ++row)
+    const RowSegment segment(from, to);
+    const std::int64_t lastRow = this->CellY(segment.GreatestY());
+    for (std::int64_t row = this->CellY(segment.LeastY()); row <= lastRow; ++row)
     {
-      const double bottom = std::max(low.Y, double(this->MinY + row * this->Side));
-      const double top = std::min(high.Y, double(this->MinY + (row + 1) * this->Side));
-      const double x0 = low.X + slope * (bottom - low.Y);
-      const double x1 = level ? high.X : low.X + slope * (top - low.Y);
-      // Far more than rounding can amount to.
-      constexpr double Slack = 0.001;
-      const std::int64_t last = this->CellX(std::max(x0, x1) + Slack);
-      for (std::int64_t column = this->CellX(std::min(x0, x1) - Slack); column <= last; ++column)
+      const RowSegment::Range range =
+        segment.Between(double(this->MinY + row * this->Side), double(this->MinY + (row + 1) * this->Side));
+      const std::int64_t last = this->CellX(range.Last);
+      for (std::int64_t column = this->CellX(range.First); column <= last; ++column)
       {
         visit(this->Index(column, row));
       }
@@ -99,7 +133,7 @@ public:
   }
 
 private:
-  /// A product where that is exact, as it is for powers of two: a division takes several times as long.
+  /// By a product where that is exact, which it is for powers of two: a division takes several times as long.
   double InCells(double distance) const
   {
     return this->Inverse > 0.0 ? distance * this->Inverse : distance / double(this->Side);
@@ -118,51 +152,13 @@ private:
   std::int64_t CellsY = 0;
 };
 
-/// Lists of items, one list per cell, in one piece of memory. Within a list items keep the order they came in.
-template <typename Item>
-class CellLists
-{
-public:
-  /// `forEach(add)` calls add(cell, item) for all items; it is run twice, and must do the same both times.
-  template <typename ForEach>
-  CellLists(std::int64_t cells, ForEach&& forEach)
-    : Ends(std::size_t(cells) + 1, 0)
-  {
-    forEach([this](std::int64_t cell, const Item&) { ++this->Ends[std::size_t(cell) + 1]; });
-    for (std::size_t cell = 1; cell < this->Ends.size(); ++cell)
-    {
-      this->Ends[cell] += this->Ends[cell - 1];
-    }
-    // Ends[cell] is now where the list begins, and moves to its end while it is filled.
-    this->Items.resize(this->Ends.back());
-    forEach([this](std::int64_t cell, const Item& item) { this->Items[this->Ends[std::size_t(cell)]++] = item; });
-  }
-
-  const Item* begin(std::int64_t cell) const { return this->Items.data() + (cell == 0 ? 0 : this->Ends[cell - 1]); }
-  /// Whether the cells from one to another, both included, have nothing.
-  bool AreEmpty(std::int64_t first, std::int64_t last) const { return this->begin(first) == this->end(last); }
-
-  const Item* end(std::int64_t cell) const { return this->Items.data() + this->Ends[std::size_t(cell)]; }
-
-private:
-  std::vector<std::size_t> Ends;
-  std::vector<Item> Items;
-};
-
-/// A piece of a boundary loop between two of its points.
-struct BoundaryEdge
-{
-  PointId From = NoPoint;
-  PointId To = NoPoint;
-};
-
-using PointLists = CellLists<PointId>;
-using EdgeLists = CellLists<BoundaryEdge>;
+using PointLists = ItemLists<PointId>;
+using EdgeLists = ItemLists<Edge>;
 
 /// The points in each cell.
 PointLists SortByCell(const CellGrid& grid, const std::vector<PlanePoint>& points);
 
-/// The boundary edges that touch each cell, and at times some that just miss it.
+/// The boundary edges that touch each cell, and at times some that miss it by less than SegmentSlack.
 EdgeLists SortByCell(const CellGrid& grid, const std::vector<PlanePoint>& points, const Loops& boundary);
 }
 

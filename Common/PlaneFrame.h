@@ -10,27 +10,28 @@
 
 namespace SeismicHorizons
 {
-/// Makes the coordinates of places in the plane small: the least ones become 0, and all are divided by the largest
-/// power of two that leaves them whole. When all points are on whole columns, the sub-voxels of a column drop out. The
-/// answers of the predicates stay the same.
+/// Coordinates of places in the plane that are as small as can be: counted from the least ones, and divided by the
+/// largest power of two that divides all of them. Points on whole columns get the numbers of the columns in this way,
+/// however many sub-voxels a column has. The predicates give the same answers before and after, as they do not depend
+/// on where the origin is and how long a unit.
 struct PlaneFrame
 {
   PlaneFrame() = default;
-  /// For places of which there is at least one.
+  /// Of places of which there is at least one.
   explicit PlaneFrame(const std::vector<PlanePoint>& places);
 
-  /// From the coordinates of the places to the small ones.
+  /// From the places that the frame was made for to its own.
   PlanePoint Inward(const PlanePoint& place) const
   {
     return { (place.X - this->Least.X) >> this->Shift, (place.Y - this->Least.Y) >> this->Shift };
   }
-  /// The other way.
+  /// And back.
   PlanePoint Outward(const PlanePoint& place) const
   {
     return { (place.X << this->Shift) + this->Least.X, (place.Y << this->Shift) + this->Least.Y };
   }
 
-  PlanePoint Least; // of the places, x and y each on its own
+  PlanePoint Least; // of the places, as they were
   PlanePoint Greatest;
   int Shift = 0; // the exponent of the power of two
 };

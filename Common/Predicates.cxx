@@ -37,8 +37,11 @@ int DeterminantSign(const Triangle& t, Lift&& lift)
   return Sign(sum);
 }
 
-/// The same for the lift x^2 + y^2 in plain doubles; 0 when rounding might have changed the sign. The coordinates are
-/// exact, so the bound only covers a handful of roundings, each at most 2^-53 of the sum of absolute terms.
+// Coordinates are exact as doubles. Each term of the determinant is rounded seven times at the most and the sum twice,
+// each time by no more than 2^-53 of the sum of absolute terms: 16 times that is on the safe side.
+constexpr double DeterminantRounding = 16.0 / 9007199254740992.0;
+
+/// The same for the lift x^2 + y^2 in plain doubles; 0 when rounding might have changed the sign.
 int FilteredDeterminantSign(const Triangle& t)
 {
   double sum = 0.0;
@@ -53,7 +56,7 @@ int FilteredDeterminantSign(const Triangle& t)
     sum += (left - right) * lift;
     size += (std::abs(left) + std::abs(right)) * lift;
   }
-  const double bound = size * (16.0 / 9007199254740992.0);
+  const double bound = size * DeterminantRounding;
   return sum > bound ? 1 : (sum < -bound ? -1 : 0);
 }
 }

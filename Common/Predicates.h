@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The questions of plane geometry that decide how a mesh is connected. All answers are exact for coordinates below
-// 2^29 in size (PlanePoint): signed areas fit 64 bits, in-circle determinants 128.
+// 2^29 in size (PlanePoint): signed areas fit 64 bits, and in-circle determinants 128.
 
 #ifndef SeismicHorizonsPredicates_h
 #define SeismicHorizonsPredicates_h
 
+#include "PlaneGeometry.h"
 #include "Types.h"
 
 namespace SeismicHorizons
@@ -30,33 +31,28 @@ int Sign(Number value)
   return int(value > 0) - int(value < 0);
 }
 
-/// True when the open segments a-b and c-d cross in one point that is inside both.
+/// True when the segments a-b and c-d cross in one point that is an end of neither.
 inline bool ProperlyCross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
 {
   return Sign(SignedArea(a, b, c)) * Sign(SignedArea(a, b, d)) < 0 &&
     Sign(SignedArea(c, d, a)) * Sign(SignedArea(c, d, b)) < 0;
 }
 
-/// True when p lies on the open segment a-b.
+/// True when p lies on the segment a-b and is none of its ends.
 inline bool OnOpenSegment(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
 {
-  if (p == a || p == b || SignedArea(a, b, p) != 0)
-  {
-    return false;
-  }
-  const std::int64_t along =
-    (std::int64_t(p.X) - a.X) * (std::int64_t(b.X) - p.X) + (std::int64_t(p.Y) - a.Y) * (std::int64_t(b.Y) - p.Y);
-  return along > 0;
+  return SignedArea(a, b, p) == 0 && ScalarProduct(p, a, b) < 0;
 }
 
 /// Positive when d lies inside the circle through a, b, c, which must turn counter-clockwise; negative when outside;
-/// never 0 for a d that makes a convex quadrangle with them.
+/// never 0 when the four are the corners of a convex quadrangle.
 ///
-/// On a lattice four points on one circle are the rule, and a triangulation has to cut all of them in ways that fit
-/// together. Circles here are therefore those of the metric x^2 + y^2 + e x y + e^2 x^2 with e > 0 infinitely small:
-/// the mesh is the Delaunay triangulation after a shear too small to see. Two quadrangles that all three terms leave
-/// undecided would need parallel diagonals, which no quadrangle has. The rule depends on the places of the points
-/// alone: not on their order, not on the search that finds them, not on where the origin is.
+/// On a lattice four points on one circle are the rule, and a triangulation has to cut all such quadrangles in ways
+/// that fit together. Circles here are therefore those of the metric x^2 + y^2 + e x y + e^2 x^2 with an infinitely
+/// small e > 0, so that the mesh is the Delaunay triangulation of points that are sheared by infinitely little. Only a
+/// quadrangle with parallel diagonals could leave all three terms of the metric undecided, and those of a convex one
+/// cross. The answer depends on the places of the points alone: not on their order, nor on the search that finds them,
+/// nor on where the origin is.
 int InCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 }
 

@@ -38,9 +38,16 @@ struct SpacePoint
   double Z = 0.0;
 };
 
-/// Closed polylines over the points of a horizon. The first point of a loop is not repeated at the end; there is an
-/// edge from the last point to it all the same. Seen from +z the surface lies to the right of every edge, so that
-/// exterior loops run clockwise.
+/// A side of a loop or of a triangle, in one of its two directions.
+struct Edge
+{
+  PointId From = NoPoint;
+  PointId To = NoPoint;
+};
+
+/// Loops, which are closed polylines over the points of a horizon, one after the other; the edge from the last point of
+/// a loop to its first is implied. Together they are a boundary. Seen from +z the surface lies to the right of every
+/// edge: outlines of patches run clockwise, and the loops of holes counter-clockwise.
 class Loops
 {
 public:
@@ -72,6 +79,16 @@ public:
       point = number[std::size_t(point)];
     }
     return result;
+  }
+
+  /// Calls visit(point) for each point of each loop, as often as loops visit it.
+  template <typename Visitor>
+  void ForEachPoint(Visitor&& visit) const
+  {
+    for (const PointId point : this->Points)
+    {
+      visit(point);
+    }
   }
 
   /// Calls visit(from, to) for each edge, the closing one included. A loop of one point has none.

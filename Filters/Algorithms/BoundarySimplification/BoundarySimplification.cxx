@@ -3,7 +3,7 @@
 
 #include "BoundarySimplification.h"
 
-#include "OutlineGuard.h"
+#include "LoopGuard.h"
 
 #include <Eigen/Geometry>
 
@@ -25,15 +25,16 @@ struct Distances
   double InHeight;
 };
 
-/// Where on the segment from the origin to `along` the place nearest to `way` is, 0 to 1.
+/// Where on the segment from the origin to `along` the place nearest to `way` is: 0 at the origin, 1 at its other end.
 template <typename Vector>
-double Nearest(const Vector& along, const Vector& way)
+double NearestPart(const Vector& along, const Vector& way)
 {
   const double length = along.squaredNorm();
   return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
 }
 
-/// Positions in a loop count from its first point; beyond its end they go on with the first point again.
+/// Simplifies one loop after the other. Positions in a loop count from its first point; beyond its end they go on with
+/// the first point again.
 class LoopSimplifier
 {
 public:
@@ -44,10 +45,7 @@ public:
     , Result(result)
     , Visits(points.size(), 0)
   {
-    for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-    {
-      std::for_each(boundary.begin(loop), boundary.end(loop), [this](PointId point) { this->CountVisit(point); });
-    }
+    boundary.ForEachPoint([this](PointId point) { this->CountVisit(point); });
     this->Result.Target.resize(points.size());
     std::iota(this->Result.Target.begin(), this->Result.Target.end(), 0);
     if (options.OutlineTolerance > 0.0)
@@ -56,7 +54,7 @@ public:
     }
   }
 
-  /// Runs may wrap around the first point of a loop, so the walk begins at a point that stays.
+  /// A run may contain the first point of a loop. So runs are taken from the first point that ends one.
   void Simplify(const PointId* first, const PointId* last)
   {
     this->Loop.assign(first, last);
@@ -78,7 +76,7 @@ public:
     {
       this->DropCorners();
     }
-    this->Settle();
+    this->WriteLoop();
   }
 
 private:
@@ -97,7 +95,7 @@ private:
     return { place.X, place.Y, place.Z };
   }
 
-  /// Boundary points stand on whole columns, so that the products below are exact, and verticals nothing special.
+  /// Boundary points stand on whole columns, so that the products below are exact.
   bool EndsRun(std::size_t n) const
   {
     if (this->IsShared(n))
@@ -110,7 +108,7 @@ private:
     return in.x() * out.y() != in.y() * out.x() || in.dot(out) <= 0.0;
   }
 
-  /// A closed loop turns somewhere, so there always is one.
+  /// The first position that ends a run. There is one, as a closed loop turns somewhere.
   std::size_t FirstRunEnd() const
   {
     std::size_t n = 0;
@@ -132,8 +130,8 @@ private:
     }
   }
 
-  /// One pass over a line of points whose ends stay: after a drop it goes on from the third point, else from the middle
-  /// one.
+  /// One pass over a line of positions whose ends stay: after a drop it goes on from the third of three, else from the
+  /// middle one. False when nothing was dropped.
   template <typename CanDrop>
   static bool DropOnce(std::vector<std::size_t>& line, CanDrop&& canDrop)
   {
@@ -181,8 +179,8 @@ private:
   {
     const Eigen::Vector3d along = this->Place(b) - this->Place(a);
     const Eigen::Vector3d way = this->Place(point) - this->Place(a);
-    const Eigen::Vector3d inPlan = way - Nearest<Eigen::Vector2d>(along.head<2>(), way.head<2>()) * along;
-    return { (way - Nearest(along, way) * along).norm(), inPlan.head<2>().norm(), std::abs(inPlan.z()) };
+    const Eigen::Vector3d inPlan = way - NearestPart<Eigen::Vector2d>(along.head<2>(), way.head<2>()) * along;
+    return { (way - NearestPart(along, way) * along).norm(), inPlan.head<2>().norm(), std::abs(inPlan.z()) };
   }
 
   /// Whether a condition holds for all points that an edge spans.
@@ -199,7 +197,8 @@ private:
     return true;
   }
 
-  /// The point of least x, then least y, where the loop begins, is a corner and so was kept.
+  /// Turns what is left of the loop so that it begins where it did. That point has the least x, then the least y, and
+  /// so is a corner, and was kept.
   void BeginAtFirst()
   {
     const auto first =
@@ -227,7 +226,7 @@ private:
     this->Kept.pop_back();
   }
 
-  /// The positions that a list of positions leaves out.
+  /// The positions between the first and the last of a list that the list leaves out.
   static std::vector<std::size_t> Dropped(const std::vector<std::size_t>& kept)
   {
     std::vector<std::size_t> dropped;
@@ -241,7 +240,8 @@ private:
     return dropped;
   }
 
-  /// Between two points that other parts of the boundary visit, there may be an edge already.
+  /// Drops a corner if it can. It has to stay when loops visit it more than once, and when they so visit both of its
+  /// neighbours: there may be an edge between these already.
   bool DropCorner(std::size_t before, std::size_t middle, std::size_t after)
   {
     const PointId a = this->At(before);
@@ -270,8 +270,9 @@ private:
         });
   }
 
-  /// Every dropped point counts for the nearer end, in plan, of the edge that spans it.
-  void Settle()
+  /// Adds what is left of the loop to the result. Every dropped point counts for the nearer end, in plan, of the edge
+  /// that spans it.
+  void WriteLoop()
   {
     this->Kept.push_back(this->Loop.size());
     for (std::size_t n = 0; n + 1 < this->Kept.size(); ++n)
@@ -281,13 +282,13 @@ private:
       this->Result.Boundary.Append(a);
       for (std::size_t between = this->Kept[n] + 1; between < this->Kept[n + 1]; ++between)
       {
-        this->SettlePoint(this->At(between), a, b);
+        this->WriteDropped(this->At(between), a, b);
       }
     }
     this->Result.Boundary.Close();
   }
 
-  void SettlePoint(PointId point, PointId a, PointId b)
+  void WriteDropped(PointId point, PointId a, PointId b)
   {
     const Distances distances = this->ToEdge(point, a, b);
     this->Result.Deviation = std::max(this->Result.Deviation, distances.InSpace);
@@ -300,10 +301,10 @@ private:
   const BoundarySimplificationOptions& Options;
   BoundarySimplification& Result;
   std::vector<unsigned char> Visits; // 0, 1 or 2 for more than one
-  std::optional<OutlineGuard> Guard;
-  std::vector<PointId> Loop;
-  std::vector<std::size_t> Run; // positions
-  std::vector<std::size_t> Kept; // positions
+  std::optional<LoopGuard> Guard;
+  std::vector<PointId> Loop; // that is being simplified
+  std::vector<std::size_t> Run; // the positions that are left of the run that is being simplified
+  std::vector<std::size_t> Kept; // the positions that are left of the loop
   std::size_t Corners = 0; // how many points the loop still has
 };
 

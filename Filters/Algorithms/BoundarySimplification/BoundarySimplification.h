@@ -4,17 +4,17 @@
 // Fewer points on the boundary loops of a horizon (thesis 3.4, Alg. 3.3).
 //
 // A loop is split into runs that are straight in plan; the ends of a run stay. Within a run the middle one of three
-// points in succession is dropped when its distance in space from the line through the other two is below a
-// threshold. Passes over a run are repeated until nothing is dropped any more (one pass alone, as the pseudo-code
-// reads, can drop half of the points at the most and never gives the rates the thesis reports). As runs are straight,
-// the outline in plan stays exactly what it was: only heights change.
+// successive points is dropped when its distance in space from the line through the other two is below a threshold.
+// Passes over a run are repeated until nothing is dropped any more. (One pass alone, as in the pseudo-code, drops half
+// of the points at the most, and never gives the rates that the thesis reports.) As runs are straight, loops stay
+// exactly what they were in plan: only heights change.
 //
-// A point that the loops visit more than once (a spur, a place where a patch touches itself) also ends a run: dropped
-// from one visit but not from the other it would lie on an edge without being its end.
+// A point that loops visit more than once (on a spur, or where a patch touches itself) also ends a run. Were it dropped
+// from one visit and not from the other, it would lie on an edge without being one of its ends.
 //
-// Beyond the thesis, deviations can be bound, and corners dropped: outlines that run slantwise over the lattice are
-// staircases, and have no runs. A corner goes when all that was dropped stays near enough to the new edge, in plan and
-// in height, and no point of the horizon lies between the new edge and the two old ones (OutlineGuard.h).
+// Beyond the thesis, deviations can be bound, and corners be dropped: loops that run slantwise over the lattice are
+// staircases, and have no runs. A corner is dropped when all points that the new edge spans then are near enough to it,
+// in plan and in height, and no other point lies between it and the two edges that it replaces (LoopGuard.h).
 
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
@@ -30,10 +30,10 @@ struct BoundarySimplificationOptions
 {
   /// In lattice units, at least 0 (InputError otherwise); with 0 nothing is dropped.
   double DistanceThreshold = 0.4;
-  /// Whether all points that a new edge spans have to be within the threshold, not just the one that goes with it.
+  /// Whether all points that a new edge spans have to be within the threshold of it, not just the one that is dropped.
   bool BoundDeviation = false;
-  /// How far in plan, in columns, a dropped corner may be from the outline, at least 0 (InputError otherwise). With 0
-  /// the outline in plan stays as it is.
+  /// How far in plan, in columns, a dropped corner may be from the edge that spans it, at least 0 (InputError
+  /// otherwise). With 0 no corners are dropped, and loops stay as they are in plan.
   double OutlineTolerance = 0.0;
 };
 
@@ -50,9 +50,9 @@ struct BoundarySimplification
   double OutlineDeviation = 0.0;
 };
 
-/// `points` are all points of the horizon, in lattice units. Linear in the points; the passes over a run add a factor
-/// that grows with the logarithm of its length where a run is flat, and with its length at the very worst. The first
-/// point of each loop stays.
+/// `points` are all points of the horizon, in lattice units. The first point of each loop stays. Linear in the points,
+/// times the number of passes over a run, which grows with the logarithm of its length where a run is flat, and with
+/// its length in the worst case.
 BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
 

@@ -24,13 +24,6 @@ namespace
 {
 constexpr std::int64_t Grain = 1024; // cells; small next to a cell of work, large next to a thread
 
-std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
-{
-  const std::int64_t x = std::int64_t(a.X) - b.X;
-  const std::int64_t y = std::int64_t(a.Y) - b.Y;
-  return x * x + y * y;
-}
-
 /// The nearest integer; halves go up.
 std::int32_t RoundedQuotient(std::int64_t sum, std::int64_t count)
 {
@@ -78,11 +71,7 @@ CellSimplifier::CellSimplifier(const BoundedHorizon& horizon, const CellOptions&
 void CellSimplifier::NumberBoundary()
 {
   const Loops& boundary = this->Horizon.Boundary;
-  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-  {
-    std::for_each(
-      boundary.begin(loop), boundary.end(loop), [this](PointId point) { this->OnBoundary[std::size_t(point)] = 1; });
-  }
+  boundary.ForEachPoint([this](PointId point) { this->OnBoundary[std::size_t(point)] = 1; });
   this->Result.Target.assign(this->Horizon.Plane.size(), NoPoint);
   // Boundary points are few and far between: memchr finds them many times faster than a loop.
   const unsigned char* const begin = this->OnBoundary.data();
@@ -314,7 +303,7 @@ bool CellSimplifier::IsInside(std::int64_t cell, const PlanePoint& place, PointI
 {
   const PlanePoint& from = this->Plane(inner);
   bool inside = true;
-  for (const BoundaryEdge* edge = this->Edges.begin(cell); edge != this->Edges.end(cell); ++edge)
+  for (const Edge* edge = this->Edges.begin(cell); edge != this->Edges.end(cell); ++edge)
   {
     if (this->Horizon.Patch[std::size_t(edge->From)] != this->Horizon.Patch[std::size_t(inner)])
     {

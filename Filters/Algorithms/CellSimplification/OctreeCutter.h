@@ -7,12 +7,12 @@
 #define SeismicHorizonsOctreeCutter_h
 
 #include "CellSimplifier.h"
+#include "Common/CountingSort.h"
 #include "Common/Types.h"
 #include "ElaborateSimplification.h"
 #include "Flatness.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 namespace SeismicHorizons
@@ -195,30 +195,26 @@ private:
   template <typename Visitor>
   void Halve(Iterator first, Iterator last, const CubeBox& box, Visitor&& visit)
   {
-    std::array<std::ptrdiff_t, 9> ends = {};
+    SmallCountingSort<std::ptrdiff_t, 8> sort;
     this->Octants.clear();
     for (Iterator point = first; point != last; ++point)
     {
       const int octant =
         box.Octant(this->Horizon.Plane[std::size_t(*point)], this->Horizon.Height[std::size_t(*point)]);
       this->Octants.push_back(static_cast<unsigned char>(octant));
-      ++ends[std::size_t(octant) + 1];
+      sort.Count(octant);
     }
-    for (std::size_t octant = 1; octant < ends.size(); ++octant)
-    {
-      ends[octant] += ends[octant - 1];
-    }
-    std::array<std::ptrdiff_t, 9> next = ends;
+    sort.EndCounting();
     this->Order.assign(first, last);
     for (std::size_t n = 0; n < this->Order.size(); ++n)
     {
-      first[next[this->Octants[n]]++] = this->Order[n];
+      first[sort.NextPosition(this->Octants[n])] = this->Order[n];
     }
-    for (std::size_t octant = 0; octant < 8; ++octant)
+    for (int octant = 0; octant < 8; ++octant)
     {
-      if (ends[octant] != ends[octant + 1])
+      if (sort.First(octant) != sort.End(octant))
       {
-        visit(first + ends[octant], first + ends[octant + 1], box.Child(int(octant)));
+        visit(first + sort.First(octant), first + sort.End(octant), box.Child(octant));
       }
     }
   }

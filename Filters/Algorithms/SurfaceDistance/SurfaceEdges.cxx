@@ -31,23 +31,14 @@ void ForEachSide(const std::vector<Corners>& triangles, Visitor&& visit)
 
 //----------------------------------------------------------------------------------------------------------------------
 SurfaceEdges::SurfaceEdges(const TriangleSurface& surface)
-  : Start(surface.Points.size() + 1, 0)
+  : Highs(std::int64_t(surface.Points.size()), [&surface](auto&& add) { ForEachSide(surface.Triangles, add); })
 {
-  ForEachSide(surface.Triangles, [this](PointId low, PointId) { ++this->Start[std::size_t(low) + 1]; });
-  for (std::size_t point = 1; point < this->Start.size(); ++point)
-  {
-    this->Start[point] += this->Start[point - 1];
-  }
-  this->Highs.resize(this->Start.back());
-  std::vector<std::uint32_t> next(this->Start.begin(), this->Start.end() - 1);
-  ForEachSide(
-    surface.Triangles, [this, &next](PointId low, PointId high) { this->Highs[next[std::size_t(low)]++] = high; });
   ParallelFor(std::int64_t(surface.Points.size()), 4096,
     [this](std::int64_t first, std::int64_t last)
     {
-      for (std::size_t point = std::size_t(first); point < std::size_t(last); ++point)
+      for (std::int64_t point = first; point < last; ++point)
       {
-        std::sort(this->Highs.begin() + this->Start[point], this->Highs.begin() + this->Start[point + 1]);
+        std::sort(this->Highs.begin(point), this->Highs.end(point));
       }
     });
 }

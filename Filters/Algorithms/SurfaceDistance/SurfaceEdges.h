@@ -6,17 +6,18 @@
 #ifndef SeismicHorizonsSurfaceEdges_h
 #define SeismicHorizonsSurfaceEdges_h
 
+#include "Common/CountingSort.h"
 #include "TriangleSurface.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <vector>
 
 namespace SeismicHorizons
 {
 class SurfaceEdges
 {
 public:
-  /// Linear; 8 bytes per point and 12 per triangle.
+  /// Linear; 4 bytes per point and 12 per triangle.
   explicit SurfaceEdges(const TriangleSurface& surface);
 
   /// Calls visit(low, high, triangles) for each edge whose end of lower number is in a range of points, with the number
@@ -26,23 +27,18 @@ public:
   {
     for (std::int64_t low = firstPoint; low < lastPoint; ++low)
     {
-      const std::uint32_t end = this->Start[std::size_t(low) + 1];
-      for (std::uint32_t first = this->Start[std::size_t(low)]; first < end;)
+      const PointId* const end = this->Highs.end(low);
+      for (const PointId* first = this->Highs.begin(low); first != end;)
       {
-        std::uint32_t next = first + 1;
-        while (next < end && this->Highs[next] == this->Highs[first])
-        {
-          ++next;
-        }
-        visit(PointId(low), this->Highs[first], next - first);
+        const PointId* const next = std::find_if(first, end, [first](PointId high) { return high != *first; });
+        visit(PointId(low), *first, std::uint32_t(next - first));
         first = next;
       }
     }
   }
 
 private:
-  std::vector<std::uint32_t> Start; // by point of lower number: where its list begins
-  std::vector<PointId> Highs; // the other ends, sorted in each list
+  ItemLists<PointId, std::uint32_t> Highs; // by the end of lower number: the other ends, sorted, one for each triangle
 };
 
 /// The edges of one triangle alone, each as a triangle without an area, in plan (z = 0), over points of their own.

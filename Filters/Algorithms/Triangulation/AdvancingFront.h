@@ -6,15 +6,14 @@
 #ifndef SeismicHorizonsAdvancingFront_h
 #define SeismicHorizonsAdvancingFront_h
 
-#include "Common/CellGrid.h"
 #include "Common/Types.h"
 
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// A set of directed edges from which the newest can be taken. Few edges leave one point at a time, so each point has
-/// a short linked list of its own. 4 bytes per point, and 8 per edge.
+/// A set of edges from which the newest can be taken. Few of its edges begin in the same point, so each point has a
+/// linked list of those that begin in it. 4 bytes per point, and 16 per edge.
 class AdvancingFront
 {
 public:
@@ -50,13 +49,13 @@ public:
   }
 
   /// Removes the edge that was added last; false when the front is empty.
-  bool TakeNewest(BoundaryEdge& edge)
+  bool TakeNewest(Edge& edge)
   {
     while (!this->Newest.empty())
     {
       edge = this->Newest.back();
       this->Newest.pop_back();
-      // Edges that were removed since are still in this list.
+      // Edges that were removed in the meantime are still in this list.
       if (this->Remove(edge.From, edge.To))
       {
         return true;
@@ -86,10 +85,10 @@ private:
     return link;
   }
 
-  std::vector<std::int32_t> First;
+  std::vector<std::int32_t> First; // for each point the first link of its list
   std::vector<Link> Links;
-  std::vector<std::int32_t> Free;
-  std::vector<BoundaryEdge> Newest;
+  std::vector<std::int32_t> Free; // links that are in no list
+  std::vector<Edge> Newest; // in the order in which they were added
 };
 }
 

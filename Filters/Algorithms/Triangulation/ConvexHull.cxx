@@ -12,7 +12,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// From the first to the last of the points, keeping all others to the right or on the chain.
+/// A chain of points from the first to the last that has all others to its right or on it, and turns to the right only.
 template <typename Iterator>
 std::vector<PointId> MakeChain(Iterator first, Iterator last, const std::vector<PlanePoint>& places)
 {
@@ -37,13 +37,13 @@ Loops FindConvexHull(const std::vector<PlanePoint>& places)
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
     [&places](PointId a, PointId b) { return places[std::size_t(a)] < places[std::size_t(b)]; });
-  const std::vector<PointId> there = MakeChain(order.begin(), order.end(), places);
-  const std::vector<PointId> back = MakeChain(order.rbegin(), order.rend(), places);
+  const std::vector<PointId> upper = MakeChain(order.begin(), order.end(), places);
+  const std::vector<PointId> lower = MakeChain(order.rbegin(), order.rend(), places);
   Loops hull;
-  std::for_each(there.begin(), there.end(), [&hull](PointId point) { hull.Append(point); });
-  for (std::size_t n = 1; n + 1 < back.size(); ++n)
+  std::for_each(upper.begin(), upper.end(), [&hull](PointId point) { hull.Append(point); });
+  for (std::size_t n = 1; n + 1 < lower.size(); ++n)
   {
-    hull.Append(back[n]);
+    hull.Append(lower[n]);
   }
   hull.Close();
   return hull;

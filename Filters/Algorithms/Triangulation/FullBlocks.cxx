@@ -15,13 +15,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A thread takes so many columns at a time.
+// How many columns a thread takes at a time.
 constexpr std::int64_t Grain = 32768;
 
-// With fewer points than one in so many columns, looking at all columns costs more than it can save.
+// Where fewer points than one in so many columns are left, looking at all columns takes longer than full blocks save.
 constexpr std::int64_t MostColumnsPerPoint = 8;
 
-/// Hops along a row or a column to the next one run between blocks.
+/// Whether an edge leads to the next column in a row, or to the next row: it runs between blocks and cuts none.
 bool RunsBetweenBlocks(const PlanePoint& a, const PlanePoint& b)
 {
   return std::abs(a.X - b.X) + std::abs(a.Y - b.Y) == 1;
@@ -80,7 +80,7 @@ FullBlocks::FullBlocks(const BoundedHorizon& horizon, const PlaneFrame& frame)
   this->RowStarts.push_back(0);
   for (std::size_t y = 0; y + 1 < full.size(); ++y)
   {
-    // The holes of rings are a row further up than their least corners.
+    // FindRings counts a ring in the row of its middle, which is one further up than that of its least corner.
     this->RowStarts.push_back(this->RowStarts.back() + 2 * full[y] + 6 * rings[y + 1]);
   }
 }
@@ -136,8 +136,8 @@ void FullBlocks::MarkCutBlocks(const BoundedHorizon& horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Along the middle of a row of blocks, each edge that crosses it is where the inside begins or ends for all blocks
-// whose middle is further to the right. A edge through the middle of a block has cut it.
+// Each edge that crosses the line through the middles of a row of blocks is where the inside begins or ends, for all
+// blocks whose middles are further to the right. An edge right through a middle does not matter: it cuts that block.
 void FullBlocks::MarkTurns(const BoundedHorizon& horizon)
 {
   horizon.Boundary.ForEachEdge(
@@ -154,7 +154,8 @@ void FullBlocks::MarkTurns(const BoundedHorizon& horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Inside the boundary of one patch there should be no points of another one. Where there are, the search will tell.
+// Inside the boundary of one patch there should be no points of another one. A block with points of several patches is
+// left to the search, which refuses such input.
 std::size_t FullBlocks::FindFull(std::int64_t y, const std::int32_t* patches)
 {
   const PointId* const below = this->Points.data() + this->Place(0, y);
@@ -166,7 +167,7 @@ std::size_t FullBlocks::FindFull(std::int64_t y, const std::int32_t* patches)
   {
     inside ^= blocks[x] & Turn;
     const bool open = inside != Nothing && (blocks[x] & Cut) == 0;
-    // NoPoint is the only negative number, so that one sign tells of all four.
+    // NoPoint is the only negative number, so the sign of the four combined says whether one of them is missing.
     const bool full = open && (below[x] | below[x + 1] | above[x] | above[x + 1]) >= 0 &&
       (!patches || AreInOnePatch(std::array<PointId, 4>{ below[x], below[x + 1], above[x], above[x + 1] }, patches));
     blocks[x] = (open ? Open : Nothing) | (full ? Full : Nothing);
@@ -176,8 +177,8 @@ std::size_t FullBlocks::FindFull(std::int64_t y, const std::int32_t* patches)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The blocks of a ring are in no other one, as a block of two would have two corners missing. So what threads write
-// here, others do not read.
+// A block is in one ring at most, as it has one empty corner and that is the middle of the ring. So threads write to
+// different blocks here, and read none that another one writes.
 std::size_t FullBlocks::FindRings(std::int64_t y, const std::int32_t* patches)
 {
   std::size_t count = 0;
@@ -216,13 +217,22 @@ bool FullBlocks::IsRing(std::int64_t x, std::int64_t y, const std::int32_t* patc
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PointId> FullBlocks::FindLoosePoints(const BoundedHorizon& horizon) const
 {
-  std::vector<PointId> loose;
   if (this->NumberOfTriangles() == 0)
   {
-    loose.resize(horizon.Plane.size());
-    std::iota(loose.begin(), loose.end(), 0);
-    return loose;
+    std::vector<PointId> all(horizon.Plane.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
   }
+  std::vector<PointId> loose = this->FindUncovered();
+  const std::vector<PointId> covered = this->FindCoveredBoundary(horizon);
+  loose.insert(loose.end(), covered.begin(), covered.end());
+  return loose;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PointId> FullBlocks::FindUncovered() const
+{
+  std::vector<PointId> uncovered;
   for (std::int64_t y = 0; y < this->Height; ++y)
   {
     bool left = false; // whether both blocks to the left of a column are meshed
@@ -231,28 +241,31 @@ std::vector<PointId> FullBlocks::FindLoosePoints(const BoundedHorizon& horizon) 
       const bool right = this->IsMeshed(x, y) && this->IsMeshed(x, y - 1);
       if (!(left && right) && this->At(x, y) != NoPoint)
       {
-        loose.push_back(this->At(x, y));
+        uncovered.push_back(this->At(x, y));
       }
       left = right;
     }
   }
-  std::vector<PointId> covered; // of the boundary, where it runs through the inside and back
-  const auto add = [&](PointId point)
-  {
-    const PlanePoint column = this->Frame.Inward(horizon.Plane[std::size_t(point)]);
-    if (this->Covers(column.X, column.Y))
+  return uncovered;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Where the boundary runs through the inside of a patch and back.
+std::vector<PointId> FullBlocks::FindCoveredBoundary(const BoundedHorizon& horizon) const
+{
+  std::vector<PointId> covered;
+  horizon.Boundary.ForEachPoint(
+    [&](PointId point)
     {
-      covered.push_back(point);
-    }
-  };
-  const Loops& boundary = horizon.Boundary;
-  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-  {
-    std::for_each(boundary.begin(loop), boundary.end(loop), add);
-  }
+      const PlanePoint column = this->Frame.Inward(horizon.Plane[std::size_t(point)]);
+      if (this->Covers(column.X, column.Y))
+      {
+        covered.push_back(point);
+      }
+    });
   std::sort(covered.begin(), covered.end());
-  loose.insert(loose.end(), covered.begin(), std::unique(covered.begin(), covered.end()));
-  return loose;
+  covered.erase(std::unique(covered.begin(), covered.end()), covered.end());
+  return covered;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

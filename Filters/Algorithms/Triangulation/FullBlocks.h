@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a lattice is full there is nothing to search. An edge between neighbouring columns is in every constrained
-// Delaunay triangulation, as the circle around it holds no other column. So what such edges enclose is meshed on its
-// own, as long as it is inside the boundary and no boundary edge cuts it:
-//  - a full block, two by two points: two triangles. Which diagonal cuts it is settled by Predicates.h.
-//  - a ring, three by three points without the middle one, which is what a single dropout leaves: four triangles at its
-//    corners, and two in the square between the middles of its sides.
+// Triangles that need no search, where the lattice is full. An edge between neighbouring columns is in every
+// constrained Delaunay triangulation, as the circle around it holds no other column. So what such edges enclose is
+// meshed on its own, as long as it is inside the boundary and no boundary edge cuts it:
+//  - a full block, two by two points: two triangles. InCircle in Predicates.h says which diagonal cuts it.
+//  - a ring, three by three points without the middle one, which is what a single missing point leaves: four triangles
+//    at its corners, and two in the square between the middles of its sides, whose diagonal InCircle settles, too.
 //
-//     *---*---*
-//     |  / \  |
-//     | / : \ |        ring: the diagonal of the inner square is settled by Predicates.h, too
-//     *   :   *
-//     | \ : / |
-//     |  \ /  |
-//     *---*---*
+//     *---*        *---*---*
+//     | / |        |  / \  |
+//     *---*        | / : \ |
+//                  *   :   *
+//     a block      | \ : / |      a ring
+//                  |  \ /  |
+//                  *---*---*
 
 #ifndef SeismicHorizonsFullBlocks_h
 #define SeismicHorizonsFullBlocks_h
@@ -32,31 +32,31 @@ namespace SeismicHorizons
 class FullBlocks
 {
 public:
-  /// None at all.
+  /// Has no blocks.
   FullBlocks() = default;
 
-  /// Of all patches of a horizon; `frame` is that of its points. When the points are so few in their bounding box that
-  /// there can not be many full blocks, or when two of them are in one place, none is found.
+  /// Finds those of all patches of a horizon; `frame` is that of its points. When the points are so few in their
+  /// bounding box that there can not be many full blocks, or when two of them are in one place, none is found.
   FullBlocks(const BoundedHorizon& horizon, const PlaneFrame& frame);
 
   std::size_t NumberOfTriangles() const { return this->RowStarts.empty() ? 0 : this->RowStarts.back(); }
 
-  /// The points of the horizon that a search still has to know: those which no full block or ring surrounds, and those
-  /// of the boundary.
+  /// The points of the horizon that the search still has to know: those that blocks and rings do not cover, which is
+  /// to surround them on all sides, and those of the boundary.
   std::vector<PointId> FindLoosePoints(const BoundedHorizon& horizon) const;
 
   /// The triangles of all full blocks and rings, counter-clockwise, row by row: three points each.
   void WriteTriangles(PointId* corners) const;
 
-  /// Calls side(from, to) for each side of a full block or ring that has none beyond it, with it to the left. All of
-  /// them begin and end in loose points.
-  template <typename Side>
-  void ForEachSide(const BoundedHorizon& horizon, const std::vector<PointId>& loose, Side&& side) const
+  /// Calls visit(from, to) for each side of a full block or ring that has no other one on its other side, with the
+  /// block to the left. All of them begin and end in `loose` points, which are those of FindLoosePoints.
+  template <typename Visitor>
+  void ForEachSide(const BoundedHorizon& horizon, const std::vector<PointId>& loose, Visitor&& visit) const
   {
     for (std::size_t n = 0; this->NumberOfTriangles() > 0 && n < loose.size(); ++n)
     {
       const PlanePoint column = this->Frame.Inward(horizon.Plane[std::size_t(loose[n])]);
-      this->VisitSides(column.X, column.Y, [&](PointId to) { side(loose[n], to); });
+      this->VisitSides(column.X, column.Y, [&](PointId to) { visit(loose[n], to); });
     }
   }
 
@@ -67,12 +67,14 @@ private:
   std::size_t FindFull(std::int64_t y, const std::int32_t* patches);
   std::size_t FindRings(std::int64_t y, const std::int32_t* patches);
   bool IsRing(std::int64_t x, std::int64_t y, const std::int32_t* patches) const;
+  std::vector<PointId> FindUncovered() const;
+  std::vector<PointId> FindCoveredBoundary(const BoundedHorizon& horizon) const;
 
   /// Calls work(y) for each row of blocks, on several threads.
   template <typename Work>
   void ForEachRow(Work&& work) const;
 
-  /// Whether all that is around the column is meshed.
+  /// Whether all four blocks around a column are meshed.
   bool Covers(std::int64_t x, std::int64_t y) const
   {
     return this->IsMeshed(x, y) && this->IsMeshed(x - 1, y) && this->IsMeshed(x - 1, y - 1) && this->IsMeshed(x, y - 1);
@@ -97,7 +99,7 @@ private:
   PointId* WriteBlock(std::int64_t x, std::int64_t y, PointId* corners) const;
   PointId* WriteRing(std::int64_t x, std::int64_t y, PointId* corners) const;
 
-  /// The other ends of the sides that begin in a point.
+  /// Calls visit(to) for the sides that begin in a point, with their other ends.
   template <typename Visitor>
   void VisitSides(std::int64_t x, std::int64_t y, Visitor&& visit) const
   {
@@ -126,10 +128,10 @@ private:
   enum Block : unsigned char
   {
     Nothing = 0,
-    Turn = 1, // between this block and the one to its left the inside begins or ends
-    Cut = 2, // a boundary edge runs through it, or close by
-    Open = 4, // inside, and not cut
-    Full = 8,
+    Turn = 1, // the inside of the boundary begins or ends between this block and the one to its left
+    Cut = 2, // a boundary edge runs through the block, or close by
+    Open = 4, // the block is inside the boundary, and not cut
+    Full = 8, // a full block
     Ring = 16, // a quarter of a ring
     Meshed = Full | Ring
   };
@@ -138,8 +140,8 @@ private:
   std::int64_t Width = 0;
   std::int64_t Height = 0;
   RawVector<PointId> Points; // by column
-  std::vector<unsigned char> Blocks; // by the column of the lower left corner
-  std::vector<std::size_t> RowStarts; // how many triangles the rows before have
+  std::vector<unsigned char> Blocks; // by the column of the least corner
+  std::vector<std::size_t> RowStarts; // for each row how many triangles the rows before it have
   // Which diagonal cuts a square: that between its first and third corner (0) or between the others (1).
   std::size_t BlockDiagonal = 0;
   std::size_t RingDiagonal = 0;

@@ -3,13 +3,14 @@
 
 #include "OutsideTriangles.h"
 
+#include "Common/CountingSort.h"
 #include "Common/Errors.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <sstream>
 #include <tuple>
@@ -18,13 +19,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
-{
-  const std::int64_t x = std::int64_t(b.X) - a.X;
-  const std::int64_t y = std::int64_t(b.Y) - a.Y;
-  return x * x + y * y;
-}
-
 void CheckLimits(const BoundaryLimits& limits)
 {
   std::ostringstream text;
@@ -40,19 +34,24 @@ void CheckLimits(const BoundaryLimits& limits)
   }
 }
 
-/// The limits in whole numbers, so that each question has one answer.
+// The length of the vector, in whole numbers, that stands for an angle. So angles are cut to 2^-30 in radians, which is
+// finer than the 10^-7 degrees that BoundaryLimits promises, and products with squared distances fit 128 bits.
+constexpr double DirectionLength = 1 << 30;
+
+// Coordinates are below 2^29 in size, so no edge is as long as this.
+constexpr double LongerThanAnyEdge = 2147483648.0; // 2^31
+
+/// The limits in whole numbers, so that comparisons with them are exact.
 class WholeLimits
 {
 public:
   WholeLimits(const BoundaryLimits& limits, std::int32_t subVoxelsPerColumn)
   {
     const double angle = limits.LargestAngle * std::atan(1.0) / 45.0;
-    constexpr double scale = 1 << 30;
-    this->Cosine = std::llround(scale * std::cos(angle));
-    this->Sine = std::llround(scale * std::sin(angle));
-    // Coordinates are below 2^29 in size, so no edge is as long as 2^31.
+    this->Cosine = std::llround(DirectionLength * std::cos(angle));
+    this->Sine = std::llround(DirectionLength * std::sin(angle));
     const double longest = limits.LongestEdge * subVoxelsPerColumn;
-    if (longest > 0.0 && longest < 2147483648.0)
+    if (longest > 0.0 && longest < LongerThanAnyEdge)
     {
       this->SquaredLength = std::int64_t(std::floor(longest * longest));
     }
@@ -66,12 +65,12 @@ public:
   }
 
 private:
-  /// The angle of two vectors with this scalar and cross product is beyond the limit when a turn from the limit's
-  /// direction to (along, across) goes to the left; both are between 0 and 180 degrees.
+  /// The scalar and the cross product of two vectors are the coordinates of a direction at the angle between them. It
+  /// is beyond the limit when the turn from the limit's direction to it is to the left, as both are from 0 to 180
+  /// degrees.
   bool IsAngleExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
   {
-    const std::int64_t along =
-      (std::int64_t(a.X) - c.X) * (std::int64_t(b.X) - c.X) + (std::int64_t(a.Y) - c.Y) * (std::int64_t(b.Y) - c.Y);
+    const std::int64_t along = ScalarProduct(c, a, b);
     const std::int64_t across = SignedArea(a, b, c);
     return Int128(this->Cosine) * across - Int128(this->Sine) * along > 0;
   }
@@ -81,7 +80,7 @@ private:
   std::int64_t SquaredLength = std::numeric_limits<std::int64_t>::max();
 };
 
-/// The number of a corner in the list of triangles. A mesh of less than 2^29 points has less than 2^32 corners.
+/// The position of a corner in the list of triangles. A mesh of less than 2^29 points has less than 2^32 corners.
 using CornerId = std::uint32_t;
 
 CornerId NextInTriangle(CornerId corner)
@@ -89,42 +88,30 @@ CornerId NextInTriangle(CornerId corner)
   return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// The corners that triangles have at each point.
-class CornersAtPoints
+/// For each point the corners that triangles have there.
+using CornersOfPoints = ItemLists<CornerId, CornerId>;
+
+CornersOfPoints ListCorners(std::size_t points, const RawVector<PointId>& triangles)
+{
+  return CornersOfPoints(std::int64_t(points),
+    [&triangles](auto&& add)
+    {
+      for (CornerId corner = 0; corner < triangles.size(); ++corner)
+      {
+        add(triangles[corner], corner);
+      }
+    });
+}
+
+/// Takes triangles off the mesh of a hull, one after the other, and keeps track of its boundary.
+class OutsideRemover
 {
 public:
-  CornersAtPoints(std::size_t points, const RawVector<PointId>& triangles)
-    : Starts(points + 1, 0)
-    , List(triangles.size())
-  {
-    for (const PointId point : triangles)
-    {
-      ++this->Starts[std::size_t(point)];
-    }
-    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    // Each start is where the next list begins now, and moves to the front as its own list is filled.
-    for (CornerId corner = CornerId(triangles.size()); corner-- > 0;)
-    {
-      this->List[--this->Starts[std::size_t(triangles[corner])]] = corner;
-    }
-  }
-
-  const CornerId* begin(PointId point) const { return this->List.data() + this->Starts[std::size_t(point)]; }
-  const CornerId* end(PointId point) const { return this->List.data() + this->Starts[std::size_t(point) + 1]; }
-
-private:
-  std::vector<CornerId> Starts;
-  std::vector<CornerId> List;
-};
-
-class Peeler
-{
-public:
-  Peeler(const BoundedHorizon& hull, RawVector<PointId>& triangles, const BoundaryLimits& limits)
+  OutsideRemover(const BoundedHorizon& hull, RawVector<PointId>& triangles, const BoundaryLimits& limits)
     : Places(hull.Plane)
     , Triangles(triangles)
     , Limits(limits, hull.SubVoxelsPerColumn)
-    , Corners(hull.Plane.size(), triangles)
+    , Corners(ListCorners(hull.Plane.size(), triangles))
     , Next(hull.Plane.size(), NoPoint)
   {
     hull.Boundary.ForEachEdge([this](PointId from, PointId to) { this->Next[std::size_t(from)] = to; });
@@ -144,7 +131,7 @@ public:
       this->Outside.pop();
       if (!this->IsOnBoundary(longest.Third))
       {
-        this->TakeOff(longest);
+        this->Remove(longest);
       }
     }
     this->Compact();
@@ -164,7 +151,7 @@ public:
   }
 
 private:
-  /// A triangle outside, behind the boundary edge between two of its points.
+  /// A triangle to take off: that at the boundary edge between two of its points.
   struct Candidate
   {
     std::int64_t SquaredLength;
@@ -194,8 +181,8 @@ private:
       [this, to](CornerId corner) { return this->Triangles[NextInTriangle(corner)] == to; });
   }
 
-  /// The surface lies to the right of a edge, so the triangle has its reverse. Points never leave the boundary: a
-  /// triangle that has to stay now will have to stay later on.
+  /// Looks at the triangle of a boundary edge. The surface lies to the right of the edge, so the triangle has the
+  /// reverse of it. Points never leave the boundary: a triangle that has to stay now has to stay for good.
   void Consider(PointId from, PointId to)
   {
     const CornerId corner = this->Find(to, from);
@@ -207,7 +194,7 @@ private:
     }
   }
 
-  void TakeOff(const Candidate& outside)
+  void Remove(const Candidate& outside)
   {
     this->Triangles[outside.FirstCorner] = NoPoint;
     this->Next[std::size_t(outside.From)] = outside.Third;
@@ -216,7 +203,7 @@ private:
     this->Consider(outside.Third, outside.To);
   }
 
-  /// Those that were taken off have no first point.
+  /// Closes the gaps in the list of triangles. Those that were taken off have no first point.
   void Compact()
   {
     std::size_t kept = 0;
@@ -236,8 +223,8 @@ private:
   const std::vector<PlanePoint>& Places;
   RawVector<PointId>& Triangles;
   const WholeLimits Limits;
-  const CornersAtPoints Corners;
-  std::vector<PointId> Next; // along the boundary
+  const CornersOfPoints Corners;
+  std::vector<PointId> Next; // for each point of the boundary the next one along it
   std::priority_queue<Candidate> Outside;
 };
 }
@@ -253,9 +240,9 @@ void RemoveOutsideTriangles(
     return;
   }
   monitor.Progress(0.0);
-  Peeler peeler(hull, mesh.Triangles, limits);
-  peeler.Run(monitor.Step(0.5, 1.0));
-  hull.Boundary = peeler.Boundary(*hull.Boundary.begin(0));
+  OutsideRemover remover(hull, mesh.Triangles, limits);
+  remover.Run(monitor.Step(0.5, 1.0));
+  hull.Boundary = remover.Boundary(*hull.Boundary.begin(0));
   mesh.BoundaryEdges = hull.Boundary.TotalLength();
 }
 }

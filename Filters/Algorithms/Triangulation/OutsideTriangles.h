@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The outline of points that have none, from the mesh of their convex hull: triangles outside are taken off, from the
+// An outline for points that have none, from the mesh of their convex hull: triangles outside are taken off, from the
 // boundary inwards.
 //
-// The thesis (5.3.8) looks at the angle between two consecutive edges of an outline, on the side of the hull. As its
-// outline is known, every such angle below 180 degrees has a triangle in it that lies outside. Here nothing but the
-// mesh is known. An edge of its boundary and the point that faces it are where the two edges would be, so the angle at
-// that point is the thesis's; how large it may be is up to the user, and how long the edge (Duckham et al., "Efficient
-// generation of simple polygons for characterizing the shape of a set of points in the plane", 2008, whose order and
-// whose rule against breaking are these, too).
+// The thesis (5.3.8) looks at the angle between two consecutive edges of a known outline, on its outer side: wherever
+// it is below 180 degrees, it contains a triangle that lies outside. Here no outline is known, only the mesh. A
+// triangle with an edge on the boundary lies outside when the outline should run along its other two edges instead. The
+// angle between these, at the point that faces the boundary edge, is the thesis's; how large it may be, and how long
+// the boundary edge, is up to the user. The order in which triangles go, and the rule that keeps the mesh in one piece,
+// are those of Duckham et al., "Efficient generation of simple polygons for characterizing the shape of a set of points
+// in the plane", 2008.
 
 #ifndef SeismicHorizonsOutsideTriangles_h
 #define SeismicHorizonsOutsideTriangles_h
@@ -23,16 +24,16 @@ namespace SeismicHorizons
 /// What the boundary of a mesh may have. A triangle with an edge that exceeds one of the limits lies outside.
 struct BoundaryLimits
 {
-  /// The angle that may face an edge, in degrees from 0 to 180, cut to 10^-7; 180 sets no limit.
+  /// The largest angle that may face an edge, in degrees from 0 to 180, cut to 10^-7; 180 sets no limit.
   double LargestAngle = 180.0;
-  /// The length of an edge in plan, in lattice units; 0 sets no limit.
+  /// The greatest length of an edge in plan, in lattice units; 0 sets no limit.
   double LongestEdge = 0.0;
 };
 
-/// Takes triangles outside off a mesh, one after the other, that with the longest edge on the boundary first, and of
-/// equal ones that with the greatest places. A triangle stays when the point that faces its edge is on the boundary
-/// already. So every point keeps a triangle, and the mesh stays in one piece that is bounded by one loop, which passes
-/// no point twice; where points lie in groups, strips of triangles join these.
+/// Takes triangles outside off a mesh, one after the other: first that with the longest edge on the boundary, and of
+/// equally long ones that with the greatest places. A triangle stays when the point that faces its edge is on the
+/// boundary already. So every point keeps a triangle, and the mesh stays in one piece that is bounded by one loop,
+/// which passes no point twice; where points lie in separate groups, strips of triangles stay between the groups.
 ///
 /// `mesh` is the triangulation of `hull`, whose boundary is one loop that passes no point twice; a hull without
 /// triangles is left alone. Both are changed: the loop becomes that of the smaller mesh. It starts at the same point,

@@ -23,7 +23,7 @@ std::int64_t CountPatches(const std::vector<std::int32_t>& patches)
   return std::int64_t(*range.second) + 1;
 }
 
-PointLists DealOutPoints(const BoundedHorizon& horizon, const std::vector<PointId>& points, std::int64_t patches)
+PointLists PointsByPatch(const BoundedHorizon& horizon, const std::vector<PointId>& points, std::int64_t patches)
 {
   return PointLists(patches,
     [&](auto&& add)
@@ -35,7 +35,7 @@ PointLists DealOutPoints(const BoundedHorizon& horizon, const std::vector<PointI
     });
 }
 
-EdgeLists DealOutSides(
+EdgeLists SidesByPatch(
   const BoundedHorizon& horizon, const FullBlocks& blocks, const std::vector<PointId>& loose, std::int64_t patches)
 {
   return EdgeLists(patches,
@@ -43,14 +43,14 @@ EdgeLists DealOutSides(
     {
       blocks.ForEachSide(horizon, loose,
         [&](PointId from, PointId to) {
-          add(horizon.Patch[std::size_t(from)], BoundaryEdge{ from, to });
+          add(horizon.Patch[std::size_t(from)], Edge{ from, to });
         });
     });
 }
 
-CellLists<std::size_t> DealOutLoops(const BoundedHorizon& horizon, std::int64_t patches)
+ItemLists<std::size_t> LoopsByPatch(const BoundedHorizon& horizon, std::int64_t patches)
 {
-  return CellLists<std::size_t>(patches,
+  return ItemLists<std::size_t>(patches,
     [&](auto&& add)
     {
       for (std::size_t loop = 0; loop < horizon.Boundary.Size(); ++loop)
@@ -67,9 +67,9 @@ PatchList::PatchList(const BoundedHorizon& horizon, const PlaneFrame& frame, con
   , Frame(frame)
   , Patches(CountPatches(horizon.Patch))
   , Loose(blocks.FindLoosePoints(horizon))
-  , Points(DealOutPoints(horizon, this->Loose, this->Patches))
-  , LoopsOf(DealOutLoops(horizon, this->Patches))
-  , BlockSides(DealOutSides(horizon, blocks, this->Loose, this->Patches))
+  , Points(PointsByPatch(horizon, this->Loose, this->Patches))
+  , LoopsOf(LoopsByPatch(horizon, this->Patches))
+  , BlockSides(SidesByPatch(horizon, blocks, this->Loose, this->Patches))
   , LocalNumber(horizon.Patch.size())
 {
 }
@@ -88,7 +88,7 @@ Patch PatchList::Get(std::int64_t number)
   if (!patch.Places.empty())
   {
     patch.Frame = PlaneFrame(patch.Places);
-    // Points that blocks cover may lie between those that are left.
+    // The unit is that of all points, as those that blocks cover may lie between those that are left.
     patch.Frame.Shift = this->Frame.Shift;
   }
   for (PlanePoint& place : patch.Places)
@@ -99,7 +99,7 @@ Patch PatchList::Get(std::int64_t number)
   {
     this->AddLoop(*loop, std::int32_t(number), patch);
   }
-  for (const BoundaryEdge* side = this->BlockSides.begin(number); side != this->BlockSides.end(number); ++side)
+  for (const Edge* side = this->BlockSides.begin(number); side != this->BlockSides.end(number); ++side)
   {
     patch.BlockSides.push_back({ this->NumberInPatch(side->From), this->NumberInPatch(side->To) });
   }

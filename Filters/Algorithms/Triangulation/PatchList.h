@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Deals what is left to mesh of a horizon, and its loops, out to its patches.
+// The patches of a horizon one by one: their points, their loops, and the sides of the full blocks that are meshed.
 
 #ifndef SeismicHorizonsPatchList_h
 #define SeismicHorizonsPatchList_h
 
 #include "Common/BoundedHorizon.h"
 #include "Common/CellGrid.h"
+#include "Common/CountingSort.h"
 #include "Common/PlaneFrame.h"
 #include "Common/RawVector.h"
 #include "FullBlocks.h"
@@ -16,24 +17,24 @@
 
 namespace SeismicHorizons
 {
-/// One patch with numbers of its own for its points.
+/// One patch. Its points have numbers of their own, from 0.
 struct Patch
 {
   std::vector<PointId> Points; // for each of its points the number in the horizon
   std::vector<PlanePoint> Places; // in its frame
   PlaneFrame Frame;
   Loops Boundary;
-  std::vector<BoundaryEdge> BlockSides; // full blocks are to their left
+  std::vector<Edge> BlockSides; // with full blocks to their left, and nothing meshed to their right
 };
 
 class PatchList
 {
 public:
-  /// Without the points that blocks cover. `horizon` must outlive the list, `frame` is that of its points. Throws
-  /// InputError on patch numbers that are negative or not less than the number of points.
+  /// Leaves out the points that blocks cover. `horizon` must outlive the list, and `frame` is that of its points.
+  /// Throws InputError on patch numbers that are negative or not less than the number of points.
   PatchList(const BoundedHorizon& horizon, const PlaneFrame& frame, const FullBlocks& blocks);
 
-  /// Some patches may have no points.
+  /// How many patches there are. Some may have no points.
   std::int64_t Size() const { return this->Patches; }
 
   /// How many points all patches have.
@@ -42,7 +43,7 @@ public:
   /// Throws InputError when a loop of the patch leaves it.
   Patch Get(std::int64_t number);
 
-  /// The number that a point of the horizon has in its patch, once that was asked for.
+  /// The number that a point of the horizon has in its patch, once Get was called for the patch.
   PointId NumberInPatch(PointId point) const { return this->LocalNumber[std::size_t(point)]; }
 
 private:
@@ -53,7 +54,7 @@ private:
   const std::int64_t Patches;
   const std::vector<PointId> Loose;
   const PointLists Points;
-  const CellLists<std::size_t> LoopsOf;
+  const ItemLists<std::size_t> LoopsOf;
   const EdgeLists BlockSides;
   RawVector<PointId> LocalNumber;
 };

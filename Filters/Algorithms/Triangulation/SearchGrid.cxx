@@ -4,6 +4,7 @@
 #include "SearchGrid.h"
 
 #include "Common/Errors.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
 #include <algorithm>
@@ -15,20 +16,16 @@ namespace SeismicHorizons
 {
 namespace
 {
-// How far it is to the nearest boundary edge, at most.
+// The largest distance to boundary edges that is told from larger ones: distances are kept in bytes.
 constexpr unsigned char FarFromEdges = 255;
 
-// Bounds the memory of the grid, where points are gathered in a small part of their box.
+// Bounds the memory of the grid where points are crowded in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
 
-/// The side of a square for each point, in what the boundary encloses.
+/// The side of a square with the area that there is for each point inside the boundary.
 double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
 {
-  PlanePoint size;
-  for (const PlanePoint& point : points)
-  {
-    size = { std::max(size.X, point.X), std::max(size.Y, point.Y) };
-  }
+  const PlanePoint size = PlaneBox(points).Greatest; // no coordinate is below 0
   const double box = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
   std::int64_t doubledArea = 0;
   boundary.ForEachEdge(
@@ -39,11 +36,74 @@ double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
   return std::sqrt(std::min(box, inside) / double(points.size()));
 }
 
-/// The nearest power of two, which makes all that is computed of voxels exact.
+/// The power of two that is nearest to the spacing of points: then places in units of voxels are exact.
 std::int64_t VoxelSizeFor(double spacing)
 {
   return std::int64_t(1) << std::max(0L, std::lround(std::log2(spacing)));
 }
+
+/// Distances on a grid, in steps to neighbours, also across corners.
+class DistanceField
+{
+public:
+  /// `distances` are those that are known so far, row by row: upper bounds, and 0 where the distance is 0.
+  DistanceField(std::int64_t sizeX, std::int64_t sizeY, std::vector<unsigned char>& distances)
+    : SizeX(sizeX)
+    , SizeY(sizeY)
+    , Distances(distances)
+  {
+  }
+
+  /// Row by row upwards, and in each row to the right.
+  void PassUp()
+  {
+    for (std::int64_t y = 0; y < this->SizeY; ++y)
+    {
+      for (std::int64_t x = 0; x < this->SizeX; ++x)
+      {
+        this->Lower(x, y, y - 1, x - 1);
+      }
+    }
+  }
+
+  /// Row by row downwards, and in each row to the left.
+  void PassDown()
+  {
+    for (std::int64_t y = this->SizeY; y-- > 0;)
+    {
+      for (std::int64_t x = this->SizeX; x-- > 0;)
+      {
+        this->Lower(x, y, y + 1, x + 1);
+      }
+    }
+  }
+
+private:
+  /// Lowers a distance to one more than those of its neighbours in the row before, and of that in the column before.
+  void Lower(std::int64_t x, std::int64_t y, std::int64_t rowBefore, std::int64_t columnBefore)
+  {
+    int nearest = FarFromEdges;
+    if (rowBefore >= 0 && rowBefore < this->SizeY)
+    {
+      for (std::int64_t column = std::max<std::int64_t>(0, x - 1); column <= std::min(x + 1, this->SizeX - 1); ++column)
+      {
+        nearest = std::min<int>(nearest, this->At(column, rowBefore));
+      }
+    }
+    if (columnBefore >= 0 && columnBefore < this->SizeX)
+    {
+      nearest = std::min<int>(nearest, this->At(columnBefore, y));
+    }
+    unsigned char& distance = this->At(x, y);
+    distance = static_cast<unsigned char>(std::min<int>(distance, nearest + 1));
+  }
+
+  unsigned char& At(std::int64_t x, std::int64_t y) { return this->Distances[std::size_t(y * this->SizeX + x)]; }
+
+  const std::int64_t SizeX;
+  const std::int64_t SizeY;
+  std::vector<unsigned char>& Distances;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -51,7 +111,7 @@ SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& bound
   : PointSpacing(SpacingOf(points, boundary))
   , Grid(points, 1, VoxelSizeFor(this->PointSpacing))
   , Sorted(this->Grid, points, names)
-  , EdgesInCell(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
+  , EdgesInVoxel(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
   this->CheckPlaces();
   this->CheckEdges();
@@ -61,20 +121,19 @@ SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& bound
 //----------------------------------------------------------------------------------------------------------------------
 SearchGrid::SortedPoints::SortedPoints(
   const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names)
-  : Places(points.size() + Padding)
+  : Voxels(grid.Size())
+  , Places(points.size() + Padding)
   , Names(points.size())
-  , Starts(std::size_t(grid.Size()) + 1, 0)
   , Numbers(points.size())
 {
   for (const PlanePoint& point : points)
   {
-    ++this->Starts[std::size_t(grid.CellOf(point)) + 1];
+    this->Voxels.Count(grid.CellOf(point));
   }
-  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-  std::vector<PointId> next(this->Starts.begin(), this->Starts.end() - 1);
+  this->Voxels.EndCounting();
   for (std::size_t point = 0; point < points.size(); ++point)
   {
-    const PointId number = next[std::size_t(grid.CellOf(points[point]))]++;
+    const PointId number = this->Voxels.NextPosition(grid.CellOf(points[point]));
     this->Numbers[point] = number;
     this->Places[std::size_t(number)] = points[point];
     this->Names[std::size_t(number)] = names[point];
@@ -82,55 +141,25 @@ SearchGrid::SortedPoints::SortedPoints(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Two passes, as a voxel on the shortest way to the nearest edge comes before it in one of both orders.
+// Two passes are enough, as the next voxel on a shortest way to an edge is met earlier in one of their two orders
+// (Rosenfeld and Pfaltz, "Sequential operations in digital picture processing", 1966).
 void SearchGrid::MeasureEdgeDistances()
 {
-  const std::int64_t sizeX = this->Grid.SizeX();
-  const std::int64_t sizeY = this->Grid.SizeY();
   this->EdgeDistances.assign(std::size_t(this->Grid.Size()), FarFromEdges);
-  if (this->EdgesInCell.AreEmpty(0, this->Grid.Size() - 1))
+  if (this->EdgesInVoxel.AreAllEmpty())
   {
     return;
   }
-  const auto distance = [this](std::int64_t x, std::int64_t y) -> unsigned char&
-  { return this->EdgeDistances[std::size_t(this->Grid.Index(x, y))]; };
-  const auto approach = [&](std::int64_t x, std::int64_t y, std::int64_t rowBefore, std::int64_t columnBefore)
+  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
   {
-    int nearest = FarFromEdges;
-    if (rowBefore >= 0 && rowBefore < sizeY)
+    if (!this->EdgesInVoxel.IsEmpty(voxel))
     {
-      for (std::int64_t column = std::max<std::int64_t>(0, x - 1); column <= std::min(x + 1, sizeX - 1); ++column)
-      {
-        nearest = std::min<int>(nearest, distance(column, rowBefore));
-      }
-    }
-    if (columnBefore >= 0 && columnBefore < sizeX)
-    {
-      nearest = std::min<int>(nearest, distance(columnBefore, y));
-    }
-    distance(x, y) = static_cast<unsigned char>(std::min<int>(distance(x, y), nearest + 1));
-  };
-  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
-  {
-    if (!this->EdgesInCell.AreEmpty(cell, cell))
-    {
-      this->EdgeDistances[std::size_t(cell)] = 0;
+      this->EdgeDistances[std::size_t(voxel)] = 0;
     }
   }
-  for (std::int64_t y = 0; y < sizeY; ++y)
-  {
-    for (std::int64_t x = 0; x < sizeX; ++x)
-    {
-      approach(x, y, y - 1, x - 1);
-    }
-  }
-  for (std::int64_t y = sizeY; y-- > 0;)
-  {
-    for (std::int64_t x = sizeX; x-- > 0;)
-    {
-      approach(x, y, y + 1, x + 1);
-    }
-  }
+  DistanceField field(this->Grid.SizeX(), this->Grid.SizeY(), this->EdgeDistances);
+  field.PassUp();
+  field.PassDown();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -160,30 +189,41 @@ void SearchGrid::CheckPlaces() const
 //----------------------------------------------------------------------------------------------------------------------
 void SearchGrid::CheckEdges() const
 {
-  const auto name = [this](const BoundaryEdge& edge) {
-    return "boundary edge " + std::to_string(this->NameOf(edge.From)) + " - " + std::to_string(this->NameOf(edge.To));
-  };
-  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
+  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
   {
-    for (const BoundaryEdge* edge = this->EdgesInCell.begin(cell); edge != this->EdgesInCell.end(cell); ++edge)
+    for (const Edge* edge = this->EdgesInVoxel.begin(voxel); edge != this->EdgesInVoxel.end(voxel); ++edge)
     {
-      const PlanePoint& from = this->At(edge->From);
-      const PlanePoint& to = this->At(edge->To);
-      const BoundaryEdge* const crossing = std::find_if(this->EdgesInCell.begin(cell), edge,
-        [&](const BoundaryEdge& other) { return ProperlyCross(from, to, this->At(other.From), this->At(other.To)); });
-      if (crossing != edge)
-      {
-        throw InputError(name(*edge) + " crosses " + name(*crossing) + ", expected edges that meet only at their ends");
-      }
-      for (PointId point = this->FirstIn(cell); point < this->EndOf(cell); ++point)
-      {
-        if (OnOpenSegment(from, to, this->At(point)))
-        {
-          throw InputError("point " + std::to_string(this->NameOf(point)) + " lies on " + name(*edge) +
-            ", expected no point between the ends of a boundary edge");
-        }
-      }
+      this->CheckEdge(edge, voxel);
     }
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// With the edges before it in a voxel, and the points there.
+void SearchGrid::CheckEdge(const Edge* edge, std::int64_t voxel) const
+{
+  const PlanePoint& from = this->At(edge->From);
+  const PlanePoint& to = this->At(edge->To);
+  const Edge* const crossing = std::find_if(this->EdgesInVoxel.begin(voxel), edge,
+    [&](const Edge& other) { return ProperlyCross(from, to, this->At(other.From), this->At(other.To)); });
+  if (crossing != edge)
+  {
+    throw InputError(this->Describe(*edge) + " crosses " + this->Describe(*crossing) +
+      ", expected edges that meet only at their ends");
+  }
+  for (PointId point = this->FirstIn(voxel); point < this->EndOf(voxel); ++point)
+  {
+    if (OnOpenSegment(from, to, this->At(point)))
+    {
+      throw InputError("point " + std::to_string(this->NameOf(point)) + " lies on " + this->Describe(*edge) +
+        ", expected no point between the ends of a boundary edge");
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string SearchGrid::Describe(const Edge& edge) const
+{
+  return "boundary edge " + std::to_string(this->NameOf(edge.From)) + " - " + std::to_string(this->NameOf(edge.To));
 }
 }

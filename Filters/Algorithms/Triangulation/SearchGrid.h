@@ -7,64 +7,68 @@
 #define SeismicHorizonsSearchGrid_h
 
 #include "Common/CellGrid.h"
+#include "Common/CountingSort.h"
 #include "Common/Types.h"
 
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Points get numbers of their own, voxel by voxel: those of a row of voxels follow each other.
+/// Points get new numbers here, voxel by voxel and row by row, so that those in a row of voxels are in one range.
 class SearchGrid
 {
 public:
-  /// Coordinates are at least 0 and below 2^29. Throws InputError when two points are in one place, a point lies on a
-  /// boundary edge, or two boundary edges cross; `names` gives the numbers by which messages call the points.
+  /// Coordinates of `points` are at least 0 and below 2^29. Throws InputError when two points are in one place, a point
+  /// lies on a boundary edge, or two boundary edges cross; `names` are the numbers by which messages call the points.
   SearchGrid(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names);
 
-  /// The number a point got, and the name of the point with such a number.
+  /// The new number of a point, and the name of the point that has a new number.
   PointId NumberOf(PointId point) const { return this->Sorted.Numbers[std::size_t(point)]; }
   PointId NameOf(PointId number) const { return this->Sorted.Names[std::size_t(number)]; }
 
   const PlanePoint& At(PointId number) const { return this->Sorted.Places[std::size_t(number)]; }
 
-  /// The points in a voxel are those from the first to before the end.
-  PointId FirstIn(std::int64_t voxel) const { return this->Sorted.Starts[std::size_t(voxel)]; }
-  PointId EndOf(std::int64_t voxel) const { return this->Sorted.Starts[std::size_t(voxel) + 1]; }
+  /// The points in a voxel have the numbers from the first to before the end.
+  PointId FirstIn(std::int64_t voxel) const { return this->Sorted.Voxels.First(voxel); }
+  PointId EndOf(std::int64_t voxel) const { return this->Sorted.Voxels.End(voxel); }
 
-  /// How far apart points are on average.
+  /// How far apart points are on average: the side of a square with the area that there is for one point.
   double Spacing() const { return this->PointSpacing; }
-  /// How many steps to neighbours, also across corners, a voxel is away from one with boundary edges, up to 255.
+  /// How many steps from voxel to voxel, also across corners, it is to the nearest one with boundary edges, up to 255.
   std::int64_t EdgeDistance(std::int64_t x, std::int64_t y) const
   {
     return this->EdgeDistances[std::size_t(this->Grid.Index(x, y))];
   }
 
-  /// Places may be read for so many numbers after the last.
+  /// At() may be asked for so many numbers after the last: a search can look at this many points at once.
   static constexpr PointId Padding = 4;
 
   const CellGrid& Voxels() const { return this->Grid; }
-  const EdgeLists& Edges() const { return this->EdgesInCell; }
+  const EdgeLists& Edges() const { return this->EdgesInVoxel; }
 
 private:
-  /// The points in the order of the search.
+  /// The points in the order of their new numbers.
   struct SortedPoints
   {
     SortedPoints(const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names);
 
-    std::vector<PlanePoint> Places; // voxel by voxel
-    std::vector<PointId> Names; // the same
-    std::vector<PointId> Starts; // for each voxel its first point
-    std::vector<PointId> Numbers; // by the numbers that points had before
+    CountingSort<PointId> Voxels;
+    std::vector<PlanePoint> Places; // by new number
+    std::vector<PointId> Names; // by new number
+    std::vector<PointId> Numbers; // the new numbers, by those that points had before
   };
 
   void MeasureEdgeDistances();
   void CheckPlaces() const;
   void CheckEdges() const;
+  void CheckEdge(const Edge* edge, std::int64_t voxel) const;
+  std::string Describe(const Edge& edge) const;
 
   const double PointSpacing;
   const CellGrid Grid;
   const SortedPoints Sorted;
-  const EdgeLists EdgesInCell;
+  const EdgeLists EdgesInVoxel;
   std::vector<unsigned char> EdgeDistances; // by voxel
 };
 }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the search for the third point of an edge is about.
+// The search for the third point of one edge: what is asked, how far the search is, and the box and the circle in which
+// it looks.
 
 #ifndef SeismicHorizonsThirdPointQuery_h
 #define SeismicHorizonsThirdPointQuery_h
 
+#include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
 #include "SearchGrid.h"
 
@@ -15,13 +17,13 @@
 
 namespace SeismicHorizons
 {
-/// A voxel that was looked into, for showing how the search works.
+/// A voxel that was looked into, to show how the search works.
 struct WalkedVoxel
 {
   std::int64_t X = 0;
   std::int64_t Y = 0;
-  /// 0 on the perpendicular bisector, n on its n-th dilatation, -1 beyond: in the box of the edge for Compactness, in
-  /// squares around it, or in the circle of the candidate.
+  /// 0 on the perpendicular bisector, n on its n-th dilatation, -1 where neither led there: in the box of the edge for
+  /// Compactness, in squares around it, or in the circle of the candidate.
   int Dilatation = 0;
 };
 
@@ -34,7 +36,7 @@ struct VoxelBox
   std::int64_t LastY;
 };
 
-/// An edge, and how far the search for its third point is.
+/// An edge from A to B, and the best point that was found for it so far.
 struct ThirdPointQuery
 {
   ThirdPointQuery(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedVoxel>* walk)
@@ -49,25 +51,20 @@ struct ThirdPointQuery
   PlanePoint DoubledMiddle() const { return { this->A.X + this->B.X, this->A.Y + this->B.Y }; }
   SegmentEnd Middle() const { return { 0.5 * this->DoubledMiddle().X, 0.5 * this->DoubledMiddle().Y }; }
 
-  double SquaredLength() const
-  {
-    const double x = double(this->B.X) - this->A.X;
-    const double y = double(this->B.Y) - this->A.Y;
-    return x * x + y * y;
-  }
+  double SquaredLength() const { return double(SquaredDistance(this->A, this->B)); }
 
   const PointId From;
   const PointId To;
   const PlanePoint A;
   const PlanePoint B;
-  std::vector<WalkedVoxel>* const Walk;
+  std::vector<WalkedVoxel>* const Walk; // takes the voxels that are looked into, if not null
   int Dilatation = -1; // of the voxels that are being looked into
-  bool OnlyVisible = false;
+  bool OnlyVisible = false; // whether points behind boundary edges do not count
   PointId Best = NoPoint;
-  double BestCotangent = 0.0;
+  double BestCotangent = 0.0; // of the angle at which the best point sees the edge
 };
 
-/// The square box of an edge, in voxels.
+/// The square box of an edge (thesis 5.3.2), in voxels: as far around its middle as it is long.
 struct EdgeBox
 {
   EdgeBox(const ThirdPointQuery& query, const CellGrid& grid)
@@ -80,11 +77,16 @@ struct EdgeBox
 
   const double MiddleX;
   const double MiddleY;
-  const std::int64_t Size; // of the edge: the thesis's k
+  const std::int64_t Size; // the longer one of the edge's two extents: the thesis's k
 };
 
-/// The circle of the points to the left that see an edge at an angle of some cotangent, as seen from the start of the
-/// edge. Plain doubles, and a margin by which their rounding makes it uncertain.
+// The centre and the radius of a circle are right to some units in the last place, 10^-16 of their size, and
+// coordinates, which are below 2^30, to 10^-6. What is farther outside than this is outside for certain.
+constexpr double CircleMargin = 1e-6;
+constexpr double CircleMarginPerRadius = 1e-12;
+
+/// The circle of the points to the left of an edge that see it at an angle with some cotangent, in coordinates from the
+/// start of the edge. In plain doubles: a point within the margin may be inside or outside.
 struct EdgeCircle
 {
   EdgeCircle(const ThirdPointQuery& query, double cotangent)
@@ -100,31 +102,31 @@ struct EdgeCircle
     , X(0.5 * (this->EdgeX - this->EdgeY * cotangent))
     , Y(0.5 * (this->EdgeY + this->EdgeX * cotangent))
     , Radius(radius)
-    , Margin(1e-6 + 1e-12 * this->Radius)
-    , Reach((this->Radius + this->Margin) * (this->Radius + this->Margin))
+    , Margin(CircleMargin + CircleMarginPerRadius * this->Radius)
+    , SquaredReach((this->Radius + this->Margin) * (this->Radius + this->Margin))
   {
   }
 
-  /// False only when the point is for certain outside or to the right of the edge. No branches that a processor would
-  /// have to guess.
+  /// False only when the point is for certain outside, or to the right of the edge. Without branches: points are inside
+  /// or outside in no order that a processor could predict.
   bool MayHold(const PlanePoint& point) const
   {
     const double x = double(point.X - this->Start.X);
     const double y = double(point.Y - this->Start.Y);
     const double fromX = x - this->X;
     const double fromY = y - this->Y;
-    // Rounding leaves the two products in their order, or makes them equal.
-    return (fromX * fromX + fromY * fromY <= this->Reach) & (this->EdgeX * y >= this->EdgeY * x);
+    // Rounding keeps the order of the two products, or makes them equal.
+    return (fromX * fromX + fromY * fromY <= this->SquaredReach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 
   const PlanePoint Start;
-  const double EdgeX;
+  const double EdgeX; // the vector of the edge
   const double EdgeY;
-  const double X;
+  const double X; // the centre
   const double Y;
   const double Radius;
   const double Margin;
-  const double Reach; // squared
+  const double SquaredReach; // of the radius and the margin
 };
 }
 

@@ -3,6 +3,7 @@
 
 #include "ThirdPointSearch.h"
 
+#include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 #include "VoxelWalk.h"
 
@@ -14,10 +15,18 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The first circle that is looked into: its diameter when points were one apart on average, and at least how many times
-// as long as the edge it is. Larger ones hold more points than needed, smaller ones too often none.
+// The first circle that is looked into: its diameter when points are one apart on average, and the least one for an
+// edge of length 1. Larger circles have more points than needed, smaller ones too often none.
 constexpr double NearbyDiameter = 1.5;
 constexpr double LeastDiameter = 1.1;
+
+// A cotangent is a quotient of two whole numbers that are rounded to doubles: right to three times 2^-53 of its size.
+// For points whose cotangents are closer to each other than this part, InCircle decides.
+constexpr double CotangentRounding = 1e-14;
+
+// A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain, and not in
+// its margin.
+constexpr double CotangentMargin = 1e-12;
 
 PlanePoint Doubled(const PlanePoint& p)
 {
@@ -25,27 +34,17 @@ PlanePoint Doubled(const PlanePoint& p)
 }
 
 /// The cotangent of the angle at which a point to the left of an edge from a to b sees it; `area` is twice that of the
-/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left, and
-/// half of it times the length of the edge is how far the centre of that circle lies to the left.
+/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left. Half
+/// of it times the length of the edge is how far the centre of that circle lies to the left.
 double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
 {
-  const std::int64_t ax = std::int64_t(a.X) - point.X;
-  const std::int64_t ay = std::int64_t(a.Y) - point.Y;
-  const std::int64_t bx = std::int64_t(b.X) - point.X;
-  const std::int64_t by = std::int64_t(b.Y) - point.Y;
-  return double(ax * bx + ay * by) / double(area);
+  return double(ScalarProduct(point, a, b)) / double(area);
 }
 
-/// Up to a factor: the thesis's C without 4 sqrt(3) / 2 (eq. 5.9).
+/// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
 double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
 {
-  const auto squared = [](const PlanePoint& p, const PlanePoint& q)
-  {
-    const double x = double(p.X) - q.X;
-    const double y = double(p.Y) - q.Y;
-    return x * x + y * y;
-  };
-  return double(area) / (squared(a, b) + squared(b, c) + squared(c, a));
+  return double(area) / (double(SquaredDistance(a, b)) + double(SquaredDistance(b, c)) + double(SquaredDistance(c, a)));
 }
 }
 
@@ -65,7 +64,8 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 
 //----------------------------------------------------------------------------------------------------------------------
 // The circle through the best point to the left has no point in its left part, and of all such circles the smallest
-// right part. Seen from the right the edge is reversed, and the cotangent has the other sign.
+// right part. So the edge is Delaunay when that part has no point either. Seen from the right the edge is reversed, and
+// the cotangent of the circle has the other sign.
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
   ThirdPointQuery left(this->Points, a, b, nullptr);
@@ -116,9 +116,9 @@ void ThirdPointSearch::Search(ThirdPointQuery& query) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Where points are about as dense as everywhere, the third point lies in a circle with the edge that is little larger
-// than points are apart, and one look at it finds it: when the circle has points to the left of the edge, no other
-// point's circle can be empty. Where it has none, points are further apart, and a second look goes to a larger circle.
+// Where points are as dense as on average, the third point lies in a circle through the ends of the edge that is little
+// wider than points are apart: when the circle has points to the left of the edge, the third point is one of them.
+// Where it has none, points are further apart, and a circle twice as wide is searched.
 bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
 {
   const double squaredLength = query.SquaredLength();
@@ -135,12 +135,12 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
         this->Grid.CellX(query.A.X + circle.X + reach), this->Grid.CellY(query.A.Y + circle.Y + reach) });
     squaredDiameter *= 4.0;
   }
-  // A point in the margin may not be the best there is.
-  return query.Best != NoPoint && query.BestCotangent < cotangent * (1.0 - 1e-12);
+  // When the best point is in the margin of the circle, a better one may be outside.
+  return query.Best != NoPoint && query.BestCotangent < cotangent * (1.0 - CotangentMargin);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The bisector, then one line of voxels more on each side of it at a time, up to the border of the box.
+// The bisector, then one line of voxels more on either side of it at a time, as far as the box reaches.
 void ThirdPointSearch::TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const
 {
   for (int dilatation = 0; query.Best == NoPoint && dilatation <= edgeBox.Size; ++dilatation)
@@ -155,7 +155,7 @@ void ThirdPointSearch::TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBo
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A dilatation is the bisector's line of voxels, moved sideways: along the axis on which it advances less.
+// One line of a dilatation: the bisector's line of voxels, moved along the axis on which it advances less.
 void ThirdPointSearch::SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const
 {
   const double x = double(query.A.Y) - query.B.Y;
@@ -218,8 +218,8 @@ VoxelBox ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t rad
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The box of the circle's part to the left of the edge: around its ends, and those of the circle's four outermost
-// points that are to the left.
+// The box of the circle's part to the left of the edge: around the ends of the edge, and those of the circle's
+// leftmost, rightmost, lowest and highest points that are to the left.
 VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const
 {
   const double bx = double(query.B.X) - query.A.X;
@@ -233,7 +233,7 @@ VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPoint
   const double nearlyLeft = -2.0 * circle.Margin * (std::abs(bx) + std::abs(by));
   for (const auto& point : outermost)
   {
-    // What is not to the left is taken to be at the start of the edge: no branch that a processor would have to guess.
+    // Without branches: one that is not to the left counts as the start of the edge, which is in the box anyway.
     const bool left = bx * point[1] - by * point[0] > nearlyLeft;
     const double px = left ? point[0] : 0.0;
     const double py = left ? point[1] : 0.0;
@@ -247,8 +247,9 @@ VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPoint
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Points are looked at a few at a time, even where a row of voxels has fewer, and those inside are noted without a
-// branch: which are is anyone's guess, and a wrong guess takes a processor longer than to look at some points more.
+// Points are tested in batches of fixed size, even where a row of voxels has fewer, and those inside are collected
+// without branches. Which points are inside follows no pattern, and a branch that a processor predicts wrongly takes it
+// longer than to test some points more.
 void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const
 {
   constexpr PointId Batch = SearchGrid::Padding;
@@ -308,7 +309,7 @@ void ThirdPointSearch::Trace(ThirdPointQuery& query, std::int64_t row, std::int6
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The voxels of a row stand one after the other, and so do their points.
+// The points in a row of voxels are in one range.
 template <typename Visitor>
 void ThirdPointSearch::VisitRow(
   ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
@@ -339,7 +340,6 @@ void ThirdPointSearch::Consider(ThirdPointQuery& query, PointId candidate) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Cotangents are right to some units in the last place; only those that are closer to each other need InCircle.
 bool ThirdPointSearch::IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const
 {
   if (query.Best == NoPoint)
@@ -347,7 +347,7 @@ bool ThirdPointSearch::IsBetter(const ThirdPointQuery& query, PointId candidate,
     return true;
   }
   const double difference = cotangent - query.BestCotangent;
-  const double uncertain = 1e-14 * (std::abs(cotangent) + std::abs(query.BestCotangent));
+  const double uncertain = CotangentRounding * (std::abs(cotangent) + std::abs(query.BestCotangent));
   if (std::abs(difference) > uncertain)
   {
     return difference < 0.0;
@@ -356,8 +356,8 @@ bool ThirdPointSearch::IsBetter(const ThirdPointQuery& query, PointId candidate,
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A segment stays as near to its start as its end is.
-bool ThirdPointSearch::MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const
+// Whether a segment leads as many voxels away from its start as the nearest boundary edge is.
+bool ThirdPointSearch::MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const
 {
   const std::int64_t x = this->Grid.CellX(from.X);
   const std::int64_t y = this->Grid.CellY(from.Y);
@@ -366,18 +366,18 @@ bool ThirdPointSearch::MayMeetHops(const SegmentEnd& from, const SegmentEnd& to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A segment that runs through the end of a boundary edge does not cross it. That does no harm: the end is nearer, so
-// that the circle of the point behind it can not be empty.
+// A segment that runs through the end of a boundary edge does not cross it, and the point behind counts as visible.
+// That does no harm: the end of the edge is nearer, and lies inside the circle of the point behind it.
 bool ThirdPointSearch::IsVisible(const ThirdPointQuery& query, PointId candidate) const
 {
   const SegmentEnd middle = query.Middle();
-  if (!this->MayMeetHops(middle, this->At(candidate)))
+  if (!this->MayMeetEdges(middle, this->At(candidate)))
   {
     return true;
   }
   const PlanePoint target = Doubled(this->At(candidate));
   bool visible = true;
-  const auto blocks = [&](const BoundaryEdge& edge)
+  const auto blocks = [&](const Edge& edge)
   { return ProperlyCross(Doubled(this->At(edge.From)), Doubled(this->At(edge.To)), query.DoubledMiddle(), target); };
   this->Grid.ForEachCellAlong(middle, this->At(candidate),
     [&](std::int64_t cell)

@@ -2,22 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The point that makes a triangle with an edge (thesis 5.3.4 to 5.3.6 and 5.4): of all points to the left of the edge
-// that can be seen from it, the one whose circle with the edge is empty.
+// that can be seen from it, the one whose circle with the edge has no other such point inside.
 //
 // Points are looked up in a grid of square voxels with about one point each. A first candidate is found by one of two
-// strategies in the square box of the edge, which is as far around its middle as the edge is long:
-//  - VoxelTraversal: along the perpendicular bisector from the middle of the edge, then along its dilatations, one
-//    voxel further to both sides each time, until there is a point. As that is often the voxel next to the edge, a
-//    circle with the edge that is little wider than points are apart is looked into first: when it has points to the
-//    left of the edge, the third point is one of them;
-//  - Compactness: of all points in the box the one that makes the most compact triangle (eq. 5.9).
-// When the box has none, growing squares are searched. Then what the circle of the candidate covers is searched for
-// better points (the Delaunay criterion, Alg. 5.1). As that is exact, both strategies end with the same point.
+// strategies in the square box of the edge, which is as far around its middle as the edge is long.
 //
-// With constraints, a point counts only when the segment from the middle of the edge to it crosses none. Looking from
-// the middle is enough: the third point is seen from every place on the edge, and a point of the circle that is seen
-// from the middle would be seen from inside the triangle as well, which a constrained Delaunay triangle excludes. As
-// few edges have a constraint near, the best of all points is looked for first, seen or not; if it is seen, it is best.
+// VoxelTraversal looks into the voxels along the perpendicular bisector, from the middle of the edge, and then into
+// those of its dilatations, until it finds a point. The n-th dilatation is the bisector's line of voxels moved by n to
+// either side, along the axis on which the line advances less (5.3.6.2):
+//
+//      1 0 1 2 . . .
+//      1 0 1 2 . . .        a-b    the edge, from a to b: its left is above
+//      2 1 0 1 2 . .        0      the perpendicular bisector
+//      2 1 0 1 2 . .        1      the first dilatation, both lines of it
+//      2 1 0 1 2 . .        2      the second one
+//      . 2 1 0 1 2 b
+//      . 2 1 0 1 2 .
+//      a . . . . . .
+//
+// Most often the point is in the voxel beside the edge. So before all this a circle through a and b is searched that is
+// little wider than points are apart: when it has points to the left of the edge, the third point is one of them.
+//
+// Compactness takes that point of the box which makes the most compact triangle (eq. 5.9).
+//
+// When the box has no point, growing squares around it are searched. Whatever the candidate, the circle through it and
+// the edge is then searched for better points (the Delaunay criterion, Alg. 5.1), so that both strategies end with the
+// same point:
+//
+//           . c .             a-b    the edge, from a to b
+//        .         .          c      the candidate
+//      .       d     .        d      a better point: inside the circle, from where the edge is seen at a larger angle
+//     .               .              than from c
+//     .               .
+//     .               .       Searched are the voxels that the part of the circle to the left of the edge may touch. Of
+//      a-------------b        the points in it, that which sees the edge at the largest angle is the third point: its
+//        .         .          own circle has none in the part to the left.
+//           . . .
+//
+// With constraints, a point counts only when the segment from the middle of the edge to it crosses no boundary edge.
+// Looking from the middle is enough: the third point is seen from every place on the edge, and a point of the circle
+// that is seen from the middle would be seen from inside the triangle as well, which a constrained Delaunay triangle
+// excludes. As few edges have a boundary edge near, the best of all points is looked for first, seen or not; if it is
+// seen, it is the third point.
 
 #ifndef SeismicHorizonsThirdPointSearch_h
 #define SeismicHorizonsThirdPointSearch_h
@@ -48,11 +74,12 @@ public:
   }
 
   /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
-  /// given, takes the voxels that were looked into, in their order; nothing but the strategy is used then.
+  /// given, takes the voxels that were looked into, in their order; the circle that comes first otherwise is left out
+  /// then, so that they show the strategy.
   PointId Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk = nullptr) const;
 
-  /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it
-  /// would be an edge of the triangulation without being asked for. There must be a point to the left of it.
+  /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it is
+  /// an edge of the Delaunay triangulation without constraints, too. There must be a point to the left of it.
   bool IsDelaunay(PointId a, PointId b) const;
 
 private:
@@ -74,7 +101,7 @@ private:
 
   void Consider(ThirdPointQuery& query, PointId candidate) const;
   bool IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const;
-  bool MayMeetHops(const SegmentEnd& from, const SegmentEnd& to) const;
+  bool MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const;
   bool IsVisible(const ThirdPointQuery& query, PointId candidate) const;
 
   const PlanePoint& At(PointId point) const { return this->Points.At(point); }

@@ -4,6 +4,7 @@
 #include "TriangleQuality.h"
 
 #include "Common/Parallel.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// How many triangles a thread takes at a time.
 constexpr std::int64_t Grain = 16384;
 
 /// A triangle as its sides, the shortest first, and its area.
@@ -27,12 +29,7 @@ struct Shape
     std::sort(this->Side.begin(), this->Side.end());
   }
 
-  static double Distance(const PlanePoint& a, const PlanePoint& b)
-  {
-    const double x = double(a.X) - b.X;
-    const double y = double(a.Y) - b.Y;
-    return std::sqrt(x * x + y * y);
-  }
+  static double Distance(const PlanePoint& a, const PlanePoint& b) { return std::sqrt(double(SquaredDistance(a, b))); }
 
   double Squared(std::size_t n) const { return this->Side[n] * this->Side[n]; }
 

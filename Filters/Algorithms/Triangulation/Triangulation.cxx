@@ -31,10 +31,10 @@ public:
     , Result(result)
     , Triangles(result.Triangles)
   {
-    // The surface lies to the right of each boundary edge, so its reverse waits for a triangle. Of a edge that the
-    // boundary walks in both directions neither side has surface.
+    // The surface lies to the right of each boundary edge, so its reverse waits for a triangle. An edge that the
+    // boundary has in both directions has surface on neither side.
     patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddOuterSide(from, to); });
-    for (const BoundaryEdge& side : patch.BlockSides)
+    for (const Edge& side : patch.BlockSides)
     {
       this->AddOuterSide(side.From, side.To);
     }
@@ -51,7 +51,7 @@ public:
     const std::size_t most = 2 * this->Used.size();
     const std::size_t wanted = this->Options.MostTriangles > 0 ? this->Options.MostTriangles : most + 1;
     std::size_t made = 0;
-    for (BoundaryEdge edge; made < wanted && this->Front.TakeNewest(edge); ++made)
+    for (Edge edge; made < wanted && this->Front.TakeNewest(edge); ++made)
     {
       if (made % 4096 == 0)
       {
@@ -72,17 +72,17 @@ public:
   }
 
   /// How many edges, by the numbers of the patch, are not Delaunay among its points.
-  std::size_t CountNonDelaunay(const std::vector<BoundaryEdge>& edges) const
+  std::size_t CountNonDelaunay(const std::vector<Edge>& edges) const
   {
     return std::size_t(std::count_if(edges.begin(), edges.end(),
-      [this](const BoundaryEdge& edge)
+      [this](const Edge& edge)
       { return !this->Search.IsDelaunay(this->Points.NumberOf(edge.From), this->Points.NumberOf(edge.To)); }));
   }
 
 private:
   std::string Name(PointId point) const { return std::to_string(this->Points.NameOf(point)); }
 
-  PointId FindThird(const BoundaryEdge& edge, bool traced)
+  PointId FindThird(const Edge& edge, bool traced)
   {
     if (!traced)
     {
@@ -112,7 +112,7 @@ private:
 
   void AddTriangle(PointId a, PointId b, PointId c)
   {
-    // What a side ends in has been used.
+    // a and b are the ends of an edge of the front, and so were used before.
     this->Used[std::size_t(c)] = true;
     for (const PointId point : { a, b, c })
     {
@@ -122,7 +122,8 @@ private:
     this->AddSide(c, a);
   }
 
-  /// A side of something to its left: either it waited for that, or its reverse waits for something now.
+  /// Adds a side that has something to its left now: if it waited for that it leaves the front, else its reverse waits
+  /// for a triangle.
   void AddSide(PointId from, PointId to)
   {
     if (!this->Front.Remove(from, to))
@@ -152,7 +153,7 @@ private:
 };
 
 /// The boundary edges of a patch that have surface on one side, turned so that it is to their left.
-std::vector<BoundaryEdge> FindBoundaryEdges(const Patch& patch)
+std::vector<Edge> FindBoundaryEdges(const Patch& patch)
 {
   AdvancingFront walked(patch.Points.size());
   patch.Boundary.ForEachEdge(
@@ -163,21 +164,21 @@ std::vector<BoundaryEdge> FindBoundaryEdges(const Patch& patch)
         walked.Add(to, from);
       }
     });
-  std::vector<BoundaryEdge> edges;
-  for (BoundaryEdge edge; walked.TakeNewest(edge);)
+  std::vector<Edge> edges;
+  for (Edge edge; walked.TakeNewest(edge);)
   {
     edges.push_back(edge);
   }
   return edges;
 }
 
-/// Those that may be no Delaunay edges: two points no further apart than the diagonal of a sub-voxel, which on whole
-/// columns is that of a block, have no point in the circle around them.
-std::vector<BoundaryEdge> FindLong(const std::vector<BoundaryEdge>& edges, const std::vector<PlanePoint>& places)
+/// Those that may not be Delaunay: two places that are neighbours, if only across a corner, have no other place in the
+/// smallest circle around them.
+std::vector<Edge> FindLong(const std::vector<Edge>& edges, const std::vector<PlanePoint>& places)
 {
-  std::vector<BoundaryEdge> result;
+  std::vector<Edge> result;
   std::copy_if(edges.begin(), edges.end(), std::back_inserter(result),
-    [&places](const BoundaryEdge& edge)
+    [&places](const Edge& edge)
     {
       const PlanePoint& from = places[std::size_t(edge.From)];
       const PlanePoint& to = places[std::size_t(edge.To)];
@@ -218,7 +219,7 @@ public:
         this->RunPatch(number, patch, monitor.Step(before, 0.5 + 0.5 * double(done) / all));
       }
     }
-    this->CountAmongCovered();
+    this->CountDoubtful();
     return std::move(this->Result);
   }
 
@@ -231,23 +232,23 @@ private:
     {
       return;
     }
-    const std::vector<BoundaryEdge> edges = FindBoundaryEdges(patch);
+    const std::vector<Edge> edges = FindBoundaryEdges(patch);
     this->Result.BoundaryEdges += edges.size();
-    const std::vector<BoundaryEdge> longEdges = FindLong(edges, patch.Places);
+    const std::vector<Edge> longEdges = FindLong(edges, patch.Places);
     if (this->Blocks.NumberOfTriangles() == 0)
     {
       this->Result.NonDelaunayEdges += triangulator.CountNonDelaunay(longEdges);
       return;
     }
-    for (const BoundaryEdge& edge : longEdges)
+    for (const Edge& edge : longEdges)
     {
-      this->Doubtful.push_back(
-        { number, { patch.Points[std::size_t(edge.From)], patch.Points[std::size_t(edge.To)] } });
+      this->Doubtful.push_back({ number, patch.Points[std::size_t(edge.From)], patch.Points[std::size_t(edge.To)] });
     }
   }
 
-  /// Points that full blocks cover may be in the circles of long boundary edges, too.
-  void CountAmongCovered()
+  /// Counts those of the doubtful edges that are not Delaunay among all points: also those that full blocks cover may
+  /// be in their circles.
+  void CountDoubtful()
   {
     if (this->Doubtful.empty())
     {
@@ -262,17 +263,18 @@ private:
       const SearchGrid points(patch.Places, Loops(), patch.Points);
       const ThirdPointSearch search(points, this->Options.Strategy);
       const auto number = [&](PointId point) { return points.NumberOf(whole.NumberInPatch(point)); };
-      this->Result.NonDelaunayEdges += std::size_t(std::count_if(first, last,
-        [&](const DoubtfulEdge& doubtful)
-        { return !search.IsDelaunay(number(doubtful.Edge.From), number(doubtful.Edge.To)); }));
+      this->Result.NonDelaunayEdges += std::size_t(std::count_if(
+        first, last, [&](const DoubtfulEdge& edge) { return !search.IsDelaunay(number(edge.From), number(edge.To)); }));
       first = last;
     }
   }
 
+  /// A boundary edge that may not be Delaunay, by the numbers of the horizon.
   struct DoubtfulEdge
   {
     std::int64_t Patch;
-    BoundaryEdge Edge; // by the numbers of the horizon
+    PointId From;
+    PointId To;
   };
 
   const BoundedHorizon& Horizon;

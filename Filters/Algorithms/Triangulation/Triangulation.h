@@ -3,12 +3,12 @@
 //
 // The constrained Delaunay triangulation, in plan, of the inside of the boundary (thesis chapter 5).
 //
-// Where the lattice is full, triangles are there without a search (FullBlocks). Into the rest they grow from the edges
-// of what is there and from the boundary: an edge of the front is joined with the one point that makes a constrained
-// Delaunay triangle with it (ThirdPointSearch), and the new sides join the front, or leave it where another triangle
-// waits. As each third point follows from the edge alone, by exact predicates that know no ties (Predicates.h),
-// triangles fit together whatever order they are found in, and none is ever found outside: there is nothing to delete
-// afterwards, as the thesis has to (5.3.8).
+// Where the lattice is full, triangles need no search (FullBlocks). The rest is meshed from the edges of these
+// triangles and from the boundary, by an advancing front of edges that wait for a triangle. An edge of the front makes
+// a triangle with the one point for which this is constrained Delaunay (ThirdPointSearch). The two new sides join the
+// front; one that is in it already, in the other direction, leaves it. As each third point follows from the edge alone,
+// by exact predicates without ties (Predicates.h), triangles fit together in whatever order they are found. None is
+// ever found outside the boundary, so that there is nothing to delete afterwards (thesis 5.3.8).
 
 #ifndef SeismicHorizonsTriangulation_h
 #define SeismicHorizonsTriangulation_h
@@ -24,9 +24,10 @@ namespace SeismicHorizons
 {
 struct TriangulationOptions
 {
-  /// How the third point of an edge is looked for. It makes no difference to the mesh.
+  /// How the third point of an edge is looked for. The mesh is the same.
   SearchStrategy Strategy = SearchStrategy::VoxelTraversal;
-  /// To look inside: stops when a patch has so many triangles, without the short cut of full blocks; 0 makes all.
+  /// To show how the mesh grows: stops when a patch has so many triangles, and searches for all of them, those of full
+  /// blocks too; 0 makes all.
   std::size_t MostTriangles = 0;
 };
 
@@ -42,8 +43,8 @@ struct Triangulation
 {
   /// Three points per triangle, counter-clockwise seen from +z on the lattice.
   RawVector<PointId> Triangles;
-  /// Boundary edges with surface on one side, and how many of them no circle without a point runs through: these are
-  /// there because they were asked for.
+  /// Boundary edges with surface on one side, and how many of them are not Delaunay: no circle through their ends is
+  /// without a point. Those are in the mesh only because the boundary has them.
   std::size_t BoundaryEdges = 0;
   std::size_t NonDelaunayEdges = 0;
   /// Of the last triangle, when MostTriangles is set.

@@ -1,9 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The voxels that a ray meets, one after the other (Amanatides and Woo, "A fast voxel traversal algorithm for ray
-// tracing", 1987; thesis Alg. 5.2, which advances along all axes at once where the paper, and this, take the axis whose
-// next voxel border is nearest).
+// The voxels that a ray passes through, one after the other (Amanatides and Woo, "A fast voxel traversal algorithm for
+// ray tracing", 1987). At each step two borders are ahead of the ray, one across x and one across y. It goes on into
+// the voxel behind the one that it meets first. (Thesis Alg. 5.2 advances along both axes at once.)
+//
+//      +-------+-------+-------+
+//      |       |       | 4   / |        The ray starts at *, in voxel 0. It meets the border to the right of that voxel
+//      +-------+-------+---/---+        before the one above, and goes on into voxel 1. Of voxel 1 it meets the border
+//      |       |       | / 3   |        above first, and goes on into voxel 2.
+//      |       | 2     /       |
+//      |       |     / |       |
+//      +-------+---/---+-------+
+//      |       | / 1   |       |
+//      | 0     /       |       |
+//      |     * |       |       |
+//      +-------+-------+-------+
 
 #ifndef SeismicHorizonsVoxelWalk_h
 #define SeismicHorizonsVoxelWalk_h
@@ -17,13 +29,14 @@ namespace SeismicHorizons
 class VoxelWalk
 {
 public:
-  /// Starts at a place, in units of voxels and not below 0, and goes in a direction that is not zero.
+  /// Starts at a place, in units of voxels and not below 0. The direction must not be zero.
   VoxelWalk(double x, double y, double directionX, double directionY)
     : AlongX(x, directionX)
     , AlongY(y, directionY)
   {
   }
 
+  /// The voxel in which the walk is.
   std::int64_t X() const { return this->AlongX.Voxel; }
   std::int64_t Y() const { return this->AlongY.Voxel; }
 
@@ -51,7 +64,7 @@ private:
 
     std::int64_t Voxel;
     std::int64_t Step;
-    // How far along the ray the next border is, and how far apart borders are.
+    // How far the next border is along the ray, and how far apart borders are, in units of the direction's length.
     double NextBorder = std::numeric_limits<double>::infinity();
     double BorderDistance = std::numeric_limits<double>::infinity();
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "OutlineGuard.h"
+#include "LoopGuard.h"
 
 #include "Common/Predicates.h"
 
@@ -14,8 +14,10 @@ namespace SeismicHorizons
 {
 namespace
 {
+// As fine as sub-voxels can be (Lattice.h).
 constexpr double PartsPerColumn = 1 << 20;
 
+/// The column with each point: that of the greatest whole coordinates that are not greater than its own.
 std::vector<PlanePoint> FindColumns(const std::vector<SpacePoint>& points)
 {
   std::vector<PlanePoint> columns;
@@ -27,35 +29,22 @@ std::vector<PlanePoint> FindColumns(const std::vector<SpacePoint>& points)
   return columns;
 }
 
-struct Range
+/// Where the sides of a triangle are from one y to another.
+RowSegment::Range RangeBetween(const std::array<RowSegment, 3>& sides, double bottom, double top)
 {
-  double First;
-  double Last;
-};
-
-/// Where the sides of a triangle are between y and y + 1, and a little more than rounding can amount to.
-Range RangeInRow(const std::array<SpacePoint, 3>& triangle, double y)
-{
-  const double margin = 1e-3;
-  Range range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
-  for (std::size_t side = 0; side < 3; ++side)
+  RowSegment::Range range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+  for (const RowSegment& side : sides)
   {
-    const SpacePoint& one = triangle[side];
-    const SpacePoint& other = triangle[(side + 1) % 3];
-    const SpacePoint& low = one.Y <= other.Y ? one : other;
-    const SpacePoint& high = one.Y <= other.Y ? other : one;
-    if (high.Y < y || low.Y > y + 1.0)
+    if (side.GreatestY() >= bottom && side.LeastY() <= top)
     {
-      continue;
+      const RowSegment::Range ofSide = side.Between(bottom, top);
+      range = { std::min(range.First, ofSide.First), std::max(range.Last, ofSide.Last) };
     }
-    const double slope = high.Y > low.Y ? (high.X - low.X) / (high.Y - low.Y) : 0.0;
-    const double x0 = low.X + slope * (std::max(y, low.Y) - low.Y);
-    const double x1 = high.Y > low.Y ? low.X + slope * (std::min(y + 1.0, high.Y) - low.Y) : high.X;
-    range = { std::min({ range.First, x0 - margin, x1 - margin }), std::max({ range.Last, x0 + margin, x1 + margin }) };
   }
   return range;
 }
 
+/// 1 when a, b and c turn to the left, -1 when to the right, 0 when they are on one line.
 template <typename Point>
 int Turn(const Point& a, const Point& b, const Point& c)
 {
@@ -64,7 +53,7 @@ int Turn(const Point& a, const Point& b, const Point& c)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-OutlineGuard::OutlineGuard(const std::vector<SpacePoint>& points)
+LoopGuard::LoopGuard(const std::vector<SpacePoint>& points)
   : Points(points)
   , Columns(FindColumns(points))
   , Grid(this->Columns, 1, 1)
@@ -74,14 +63,22 @@ OutlineGuard::OutlineGuard(const std::vector<SpacePoint>& points)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-OutlineGuard::FinePoint OutlineGuard::Fine(PointId point) const
+LoopGuard::FinePoint LoopGuard::Fine(PointId point) const
 {
   const SpacePoint& place = this->Points[std::size_t(point)];
   return { std::llround(place.X * PartsPerColumn), std::llround(place.Y * PartsPerColumn) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool OutlineGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const
+RowSegment LoopGuard::Side(PointId a, PointId b) const
+{
+  const SpacePoint& from = this->Points[std::size_t(a)];
+  const SpacePoint& to = this->Points[std::size_t(b)];
+  return RowSegment({ from.X, from.Y }, { to.X, to.Y });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool LoopGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const
 {
   const FinePoint p = this->Fine(point);
   const int sides[3] = { Turn(a, m, p), Turn(m, b, p), Turn(b, a, p) };
@@ -92,21 +89,23 @@ bool OutlineGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool OutlineGuard::IsClear(PointId a, PointId m, PointId b) const
+bool LoopGuard::IsClear(PointId a, PointId m, PointId b) const
 {
   const std::array<FinePoint, 3> corner = { this->Fine(a), this->Fine(m), this->Fine(b) };
-  const std::array<SpacePoint, 3> triangle = { this->Points[std::size_t(a)], this->Points[std::size_t(m)],
-    this->Points[std::size_t(b)] };
   const auto isIn = [&](PointId point)
   {
     return point != a && point != m && point != b && !this->Removed[std::size_t(point)] &&
       this->IsIn(point, corner[0], corner[1], corner[2]);
   };
-  const auto y = std::minmax({ triangle[0].Y, triangle[1].Y, triangle[2].Y });
+  const std::array<RowSegment, 3> sides = { this->Side(a, m), this->Side(m, b), this->Side(b, a) };
+  const double bottom = std::floor(std::min(sides[0].LeastY(), sides[1].LeastY()));
+  const std::int64_t firstRow = this->Grid.CellY(bottom);
+  const std::int64_t lastRow = this->Grid.CellY(std::max(sides[0].GreatestY(), sides[1].GreatestY()));
   // Row by row: a triangle can be long, but is thin.
-  for (std::int64_t row = this->Grid.CellY(y.first); row <= this->Grid.CellY(y.second); ++row)
+  for (std::int64_t row = firstRow; row <= lastRow; ++row)
   {
-    const Range range = RangeInRow(triangle, std::floor(y.first) + double(row - this->Grid.CellY(y.first)));
+    const double y = bottom + double(row - firstRow);
+    const RowSegment::Range range = RangeBetween(sides, y, y + 1.0);
     for (std::int64_t x = this->Grid.CellX(range.First); x <= this->Grid.CellX(range.Last); ++x)
     {
       const std::int64_t cell = this->Grid.Index(x, row);

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lengths and boxes of places in the plane. Coordinates are below 2^29 in size (PlanePoint), so that squared lengths
+// fit 64 bits and are exact.
+
+#ifndef SeismicHorizonsPlaneGeometry_h
+#define SeismicHorizonsPlaneGeometry_h
+
+#include "Types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace SeismicHorizons
+{
+inline std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
+{
+  const std::int64_t x = std::int64_t(b.X) - a.X;
+  const std::int64_t y = std::int64_t(b.Y) - a.Y;
+  return x * x + y * y;
+}
+
+/// The scalar product of the vectors from `origin` to a and to b.
+inline std::int64_t ScalarProduct(const PlanePoint& origin, const PlanePoint& a, const PlanePoint& b)
+{
+  const std::int64_t ax = std::int64_t(a.X) - origin.X;
+  const std::int64_t ay = std::int64_t(a.Y) - origin.Y;
+  const std::int64_t bx = std::int64_t(b.X) - origin.X;
+  const std::int64_t by = std::int64_t(b.Y) - origin.Y;
+  return ax * bx + ay * by;
+}
+
+/// The least and the greatest coordinates of some places, these included.
+struct PlaneBox
+{
+  /// Of one place.
+  explicit PlaneBox(const PlanePoint& place)
+    : Least(place)
+    , Greatest(place)
+  {
+  }
+
+  /// Of places of which there is at least one.
+  explicit PlaneBox(const std::vector<PlanePoint>& places)
+    : PlaneBox(places.front())
+  {
+    for (const PlanePoint& place : places)
+    {
+      this->Add(place);
+    }
+  }
+
+  void Add(const PlanePoint& place)
+  {
+    this->Least = { std::min(this->Least.X, place.X), std::min(this->Least.Y, place.Y) };
+    this->Greatest = { std::max(this->Greatest.X, place.X), std::max(this->Greatest.Y, place.Y) };
+  }
+
+  PlanePoint Least;
+  PlanePoint Greatest;
+};
+}
+
+#endif
