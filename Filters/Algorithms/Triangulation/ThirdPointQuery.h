@@ -117,14 +117,24 @@ struct EdgeCircle
     return (fromX * fromX + fromY * fromY <= this->Reach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 
-  const PlanePoint Start;
-  const double EdgeX;
-  const double EdgeY;
-  const double X;
-  const double Y;
-  const double Radius;
-  const double Margin;
-  const double Reach; // squared
+  /// False only when no place of a box is inside, left or right of the edge.
+  bool MayReach(const PlanePoint& low, const PlanePoint& high) const
+  {
+    const double x = this->X + this->Start.X;
+    const double y = this->Y + this->Start.Y;
+    const double byX = std::max({ low.X - x, 0.0, x - high.X });
+    const double byY = std::max({ low.Y - y, 0.0, y - high.Y });
+    return byX * byX + byY * byY <= this->Reach;
+  }
+
+  PlanePoint Start;
+  double EdgeX;
+  double EdgeY;
+  double X;
+  double Y;
+  double Radius;
+  double Margin;
+  double Reach; // squared
 };
 }
 

@@ -11,8 +11,9 @@
 //    circle with the edge that is little wider than points are apart is looked into first: when it has points to the
 //    left of the edge, the third point is one of them;
 //  - Compactness: of all points in the box the one that makes the most compact triangle (eq. 5.9).
-// When the box has none, growing squares are searched. Then what the circle of the candidate covers is searched for
-// better points (the Delaunay criterion, Alg. 5.1). As that is exact, both strategies end with the same point.
+// Then what the circle of the candidate covers is searched for better points (the Delaunay criterion, Alg. 5.1). As
+// that is exact, both strategies end with the same point. Where the box has none, or is so large that going through it
+// takes long, boxes of points are searched, from near to far (PointPyramid.h).
 //
 // With constraints, a point counts only when the segment from the middle of the edge to it crosses none. Looking from
 // the middle is enough: the third point is seen from every place on the edge, and a point of the circle that is seen
@@ -23,9 +24,11 @@
 #define SeismicHorizonsThirdPointSearch_h
 
 #include "Common/Types.h"
+#include "PointPyramid.h"
 #include "SearchGrid.h"
 #include "ThirdPointQuery.h"
 
+#include <memory>
 #include <vector>
 
 namespace SeismicHorizons
@@ -36,6 +39,7 @@ enum class SearchStrategy
   Compactness
 };
 
+/// Not for several threads at a time.
 class ThirdPointSearch
 {
 public:
@@ -62,6 +66,7 @@ private:
   void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const;
   void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
   void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
+  void SearchFar(ThirdPointQuery& query) const;
 
   VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
   VoxelBox LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const;
@@ -82,6 +87,7 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
+  mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };
 }
 
