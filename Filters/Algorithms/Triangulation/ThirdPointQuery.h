@@ -119,14 +119,24 @@ struct EdgeCircle
     return (fromX * fromX + fromY * fromY <= this->SquaredReach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 
-  const PlanePoint Start;
-  const double EdgeX; // the vector of the edge
-  const double EdgeY;
-  const double X; // the centre
-  const double Y;
-  const double Radius;
-  const double Margin;
-  const double SquaredReach; // of the radius and the margin
+  /// False only when no place of a box is inside, left or right of the edge.
+  bool MayReach(const PlanePoint& low, const PlanePoint& high) const
+  {
+    const double x = this->X + this->Start.X;
+    const double y = this->Y + this->Start.Y;
+    const double byX = std::max({ low.X - x, 0.0, x - high.X });
+    const double byY = std::max({ low.Y - y, 0.0, y - high.Y });
+    return byX * byX + byY * byY <= this->SquaredReach;
+  }
+
+  PlanePoint Start;
+  double EdgeX; // the vector of the edge
+  double EdgeY;
+  double X; // the centre
+  double Y;
+  double Radius;
+  double Margin;
+  double SquaredReach; // of the radius and the margin
 };
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -27,6 +28,17 @@ constexpr double CotangentRounding = 1e-14;
 // A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain, and not in
 // its margin.
 constexpr double CotangentMargin = 1e-12;
+
+// In voxels. Shorter edges are most; beyond, going through the box of an edge takes longer than SearchFar.
+constexpr std::int64_t LargestBoxToTraverse = 8;
+
+/// From a place to the nearest place of a box.
+double SquaredDistance(const SegmentEnd& place, const PointBox& box)
+{
+  const double x = std::max({ box.Low.X - place.X, 0.0, place.X - box.High.X });
+  const double y = std::max({ box.Low.Y - place.Y, 0.0, place.Y - box.High.Y });
+  return x * x + y * y;
+}
 
 PlanePoint Doubled(const PlanePoint& p)
 {
@@ -90,20 +102,31 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 //----------------------------------------------------------------------------------------------------------------------
 void ThirdPointSearch::Search(ThirdPointQuery& query) const
 {
-  if (this->Strategy == SearchStrategy::VoxelTraversal && query.Walk == nullptr && this->SearchNearby(query))
+  const bool isTraced = query.Walk != nullptr;
+  const EdgeBox edgeBox(query, this->Grid);
+  if (edgeBox.Size > LargestBoxToTraverse && !isTraced)
   {
+    this->SearchFar(query);
     return;
   }
-  const EdgeBox edgeBox(query, this->Grid);
-  if (this->Strategy == SearchStrategy::VoxelTraversal)
-  {
-    this->TraverseBox(query, edgeBox);
-  }
-  else
+  if (this->Strategy == SearchStrategy::Compactness)
   {
     this->CompareBox(query, edgeBox);
   }
+  else if (!isTraced && this->SearchNearby(query))
+  {
+    return;
+  }
+  else
+  {
+    this->TraverseBox(query, edgeBox);
+  }
   query.Dilatation = -1;
+  if (query.Best == NoPoint && !isTraced)
+  {
+    this->SearchFar(query);
+    return;
+  }
   if (query.Best == NoPoint)
   {
     this->SearchSquares(query, edgeBox);
@@ -196,6 +219,37 @@ void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox
         }
       });
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// A box can hold a better point when a corner of it is to the left of the edge, and it reaches into the circle of the
+// best one. Every better point makes that circle smaller, which is why near boxes come first.
+void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
+{
+  if (!this->Pyramid)
+  {
+    this->Pyramid = std::make_unique<PointPyramid>(this->Points);
+  }
+  std::optional<EdgeCircle> circle;
+  const SegmentEnd middle = query.Middle();
+  const auto isLeft = [&](std::int32_t x, std::int32_t y) { return SignedArea(query.A, query.B, { x, y }) > 0; };
+  const auto mayHold = [&](const PointBox& box)
+  {
+    return (isLeft(box.Low.X, box.Low.Y) || isLeft(box.High.X, box.Low.Y) || isLeft(box.Low.X, box.High.Y) ||
+             isLeft(box.High.X, box.High.Y)) &&
+      (!circle || circle->MayReach(box.Low, box.High));
+  };
+  this->Pyramid->Visit(
+    mayHold, [&](const PointBox& box) { return SquaredDistance(middle, box); },
+    [&](PointId point)
+    {
+      const PointId before = query.Best;
+      this->Consider(query, point);
+      if (query.Best != before)
+      {
+        circle.emplace(query, query.BestCotangent);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

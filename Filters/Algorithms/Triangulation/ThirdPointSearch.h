@@ -25,9 +25,9 @@
 //
 // Compactness takes that point of the box which makes the most compact triangle (eq. 5.9).
 //
-// When the box has no point, growing squares around it are searched. Whatever the candidate, the circle through it and
-// the edge is then searched for better points (the Delaunay criterion, Alg. 5.1), so that both strategies end with the
-// same point:
+// When the box has no point, or is so large that going through it takes long, boxes of points are searched, from near
+// to far (PointPyramid.h). Whatever the candidate in the box of the edge, the circle through it and the edge is then
+// searched for better points (the Delaunay criterion, Alg. 5.1), so that both strategies end with the same point:
 //
 //           . c .             a-b    the edge, from a to b
 //        .         .          c      the candidate
@@ -49,9 +49,11 @@
 #define SeismicHorizonsThirdPointSearch_h
 
 #include "Common/Types.h"
+#include "PointPyramid.h"
 #include "SearchGrid.h"
 #include "ThirdPointQuery.h"
 
+#include <memory>
 #include <vector>
 
 namespace SeismicHorizons
@@ -62,6 +64,7 @@ enum class SearchStrategy
   Compactness
 };
 
+/// Not for several threads at a time.
 class ThirdPointSearch
 {
 public:
@@ -89,6 +92,7 @@ private:
   void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const;
   void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
   void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
+  void SearchFar(ThirdPointQuery& query) const;
 
   VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
   VoxelBox LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const;
@@ -109,6 +113,7 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
+  mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };
 }
 

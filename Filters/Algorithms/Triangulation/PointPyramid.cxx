@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointPyramid.h"
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+PointPyramid::PointPyramid(const SearchGrid& points)
+  : Points(points)
+{
+  this->MakeRuns();
+  this->MakeLowest();
+  while (this->Levels.back().Boxes.size() > 1)
+  {
+    this->MakeNext();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointPyramid::MakeRuns()
+{
+  const PointId count = this->Points.EndOf(this->Points.Voxels().Size() - 1);
+  this->Runs.emplace_back(std::size_t((count - 1) / RunSize + 1));
+  for (PointId point = 0; point < count; ++point)
+  {
+    this->Runs.back()[std::size_t(point / RunSize)].Include(this->Points.At(point), this->Points.At(point));
+  }
+  while (this->Runs.back().size() > 1)
+  {
+    const std::vector<PointBox>& below = this->Runs.back();
+    std::vector<PointBox> runs(((below.size() - 1) >> RunShift) + 1);
+    for (std::size_t run = 0; run < below.size(); ++run)
+    {
+      runs[run >> RunShift].Include(below[run].Low, below[run].High);
+    }
+    this->Runs.push_back(std::move(runs));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointPyramid::MakeLowest()
+{
+  const CellGrid& voxels = this->Points.Voxels();
+  Level level{ (voxels.SizeX() - 1) / BaseSize + 1, (voxels.SizeY() - 1) / BaseSize + 1, {} };
+  level.Boxes.resize(std::size_t(level.SizeX * level.SizeY));
+  const auto any = [](const PointBox&) { return true; };
+  for (std::int64_t y = 0; y < level.SizeY; ++y)
+  {
+    for (std::int64_t x = 0; x < level.SizeX; ++x)
+    {
+      PointBox& box = level.Boxes[std::size_t(y * level.SizeX + x)];
+      const auto include = [&](PointId point) { box.Include(this->Points.At(point), this->Points.At(point)); };
+      this->VisitVoxels({ 0, x, y }, any, include);
+    }
+  }
+  this->Levels.push_back(std::move(level));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointPyramid::MakeNext()
+{
+  const Level& below = this->Levels.back();
+  Level level{ (below.SizeX + 1) / 2, (below.SizeY + 1) / 2, {} };
+  level.Boxes.resize(std::size_t(level.SizeX * level.SizeY));
+  for (std::int64_t y = 0; y < below.SizeY; ++y)
+  {
+    for (std::int64_t x = 0; x < below.SizeX; ++x)
+    {
+      const PointBox& box = below.Boxes[std::size_t(y * below.SizeX + x)];
+      level.Boxes[std::size_t(y / 2 * level.SizeX + x / 2)].Include(box.Low, box.High);
+    }
+  }
+  this->Levels.push_back(std::move(level));
+}
+}
