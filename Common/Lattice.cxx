@@ -27,7 +27,7 @@ constexpr double SmallestSine = 1e-9;
 constexpr double RoundingOfProducts = 1e-14;
 
 /// The bits of whole numbers from 0 to `size`.
-int BitsFor(int size)
+int BitsFor(std::int64_t size)
 {
   int bits = 0;
   while ((std::int64_t(1) << bits) < size + 1)
@@ -97,14 +97,14 @@ double Lattice::UniformScale() const
 //----------------------------------------------------------------------------------------------------------------------
 PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
 {
-  const bool inside = lattice.allFinite() && lattice.x() >= -0.5 && lattice.x() <= this->Dimensions[0] - 0.5 &&
-    lattice.y() >= -0.5 && lattice.y() <= this->Dimensions[1] - 0.5;
+  const bool inside = std::abs(lattice.z()) <= LargestHeight && lattice.x() >= -0.5 &&
+    lattice.x() <= this->Dimensions[0] - 0.5 && lattice.y() >= -0.5 && lattice.y() <= this->Dimensions[1] - 0.5;
   if (!inside)
   {
     std::ostringstream text;
     text << "point " << point << " at column (" << lattice.x() << ", " << lattice.y() << "), height " << lattice.z()
          << ", expected a place on the lattice of " << this->Dimensions[0] << " x " << this->Dimensions[1]
-         << " columns";
+         << " columns, at most 2^50 vertical indices up or down";
     throw InputError(text.str());
   }
   // Halves are rounded away from 0, as std::lround does, which takes several times as long.

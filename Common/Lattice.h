@@ -23,6 +23,10 @@ namespace SeismicHorizons
 /// angle between them is at most 1e-9, or one of them is 0. Lengths do not matter otherwise.
 bool AreParallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
+/// How far up or down a point may be, in lattice units. Products of heights and their sums over all points stay finite,
+/// and heights are still known to a thousandth.
+constexpr double LargestHeight = double(std::int64_t(1) << 50);
+
 class Lattice
 {
 public:
@@ -50,8 +54,8 @@ public:
   /// How many sub-voxels a column has along i and along j: a power of two.
   std::int32_t SubVoxelsPerColumn() const { return std::int32_t(1) << this->SubVoxelBits; }
 
-  /// The sub-voxel nearest to a place in lattice units. Throws InputError when it is not finite or lies outside the
-  /// lattice by more than half a column; `point` names it in the message.
+  /// The sub-voxel nearest to a place in lattice units. Throws InputError when it is not finite, lies outside the
+  /// lattice by more than half a column, or is further up or down than LargestHeight; `point` names it in the message.
   PlanePoint ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const;
 
   double ToLatticeUnits(std::int32_t subVoxels) const { return double(subVoxels) / this->SubVoxelsPerColumn(); }

@@ -33,6 +33,13 @@ double NearestPart(const Vector& along, const Vector& way)
   return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
 }
 
+/// Whether the place at the end of `way`, on the line along `along`, is not beyond either of its ends.
+bool IsWithin(const Eigen::Vector2d& along, const Eigen::Vector2d& way)
+{
+  const double part = along.dot(way);
+  return part >= 0.0 && part <= along.squaredNorm();
+}
+
 /// Simplifies one loop after the other. Positions in a loop count from its first point; beyond its end they go on with
 /// the first point again.
 class LoopSimplifier
@@ -54,16 +61,17 @@ public:
     }
   }
 
-  /// A run may contain the first point of a loop. So runs are taken from the first point that ends one.
+  /// Runs are taken from the first point that ends one. That of our own loops is their first point, a corner; a loop of
+  /// someone else may begin anywhere.
   void Simplify(const PointId* first, const PointId* last)
   {
     this->Loop.assign(first, last);
     this->Kept.clear();
-    const std::size_t begin = this->FirstRunEnd();
-    for (std::size_t from = begin; from < begin + this->Loop.size();)
+    std::rotate(this->Loop.begin(), this->Loop.begin() + std::ptrdiff_t(this->FirstRunEnd()), this->Loop.end());
+    for (std::size_t from = 0; from < this->Loop.size();)
     {
       std::size_t to = from + 1;
-      while (to < begin + this->Loop.size() && !this->EndsRun(to))
+      while (to < this->Loop.size() && !this->EndsRun(to))
       {
         ++to;
       }
@@ -71,7 +79,6 @@ public:
       this->Kept.insert(this->Kept.end(), this->Run.begin(), this->Run.end() - 1);
       from = to;
     }
-    this->BeginAtFirst();
     if (this->Guard)
     {
       this->DropCorners();
@@ -180,7 +187,10 @@ private:
     const Eigen::Vector3d along = this->Place(b) - this->Place(a);
     const Eigen::Vector3d way = this->Place(point) - this->Place(a);
     const Eigen::Vector3d inPlan = way - NearestPart<Eigen::Vector2d>(along.head<2>(), way.head<2>()) * along;
-    return { (way - NearestPart(along, way) * along).norm(), inPlan.head<2>().norm(), std::abs(inPlan.z()) };
+    // Boundary points stand on whole columns: on a straight run the product is exact, and nothing is lost to rounding.
+    const bool isOnEdge = along.x() * way.y() == along.y() * way.x() && IsWithin(along.head<2>(), way.head<2>());
+    return { (way - NearestPart(along, way) * along).norm(), isOnEdge ? 0.0 : inPlan.head<2>().norm(),
+      std::abs(inPlan.z()) };
   }
 
   /// Whether a condition holds for all points that an edge spans.
@@ -195,19 +205,6 @@ private:
       }
     }
     return true;
-  }
-
-  /// Turns what is left of the loop so that it begins where it did. That point has the least x, then the least y, and
-  /// so is a corner, and was kept.
-  void BeginAtFirst()
-  {
-    const auto first =
-      std::find_if(this->Kept.begin(), this->Kept.end(), [this](std::size_t n) { return n % this->Loop.size() == 0; });
-    std::rotate(this->Kept.begin(), first, this->Kept.end());
-    for (std::size_t& n : this->Kept)
-    {
-      n %= this->Loop.size();
-    }
   }
 
   void DropCorners()

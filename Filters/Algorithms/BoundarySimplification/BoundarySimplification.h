@@ -50,7 +50,8 @@ struct BoundarySimplification
   double OutlineDeviation = 0.0;
 };
 
-/// `points` are all points of the horizon, in lattice units. The first point of each loop stays. Linear in the points,
+/// `points` are all points of the horizon, in lattice units; those of the loops stand on whole columns. A loop begins
+/// where it did, or, when that is within a straight run, at the end of the run. Linear in the points,
 /// times the number of passes over a run, which grows with the logarithm of its length where a run is flat, and with
 /// its length in the worst case.
 BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,

@@ -124,6 +124,41 @@ void TestSpurStays()
   CHECK(Dropped({ "##....", "######" }) == std::vector<PlanePoint>({ { 1, 0 } }));
 }
 
+/// A loop that begins within a straight run, as those of other programs may, comes out as it does from its corner, and
+/// begins there.
+void TestLoopThatBeginsAnywhere()
+{
+  Patches::Random random(31);
+  for (int n = 0; n < 60; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
+    const double threshold = 2.0 * random.Fraction();
+    const BoundarySimplification expected = Simplify(horizon, threshold);
+    for (std::size_t loop = 0; loop < horizon.Boundary.Size(); ++loop)
+    {
+      Ids turned(horizon.Boundary.begin(loop), horizon.Boundary.end(loop));
+      const std::size_t length = turned.size();
+      std::rotate(turned.begin(), turned.begin() + random.Below(int(length)), turned.end());
+      BoundedHorizon other = horizon;
+      other.Boundary = Loops();
+      std::for_each(turned.begin(), turned.end(), [&other](PointId point) { other.Boundary.Append(point); });
+      other.Boundary.Close();
+      const BoundarySimplification found = Simplify(other, threshold);
+      Ids after(found.Boundary.begin(0), found.Boundary.end(0));
+      const Ids wanted(expected.Boundary.begin(loop), expected.Boundary.end(loop));
+      const auto first = std::find(after.begin(), after.end(), wanted.front());
+      CHECK(first != after.end());
+      std::rotate(after.begin(), first, after.end());
+      if (std::count(after.begin(), after.end(), wanted.front()) == 1 && horizon.Boundary.Size() == 1)
+      {
+        CHECK((after == wanted));
+        CHECK((found.Target == expected.Target));
+      }
+    }
+  }
+}
+
 void TestSmallestLoops()
 {
   for (const std::vector<std::string>& picture :
@@ -320,6 +355,7 @@ int TestBoundarySimplification(int, char*[])
   TestDroppedPointsAreCounted();
   TestStaircaseStays();
   TestSpurStays();
+  TestLoopThatBeginsAnywhere();
   TestSmallestLoops();
   TestRandomPatches();
   TestBoundDeviation();

@@ -77,6 +77,7 @@ void TestErrors()
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   CHECK_THROWS_WITH(Lattice({ 0, 2, 2 }, identity), "lattice of 0 x 2 x 2 cells, expected at least 1");
   CHECK_THROWS_WITH(Lattice({ 1 << 28, 2, 2 }, identity), "less than 2^28 columns a side");
+  CHECK_THROWS_WITH(Lattice({ 2, std::numeric_limits<int>::max(), 2 }, identity), "less than 2^28 columns a side");
   Eigen::Matrix4d map = identity;
   map(0, 3) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(Lattice({ 2, 2, 2 }, map), "matrix that is not affine");
@@ -96,6 +97,11 @@ void TestErrors()
   CHECK_THROWS_WITH(lattice.ToSubVoxels({ 5.0, 1.0, 0.0 }, 17),
     "point 17 at column (5, 1), height 0, expected a place on the lattice of 5 x 4 columns");
   CHECK_THROWS_WITH(lattice.ToSubVoxels({ 1.0, 1.0, std::numeric_limits<double>::infinity() }, 3), "point 3");
+  CHECK_THROWS_WITH(lattice.ToSubVoxels({ 1.0, 1.0, std::numeric_limits<double>::quiet_NaN() }, 3), "point 3");
+  CHECK_THROWS_WITH(lattice.ToSubVoxels({ 1.0, 1.0, -1e300 }, 3),
+    "height -1e+300, expected a place on the lattice of 5 x 4 columns, at "
+    "most 2^50 vertical indices up or down");
+  CHECK_EQUAL(lattice.ToSubVoxels({ 1.0, 1.0, LargestHeight }, 3).X, 1 << 20);
 }
 }
 
