@@ -22,8 +22,6 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <functional> // for the work
-#include <string> // for names in messages
 #include <vector> // for the outputs
 
 namespace SeismicHorizons
@@ -48,21 +46,9 @@ protected:
   /// The outputs of one horizon, by port.
   using Outputs = std::vector<vtkPolyData*>;
 
-  /// For stages with several outputs, all of the same structure: override this one in place of ProcessHorizon, which it
-  /// calls otherwise.
-  virtual void ProcessHorizonPorts(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor);
-
-  /// Turns one horizon that has points into another. Throws SeismicHorizons::InputError on input that breaks the
-  /// contract of the stage.
-  virtual void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor);
-
-  /// The work of a stage on all its horizons. It may set `subject` to the name that an error begins
-  /// with.
-  using Work = std::function<void(std::string& subject, const SeismicHorizons::Monitor& monitor)>;
-
-  /// Runs the work and gives what RequestData returns. What the work throws becomes one error, and leaves all outputs
-  /// empty; so does a request to stop, without an error.
-  int Run(const std::vector<vtkDataObject*>& outputs, const Work& work);
+  /// Turns one horizon that has points into what the stage gives for it. Throws SeismicHorizons::InputError on input
+  /// that breaks the contract of the stage. The outputs have the field data of the input already.
+  virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

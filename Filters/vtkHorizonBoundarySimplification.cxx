@@ -67,8 +67,10 @@ void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonBoundarySimplification::ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+void vtkHorizonBoundarySimplification::ProcessHorizon(
+  vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
+  vtkPolyData* const output = outputs.front();
   const LatticePoints points = ReadPoints(input);
   monitor.Progress(0.2);
   BoundarySimplificationOptions options;

@@ -76,7 +76,7 @@ protected:
   vtkHorizonBoundarySimplification() = default;
   ~vtkHorizonBoundarySimplification() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonBoundarySimplification(const vtkHorizonBoundarySimplification&) = delete;

@@ -82,8 +82,9 @@ void vtkHorizonCellSimplification::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
+  vtkPolyData* const output = outputs.front();
   LatticePoints points = ReadPoints(input);
   const Lattice grid = points.Grid;
   const BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));

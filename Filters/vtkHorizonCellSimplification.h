@@ -87,7 +87,7 @@ protected:
   /// Whether cells end upwards, too: cubes are shown as boxes, squares flat.
   virtual bool HasCubes() const = 0;
 
-  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) final;
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) final;
 
 private:
   vtkHorizonCellSimplification(const vtkHorizonCellSimplification&) = delete;

@@ -50,16 +50,7 @@ void CopyPointsOfPatches(
   found.Patch.resize(std::size_t(kept->GetNumberOfIds()));
   marks.resize(found.Patch.size());
   found.Boundary = found.Boundary.Renumbered(number);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
-  input->GetPoints()->GetPoints(kept, points);
-  output->SetPoints(points);
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), kept->GetNumberOfIds());
-  for (vtkIdType point = 0; point < kept->GetNumberOfIds(); ++point)
-  {
-    output->GetPointData()->CopyData(input->GetPointData(), kept->GetId(point), point);
-  }
+  CopyPoints(input, kept, output);
 }
 }
 
@@ -91,8 +82,10 @@ std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const Monitor& monitor)
+void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* all, const Outputs& outputs, const Monitor& monitor)
 {
+  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(all);
+  vtkPolyData* const output = outputs.front();
   const LatticePoints points = ReadPoints(input);
   const std::vector<PlanePoint> columns = ToColumns(points);
   monitor.Progress(0.3);

@@ -135,7 +135,7 @@ protected:
   vtkHorizonExteriorBoundary() = default;
   ~vtkHorizonExteriorBoundary() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, vtkPolyData* output, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonExteriorBoundary(const vtkHorizonExteriorBoundary&) = delete;

@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/DistanceReport.h"
 #include "Marshalling/HorizonPairs.h"
 #include "Marshalling/SurfacePair.h"
@@ -60,6 +61,13 @@ void vtkHorizonSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+int vtkHorizonSurfaceDistance::FillInputPortInformation(int, vtkInformation* info)
+{
+  AcceptHorizons(info);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == TablePort ? "vtkTable" : "vtkDataObject");
@@ -92,7 +100,7 @@ int vtkHorizonSurfaceDistance::RequestData(
   vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeshPort], 0);
   const std::vector<vtkDataObject*> outputs = { vtkDataObject::GetData(outputVector, ReferencePort),
     vtkDataObject::GetData(outputVector, MeshPort), vtkDataObject::GetData(outputVector, TablePort) };
-  return this->Run(outputs,
+  return RunRequest(this, outputs, NotEnoughMemory,
     [&](std::string& subject, const Monitor& monitor)
     {
       auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
@@ -107,8 +115,6 @@ int vtkHorizonSurfaceDistance::RequestData(
           this->MeasurePair(pairs[n], table, monitor.Step(double(n) / size, double(n + 1) / size));
         }
       }
-      outputs[ReferencePort]->GetFieldData()->PassData(reference->GetFieldData());
-      outputs[MeshPort]->GetFieldData()->PassData(mesh->GetFieldData());
     });
 }
 

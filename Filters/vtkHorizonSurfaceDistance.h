@@ -45,20 +45,21 @@
 #ifndef vtkHorizonSurfaceDistance_h
 #define vtkHorizonSurfaceDistance_h
 
-#include "vtkHorizonAlgorithm.h"
+#include "vtkDataObjectAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 namespace SeismicHorizons
 {
+class Monitor;
 struct HorizonPair;
 }
 class vtkTable;
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurfaceDistance : public vtkHorizonAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurfaceDistance : public vtkDataObjectAlgorithm
 {
 public:
   static vtkHorizonSurfaceDistance* New();
-  vtkTypeMacro(vtkHorizonSurfaceDistance, vtkHorizonAlgorithm);
+  vtkTypeMacro(vtkHorizonSurfaceDistance, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The unit of the point arrays.
@@ -110,6 +111,7 @@ protected:
   vtkHorizonSurfaceDistance();
   ~vtkHorizonSurfaceDistance() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

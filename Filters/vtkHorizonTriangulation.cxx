@@ -102,7 +102,7 @@ void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonTriangulation::ProcessHorizonPorts(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
+void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
   LatticePoints points = ReadPoints(input);
   const Lattice grid = points.Grid;

@@ -121,8 +121,7 @@ protected:
   vtkHorizonTriangulation();
   ~vtkHorizonTriangulation() override = default;
 
-  void ProcessHorizonPorts(
-    vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonTriangulation(const vtkHorizonTriangulation&) = delete;

@@ -8,8 +8,10 @@
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace SeismicHorizons
@@ -18,11 +20,36 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // triangles that a thread takes at a time
 
-vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt32Array* offsets, vtkTypeInt32Array* points)
+template <typename Array>
+vtkSmartPointer<vtkCellArray> MakeCells(Array* offsets, Array* points)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, points);
   return cells;
+}
+
+template <typename Array>
+vtkSmartPointer<vtkCellArray> MakeTrianglesAs(const RawVector<PointId>& triangles)
+{
+  using Value = typename Array::ValueType;
+  vtkNew<Array> offsets;
+  vtkNew<Array> ids;
+  const vtkIdType size = vtkIdType(triangles.size() / 3);
+  offsets->SetNumberOfValues(size + 1);
+  ids->SetNumberOfValues(3 * size);
+  offsets->SetValue(size, Value(3 * size));
+  Value* const begins = offsets->GetPointer(0);
+  Value* const corners = ids->GetPointer(0);
+  ParallelFor(size, Grain,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType triangle = first; triangle < last; ++triangle)
+      {
+        begins[triangle] = Value(3 * triangle);
+      }
+      std::copy(triangles.data() + 3 * first, triangles.data() + 3 * last, corners + 3 * first);
+    });
+  return MakeCells<Array>(offsets, ids);
 }
 }
 
@@ -38,30 +65,15 @@ vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops)
     ids->InsertNextValue(*loops.begin(loop));
     offsets->InsertNextValue(std::int32_t(ids->GetNumberOfValues()));
   }
-  return MakeCells(offsets, ids);
+  return MakeCells<vtkTypeInt32Array>(offsets, ids);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 {
-  vtkNew<vtkTypeInt32Array> offsets;
-  vtkNew<vtkTypeInt32Array> ids;
-  const vtkIdType size = vtkIdType(triangles.size() / 3);
-  offsets->SetNumberOfValues(size + 1);
-  ids->SetNumberOfValues(3 * size);
-  offsets->SetValue(size, std::int32_t(3 * size));
-  std::int32_t* const begins = offsets->GetPointer(0);
-  std::int32_t* const corners = ids->GetPointer(0);
-  ParallelFor(size, Grain,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType triangle = first; triangle < last; ++triangle)
-      {
-        begins[triangle] = std::int32_t(3 * triangle);
-      }
-      std::copy(triangles.data() + 3 * first, triangles.data() + 3 * last, corners + 3 * first);
-    });
-  return MakeCells(offsets, ids);
+  return triangles.size() <= std::size_t(std::numeric_limits<vtkTypeInt32>::max())
+    ? MakeTrianglesAs<vtkTypeInt32Array>(triangles)
+    : MakeTrianglesAs<vtkTypeInt64Array>(triangles);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

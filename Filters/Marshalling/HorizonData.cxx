@@ -11,15 +11,22 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace SeismicHorizons
@@ -28,9 +35,26 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
 
+// So many voxels no horizon has; and their number times a place in sub-voxels, which averages are made of, fits 64
+// bits.
+constexpr std::int64_t MostVoxels = std::int64_t(1) << 32;
+
+/// An array of numbers by its name; null when there is none of that name.
+vtkDataArray* FindNumbers(vtkFieldData* data, const char* name)
+{
+  vtkAbstractArray* const array = data->GetAbstractArray(name);
+  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
+  if (array && !numbers)
+  {
+    throw InputError(
+      std::string("an array ") + name + " of type " + array->GetDataTypeAsString() + ", expected numbers");
+  }
+  return numbers;
+}
+
 vtkDataArray* FindFieldArray(vtkPolyData* horizon, const char* name, int values)
 {
-  vtkDataArray* const array = horizon->GetFieldData()->GetArray(name);
+  vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), name);
   const vtkIdType found = array ? array->GetNumberOfValues() : 0;
   if (found != values)
   {
@@ -47,27 +71,75 @@ double FieldValue(vtkDataArray* array, int n)
   return array->GetComponent(n / components, n % components);
 }
 
-/// A point array of one number per point.
+template <typename Number>
+std::string Text(Number number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+/// Whether a number can be stored as another type without a change.
+template <typename Number, typename Value>
+bool Fits(Value value)
+{
+  if constexpr (std::is_floating_point_v<Value>)
+  {
+    const double limit = std::ldexp(1.0, std::numeric_limits<Number>::digits);
+    return value >= -limit && value < limit && value == std::floor(value);
+  }
+  else
+  {
+    const Number converted = static_cast<Number>(value);
+    return static_cast<Value>(converted) == value && (converted < 0) == (value < 0);
+  }
+}
+
+/// A point array of one number per point; null when there is none of that name.
 vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
 {
-  vtkDataArray* const array = horizon->GetPointData()->GetArray(name);
+  vtkDataArray* const array = FindNumbers(horizon->GetPointData(), name);
   if (array && array->GetNumberOfComponents() != 1)
   {
     throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfComponents()) +
       " components, expected 1");
   }
+  if (array && array->GetNumberOfTuples() != horizon->GetNumberOfPoints())
+  {
+    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfTuples()) +
+      " values, expected one for each of the " + std::to_string(horizon->GetNumberOfPoints()) + " points");
+  }
   return array;
 }
 
+bool IsVisible(unsigned char ghost)
+{
+  return (ghost & (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) == 0;
+}
+
+vtkIdType CountVisiblePoints(vtkPolyData* horizon)
+{
+  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
+  return ghosts ? std::count_if(ghosts->Begin(), ghosts->End(), IsVisible) : horizon->GetNumberOfPoints();
+}
+
+/// The values of an array as whole numbers.
 template <typename Number>
 std::vector<Number> CopyValues(vtkDataArray* array)
 {
   std::vector<Number> values;
   values.reserve(std::size_t(array->GetNumberOfTuples()));
-  const auto copy = [&values](auto* typedArray)
+  const auto copy = [&](auto* typedArray)
   {
-    for (const auto value : vtk::DataArrayValueRange<1>(typedArray))
+    for (const vtk::GetAPIType<std::remove_pointer_t<decltype(typedArray)>> value :
+      vtk::DataArrayValueRange<1>(typedArray))
     {
+      if (!Fits<Number>(value))
+      {
+        throw InputError(std::string(array->GetName()) + ' ' + Text(+value) + " at point " +
+          std::to_string(values.size()) + ", expected a whole number of " +
+          std::to_string(std::numeric_limits<Number>::digits + 1) + " bits");
+      }
       values.push_back(static_cast<Number>(value));
     }
   };
@@ -87,7 +159,13 @@ Lattice ReadLattice(vtkPolyData* horizon)
   std::array<int, 3> dimensions;
   for (int axis = 0; axis < 3; ++axis)
   {
-    dimensions[std::size_t(axis)] = int(FieldValue(size, axis));
+    const double cells = FieldValue(size, axis);
+    if (!Fits<int>(cells))
+    {
+      throw InputError(std::string(FieldArray::LatticeDimensions) + " with " + Text(cells) +
+        " cells along an axis, expected a whole number of 32 bits");
+    }
+    dimensions[std::size_t(axis)] = int(cells);
   }
   Eigen::Matrix4d toWorld;
   for (int n = 0; n < 16; ++n)
@@ -98,12 +176,58 @@ Lattice ReadLattice(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
+{
+  const vtkIdType visible = CountVisiblePoints(horizon);
+  if (visible == horizon->GetNumberOfPoints())
+  {
+    return horizon;
+  }
+  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
+  vtkNew<vtkIdList> kept;
+  kept->Allocate(visible);
+  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  {
+    if (IsVisible(ghosts->GetValue(point)))
+    {
+      kept->InsertNextId(point);
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  CopyPoints(horizon, kept, result);
+  result->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  result->GetFieldData()->PassData(horizon->GetFieldData());
+  return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  input->GetPoints()->GetPoints(kept, points);
+  output->SetPoints(points);
+  output->GetPointData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(input->GetPointData(), kept->GetNumberOfIds());
+  for (vtkIdType point = 0; point < kept->GetNumberOfIds(); ++point)
+  {
+    output->GetPointData()->CopyData(input->GetPointData(), kept->GetId(point), point);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 LatticePoints ReadPoints(vtkPolyData* horizon)
 {
   const vtkIdType size = horizon->GetNumberOfPoints();
   if (size > std::numeric_limits<PointId>::max() / 4)
   {
     throw InputError(std::to_string(size) + " points, expected less than 2^29 in one horizon");
+  }
+  const vtkIdType hidden = size - CountVisiblePoints(horizon);
+  if (hidden > 0)
+  {
+    throw InputError(std::to_string(hidden) +
+      " hidden points by the array vtkGhostType, expected none: only Horizon Exterior Boundary leaves them out");
   }
   LatticePoints points;
   points.Grid = ReadLattice(horizon);
@@ -162,6 +286,13 @@ Loops ReadBoundary(vtkPolyData* horizon)
       throw InputError("line " + std::to_string(line) + " with " + std::to_string(size) +
         " points that is not closed, expected only boundary loops: polylines whose last point is their first");
     }
+    const auto wrong = std::find_if(
+      points, points + size, [horizon](vtkIdType id) { return id < 0 || id >= horizon->GetNumberOfPoints(); });
+    if (wrong != points + size)
+    {
+      throw InputError("point id " + std::to_string(*wrong) + " in line " + std::to_string(line) + ", expected 0 to " +
+        std::to_string(horizon->GetNumberOfPoints() - 1));
+    }
     std::for_each(points, points + size - 1, [&loops](vtkIdType point) { loops.Append(PointId(point)); });
     loops.Close();
   }
@@ -189,8 +320,22 @@ std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon)
 std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
 {
   vtkDataArray* const counts = FindPointArray(horizon, PointArray::PointCount);
-  return counts ? CopyValues<std::int64_t>(counts)
-                : std::vector<std::int64_t>(std::size_t(horizon->GetNumberOfPoints()), 1);
+  if (!counts)
+  {
+    return std::vector<std::int64_t>(std::size_t(horizon->GetNumberOfPoints()), 1);
+  }
+  std::vector<std::int64_t> values = CopyValues<std::int64_t>(counts);
+  double sum = 0.0;
+  for (std::size_t point = 0; point < values.size(); ++point)
+  {
+    sum += double(values[point]);
+    if (values[point] < 0 || sum > double(MostVoxels))
+    {
+      throw InputError(std::string(PointArray::PointCount) + ' ' + std::to_string(values[point]) + " at point " +
+        std::to_string(point) + ", expected no negative numbers, and at most 2^32 in all");
+    }
+  }
+  return values;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -11,9 +11,12 @@
 #include "Common/Lattice.h"
 #include "Common/Types.h"
 
+#include "vtkSmartPointer.h"
+
 #include <cstdint>
 #include <vector>
 
+class vtkIdList;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -29,7 +32,15 @@ struct LatticePoints
   std::vector<double> Height; // lattice units
 };
 
+/// All points, none of which may be hidden.
 LatticePoints ReadPoints(vtkPolyData* horizon);
+
+/// The horizon itself; or, when the array vtkGhostType hides some of its points or marks them as those of another
+/// process, the others alone, without cells.
+vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon);
+
+/// Gives `output` some of the points of `input`, with their arrays.
+void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output);
 
 /// The column of each point, for stages before points leave their columns.
 std::vector<PlanePoint> ToColumns(const LatticePoints& points);

@@ -6,6 +6,10 @@
 #ifndef SeismicHorizonsHorizonPairs_h
 #define SeismicHorizonsHorizonPairs_h
 
+#include "HorizonTree.h"
+
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
@@ -18,8 +22,8 @@ namespace SeismicHorizons
 struct HorizonPair
 {
   std::string Name; // empty when there is none
-  vtkPolyData* Reference;
-  vtkPolyData* Mesh;
+  vtkSmartPointer<vtkPolyData> Reference;
+  vtkSmartPointer<vtkPolyData> Mesh;
   vtkPolyData* ReferenceOutput;
   vtkPolyData* MeshOutput;
 };

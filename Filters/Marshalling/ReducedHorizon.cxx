@@ -23,6 +23,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -69,11 +70,29 @@ bool Gather(const std::vector<PointId>& sources, vtkDataArray* input, vtkDataArr
   return input && output && vtkArrayDispatch::Dispatch2SameValueType::Execute(input, output, gather);
 }
 
-/// Adds the values of the averaged points of an array to their sums and writes the means.
+/// How much each input point weighs in the mean of the output point it is merged into: its count. Where all counts are
+/// 0, as those of points that were filled in, all weigh the same.
+std::vector<double> FindWeights(const Reduction& reduction, const std::vector<std::int64_t>& counts)
+{
+  std::vector<std::int64_t> totals(reduction.Source.size(), 0);
+  for (std::size_t point = 0; point < counts.size(); ++point)
+  {
+    totals[std::size_t(reduction.Target[point])] += counts[point];
+  }
+  std::vector<double> weights(counts.size());
+  for (std::size_t point = 0; point < counts.size(); ++point)
+  {
+    weights[point] = totals[std::size_t(reduction.Target[point])] == 0 ? 1.0 : double(counts[point]);
+  }
+  return weights;
+}
+
+/// Writes the means of the values at averaged points. Values that are not finite do not count; where there are no
+/// others, the one of the nearest point stays.
 struct AverageWorker
 {
   const Reduction& Merged;
-  const std::vector<std::int64_t>& Counts;
+  const std::vector<double>& Weights;
   vtkDataArray* Output;
 
   template <typename Array>
@@ -81,33 +100,34 @@ struct AverageWorker
   {
     const int components = input->GetNumberOfComponents();
     const auto tuples = vtk::DataArrayTupleRange(input);
-    std::vector<double> sums(this->Merged.Source.size() * std::size_t(components), 0.0);
-    std::vector<double> weights(this->Merged.Source.size(), 0.0);
-    for (std::size_t point = 0; point < this->Merged.Target.size(); ++point)
+    const std::size_t size = this->Merged.Source.size();
+    std::vector<double> sums(size);
+    std::vector<double> weights(size);
+    for (int n = 0; n < components; ++n)
     {
-      const std::size_t target = std::size_t(this->Merged.Target[point]);
-      if (!this->Merged.Averaged[target])
+      std::fill(sums.begin(), sums.end(), 0.0);
+      std::fill(weights.begin(), weights.end(), 0.0);
+      for (std::size_t point = 0; point < this->Merged.Target.size(); ++point)
       {
-        continue;
+        const std::size_t target = std::size_t(this->Merged.Target[point]);
+        const double value = double(tuples[vtkIdType(point)][n]);
+        if (this->Merged.Averaged[target] && std::isfinite(value))
+        {
+          sums[target] += this->Weights[point] * value;
+          weights[target] += this->Weights[point];
+        }
       }
-      const double weight = double(this->Counts[point]);
-      weights[target] += weight;
-      for (int n = 0; n < components; ++n)
-      {
-        sums[target * std::size_t(components) + std::size_t(n)] += weight * double(tuples[vtkIdType(point)][n]);
-      }
+      this->WriteMeans(sums, weights, n);
     }
-    this->WriteMeans(sums, weights, components);
   }
 
-  void WriteMeans(const std::vector<double>& sums, const std::vector<double>& weights, int components) const
+  void WriteMeans(const std::vector<double>& sums, const std::vector<double>& weights, int component) const
   {
     for (std::size_t target = 0; target < weights.size(); ++target)
     {
-      for (int n = 0; this->Merged.Averaged[target] && n < components; ++n)
+      if (weights[target] > 0.0)
       {
-        this->Output->SetComponent(
-          vtkIdType(target), n, sums[target * std::size_t(components) + std::size_t(n)] / weights[target]);
+        this->Output->SetComponent(vtkIdType(target), component, sums[target] / weights[target]);
       }
     }
   }
@@ -134,6 +154,7 @@ vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, Merging 
   }
   result->SetName(array->GetName());
   result->SetNumberOfComponents(array->GetNumberOfComponents());
+  result->CopyComponentNames(array);
   return result;
 }
 
@@ -148,6 +169,7 @@ void GetTuples(const std::vector<PointId>& sources, vtkAbstractArray* input, vtk
 void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, const std::vector<std::int64_t>& counts,
   Merging merging, vtkPolyData* output)
 {
+  const std::vector<double> weights = FindWeights(reduction, counts);
   for (int n = 0; n < input->GetPointData()->GetNumberOfArrays(); ++n)
   {
     vtkAbstractArray* const array = input->GetPointData()->GetAbstractArray(n);
@@ -161,13 +183,18 @@ void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, const std:
     }
     if (merging == Merging::AveragesPoints && numbers && IsAveraged(numbers))
     {
-      const AverageWorker average{ reduction, counts, reducedNumbers };
+      const AverageWorker average{ reduction, weights, reducedNumbers };
       if (!vtkArrayDispatch::Dispatch::Execute(numbers, average))
       {
         average(numbers);
       }
     }
-    output->GetPointData()->AddArray(reduced);
+    const int index = output->GetPointData()->AddArray(reduced);
+    const int attribute = input->GetPointData()->IsArrayAnAttribute(n);
+    if (attribute >= 0)
+    {
+      output->GetPointData()->SetActiveAttribute(index, attribute);
+    }
   }
 }
 

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonTree.h"
+
+#include "Common/Errors.h"
+#include "Common/VTK/HorizonName.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+namespace SeismicHorizons
+{
+namespace
+{
+std::string NameOf(vtkInformation* block, const std::string& above)
+{
+  const char* const name = block ? block->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name ? name : above;
+}
+
+vtkPolyData* ToHorizon(vtkDataObject* data)
+{
+  auto* const horizon = vtkPolyData::SafeDownCast(data);
+  if (!horizon)
+  {
+    throw InputError(std::string("a ") + data->GetClassName() +
+      " in the composite dataset, expected only vtkPolyData, as Extract Surface makes them");
+  }
+  return horizon;
+}
+
+/// One horizon out of the points of several partitions. The field data are those of the first one.
+vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkPolyData*>& partitions, const std::string& name)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (vtkPolyData* partition : partitions)
+  {
+    if (partition->GetNumberOfLines() + partition->GetNumberOfPolys() + partition->GetNumberOfStrips() > 0)
+    {
+      throw InputError((name.empty() ? "a horizon" : name) + " with outlines or triangles in " +
+        std::to_string(partitions.size()) +
+        " partitions, expected one partition for each horizon from its boundary on");
+    }
+    append->AddInputData(partition);
+  }
+  append->Update();
+  vtkSmartPointer<vtkPolyData> joined = append->GetOutput();
+  joined->GetFieldData()->PassData(partitions.front()->GetFieldData());
+  return joined;
+}
+
+/// Walks over a dataset and the same places of the outputs.
+class Collector
+{
+public:
+  std::vector<HorizonLeaf> Leaves;
+
+  void Collect(vtkDataObject* data, const std::vector<vtkDataObject*>& outputs, const std::string& name)
+  {
+    if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+    {
+      for (unsigned int n = 0; n < collection->GetNumberOfPartitionedDataSets(); ++n)
+      {
+        this->CollectPartitions(collection->GetPartitionedDataSet(n),
+          At<vtkPartitionedDataSetCollection>(outputs, [n](auto* output) { return output->GetPartitionedDataSet(n); }),
+          NameOf(collection->HasMetaData(n) ? collection->GetMetaData(n) : nullptr, name));
+      }
+    }
+    else if (auto* const partitions = vtkPartitionedDataSet::SafeDownCast(data))
+    {
+      this->CollectPartitions(partitions, outputs, name);
+    }
+    else if (auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+    {
+      for (unsigned int n = 0; n < blocks->GetNumberOfBlocks(); ++n)
+      {
+        this->CollectBlock(blocks, n, outputs, NameOf(blocks->HasMetaData(n) ? blocks->GetMetaData(n) : nullptr, name));
+      }
+    }
+  }
+
+  void Add(vtkPolyData* horizon, std::vector<vtkPolyData*> outputs, const std::string& name)
+  {
+    this->Leaves.push_back({ name.empty() ? NameBySurfaceId(horizon) : name, horizon, std::move(outputs) });
+  }
+
+private:
+  template <typename Type, typename Part>
+  static std::vector<vtkDataObject*> At(const std::vector<vtkDataObject*>& outputs, Part&& part)
+  {
+    std::vector<vtkDataObject*> parts;
+    for (vtkDataObject* output : outputs)
+    {
+      parts.push_back(part(Type::SafeDownCast(output)));
+    }
+    return parts;
+  }
+
+  void CollectPartitions(
+    vtkPartitionedDataSet* partitions, const std::vector<vtkDataObject*>& outputs, const std::string& name)
+  {
+    std::vector<vtkPolyData*> found;
+    unsigned int first = 0;
+    for (unsigned int n = 0; partitions && n < partitions->GetNumberOfPartitions(); ++n)
+    {
+      if (vtkDataObject* const partition = partitions->GetPartitionAsDataObject(n))
+      {
+        first = found.empty() ? n : first;
+        found.push_back(ToHorizon(partition));
+      }
+    }
+    if (found.empty())
+    {
+      return;
+    }
+    std::vector<vtkPolyData*> made;
+    for (vtkDataObject* output : outputs)
+    {
+      vtkNew<vtkPolyData> empty;
+      vtkPartitionedDataSet::SafeDownCast(output)->SetPartition(first, empty);
+      made.push_back(empty);
+    }
+    vtkSmartPointer<vtkPolyData> horizon = found.front();
+    if (found.size() > 1)
+    {
+      horizon = Join(found, name);
+    }
+    this->Add(horizon, std::move(made), name);
+  }
+
+  void CollectBlock(
+    vtkMultiBlockDataSet* blocks, unsigned int n, const std::vector<vtkDataObject*>& outputs, const std::string& name)
+  {
+    vtkDataObject* const block = blocks->GetBlock(n);
+    if (vtkDataObjectTree::SafeDownCast(block))
+    {
+      this->Collect(block, At<vtkMultiBlockDataSet>(outputs, [n](auto* output) { return output->GetBlock(n); }), name);
+    }
+    else if (block)
+    {
+      std::vector<vtkPolyData*> made;
+      for (vtkDataObject* output : outputs)
+      {
+        vtkNew<vtkPolyData> empty;
+        vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(n, empty);
+        made.push_back(empty);
+      }
+      this->Add(ToHorizon(block), std::move(made), name);
+    }
+  }
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AcceptHorizons(vtkInformation* port)
+{
+  port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
+{
+  Collector collector;
+  auto* const tree = vtkDataObjectTree::SafeDownCast(input);
+  std::vector<vtkPolyData*> single;
+  for (vtkDataObject* output : outputs)
+  {
+    if (tree)
+    {
+      vtkDataObjectTree::SafeDownCast(output)->CopyStructure(tree);
+    }
+    // Now, not after the work: of a single horizon the root is the output, whose figures must not be overwritten.
+    output->GetFieldData()->PassData(input->GetFieldData());
+    single.push_back(vtkPolyData::SafeDownCast(output));
+  }
+  if (tree)
+  {
+    collector.Collect(tree, outputs, std::string());
+  }
+  else
+  {
+    collector.Add(ToHorizon(input), std::move(single), std::string());
+  }
+  for (const HorizonLeaf& leaf : collector.Leaves)
+  {
+    for (vtkPolyData* output : leaf.Outputs)
+    {
+      output->GetFieldData()->PassData(leaf.Input->GetFieldData());
+    }
+  }
+  return std::move(collector.Leaves);
+}
+}
