@@ -5,7 +5,6 @@
 Every event of the script has to find its menu entry, button or field.
 """
 
-import argparse
 import os
 import pathlib
 import shutil
@@ -44,23 +43,18 @@ def play(paraview, script, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = image_compare.make_parser()
     parser.add_argument("--paraview", required=True)
     parser.add_argument("--template", type=pathlib.Path, required=True)
-    parser.add_argument("--data", type=pathlib.Path, required=True)
-    parser.add_argument("--output", type=pathlib.Path, required=True)
-    parser.add_argument("--changed", action="store_true")
     options = parser.parse_args()
-    name = "Gui-" + options.template.name.split(".")[0] + ("-changed" if options.changed else "")
-    folder = options.output / name
+    name = "Gui-" + options.template.name.split(".")[0]
+    folder = options.output / (name + ("-changed" if options.changed else ""))
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     script = folder / "events.xml"
     fill_in(options.template, script, {
         "SAMPLE": str(options.data / "sample.vsm"), "CELL_SIZE": "4" if options.changed else "3"})
-    picture = play(options.paraview, script, folder)
-    baseline = options.data / "Baseline" / (name.replace("-changed", "") + ".png")
-    sys.exit(0 if image_compare.check(picture, baseline, options.output, name, options.changed) else 1)
+    image_compare.finish(play(options.paraview, script, folder), name, options)
 
 
 if __name__ == "__main__":

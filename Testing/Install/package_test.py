@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 import seismichorizons
+from seismichorizons.stage import apply
 
 import mesh_checks
 import pipelines
@@ -24,9 +25,7 @@ def main():
     for name, mesh in meshes.items():
         print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
     meter = seismichorizons.vtkHorizonSurfaceDistance()
-    for port, surfaces in enumerate((stages[0], stages[-1])):
-        meter.SetInputDataObject(port, surfaces)
-    meter.Update()
+    apply(meter, stages[0], stages[-1])
     assert meter.GetOutputDataObject(2).GetNumberOfRows() == 9 * len(meshes)
 
 

@@ -40,6 +40,11 @@ def read(path):
     return reader.GetOutput()
 
 
+def printed_row(done, horizon):
+    """The words of the row of a horizon in the table."""
+    return next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == [horizon])
+
+
 class BatchTest(unittest.TestCase):
     def setUp(self):
         self.output = FOLDER / self.id().split(".")[-1]
@@ -70,8 +75,7 @@ class BatchTest(unittest.TestCase):
             self.assertRegex(path.name, r"^sample_horizon_\d+\.vtp$")
             mesh = read(path)
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
-            row = next(line.split() for line in done.stdout.splitlines()
-                       if line.split()[:1] == [path.stem.split("_")[-1]])
+            row = printed_row(done, path.stem.split("_")[-1])
             self.assertEqual(int(row[1]), mesh_checks.array(mesh, "PointCount").sum())
             self.assertEqual([int(row[5]), int(row[6])], [mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()])
         picture = image_compare.load(self.output / "sample.png")
@@ -96,7 +100,7 @@ class BatchTest(unittest.TestCase):
             mesh = read(self.output / "sample_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             points.append(mesh.GetNumberOfPoints())
-            row = next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+            row = printed_row(done, "1")
             self.assertEqual(int(row[1]), mesh_checks.array(mesh, "PointCount").sum())
             self.assertEqual(row[-2] != "-", bool(arguments), done.stdout)
         self.assertLess(points[1], points[0])
@@ -107,7 +111,7 @@ class BatchTest(unittest.TestCase):
         after = []
         for arguments in ([], ["--radius", "3"], ["--radius", "3", "--outline-tolerance", "1", "--bound-deviation"]):
             done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
-            row = next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+            row = printed_row(done, "1")
             after.append(int(row[4]))
         self.assertGreater(after[0], after[1])
         self.assertGreater(after[1], after[2])
@@ -127,7 +131,7 @@ class BatchTest(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 2 * 9)
         both = next(row for row in rows if row["Direction"] == "Two-sided" and row["Unit"] == "Lattice")
-        printed = next(line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+        printed = printed_row(done, "1")
         self.assertEqual(printed[-4:-2], ["%.3f" % float(both[n]) for n in ("LargestDistance", "MeanDistance")])
         self.assertGreater(float(both["LargestDistance"]), float(both["MeanDistance"]))
         world = next(row for row in rows if row["Direction"] == "Mesh to reference" and row["Unit"] == "World")

@@ -5,8 +5,10 @@
 VTK's own comparison allows shifts and averages over neighbours, and so lets changes of a tenth of a picture pass.
 """
 
+import argparse
 import pathlib
 import shutil
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -79,3 +81,19 @@ def check(result, baseline_path, folder, name, expect_change=False):
             save(shown, folder / (name + ".diff.png"))
         print("%s: the pictures are in %s" % (name, folder))
     return good
+
+
+def make_parser():
+    """The options that all programs with pictures have."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--data", type=pathlib.Path, required=True)
+    parser.add_argument("--output", type=pathlib.Path, required=True)
+    parser.add_argument("--changed", action="store_true")
+    return parser
+
+
+def finish(result, name, options):
+    """Ends the program with the verdict on a picture."""
+    baseline = options.data / "Baseline" / (name + ".png")
+    shown = name + ("-changed" if options.changed else "")
+    sys.exit(0 if check(result, baseline, options.output, shown, options.changed) else 1)

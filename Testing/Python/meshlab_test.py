@@ -14,6 +14,8 @@ import sys
 
 import numpy as np
 import seismichorizons as sh
+from seismichorizons.pipeline import read
+from seismichorizons.stage import apply
 
 import mesh_checks
 
@@ -36,28 +38,16 @@ SCRIPT = """<!DOCTYPE FilterScript>
 """
 
 
-def apply(algorithm, data, **properties):
-    for name, value in properties.items():
-        getattr(algorithm, "Set" + name)(value)
-    algorithm.SetInputDataObject(0, data)
-    algorithm.Update()
-    return algorithm.GetOutputDataObject(0)
-
-
 def pairs(sample):
     """Three horizons at full resolution, each with a mesh that was made in another way."""
-    reader = sh.vtkVerneySparseMatrixReader()
-    reader.SetFileName(str(sample))
-    reader.Update()
     ways = ((sh.vtkHorizonRoughSimplification(), {"CellSize": 3}),
             (sh.vtkHorizonRoughSimplification(), {"CellSize": 8}),
             (sh.vtkHorizonElaborateSimplification(), {"FlatnessThreshold": 0.05}))
-    horizons = mesh_checks.blocks(reader.GetOutputDataObject(0))
-    for (name, points), (algorithm, properties) in zip(horizons.items(), ways):
+    for (number, points), (algorithm, properties) in zip(read(sample)[0], ways):
         outlined = apply(sh.vtkHorizonExteriorBoundary(), points)
         full = apply(sh.vtkHorizonTriangulation(), outlined)
         thinned = apply(algorithm, apply(sh.vtkHorizonBoundarySimplification(), outlined), **properties)
-        yield name, full, apply(sh.vtkHorizonTriangulation(), thinned)
+        yield "Horizon %d" % number, full, apply(sh.vtkHorizonTriangulation(), thinned)
 
 
 def write_ply(mesh, path):
@@ -101,10 +91,7 @@ def main():
         write_ply(full, folder / "full.ply")
         write_ply(mesh, folder / "mesh.ply")
         meter = sh.vtkHorizonSurfaceDistance()
-        meter.SetInputDataObject(0, full)
-        meter.SetInputDataObject(1, mesh)
-        meter.SetSamplesPerPoint(20)
-        meter.Update()
+        apply(meter, full, mesh, SamplesPerPoint=20)
         for port, way in enumerate(("to mesh", "to reference")):
             output = meter.GetOutputDataObject(port)
             corners = np.unique(mesh_checks.triangles(output))

@@ -6,7 +6,7 @@ import pathlib
 import subprocess
 import sys
 
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from seismichorizons.writing import write_mesh
 
 import image_compare
 import mesh_checks
@@ -31,11 +31,7 @@ def colors(picture):
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     sample, mesh = DATA / "sample.vsm", FOLDER / "mesh.vtp"
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(str(mesh))
-    writer.SetInputData(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"])
-    writer.SetDataModeToBinary()
-    writer.Write()
+    write_mesh(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh)
     done, picture = draw("one.png", "--horizon", 2, sample, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr
     assert picture.shape[:2] == (780, 900) and colors(picture) > 500, (picture.shape, colors(picture))

@@ -39,7 +39,8 @@ def numbers(cell):
 def check_row(heading, heads, row):
     assert len(row) == len(heads), "%s: %s" % (heading, row)
     for head, cell in zip(heads, row):
-        assert all(math.isfinite(value) and value >= 0.0 for value in numbers(cell)), "%s, %s: %s" % (heading, head, cell)
+        sound = all(math.isfinite(value) and value >= 0.0 for value in numbers(cell))
+        assert sound, "%s, %s: %s" % (heading, head, cell)
 
 
 def check_errors(heads, row):

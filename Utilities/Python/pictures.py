@@ -50,11 +50,8 @@ OUTLINE_OFFSET = -800.0  # steps of the depth buffer
 
 def draw(rows, text=True, panel_size=PANEL_SIZE):
     """Draws rows of panels and returns the picture as vtkImageData."""
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
     columns = max(len(row) for row in rows)
-    window.SetSize(columns * panel_size[0], len(rows) * panel_size[1])
+    renderers = []
     for number, row in enumerate(rows):
         frame = _Frame(row, panel_size)
         bottom = 1.0 - (number + 1) / len(rows)
@@ -62,7 +59,18 @@ def draw(rows, text=True, panel_size=PANEL_SIZE):
         for column, panel in enumerate(row):
             renderer = _renderer(frame, panel, text)
             renderer.SetViewport(column / columns, bottom, (column + 1) / columns, top)
-            window.AddRenderer(renderer)
+            renderers.append(renderer)
+    return render(renderers, (columns * panel_size[0], len(rows) * panel_size[1]))
+
+
+def render(renderers, size):
+    """Draws renderers, each in its viewport, and returns the picture as vtkImageData."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(*size)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
     window.Render()
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
@@ -81,6 +89,11 @@ def write(image, path):
     writer.Write()
     if writer.GetErrorCode():
         raise OSError("cannot write the picture %s" % path)
+
+
+def rgb(color):
+    """Red, green and blue from 0 to 1, of a colour in six hexadecimal digits."""
+    return tuple(int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
 
 
 class _Frame:
@@ -152,9 +165,9 @@ def _renderer(frame, panel, text):
         actor.SetScale(*frame.scale())
         renderer.AddActor(actor)
     if text:
-        renderer.AddViewProp(_text(panel.title, 17, frame.panel_size[1] - 30, bold=True))
-        renderer.AddViewProp(_text(panel.caption, 13, frame.panel_size[1] - 50))
-        renderer.AddViewProp(_text("heights x %g" % frame.exaggeration, 11, 8))
+        renderer.AddViewProp(text_actor(panel.title, 17, (14, frame.panel_size[1] - 30), bold=True))
+        renderer.AddViewProp(text_actor(panel.caption, 13, (14, frame.panel_size[1] - 50)))
+        renderer.AddViewProp(text_actor("heights x %g" % frame.exaggeration, 11, (14, 8)))
     frame.place_camera(renderer.GetActiveCamera())
     return renderer
 
@@ -173,10 +186,11 @@ def _light(renderer):
     renderer.AddLight(eye)
 
 
-def _text(text, size, height, bold=False):
+def text_actor(text, size, place, bold=False):
+    """Text whose lower left corner is at a place in pixels."""
     actor = vtkTextActor()
     actor.SetInput(text)
-    actor.SetPosition(14, height)
+    actor.SetPosition(*place)
     style = actor.GetTextProperty()
     style.SetFontSize(size)
     style.SetBold(bold)
@@ -220,36 +234,32 @@ def _part(horizon, verts=None, lines=None, polys=None):
     return part
 
 
-def _color_by_height(frame, actor):
-    """Colours from the height itself: every stage has it, whatever arrays it carries."""
-    data = actor.GetMapper().GetInput()
-    heights = numpy_to_vtk(np.ascontiguousarray(_coordinates(data)[:, 2]), deep=True)
-    data.GetPointData().SetScalars(heights)
+def _color_by(actor, values, stops):
+    """Colours from an array of the points, between stops of (value, colour)."""
     colors = vtkColorTransferFunction()
-    low, high = frame.color_range
-    for number, color in enumerate(LOW_TO_HIGH):
-        red, green, blue = (int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
-        colors.AddRGBPoint(low + (high - low) * number / (len(LOW_TO_HIGH) - 1), red, green, blue)
+    for value, color in stops:
+        colors.AddRGBPoint(value, *rgb(color))
     mapper = actor.GetMapper()
+    mapper.GetInput().GetPointData().SetScalars(values)
     mapper.ScalarVisibilityOn()
     mapper.SetLookupTable(colors)
     mapper.UseLookupTableScalarRangeOn()
-    mapper.InterpolateScalarsBeforeMappingOff()
+
+
+def _color_by_height(frame, actor):
+    """Colours from the height itself: every stage has it, whatever arrays it carries."""
+    heights = np.ascontiguousarray(_coordinates(actor.GetMapper().GetInput())[:, 2])
+    low, high = frame.color_range
+    _color_by(actor, numpy_to_vtk(heights, deep=True), [
+        (low + (high - low) * number / (len(LOW_TO_HIGH) - 1), color) for number, color in enumerate(LOW_TO_HIGH)])
 
 
 def _color_by_distance(horizon, actor):
     """From 0 to the 99th percentile: a few extreme points should not eat up the colours."""
     distances = horizon.GetPointData().GetArray("Distance")
     largest = max(np.percentile(vtk_to_numpy(distances), 99.0), 1e-9)
-    actor.GetMapper().GetInput().GetPointData().SetScalars(distances)
-    colors = vtkColorTransferFunction()
-    for part, color in NEAR_TO_FAR:
-        colors.AddRGBPoint(part * largest, *(int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4)))
-    mapper = actor.GetMapper()
-    mapper.ScalarVisibilityOn()
-    mapper.SetLookupTable(colors)
-    mapper.UseLookupTableScalarRangeOn()
-    mapper.InterpolateScalarsBeforeMappingOn()
+    _color_by(actor, distances, [(part * largest, color) for part, color in NEAR_TO_FAR])
+    actor.GetMapper().InterpolateScalarsBeforeMappingOn()
 
 
 def _plain_points(horizon, size, color):
@@ -273,7 +283,7 @@ def _colored_points(frame, horizon):
 def _color_by_level(actor, attributes, origins):
     """Colours from the first component of CellOrigin."""
     levels = vtk_to_numpy(origins)[:, 0]
-    table = np.array([[int(color[i:i + 2], 16) for i in (0, 2, 4)] for color in LEVEL_COLORS], dtype=np.uint8)
+    table = np.rint([[255.0 * part for part in rgb(color)] for color in LEVEL_COLORS]).astype(np.uint8)
     attributes.SetScalars(numpy_to_vtk(table[np.minimum(levels, len(LEVEL_COLORS) - 1)], deep=True))
     actor.GetMapper().ScalarVisibilityOn()
     return actor

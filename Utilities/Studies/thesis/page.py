@@ -1,35 +1,21 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does what the thesis reports on again, and writes its tables 4.1 to 4.6 and 5.1 and its curves 3.18, 3.19 and 5.18
-with the figures found here beside them, and those of other programs.
-
-Utilities/reproduce_thesis.sh makes all that is needed, and runs it. Needs the package seismichorizons in PYTHONPATH;
-Matplotlib for the curves, and MeshLab and an X server for the partners of the thesis, which are left out otherwise.
-"""
-
-import argparse
-import pathlib
-import subprocess
-import sys
-import tempfile
+"""The page Tables.md: what was measured beside what the thesis reports."""
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from thesis import meshlab, peers, reported, stages, study, tables, words
-
-CURVE_SURFACE = 60511  # on which errors are drawn over the vertices
+from . import meshlab, partners, stages, surfaces, tables, words
 
 PAGE = """\
 # Beside the thesis
 
-Made by `Utilities/reproduce_thesis.sh`, which measures everything on this page anew and writes the words that have
-figures in them, too. The surfaces of the thesis are not public; ours are synthetic (`generate_horizons`), each with
-about as many points as one of the thesis, in a box of the same proportions that is as full. All errors are measured
-with [vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all points and the mesh of
-those that are left, in lattice units, and are divided by the diagonal of the bounding box, as the thesis has them.
-Times are those of the filters, attributes included, the fastest of up to {runs} runs, on {threads} threads; those of
-the thesis are from a PC of its time.{meshlab}
+Made by `Utilities/Studies/reproduce_thesis.sh`, which measures everything on this page anew and writes the words that
+have figures in them, too. The surfaces of the thesis are not public; ours are synthetic (`generate_horizons`), each
+with about as many points as one of the thesis, in a box of the same proportions that is as full. All errors are
+measured with [vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all points and the
+mesh of those that are left, in lattice units, and are divided by the diagonal of the bounding box, as the thesis has
+them. Times are those of the filters, attributes included, the fastest of up to {runs} runs, on {threads} threads; those
+of the thesis are from a PC of its time.{meshlab}
 
 ## In short
 
@@ -152,72 +138,6 @@ As many vertices as `elaborate, s = 8, flatness 0.03`:
 {elaborate_equal}"""
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("generator", help="the program generate_horizons")
-    parser.add_argument("folder", type=pathlib.Path, help="where Tables.md goes, and the folder Pictures")
-    parser.add_argument("--surfaces", type=int, default=len(reported.SURFACES), metavar="N",
-                        help="only so many surfaces, the smallest first (default: all)")
-    parser.add_argument("--triangulation-benchmark", metavar="PROGRAM",
-                        help="the program TriangulationBenchmark, for the times of CGAL")
-    return parser.parse_args()
-
-
-def report(text):
-    print(text, file=sys.stderr, flush=True)
-
-
-def measure_surfaces(options, folder, pace):
-    """All surfaces of table 4.1, and the errors over the vertices of one of them."""
-    sizes = sorted(reported.SURFACES)[:options.surfaces]
-    found = []
-    curves = None
-    for size in sizes:
-        report("%d points: simplification" % size)
-        surface = study.Surface(options.generator, size, folder, pace)
-        if size == min(CURVE_SURFACE, sizes[-1]):
-            curves = (size, surface.curves())
-        surface.forget()
-        found.append(surface)
-    return found, curves
-
-
-def measure_meshings(options, folder, pace):
-    sizes = sorted(reported.TRIANGULATION)
-    sizes = sizes if options.surfaces == len(reported.SURFACES) else sizes[:options.surfaces]
-    found = []
-    for size in sizes:
-        report("%d points: triangulation" % size)
-        found.append(study.Meshing(options.generator, size, folder, pace))
-    return found
-
-
-def measure_cgal(program, meshings):
-    """Times of CGAL's Delaunay triangulations on as many points, by name."""
-    if not program:
-        return {}
-    report("CGAL")
-    sizes = [str(m.size) for m in meshings]
-    lines = subprocess.run([program, "--full", *sizes], check=True, capture_output=True, text=True).stdout.splitlines()
-    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
-    heads = cells[0]
-    return {name: [(int(row[heads.index("points")]), float(row[heads.index(name + " s")])) for row in cells[2:]]
-            for name in ("CGAL Delaunay", "CGAL constrained")}
-
-
-def draw(found, curves, meshings, cgal, folder):
-    try:
-        from thesis import curves as draw_curves
-    except ImportError:
-        report("no Matplotlib, no curves")
-        return
-    folder.mkdir(parents=True, exist_ok=True)
-    draw_curves.boundary_time(found, folder / "BoundaryTime.png")
-    draw_curves.boundary_rate(found, folder / "BoundaryRate.png")
-    draw_curves.triangulation_time(meshings, cgal, folder / "TriangulationTime.png")
-    draw_curves.vertex_worth(curves[1], "A surface of {:,} points".format(curves[0]), folder / "VertexWorth.png")
-
-
 def page(found, curves, meshings, paces):
     rough, elaborate = found[0].equal
     return PAGE.format(
@@ -226,33 +146,15 @@ def page(found, curves, meshings, paces):
         thesis_words=words.thesis_sentence(found), thesis_table=words.thesis_table(found),
         rough_words=words.partner_sentences(found, rough), elaborate_words=words.partner_sentences(found, elaborate),
         surfaces=tables.surfaces(found),
-        dropouts="%g %%" % (100.0 * study.surfaces.DROPOUTS), table_4_1=tables.table_4_1(found),
+        dropouts="%g %%" % (100.0 * surfaces.DROPOUTS), table_4_1=tables.table_4_1(found),
         table_4_2=tables.table_4_2(found), table_4_3=tables.table_4_3(found), table_4_4=tables.table_4_4(found),
         table_4_5=tables.table_4_5_and_6(found, 6), table_4_6=tables.table_4_5_and_6(found, 8),
-        cluster_words=words.cluster_sentence(found), boxless=words.listing(["%d" % n for n in study.surfaces.BOX_OF]),
+        cluster_words=words.cluster_sentence(found), boxless=words.listing(["%d" % n for n in surfaces.BOX_OF]),
         mesh_seconds=paces[1].most_seconds, table_5_1=tables.table_5_1(meshings),
         meshing_words=words.meshing_sentences(meshings), left_out_meshing=words.left_out(paces[1]),
         rough_best=words.best_sentence(found, rough), elaborate_best=words.best_sentence(found, elaborate),
         own_words=words.own_sentence(found),
-        near=100.0 * peers.NEAR_ENOUGH, rough_partners=words.partner_table(found, rough),
+        near=100.0 * partners.NEAR_ENOUGH, rough_partners=words.partner_table(found, rough),
         elaborate_partners=words.partner_table(found, elaborate), curve_surface="{:,}".format(curves[0]),
         left_out_partners=words.left_out(paces[0]), rough_equal=tables.equal_vertices(found, rough),
         elaborate_equal=tables.equal_vertices(found, elaborate))
-
-
-def main():
-    options = parse_arguments()
-    vtkSMPTools.SetBackend("STDThread")
-    vtkSMPTools.Initialize(0)
-    paces = (peers.Pace(), study.meshing_pace())
-    with tempfile.TemporaryDirectory() as folder:
-        found, curves = measure_surfaces(options, folder, paces[0])
-        meshings = measure_meshings(options, folder, paces[1])
-    cgal = measure_cgal(options.triangulation_benchmark, meshings)
-    options.folder.mkdir(parents=True, exist_ok=True)
-    (options.folder / "Tables.md").write_text(page(found, curves, meshings, paces), encoding="utf-8")
-    draw(found, curves, meshings, cgal, options.folder / "Pictures")
-
-
-if __name__ == "__main__":
-    main()

@@ -7,13 +7,14 @@
 # are only worth something when the computer does nothing else.
 set -eu
 
-utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+studies=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+utilities=$(dirname -- "$studies")
 build_folder=${SEISMICHORIZONS_BUILD:-$(dirname -- "$utilities")/build/release}
 python=/usr/bin/python3 # that of Debian, which has ParaView's modules
 export PYTHONPATH="$build_folder/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
 
 case ${1:-} in
-  -h | --help) exec "$python" "$utilities/benchmark.py" --help ;;
+  -h | --help) exec "$python" "$studies/benchmark.py" --help ;;
 esac
 if [ -z "${SEISMICHORIZONS_BUILD:-}" ]; then
   "$utilities/setup.sh" >&2
@@ -24,4 +25,4 @@ if [ -z "${SEISMICHORIZONS_BUILD:-}" ]; then
     fi
   done
 fi
-exec "$python" "$utilities/benchmark.py" "$build_folder/bin" "$@"
+exec "$python" "$studies/benchmark.py" "$build_folder/bin" "$@"

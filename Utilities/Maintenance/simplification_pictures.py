@@ -13,8 +13,9 @@ import sys
 
 import seismichorizons as sh
 from seismichorizons import pictures
+from seismichorizons.stage import apply
 
-from generated import apply, make_surface
+from generated import make_surface
 
 SURFACE = ("--size", "150", "120", "40", "--horizons", "1", "--holes", "2", "--islands", "0", "--dropouts", "0.005")
 

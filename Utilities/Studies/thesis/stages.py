@@ -5,6 +5,7 @@
 import time
 
 import seismichorizons as sh
+from seismichorizons.stage import configure
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 DISTANCE_THRESHOLD = 0.4  # of the boundary simplification, as in the thesis
@@ -39,8 +40,7 @@ def time_update(algorithm):
 
 
 def apply(algorithm, before, **properties):
-    for name, value in properties.items():
-        getattr(algorithm, "Set" + name)(value)
+    configure(algorithm, **properties)
     algorithm.SetInputDataObject(0, before.data)
     seconds = time_update(algorithm)
     return Result(algorithm.GetPolyDataOutput(), before.seconds + seconds)
@@ -67,7 +67,7 @@ def elaborate(before, cell_size, flatness, growth=1.0):
                  GrowthPerRing=growth)
 
 
-def mesh(before, strategy=sh.vtkHorizonTriangulation.VoxelTraversal):
+def mesh(before, strategy="VoxelTraversal"):
     return apply(sh.vtkHorizonTriangulation(), before, SearchStrategy=strategy)
 
 

@@ -9,7 +9,7 @@
 set -eu
 
 picture=${1:?usage: $0 PICTURE.png}
-utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+utilities=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build=$(dirname -- "$utilities")/build/release
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

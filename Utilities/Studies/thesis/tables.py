@@ -2,18 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The tables of the thesis, with ours beside them, as Markdown."""
 
+from text import table
+
 from . import reported
 from .study import OURS
 from .surfaces import box_of, occupancy
 
 HEADS = ["points", "method", "left, thesis", "here", "largest, thesis", "here", "mean, thesis", "here", "ms, thesis",
          "here"]
-
-
-def table(heads, rows):
-    lines = ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
 
 
 def percent(part, whole):

@@ -10,7 +10,8 @@
 # something when the computer does nothing else.
 set -eu
 
-utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+studies=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+utilities=$(dirname -- "$studies")
 source_folder=$(dirname -- "$utilities")
 build_folder=$source_folder/build/release
 output=${1:-$source_folder/Documentation}
@@ -22,6 +23,6 @@ if ninja -C "$build_folder" -t query TriangulationBenchmark >/dev/null 2>&1; the
   set -- --triangulation-benchmark "$build_folder/bin/TriangulationBenchmark" "$@"
 fi
 PYTHONPATH=$build_folder/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH} \
-  "$utilities/with-xvfb.sh" /usr/bin/python3 "$utilities/reproduce_thesis.py" \
+  "$utilities/with-xvfb.sh" /usr/bin/python3 "$studies/reproduce_thesis.py" \
   "$build_folder/bin/generate_horizons" "$output" "$@"
 echo "reproduce_thesis: the page is in $output"

@@ -5,7 +5,7 @@
 import pathlib
 import subprocess
 
-from generated import read
+from seismichorizons.pipeline import read_first
 
 from . import reported
 
@@ -46,7 +46,7 @@ def find_squareness(generator, size, wanted, path):
     for _ in range(8):
         middle = 0.5 * (low + high)
         generate(generator, 20000, size, middle, path)
-        horizon = read(path)
+        horizon = read_first(path)
         if occupancy(horizon.GetNumberOfPoints(), size_of_box(horizon)) < wanted:
             low = middle
         else:
@@ -61,4 +61,4 @@ def make(generator, points, folder):
     size = (round(box[0]), round(box[1]), round(HEIGHT_OF_CUBE * box[2]))
     filled = occupancy(BOX_OF.get(points, points), box)
     generate(generator, points, size, find_squareness(generator, size, filled, path), path)
-    return read(path)
+    return read_first(path)

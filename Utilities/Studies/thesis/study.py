@@ -3,10 +3,9 @@
 """All measurements: one object for each surface, and one for each row of table 5.1."""
 
 import numpy as np
-import seismichorizons as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import peers, reported, stages, surfaces
+from . import partners, peers, reported, stages, surfaces
 from .meshlab import is_installed
 from .worth import Worth
 
@@ -43,7 +42,7 @@ class Surface:
         self.full = stages.mesh(self.outlined)
         self.straight = stages.straighten(self.outlined)
         self.boundary = stages.outline_points(self.straight.data)
-        self.partners = peers.Partners(self.full.data, folder, pace)
+        self.partners = partners.Partners(self.full.data, folder, pace)
         self._boundary_curves(horizon)
         self._our_tables()
         self._cluster_method()
@@ -57,9 +56,7 @@ class Surface:
 
     def _boundary_curves(self, horizon):
         self.boundary_seconds = {
-            rule: [(k, stages.outline(stages.start(horizon), Radius=k,
-                                      GrowthStrategy=getattr(sh.vtkHorizonExteriorBoundary, rule)).seconds)
-                   for k in RADII]
+            rule: [(k, stages.outline(stages.start(horizon), Radius=k, GrowthStrategy=rule).seconds) for k in RADII]
             for rule in GROWTH_RULES}
         before = stages.outline_points(self.outlined.data)
         self.boundary_rates = [
@@ -133,8 +130,7 @@ class Meshing:
         stages.mesh(outlined)  # or the first strategy would pay for memory that the second one finds ready
         self.seconds = {}
         self.faces = {}
-        for name, strategy in (("VTS", sh.vtkHorizonTriangulation.VoxelTraversal),
-                               ("CTC", sh.vtkHorizonTriangulation.Compactness)):
+        for name, strategy in (("VTS", "VoxelTraversal"), ("CTC", "Compactness")):
             result = stages.mesh(outlined, strategy)
             self._note(name, result.triangles, result.seconds)
         self._others(result.data, folder, pace)
@@ -156,4 +152,4 @@ class Meshing:
 
 
 def meshing_pace():
-    return peers.Pace(MOST_SECONDS_TO_MESH)
+    return partners.Pace(MOST_SECONDS_TO_MESH)

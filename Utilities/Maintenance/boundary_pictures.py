@@ -1,10 +1,11 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of boundaries in the documentation.
+"""Draws the pictures of the page on the exterior boundary.
 
-    python3 boundary_pictures.py SAMPLE OUTPUT_FOLDER
+    boundary_pictures.py SAMPLE FOLDER
 
-SAMPLE is a .vsm file. Needs an X server.
+SAMPLE is a .vsm file. Needs an X server, and the package seismichorizons in PYTHONPATH.
 """
 
 import pathlib
@@ -15,21 +16,10 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import seismichorizons as sh
 from seismichorizons import pictures
+from seismichorizons.pipeline import read_first
+from seismichorizons.stage import apply
 
 PANEL_SIZE = (420, 340)
-
-
-def apply(algorithm, data):
-    algorithm.SetInputDataObject(0, data)
-    algorithm.Update()
-    return algorithm.GetOutputDataObject(0)
-
-
-def read(sample):
-    reader = sh.vtkVerneySparseMatrixReader()
-    reader.SetFileName(str(sample))
-    reader.Update()
-    return reader.GetOutputDataObject(0).GetPartition(0, 0)
 
 
 def ragged(data):
@@ -53,27 +43,22 @@ def ragged(data):
 
 
 def outline_panel(data, rule, radius, holes):
-    algorithm = sh.vtkHorizonExteriorBoundary()
-    algorithm.SetRadius(radius)
-    algorithm.SetGrowthStrategy(rule)
-    algorithm.SetHoleBoundaries(holes)
-    algorithm.SetSmallestHoleSize(2)
-    outline = apply(algorithm, data)
+    outline = apply(sh.vtkHorizonExteriorBoundary(), data, Radius=radius, GrowthStrategy=rule, HoleBoundaries=holes,
+                    SmallestHoleSize=2)
     counts = [int(outline.GetFieldData().GetArray(name).GetTuple1(0)) for name in ("NumberOfPatches", "NumberOfHoles")]
     points = outline.GetLines().GetNumberOfConnectivityIds() - outline.GetNumberOfLines()
     caption = "%d patches, %d boundary points" % (counts[0], points)
     if holes:
         caption = "%d patches, %d holes, %d boundary points" % (*counts, points)
-    name = "Clockwise" if rule == sh.vtkHorizonExteriorBoundary.Clockwise else "Distance"
-    return pictures.Panel("%s, radius %d" % (name, radius), caption, outline, pictures.OUTLINE, data)
+    return pictures.Panel("%s, radius %d" % (rule, radius), caption, outline, pictures.OUTLINE, data)
 
 
 def main():
     sample, folder = (pathlib.Path(argument) for argument in sys.argv[1:3])
-    data = read(sample)
-    rules = (sh.vtkHorizonExteriorBoundary.Distance, sh.vtkHorizonExteriorBoundary.Clockwise)
+    data = read_first(sample)
     for name, horizon, holes in (("Radius", ragged(data), False), ("Holes", data, True)):
-        rows = [[outline_panel(horizon, rule, radius, holes) for radius in (1, 2, 3)] for rule in rules]
+        rows = [[outline_panel(horizon, rule, radius, holes) for radius in (1, 2, 3)]
+                for rule in ("Distance", "Clockwise")]
         pictures.write(pictures.draw(rows, panel_size=PANEL_SIZE), folder / ("Boundary%s.png" % name))
 
 

@@ -4,9 +4,10 @@
 
 from statistics import median
 
+from text import table
+
 from . import reported
 from .study import OURS
-from .tables import table
 
 MESHERS = {"VTS": "Voxel traversal", "CTC": "Compactness", "BP": "Ball pivoting"}
 SAME = 1.1  # ratios nearer to 1 than this are called the same

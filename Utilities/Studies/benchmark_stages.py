@@ -15,13 +15,12 @@ import tempfile
 import time
 
 import numpy as np
-import seismichorizons as sh
-from vtkmodules.vtkCommonCore import vtkSMPTools
+from seismichorizons.pipeline import read_first
+from seismichorizons.stage import make, set_threads
 from vtkmodules.vtkFiltersCore import vtkDecimatePro, vtkDelaunay2D
 from vtkmodules.vtkFiltersGeneral import vtkTableToPolyData
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 
-from generated import read
 from thesis import peers, stages
 from thesis.worth import arrays_of
 
@@ -87,17 +86,6 @@ class Chain:
         return algorithm.GetOutputDataObject(0)
 
 
-def make(class_name, **properties):
-    algorithm = getattr(sh, class_name)()
-    for name, value in properties.items():
-        getattr(algorithm, "Set" + name)(value)
-    return algorithm
-
-
-def make_reader(path):
-    return make("vtkVerneySparseMatrixReader", FileName=path)
-
-
 def make_stages():
     """Of the whole chain."""
     return [make("vtkHorizonExteriorBoundary"),
@@ -108,10 +96,10 @@ def make_stages():
 
 def measure_stages(path, needs):
     # The chain as a whole comes first, when nothing else is in memory.
-    points = read(path).GetNumberOfPoints()
+    points = read_first(path).GetNumberOfPoints()
     chain = Chain(needs)
     measure_chain(chain, path, points)
-    horizon = chain.run("read", make_reader(path), points).GetPartition(0, 0)
+    horizon = chain.run("read", make("vtkVerneySparseMatrixReader", FileName=path), points).GetPartition(0, 0)
     boundary, straighten, rough, triangulation = make_stages()
     outlined = chain.run("boundary", boundary, data=horizon)
     straight = chain.run("boundary simplification", straighten, data=outlined)
@@ -126,7 +114,7 @@ def measure_stages(path, needs):
 
 def measure_chain(chain, path, points):
     def work():
-        data = read(path)
+        data = read_first(path)
         for stage in make_stages():
             stage.SetInputDataObject(0, data)
             stage.Update()
@@ -164,8 +152,8 @@ def chain_of_paraview(path):
 
 
 def measure_peers(path, slow):
-    straight = stages.straighten(stages.outline(stages.start(read(path))))
-    full = stages.triangles_only(stages.mesh(stages.outline(stages.start(read(path)))).data)
+    straight = stages.straighten(stages.outline(stages.start(read_first(path))))
+    full = stages.triangles_only(stages.mesh(stages.outline(stages.start(read_first(path)))).data)
     target = stages.mesh(stages.rough(straight, CELL_SIZE)).triangles
     with tempfile.TemporaryDirectory() as folder:
         text = pathlib.Path(folder) / "points.csv"
@@ -185,8 +173,7 @@ def measure_peers(path, slow):
 
 def main():
     what, path, threads, given = sys.argv[1:5]
-    vtkSMPTools.SetBackend("STDThread")
-    vtkSMPTools.Initialize(int(threads))
+    set_threads(int(threads))
     print(json.dumps({"stages": measure_stages, "peers": measure_peers}[what](path, json.loads(given))))
 
 

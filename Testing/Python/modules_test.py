@@ -1,0 +1,300 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The modules of the package, function by function, on a horizon whose results can be counted by hand.
+
+Arguments: the program horizon_mesh.py, a folder for files.
+"""
+
+import contextlib
+import importlib.util
+import io
+import os
+import pathlib
+import shutil
+import sys
+import unittest
+from unittest import mock
+
+import seismichorizons as sh
+from seismichorizons import batch, overview, pipeline, stage, tables, writing
+from seismichorizons.stage import HorizonError
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+
+# A plane of 5 x 4 columns: 14 points around 6. Its outline is straight but for 4 corners.
+PLANE = b"5 4 9\n" + b"3 1 1 0.5 4.0\n" * 20
+# The same, and two points of another horizon below it.
+TWO_HORIZONS = b"5 4 9\n" + b"3 1 1 0.5 4.0 6 2 1 0.5 8.0\n" * 2 + b"3 1 1 0.5 4.0\n" * 18
+ROUNDING = 1e-12  # of the meter's real numbers; distances here are 0
+NO_ROUGH = pipeline.Settings(rough=None)
+
+
+def write(name, content):
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    path = FOLDER / name
+    path.write_bytes(content)
+    return path
+
+
+def plane():
+    return pipeline.read_first(write("plane.vsm", PLANE))
+
+
+def loops_of(*loops):
+    """Outlines over points that lie anywhere."""
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetNumberOfPoints(1 + max(map(max, loops)))
+    data.SetPoints(points)
+    lines = vtkCellArray()
+    for loop in loops:
+        lines.InsertNextCell(len(loop), loop)
+    data.SetLines(lines)
+    return data
+
+
+def largest_error(figures):
+    return figures.GetValueByName(tables.TWO_SIDED, "LargestDistance").ToDouble()
+
+
+class StageTest(unittest.TestCase):
+    def test_properties(self):
+        reader = stage.make("vtkVerneySparseMatrixReader", FileName="RealZ", Elevation="RealZ", Origin=[1.0, 2.0, 3.0])
+        self.assertEqual(reader.GetFileName(), "RealZ")
+        self.assertEqual(reader.GetElevation(), sh.vtkVerneySparseMatrixReader.RealZ)
+        self.assertEqual(reader.GetOrigin(), (1.0, 2.0, 3.0))
+        stage.configure(reader, Elevation=sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        self.assertEqual(reader.GetElevation(), sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        with self.assertRaises(AttributeError):
+            stage.configure(reader, NoSuchProperty=1)
+
+    def test_apply(self):
+        outlined = stage.apply(sh.vtkHorizonExteriorBoundary(), plane())
+        mesh = stage.apply(sh.vtkHorizonTriangulation(), outlined)
+        self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()), (20, 24))
+        meter = sh.vtkHorizonSurfaceDistance()
+        stage.apply(meter, outlined, mesh)
+        self.assertLess(largest_error(meter.GetOutputDataObject(2)), ROUNDING)
+
+    def test_error(self):
+        """One line without the place in the source; nobody watches any more afterwards."""
+        algorithm = sh.vtkHorizonRoughSimplification()
+        with self.assertRaises(HorizonError) as raised:
+            stage.apply(algorithm, stage.apply(sh.vtkHorizonExteriorBoundary(), plane()), CellSize=0)
+        self.assertEqual(str(raised.exception), "Horizon 1: cell size 0, expected at least 1 column")
+        self.assertFalse(algorithm.HasObserver("ErrorEvent"))
+        self.assertFalse(algorithm.GetExecutive().HasObserver("ErrorEvent"))
+
+    def test_progress(self):
+        """Told of long work that has a label."""
+        boundary = sh.vtkHorizonExteriorBoundary()
+        boundary.SetInputDataObject(0, plane())
+        for seconds, label, told in ((0.0, "a label", True), (1000.0, "a label", False), (0.0, "", False)):
+            boundary.Modified()
+            log = io.StringIO()
+            with mock.patch.object(stage, "LONG_WORK", seconds), contextlib.redirect_stderr(log):
+                self.assertGreaterEqual(stage.update(boundary, label), 0.0)
+            self.assertEqual(log.getvalue().endswith("a label: 100 %\n"), told, log.getvalue())
+            self.assertEqual(bool(log.getvalue()), told, log.getvalue())
+
+
+class PipelineTest(unittest.TestCase):
+    def test_read(self):
+        path = write("two.vsm", TWO_HORIZONS)
+        horizons, seconds = pipeline.read(path)
+        self.assertEqual([(number, points.GetNumberOfPoints()) for number, points in horizons], [(1, 20), (2, 2)])
+        self.assertGreaterEqual(seconds, 0.0)
+        (only,), _ = pipeline.read(str(path), horizons=[2], Elevation="RealZ", Origin=[0.0, 0.0, 100.0])
+        self.assertEqual(only[0], 2)
+        self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, 8.0, 8.0))
+
+    def test_nothing_to_read(self):
+        for name, content, horizons, message in (
+                ("two.vsm", TWO_HORIZONS, [2, 4], "two.vsm: there is no horizon 4; the file has 1, 2"),
+                ("none.vsm", b"2 1 3\n\n\n", None, "none.vsm: there is no voxel to work on"),
+                ("none.vsm", b"2 1 3\n\n\n", [1], "none.vsm: there is no horizon 1; the file has none")):
+            with self.assertRaises(HorizonError) as raised:
+                pipeline.read(write(name, content), horizons)
+            self.assertTrue(str(raised.exception).endswith(message), raised.exception)
+
+    def test_stages(self):
+        names = ["boundary", "simplified", "rough", "elaborate", "mesh"]
+        for settings, left_out in ((pipeline.Settings(), {"elaborate"}), (NO_ROUGH, {"rough", "elaborate"}),
+                                   (pipeline.Settings(elaborate={}), set())):
+            self.assertEqual([name for name, _ in settings.make_stages()], [n for n in names if n not in left_out])
+        _, rough = pipeline.Settings(rough={"CellSize": 7}).make_stages()[2]
+        self.assertEqual(rough.GetCellSize(), 7)
+
+    def test_run(self):
+        points = plane()
+        result = pipeline.run("plane.vsm", 1, points, pipeline.Settings(rough=None, error={}))
+        self.assertIs(result.data["points"], points)
+        self.assertEqual({name: data.GetNumberOfPoints() for name, data in result.data.items()},
+                         {"points": 20, "boundary": 20, "simplified": 10, "mesh": 10})
+        # With n points, h of them on the outline, there are 2 n - 2 - h triangles.
+        self.assertEqual(result.data["mesh"].GetNumberOfPolys(), 14)
+        self.assertIsNotNone(result.data["mesh"].GetPointData().GetArray("Distance"))
+        self.assertEqual(set(result.seconds), {"boundary", "simplified", "mesh", "error"})
+        self.assertEqual(result.figures.GetNumberOfRows(), 9)
+        self.assertIsNone(pipeline.run("plane.vsm", 1, points, NO_ROUGH).figures)
+
+    def test_error_is_that_of_all_points(self):
+        """A point of the outline that stands out by 1 is dropped, and missed."""
+        voxel = b"3 1 1 0.5 4.0\n"
+        points = pipeline.read_first(write("bump.vsm", b"5 4 9\n" + 2 * voxel + b"4 1 1 0.5 4.0\n" + 17 * voxel))
+        settings = pipeline.Settings(simplified={"DistanceThreshold": 2.0}, rough=None, error={})
+        result = pipeline.run("bump.vsm", 1, points, settings)
+        self.assertEqual(result.data["mesh"].GetBounds()[4:], (3.0, 3.0))
+        self.assertLess(abs(largest_error(result.figures) - 1.0), ROUNDING)
+
+    def test_error_names_the_file(self):
+        with self.assertRaises(HorizonError) as raised:
+            pipeline.run("plane.vsm", 1, plane(), pipeline.Settings(rough={"CellSize": 0}))
+        self.assertEqual(str(raised.exception), "plane.vsm: Horizon 1: cell size 0, expected at least 1 column")
+
+
+class ResultTest(unittest.TestCase):
+    """Tables, files and panels of one result."""
+
+    def setUp(self):
+        self.result = pipeline.run("plane.vsm", 1, plane(), pipeline.Settings(rough=None, error={}))
+        self.result.seconds = {"boundary": 1.0, "simplified": 0.5, "mesh": 12.345, "error": 0.0}
+
+    def test_loops(self):
+        self.assertEqual(tables.count_loops(loops_of([0, 1, 2, 0], [3])), (2, 4))
+
+    def test_row(self):
+        row = ("1", "20", "1", "14", "4", "10", "14", "50.0 %", "1.00", "0.50", "-", "-", "12.35")
+        self.assertEqual(tables.row(self.result), row + ("0.000", "0.000", "0.000", "0.00"))
+        self.assertEqual(len(tables.row(self.result)), len(tables.COLUMNS + tables.ERROR_COLUMNS))
+        self.assertTrue(tables.table([self.result])[0].endswith("outline error  error s"))
+        self.result.figures = None
+        self.assertEqual(tables.row(self.result), row)
+        self.assertTrue(tables.table([self.result])[0].endswith("elaborate s  mesh s"))
+
+    def test_align(self):
+        self.assertEqual(tables.align([("a", "long"), ("123", "4")]), ["  a  long", "---  ----", "123     4"])
+
+    def test_figures(self):
+        path = FOLDER / "figures.csv"
+        writing.write_figures([self.result, self.result], path)
+        lines = path.read_text(encoding="utf-8").splitlines()
+        self.assertEqual(len(lines), 1 + 2 * 9)
+        self.assertEqual(lines[1:10], lines[10:])
+        self.assertEqual(lines[0].split(",")[0], self.result.figures.GetColumnName(0))
+
+    def test_mesh_can_not_be_written(self):
+        with self.assertRaisesRegex(HorizonError, "^cannot write mesh.vtp"):
+            writing.write_mesh(self.result.data["mesh"], FOLDER / "no-such-folder" / "mesh.vtp")
+
+    def test_panels(self):
+        self.assertEqual([(panel.title, panel.caption) for panel in overview.panels(self.result)], [
+            ("Horizon 1", "20 points"), ("Exterior boundary", "1 loop, 14 points"), ("Simplified boundary", "4 points"),
+            ("Mesh", "14 triangles")])
+        result = pipeline.run("plane.vsm", 1, plane(), pipeline.Settings(elaborate={}))
+        self.assertEqual([panel.title for panel in overview.panels(result)][3:-1],
+                         ["Rough simplification", "Elaborate simplification"])
+
+
+class BatchTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+        self.output = self.folder / "output"
+
+    def run_batch(self, inputs, settings=NO_ROUGH):
+        """The number of failures, the messages, and what was printed."""
+        messages, printed = [], io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            failures = batch.run(inputs, self.output, settings, False, lambda error: messages.append(str(error)))
+        return failures, messages, printed.getvalue()
+
+    def test_files(self):
+        paths = [self.folder / name for name in ("b.vsm", "a.vsm", "c.txt")]
+        for path in paths:
+            path.touch()
+        elsewhere = pathlib.Path("elsewhere.vsm")
+        self.assertEqual(batch.find_files([elsewhere, self.folder]), [elsewhere, paths[1], paths[0]])
+        with self.assertRaisesRegex(HorizonError, "would write the same results"):
+            batch.find_files([self.folder, pathlib.Path("a.vsm")])
+        self.output.mkdir()
+        with self.assertRaisesRegex(HorizonError, "there is no .vsm file"):
+            batch.find_files([self.output])
+
+    def test_all_files_are_done(self):
+        (self.folder / "bad.vsm").write_bytes(b"5 4\n")
+        (self.folder / "good.vsm").write_bytes(TWO_HORIZONS)
+        settings = pipeline.Settings(rough=None, error={}, horizons=[1])
+        failures, messages, printed = self.run_batch([self.folder], settings)
+        self.assertEqual((failures, len(messages)), (1, 1))
+        self.assertIn("bad.vsm", messages[0])
+        self.assertEqual(sorted(p.name for p in self.output.iterdir()), ["good_error.csv", "good_horizon_1.vtp"])
+        self.assertTrue(printed.startswith("good.vsm: read in "), printed)
+        self.assertEqual(len(printed.splitlines()), 4)
+
+    def test_no_results_no_folder(self):
+        (self.folder / "bad.vsm").write_bytes(b"5 4\n")
+        self.assertEqual(self.run_batch([self.folder])[0], 1)
+        self.assertFalse(self.output.exists())
+
+    def test_all_results_or_none(self):
+        """A horizon that can not be done takes the others of its file with it."""
+        self.output.mkdir()
+        really_write = writing.write_mesh
+
+        def fail_at_the_second(mesh, path):
+            if path.stem.endswith("2"):
+                raise OSError("disk full")
+            really_write(mesh, path)
+            self.assertTrue(path.is_file())
+
+        path = write("two.vsm", TWO_HORIZONS)
+        with mock.patch.object(writing, "write_mesh", fail_at_the_second):
+            self.assertEqual(self.run_batch([path])[:2], (1, ["disk full"]))
+        self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_no_display(self):
+        with mock.patch.dict(os.environ, DISPLAY=":4711"), self.assertRaisesRegex(HorizonError, "--no-pictures"):
+            batch.check_display()
+
+
+class ProgramTest(unittest.TestCase):
+    """The options, and the properties that they become."""
+
+    def settings(self, *arguments):
+        specification = importlib.util.spec_from_file_location("horizon_mesh", PROGRAM)
+        program = importlib.util.module_from_spec(specification)
+        specification.loader.exec_module(program)
+        return program.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
+
+    def test_defaults(self):
+        """Without options every property has the default of its class."""
+        settings = self.settings("--elaborate", "--measure-error")
+        classes = {"reader": "vtkVerneySparseMatrixReader", "error": "vtkHorizonSurfaceDistance", **pipeline.STAGES}
+        for name, class_name in classes.items():
+            properties = getattr(settings, name)
+            given, usual = stage.make(class_name, **properties), stage.make(class_name)
+            for key in properties:
+                values = [getattr(algorithm, "Get" + key)() for algorithm in (given, usual)]
+                self.assertEqual(*values, "%s of %s" % (key, class_name))
+        self.assertIsNone(settings.horizons)
+
+    def test_left_out(self):
+        settings = self.settings("--skip-rough", "--horizons", "3", "1")
+        self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))
+        self.assertEqual(settings.horizons, [3, 1])
+        self.assertIsNotNone(self.settings().rough)
+
+    def test_given(self):
+        settings = self.settings("--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
+                                 "--elaborate-cell-size", "6", "--representative", "NearestPoint")
+        self.assertEqual((settings.boundary["Radius"], settings.boundary["GrowthStrategy"]), (2, "Distance"))
+        self.assertEqual(settings.rough, {"CellSize": 5, "Representative": "NearestPoint"})
+        self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["modules_test"], verbosity=2)

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The picture of all stages: a row for each horizon, a panel for each stage."""
+
+from . import pictures
+from .pictures import MESH, OUTLINE, POINTS, Panel
+from .tables import count_loops
+
+MOST_ROWS = 8
+
+
+def write(results, path):
+    """Writes the picture as PNG. Raises OSError when that fails."""
+    pictures.write(pictures.draw([panels(result) for result in results[:MOST_ROWS]]), path)
+
+
+def panels(result):
+    points = result.data["points"]
+    loops, loop_points = count_loops(result.data["boundary"])
+    after = count_loops(result.data["simplified"])[1]
+    mesh = result.data["mesh"]
+    row = [
+        Panel("Horizon %d" % result.id, _count(points.GetNumberOfPoints(), "point"), points, POINTS),
+        Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
+              result.data["boundary"], OUTLINE, points),
+        Panel("Simplified boundary", _count(after, "point"), result.data["simplified"], OUTLINE, points)]
+    for name, title in (("rough", "Rough simplification"), ("elaborate", "Elaborate simplification")):
+        if name in result.data:
+            thinned = result.data[name]
+            row.append(Panel(title, _count(thinned.GetNumberOfPoints(), "point"), thinned, POINTS))
+    row.append(Panel("Mesh", _count(mesh.GetNumberOfPolys(), "triangle"), mesh, MESH))
+    return row
+
+
+def _count(number, noun):
+    return "{:,} {}{}".format(number, noun, "" if number == 1 else "s")

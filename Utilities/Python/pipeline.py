@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a file to meshes: the horizons of a file, and all stages of a horizon with their data and times.
+
+    horizons, seconds = read("survey.vsm")
+    result = run("survey.vsm", *horizons[0], Settings(rough={"CellSize": 4}, error={}))
+    result.data["mesh"], result.seconds["mesh"], result.figures
+"""
+
+from dataclasses import dataclass, field
+import pathlib
+from typing import Optional
+
+from .stage import HorizonError, make, update, watched
+
+# In their order. Each name is that of the data the stage makes.
+STAGES = {
+    "boundary": "vtkHorizonExteriorBoundary",
+    "simplified": "vtkHorizonBoundarySimplification",
+    "rough": "vtkHorizonRoughSimplification",
+    "elaborate": "vtkHorizonElaborateSimplification",
+    "mesh": "vtkHorizonTriangulation"}
+
+
+@dataclass
+class Settings:
+    """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
+    defaults. None leaves a stage out. `horizons` are the IDs of those to read, None for all."""
+
+    reader: dict = field(default_factory=dict)
+    boundary: dict = field(default_factory=dict)
+    simplified: dict = field(default_factory=dict)
+    rough: Optional[dict] = field(default_factory=dict)
+    elaborate: Optional[dict] = None
+    mesh: dict = field(default_factory=dict)
+    error: Optional[dict] = None
+    horizons: Optional[list] = None
+
+    def make_stages(self):
+        """The stages from points to mesh in their order, as (name, algorithm)."""
+        properties = [(name, getattr(self, name)) for name in STAGES]
+        return [(name, make(STAGES[name], **given)) for name, given in properties if given is not None]
+
+
+def read(path, horizons=None, **properties):
+    """The horizons of a file as a list of (ID, polydata), and the seconds it took to read them.
+
+    `horizons` are the IDs of those wanted, None for all. Raises HorizonError when there is nothing to read.
+    """
+    path = pathlib.Path(path)
+    reader = make("vtkVerneySparseMatrixReader", FileName=str(path), **properties)
+    if horizons is not None:
+        _select(reader, horizons, path.name)
+    seconds = update(reader, "%s: reading" % path.name)
+    output = reader.GetOutputDataObject(0)
+    found = []
+    for block in range(output.GetNumberOfPartitionedDataSets()):
+        name = output.GetMetaData(block).Get(output.NAME())
+        horizon = output.GetPartition(block, 0)
+        if horizon is not None and horizon.GetNumberOfPoints():
+            found.append((int(name.split()[-1]), horizon))
+    if not found:
+        raise HorizonError("%s: there is no voxel to work on" % path)
+    return found, seconds
+
+
+def read_first(path, **properties):
+    """The first horizon of a file."""
+    return read(path, **properties)[0][0][1]
+
+
+def _select(reader, horizons, file_name):
+    """Leaves only some horizons switched on."""
+    with watched(reader):
+        reader.UpdateInformation()
+    known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
+    reader.DisableAllHorizons()
+    for horizon in horizons:
+        name = "Horizon %d" % horizon
+        if name not in known:
+            raise HorizonError("%s: there is no horizon %d; the file has %s" % (
+                file_name, horizon, ", ".join(k.split()[-1] for k in known) or "none"))
+        reader.SetHorizonStatus(name, 1)
+
+
+class Result:
+    """All stages of one horizon: the data by stage ("points" are what was read), the seconds each took, and the figures
+    of the error as a table, or None. The source is what errors and progress name: the file."""
+
+    def __init__(self, source, horizon_id, points):
+        self.source = source
+        self.id = horizon_id
+        self.data = {"points": points}
+        self.seconds = {}
+        self.figures = None
+
+    def run_stage(self, name, algorithm):
+        try:
+            self.seconds[name] = update(algorithm, "%s: horizon %d: %s" % (self.source, self.id, name))
+        except HorizonError as error:  # names the horizon, but not the file
+            raise HorizonError("%s: %s" % (self.source, error)) from None
+
+
+def run(source, horizon_id, points, settings):
+    """Runs all stages on the points of a horizon. Raises HorizonError."""
+    result = Result(source, horizon_id, points)
+    data = points
+    for name, algorithm in settings.make_stages():
+        algorithm.SetInputDataObject(0, data)
+        result.run_stage(name, algorithm)
+        data = result.data[name] = algorithm.GetOutputDataObject(0)
+    if settings.error is not None:
+        _measure(result, settings.error)
+    return result
+
+
+def _measure(result, properties):
+    """The reference is the horizon within its outlines, as they were before they were simplified."""
+    meter = make("vtkHorizonSurfaceDistance", **properties)
+    meter.SetInputDataObject(0, result.data["boundary"])
+    meter.SetInputDataObject(1, result.data["mesh"])
+    result.run_stage("error", meter)
+    result.data["mesh"] = meter.GetOutputDataObject(1)
+    result.figures = meter.GetOutputDataObject(2)

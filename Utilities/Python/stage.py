@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One stage, that is one VTK algorithm: made with properties by their names, and run with errors as exceptions.
+
+Properties are those of the documentation (`CellSize=3` calls `SetCellSize(3)`); one that is a choice may be given by
+the name of the choice (`Elevation="RealZ"`).
+"""
+
+import contextlib
+import sys
+import time
+
+import seismichorizons as sh
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkSMPTools
+
+LONG_WORK = 1.0  # seconds after which a stage starts to report its progress
+
+
+class HorizonError(Exception):
+    """What the user should read: one line."""
+
+
+def set_threads(number):
+    """How many threads the stages use; 0 stands for all processors."""
+    # The default back-end of many VTK builds is the sequential one.
+    vtkSMPTools.SetBackend("STDThread")
+    vtkSMPTools.Initialize(number)
+
+
+def configure(algorithm, **properties):
+    for name, value in properties.items():
+        choose = getattr(algorithm, "Set%sTo%s" % (name, value), None)
+        if choose:
+            choose()
+        else:
+            getattr(algorithm, "Set" + name)(value)
+
+
+def make(class_name, **properties):
+    """An algorithm of this package, by the name of its class."""
+    algorithm = getattr(sh, class_name)()
+    configure(algorithm, **properties)
+    return algorithm
+
+
+def update(algorithm, label=""):
+    """Runs an algorithm and returns the seconds it took. Raises HorizonError with what the algorithm says is wrong.
+
+    With a label, progress is reported on the error output when the algorithm takes long.
+    """
+    start = time.monotonic()
+    with watched(algorithm, label):
+        algorithm.Update()
+        return time.monotonic() - start
+
+
+def apply(algorithm, *inputs, **properties):
+    """Runs an algorithm on its inputs, one for each port, and returns its first output. Raises HorizonError."""
+    configure(algorithm, **properties)
+    for port, data in enumerate(inputs):
+        algorithm.SetInputDataObject(port, data)
+    update(algorithm)
+    return algorithm.GetOutputDataObject(0)
+
+
+@contextlib.contextmanager
+def watched(algorithm, label=""):
+    """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError."""
+    errors = []
+    progress = _Progress(label)
+
+    @calldata_type(VTK_STRING)
+    def on_error(_caller, _event, message):
+        errors.append(message)
+
+    executive = algorithm.GetExecutive()
+    # Only the algorithm says what is wrong; its executive repeats that something is.
+    observers = [(algorithm, algorithm.AddObserver("ErrorEvent", on_error)),
+                 (executive, executive.AddObserver("ErrorEvent", on_error))]
+    if label:
+        observers.append((algorithm, algorithm.AddObserver("ProgressEvent", progress.report)))
+    try:
+        yield
+    finally:
+        for observed, tag in observers:
+            observed.RemoveObserver(tag)
+        progress.end()
+    if errors:
+        raise HorizonError(_one_line(errors[0]))
+
+
+def _one_line(message):
+    """The text of a VTK error without the place in the source that it comes from."""
+    _, _, text = message.partition("): ")
+    return " ".join((text or message).split())
+
+
+class _Progress:
+    """Tells once a second how far an algorithm is."""
+
+    def __init__(self, label):
+        self._label = label
+        self._last_report = time.monotonic()
+        self._reported = False
+
+    def report(self, algorithm, _event):
+        now = time.monotonic()
+        if now - self._last_report < LONG_WORK:
+            return
+        self._last_report = now
+        self._reported = True
+        # A terminal has one line that changes, a log file has one line per report.
+        form = "\r%s: %3.0f %%" if sys.stderr.isatty() else "%s: %3.0f %%\n"
+        sys.stderr.write(form % (self._label, 100.0 * algorithm.GetProgress()))
+        sys.stderr.flush()
+
+    def end(self):
+        if self._reported and sys.stderr.isatty():
+            sys.stderr.write("\n")

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables of results, for reading: a row for each horizon."""
+
+COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out", "triangles", "reduction",
+           "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
+ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
+TWO_SIDED = 2  # the row of the figures in lattice units for both directions
+
+
+def count_loops(horizon):
+    """Number of outlines, and of points in them (a closed line repeats its first one; a single point does not)."""
+    lines = horizon.GetLines()
+    points = 0
+    for number in range(lines.GetNumberOfCells()):
+        size = lines.GetCellSize(number)
+        points += max(1, size - 1)
+    return lines.GetNumberOfCells(), points
+
+
+def row(result):
+    """The cells of one horizon as texts; those of the error only where it was measured."""
+    before = result.data["points"].GetNumberOfPoints()
+    after = result.data["mesh"].GetNumberOfPoints()
+    loops, loop_points = count_loops(result.data["boundary"])
+    seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "elaborate", "mesh")]
+    return ("%d" % result.id, "%d" % before, "%d" % loops, "%d" % loop_points,
+            "%d" % count_loops(result.data["simplified"])[1], "%d" % after,
+            "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
+            *("-" if s is None else "%.2f" % s for s in seconds), *_error_cells(result))
+
+
+def _error_cells(result):
+    if result.figures is None:
+        return ()
+    figures = [result.figures.GetValueByName(TWO_SIDED, name).ToDouble()
+               for name in ("LargestDistance", "MeanDistance", "OutlineDistance")]
+    return (*("%.3f" % figure for figure in figures), "%.2f" % result.seconds["error"])
+
+
+def table(results):
+    """Heads, a rule and a row for each result, as lines of text."""
+    columns = COLUMNS + (ERROR_COLUMNS if results[0].figures is not None else ())
+    return align([columns] + [row(result) for result in results])
+
+
+def align(rows):
+    """Lines with the cells of rows one below the other, to the right, and a rule below the first row."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    lines = ["  ".join(text.rjust(width) for text, width in zip(cells, widths)) for cells in rows]
+    return [lines[0], "  ".join("-" * width for width in widths), *lines[1:]]

@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The benchmark programs in C++, which measure our algorithms beside other libraries."""
+
+import subprocess
+
+from text import cells, report
+
+HUGE = 50000000  # points, beyond what OpenCV is given
+PEERS_UP_TO = 1000000  # points for CGAL and VTK's locator
+
+
+def run_program(folder, name, *arguments):
+    """Lines that a benchmark program prints; none where it was not built."""
+    program = folder / name
+    if not program.is_file():
+        return []
+    report(name)
+    return subprocess.run([str(program), *map(str, arguments)], check=True, stdout=subprocess.PIPE,
+                          text=True).stdout.splitlines()
+
+
+def program_result(stage, peer, points, theirs, ours):
+    return {"stage": stage, "peer": peer, "points": points, "threads": 1, "seconds": theirs, "our_seconds": ours}
+
+
+def measure_opencv(folder, sizes):
+    rows = [line.split(",") for line in run_program(folder, "BoundaryBenchmark", "--exterior", *sizes)[1:]]
+    ours = {row[0]: float(row[3]) for row in rows if row[1] == "exterior"}
+    return [program_result("boundary", "OpenCV findContours and connectedComponents", int(row[0]), float(row[3]),
+                           ours[row[0]]) for row in rows if row[1].startswith("opencv")]
+
+
+CGAL_COLUMNS = (("CGAL Delaunay", "CGAL Delaunay s"), ("CGAL constrained Delaunay", "CGAL constrained s"),
+                ("CGAL constrained, triangles inside", "CGAL inside s"))
+
+
+def measure_cgal(folder, sizes):
+    """All points at every size; what the simplifications leave, at the least, the middle and the largest."""
+    some = [sizes[n] for n in sorted({0, len(sizes) // 2, len(sizes) - 1})]
+    return read_cgal(run_program(folder, "TriangulationBenchmark", "--full", *sizes), ("full",)) + \
+        read_cgal(run_program(folder, "TriangulationBenchmark", *some), ("simplified", "elaborate"))
+
+
+def read_cgal(lines, kinds):
+    """Simplified horizons are filed under the points they had before."""
+    stages = {"full": "triangulation, all points", "simplified": "triangulation, after rough",
+              "elaborate": "triangulation, after elaborate"}
+    rows = [cells(line) for line in lines]
+    found = []
+    points = 0
+    for row in rows[2:]:
+        values = dict(zip(rows[0], row))
+        points = int(values["points"]) if values["horizon"] == "full" else points
+        for name, column in CGAL_COLUMNS:
+            if values["horizon"] in kinds:
+                found.append(program_result(stages[values["horizon"]], name, points, float(values[column]),
+                                            float(values["VTS s"])))
+    return found
+
+
+def measure_locator(folder, sizes):
+    """Distances of all points of a horizon to a simplified mesh of it."""
+    found = []
+    for size in sizes:
+        lines = map(cells, run_program(folder, "SurfaceDistanceBenchmark", size))
+        rows = {row[0]: row for row in lines if len(row) == 6}
+        if rows:
+            seconds = [float(rows[name][1]) + float(rows[name][2]) for name in ("vtkStaticCellLocator", "TriangleTree")]
+            found.append(program_result("error", "vtkStaticCellLocator, points only", size, *seconds))
+    return found
+
+
+def measure_programs(folder, sizes):
+    small = [size for size in sizes if size <= PEERS_UP_TO]
+    largest = small[-1:]
+    return measure_opencv(folder, sizes[:-1] if sizes[-1] == HUGE else sizes) + measure_cgal(folder, small) + \
+        measure_locator(folder, largest)
