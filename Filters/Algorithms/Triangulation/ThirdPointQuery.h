@@ -64,6 +64,14 @@ struct ThirdPointQuery
   double BestCotangent = 0.0; // of the angle at which the best point sees the edge
 };
 
+/// The cotangent of the angle at which a point to the left of an edge from a to b sees it; `area` is twice that of the
+/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left. Half
+/// of it times the length of the edge is how far the centre of that circle lies to the left.
+inline double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
+{
+  return double(ScalarProduct(point, a, b)) / double(area);
+}
+
 /// The square box of an edge (thesis 5.3.2), in voxels: as far around its middle as it is long.
 struct EdgeBox
 {

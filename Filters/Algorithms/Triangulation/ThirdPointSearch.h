@@ -115,6 +115,20 @@ private:
   const CellGrid& Grid;
   mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };
+
+//----------------------------------------------------------------------------------------------------------------------
+// The points in a row of voxels are in one range.
+template <typename Visitor>
+void ThirdPointSearch::VisitRow(
+  ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
+{
+  this->Trace(query, row, first, last);
+  const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
+  for (PointId point = this->Points.FirstIn(this->Grid.Index(first, row)); point < end; ++point)
+  {
+    visit(point);
+  }
+}
 }
 
 #endif
