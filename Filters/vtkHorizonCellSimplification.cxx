@@ -69,6 +69,7 @@ void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, 
     data, PointArray::PatchId, reduction.Cells, [](const SimplificationCell& cell) { return cell.Patch; });
   AddArray<vtkIdTypeArray>(
     data, PointArray::PointCount, reduction.Cells, [](const SimplificationCell& cell) { return cell.Points; });
+  data->SetActiveScalars(CellArray::CellSize);
 }
 }
 
@@ -97,5 +98,6 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, const Outp
   else
   {
     WriteReduction(input, grid, reduction, Merging::AveragesPoints, output);
+    ActivateHeight(output);
   }
 }

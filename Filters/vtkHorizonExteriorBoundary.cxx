@@ -7,6 +7,7 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/VertexCells.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -97,6 +99,12 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* all, const Outputs&
   options.MinimumPatchSize = this->MinimumPatchSize;
   const auto type = static_cast<SeismicHorizons::BoundaryType>(this->BoundaryType);
   auto found = FindExteriorBoundary(columns, OptionsFor(type, options), monitor.Step(0.3, 0.9));
+  if (found.NumberOfPatches == 0)
+  {
+    const std::string name = NameBySurfaceId(input);
+    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << "no patch of at least " << this->MinimumPatchSize
+                    << " points, so that nothing is left of the " << columns.size());
+  }
   std::vector<BoundaryKind> marks = MarkBoundary(type, columns, found);
   if (std::find(found.Patch.begin(), found.Patch.end(), NoPatch) == found.Patch.end())
   {
@@ -112,6 +120,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* all, const Outputs&
   AddArray<vtkIntArray>(output->GetPointData(), PointArray::PatchId, found.Patch);
   AddArray<vtkUnsignedCharArray>(output->GetPointData(), PointArray::Boundary, marks,
     [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
+  output->GetPointData()->SetActiveScalars(PointArray::PatchId);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(found.NumberOfPatches));
   AddValue<vtkIdTypeArray>(

@@ -38,6 +38,7 @@ void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
     [upwards](double distance) { return upwards * distance; });
   MoveToArray<vtkDoubleArray>(output->GetPointData(), PointArray::Distance, points.Distance);
   MoveToArray<vtkDoubleArray>(output->GetPointData(), PointArray::VerticalDistance, points.Vertical);
+  output->GetPointData()->SetActiveScalars(PointArray::Distance);
 }
 }
 

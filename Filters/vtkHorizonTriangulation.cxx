@@ -127,6 +127,7 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& 
   vtkPolyData* const output = outputs.front();
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
+  ActivateHeight(output);
   output->SetLines(MakePolylines(horizon.Boundary));
   output->SetPolys(MakeTriangles(mesh.Triangles));
   mesh.Triangles = RawVector<PointId>();

@@ -201,6 +201,15 @@ vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void ActivateHeight(vtkPolyData* horizon)
+{
+  if (horizon->GetPointData()->HasArray(PointArray::VerticalIndex))
+  {
+    horizon->GetPointData()->SetActiveScalars(PointArray::VerticalIndex);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;

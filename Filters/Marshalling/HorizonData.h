@@ -39,6 +39,9 @@ LatticePoints ReadPoints(vtkPolyData* horizon);
 /// process, the others alone, without cells.
 vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon);
 
+/// Makes the vertical index the active scalars, by which windows colour, where there is one.
+void ActivateHeight(vtkPolyData* horizon);
+
 /// Gives `output` some of the points of `input`, with their arrays.
 void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output);
 

@@ -12,6 +12,7 @@
 #include "vtkHorizonElaborateSimplification.h"
 #include "vtkHorizonExteriorBoundary.h"
 #include "vtkHorizonRoughSimplification.h"
+#include "vtkHorizonSurfaceDistance.h"
 #include "vtkHorizonTriangulation.h"
 
 #include "vtkCellArray.h"
@@ -294,10 +295,53 @@ void TestAttributes()
   }
   CHECK_EQUAL(std::string(data->GetArray("Slope")->GetComponentName(1)), "Crossline");
   CHECK_EQUAL(std::string(data->GetArray("CellOrigin")->GetComponentName(2)), "Kind");
-  CHECK(data->GetScalars() == data->GetArray("Amplitude"));
   CHECK(data->GetGlobalIds() == data->GetAbstractArray("Ids"));
   const Data again = Apply<vtkHorizonElaborateSimplification>(rough->GetPolyDataOutput());
   CHECK_EQUAL(std::string(again->GetPointData()->GetArray("CellOrigin")->GetComponentName(2)), "Kind");
+}
+
+std::string ActiveScalars(vtkPolyData* horizon)
+{
+  vtkDataArray* const scalars = horizon->GetPointData()->GetScalars();
+  return scalars ? scalars->GetName() : "none";
+}
+
+/// What windows colour by at first sight: patches on outlines, heights on points and meshes.
+void TestActiveScalars()
+{
+  const Data bounded = Bounded(9);
+  CHECK_EQUAL(ActiveScalars(bounded), "PatchId");
+  const Data straight = Apply<vtkHorizonBoundarySimplification>(bounded);
+  CHECK_EQUAL(ActiveScalars(straight), "PatchId");
+  CHECK_EQUAL(ActiveScalars(Apply<vtkHorizonRoughSimplification>(straight)), "VerticalIndex");
+  CHECK_EQUAL(ActiveScalars(Apply<vtkHorizonElaborateSimplification>(straight)), "VerticalIndex");
+  const Data mesh = Apply<vtkHorizonTriangulation>(straight);
+  CHECK_EQUAL(ActiveScalars(mesh), "VerticalIndex");
+  vtkNew<vtkHorizonSurfaceDistance> distance;
+  distance->SetInputDataObject(0, mesh);
+  distance->SetInputDataObject(1, mesh);
+  distance->Update();
+  CHECK_EQUAL(ActiveScalars(vtkPolyData::SafeDownCast(distance->GetOutputDataObject(1))), "Distance");
+  bounded->GetPointData()->RemoveArray("VerticalIndex");
+  CHECK_EQUAL(ActiveScalars(Apply<vtkHorizonTriangulation>(bounded)), "PatchId");
+}
+
+/// A minimum that is larger than every patch says so, and does not give nothing in silence.
+void TestNoPatchIsLargeEnough()
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  std::string warning;
+  vtkNew<vtkCallbackCommand> collect;
+  collect->SetClientData(&warning);
+  collect->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) = static_cast<const char*>(message); });
+  boundary->AddObserver(vtkCommand::WarningEvent, collect);
+  boundary->SetInputDataObject(Square(3));
+  boundary->SetMinimumPatchSize(10);
+  boundary->Update();
+  CHECK(
+    warning.find("Horizon 1: no patch of at least 10 points, so that nothing is left of the 9") != std::string::npos);
+  CHECK_EQUAL(boundary->GetPolyDataOutput()->GetNumberOfPoints(), 0);
 }
 
 /// Points that were filled in count for no voxel. Among themselves their attributes are averaged all the same.
@@ -325,5 +369,7 @@ int TestHorizonInputs(int, char*[])
   TestPartitions();
   TestAttributes();
   TestCountsOfZero();
+  TestActiveScalars();
+  TestNoPatchIsLargeEnough();
   return Check::Result();
 }
