@@ -1,22 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: sort the points into cubes, patch by patch; number the rings; cut the cubes ring by ring; write the points.
+// Steps: sort the points into patch cubes; number the rings; cut the patch cubes into leaves, ring by ring; write the
+// points that stand for the leaves.
 //
-// Terms: a cube is the points of one patch in one cube. Its level is 0, that of a piece how many times it was halved.
-// Sizes are counted in units of the smallest piece, so that their sums are exact.
+// Terms: space is cut into cubes with the side of a cell, one layer above the other. A patch cube is the points of one
+// patch in one cube, which is what CellLeaves.h calls a group. Its ring is the number of steps from the boundary:
 //
-//    ring  1  1  1  1  1  1        Cubes of one ring read the leaves of the ring before and write their own,
-//          1  2  2  2  2  1        so that all of them can run at the same time.
+//    ring  1  1  1  1  1  1        Patch cubes of one ring read the sizes of the leaves in the ring before, and write
+//          1  2  2  2  2  1        their own, so that all of them can be cut at the same time.
 //          1  2  3  3  2  1
 //          1  1  1  2  1  1
 
 #include "ElaborateSimplification.h"
 
+#include "CellLeaves.h"
+#include "Common/Errors.h"
+#include "LeafWriter.h"
 #include "OctreeCutter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -25,9 +28,12 @@ namespace SeismicHorizons
 {
 namespace
 {
-using Iterator = CellSimplifier::Iterator;
+// How many patch cubes a thread takes at a time: to cut, which takes long, and to copy numbers.
+constexpr std::int64_t GrainOfCutting = 64;
+constexpr std::int64_t GrainOfCopying = 256;
 
-constexpr double HalfALevel = 1.4142135623730951; // a level is a factor of 2
+// From a size to the middle, by ratio, between it and the next one: sizes of levels differ by a factor of 2.
+constexpr double HalfALevel = 1.4142135623730951;
 
 void CheckAtLeast(const char* name, double value, double least, const char* unit)
 {
@@ -48,21 +54,32 @@ void CheckOptions(const ElaborateOptions& options)
   CheckAtLeast("growth per ring", options.GrowthPerRing, 1.0, " (cells as large as their neighbours)");
 }
 
-/// How often a cell can be halved before its side falls below one column.
+/// How many times a cell can be halved before its side falls below one column.
 int Halvings(int size)
 {
   return size < 2 ? 0 : 1 + Halvings(size / 2);
 }
 
+/// The points of one patch in one cube.
+struct PatchCube
+{
+  PointId* First = nullptr;
+  PointId* Last = nullptr;
+  std::int64_t Cell = 0; // of the grid, below the cube
+  std::int32_t Layer = 0;
+  std::int32_t Patch = 0;
+  std::int32_t Ring = 0; // 0 until it is known
+  LeafSizes Sizes; // of its leaves, once it is cut
+};
+
 class ElaborateSimplifier
 {
 public:
   ElaborateSimplifier(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
-    : Horizon(horizon)
-    , Options(options)
+    : Options(options)
     , Bottom(*std::min_element(horizon.Height.begin(), horizon.Height.end()))
     , Deepest(Halvings(options.CellSize))
-    , Cells(horizon, options, monitor)
+    , Leaves(horizon, options.CellSize, monitor)
   {
   }
 
@@ -74,16 +91,16 @@ public:
     for (const std::vector<std::size_t>& ring : this->Rings)
     {
       const Monitor step = monitor.Step(0.2 + 0.4 * this->Part(done), 0.2 + 0.4 * this->Part(done + ring.size()));
-      ParallelFor(std::int64_t(ring.size()), 64, step,
+      ParallelFor(std::int64_t(ring.size()), GrainOfCutting, step,
         [&](std::int64_t first, std::int64_t last) { this->CutCubes(ring.data() + first, ring.data() + last); });
       done += ring.size();
     }
-    Reduction result = this->Cells.Write(monitor.Step(0.6, 0.95));
+    Reduction result = WriteLeaves(this->Leaves, this->Options.Representative, monitor.Step(0.6, 0.95));
     this->WriteRings(result);
     if (this->Options.ListCells)
     {
-      this->Cells.ListCells(
-        result, [this](Iterator first, Iterator, int level) { return this->BoxBottom(*first, level); });
+      ListCells(this->Leaves, result,
+        [this](const PointId* first, const PointId*, int level) { return this->BoxBottom(*first, level); });
     }
     return result;
   }
@@ -93,50 +110,50 @@ private:
 
   std::int32_t LayerOf(PointId point) const
   {
-    const double layer = std::floor((this->Horizon.Height[std::size_t(point)] - this->Bottom) / this->Options.CellSize);
+    const double layer = std::floor((this->Leaves.Height(point) - this->Bottom) / this->Options.CellSize);
     return std::int32_t(std::min(layer, double(std::numeric_limits<std::int32_t>::max())));
   }
 
   void MakeCubes(const Monitor& monitor)
   {
-    this->Cells.MakeGroups(
+    this->Leaves.MakeGroups(
       [this](PointId point)
       {
-        const std::int64_t patch = this->Horizon.Patch[std::size_t(point)];
+        const std::int64_t patch = this->Leaves.Patch(point);
         return patch * (std::int64_t(1) << 32) + this->LayerOf(point);
       },
       monitor);
-    this->Cubes.resize(this->Cells.NumberOfGroups());
-    ParallelFor(this->Cells.Grid().Size(), 1024,
+    this->Cubes.resize(this->Leaves.NumberOfGroups());
+    ParallelFor(this->Leaves.Grid().Size(), CellLeaves::Grain,
       [this](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t cell = begin; cell < end; ++cell)
         {
-          std::size_t cube = this->Cells.FirstGroup(cell);
-          this->Cells.ForEachLeaf(cell,
-            [&](Iterator first, Iterator last)
+          std::size_t cube = this->Leaves.FirstGroup(cell);
+          this->Leaves.ForEachGroup(cell,
+            [&](PointId* first, PointId* last)
             {
-              this->Cubes[cube] = { first, last, cell, this->Horizon.Patch[std::size_t(*first)], this->LayerOf(*first),
-                this->Cells.HasBoundary(first) ? 1 : 0, LeafSizes() };
+              this->Cubes[cube] = { first, last, cell, this->LayerOf(*first), this->Leaves.Patch(*first),
+                this->Leaves.HasBoundary(first) ? 1 : 0, LeafSizes() };
               ++cube;
             });
         }
       });
   }
 
-  /// Calls visit(neighbour) for the cubes of the same patch that touch a cube; with `anyHeight`, for those that do in
-  /// plan.
+  /// Calls visit(number) for the patch cubes of the same patch that touch one; with `anyHeight`, for those that touch
+  /// it in plan.
   template <typename Visitor>
   void ForEachNeighbour(const PatchCube& cube, bool anyHeight, Visitor&& visit) const
   {
-    const CellGrid& grid = this->Cells.Grid();
+    const CellGrid& grid = this->Leaves.Grid();
     const std::int64_t x = cube.Cell % grid.SizeX();
     const std::int64_t y = cube.Cell / grid.SizeX();
     for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= std::min(grid.SizeY() - 1, y + 1); ++row)
     {
       const std::int64_t left = grid.Index(std::max<std::int64_t>(0, x - 1), row);
       const std::int64_t right = grid.Index(std::min(grid.SizeX() - 1, x + 1), row);
-      for (std::size_t n = this->Cells.FirstGroup(left); n < this->Cells.FirstGroup(right + 1); ++n)
+      for (std::size_t n = this->Leaves.FirstGroup(left); n < this->Leaves.FirstGroup(right + 1); ++n)
       {
         const PatchCube& other = this->Cubes[n];
         const std::int64_t up = std::int64_t(other.Layer) - cube.Layer;
@@ -167,6 +184,7 @@ private:
     }
   }
 
+  /// What touches the last ring; where nothing is left, what touches any ring in plan; and in the end all others.
   std::vector<std::size_t> NextRing()
   {
     const std::int32_t number = std::int32_t(this->Rings.size()) + 1;
@@ -197,7 +215,8 @@ private:
     return next;
   }
 
-  /// Looks only at rings that were not looked at before: around those nothing is left.
+  /// Calls take(number) for what touches any ring in plan. Rings that an earlier call has looked at have no neighbours
+  /// left to take.
   template <typename Take>
   void TakeBeyondCliffs(Take&& take)
   {
@@ -212,17 +231,17 @@ private:
 
   void CutCubes(const std::size_t* first, const std::size_t* last)
   {
-    OctreeCutter cutter(this->Cells, this->Options, this->Deepest);
+    OctreeCutter cutter(this->Leaves, this->Options, this->Deepest);
     for (; first != last; ++first)
     {
       PatchCube& cube = this->Cubes[*first];
-      cube.Leaves = cutter.Cut(cube, this->BoxOf(cube.Cell, cube.Layer), this->LeastLevel(cube));
+      cube.Sizes = cutter.Cut(cube.First, cube.Last, this->BoxOf(cube.Cell, cube.Layer), this->LeastLevel(cube));
     }
   }
 
-  /// How often the leaves of a cube are halved at least: to the level whose size is nearest to the mean of those
-  /// before (thesis eq. 4.3), by ratio. To always round down would make cells shrink from ring to ring, as any mix of
-  /// sizes has its mean below the largest.
+  /// How many times the leaves of a patch cube are halved at least: to the level whose size is nearest, by ratio, to
+  /// the mean of those before (thesis eq. 4.3). Rounding down would make cells shrink from ring to ring, as the mean of
+  /// different sizes is below the largest of them.
   int LeastLevel(const PatchCube& cube) const
   {
     LeafSizes before = this->SizesBefore(cube, false);
@@ -231,12 +250,16 @@ private:
       before = this->SizesBefore(cube, true);
     }
     const double largest = HalfALevel * this->Options.GrowthPerRing * double(before.Sum);
-    int level = 0;
-    while (level<this->Deepest&& double(before.Number) * double(std::int64_t(1) << (this->Deepest - level))> largest)
+    for (int level = 0; level < this->Deepest; ++level)
     {
-      ++level;
+      // As many leaves of this level, in units of the smallest size.
+      const double sum = std::ldexp(double(before.Number), this->Deepest - level);
+      if (!(sum > largest))
+      {
+        return level;
+      }
     }
-    return level;
+    return this->Deepest;
   }
 
   /// The leaves of the neighbours one ring further out; with `anyHeight`, of those in plan in any ring further out.
@@ -249,8 +272,8 @@ private:
         const std::int32_t outwards = cube.Ring - this->Cubes[n].Ring;
         if (anyHeight ? outwards > 0 : outwards == 1)
         {
-          sizes.Sum += this->Cubes[n].Leaves.Sum;
-          sizes.Number += this->Cubes[n].Leaves.Number;
+          sizes.Sum += this->Cubes[n].Sizes.Sum;
+          sizes.Number += this->Cubes[n].Sizes.Number;
         }
       });
     return sizes;
@@ -258,24 +281,26 @@ private:
 
   CubeBox BoxOf(std::int64_t cell, std::int32_t layer) const
   {
-    const PlanePoint corner = this->Cells.Grid().Corner(cell);
+    const PlanePoint corner = this->Leaves.Grid().Corner(cell);
     const double size = this->Options.CellSize;
-    return { corner.X, corner.Y, this->Bottom + size * layer, this->Cells.CellSize(), size };
+    return { corner.X, corner.Y, this->Bottom + size * layer, this->Leaves.CellSize(), size };
   }
 
+  /// The bottom of the octant of that level that a point is in.
   double BoxBottom(PointId point, int level) const
   {
-    CubeBox box = this->BoxOf(this->Cells.Grid().CellOf(this->Horizon.Plane[std::size_t(point)]), this->LayerOf(point));
+    const PlanePoint& place = this->Leaves.Plane(point);
+    CubeBox box = this->BoxOf(this->Leaves.Grid().CellOf(place), this->LayerOf(point));
     for (int n = 0; n < level; ++n)
     {
-      box = box.Child(box.Octant(this->Horizon.Plane[std::size_t(point)], this->Horizon.Height[std::size_t(point)]));
+      box = box.Octant(box.OctantOf(place, this->Leaves.Height(point)));
     }
     return box.Z;
   }
 
   void WriteRings(Reduction& result) const
   {
-    ParallelFor(std::int64_t(this->Cubes.size()), 256,
+    ParallelFor(std::int64_t(this->Cubes.size()), GrainOfCopying,
       [&](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t n = begin; n < end; ++n)
@@ -287,14 +312,13 @@ private:
       });
   }
 
-  const BoundedHorizon& Horizon;
   const ElaborateOptions Options;
-  const double Bottom; // of the lowest cells
-  const int Deepest; // the level of the smallest pieces
-  CellSimplifier Cells;
-  std::vector<PatchCube> Cubes;
-  std::vector<std::vector<std::size_t>> Rings;
-  std::size_t FirstRingWithCliffs = 0;
+  const double Bottom; // of the lowest layer
+  const int Deepest; // the level of the smallest cells
+  CellLeaves Leaves;
+  std::vector<PatchCube> Cubes; // in the order of the groups
+  std::vector<std::vector<std::size_t>> Rings; // the numbers of their patch cubes, ring 1 first
+  std::size_t FirstRingWithCliffs = 0; // where TakeBeyondCliffs goes on
 };
 }
 

@@ -11,12 +11,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-// What the sums and the iterative solver lose, with room to spare.
+// The sums and the iterative solver are rounded to some 1e-15 of the sum of the eigenvalues; this is well above.
 constexpr double Rounding = 1e-12;
-// The closed formula can be wrong by the root of the machine precision where two eigenvalues are nearly equal.
+// Where two eigenvalues are nearly equal, the closed formula can be wrong by the root of that, some 1e-8.
 constexpr double RoundingOfClosedFormula = 1e-6;
 
-double Part(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
+/// The least eigenvalue as a part of their sum.
+double LeastPart(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
 {
   return solver.eigenvalues()[0] / sum;
 }
@@ -27,7 +28,7 @@ double Flatness(const Eigen::Matrix3d& covariance)
 {
   const double sum = covariance.trace();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return sum > 0.0 ? std::max(0.0, Part(solver, sum)) : 0.0;
+  return sum > 0.0 ? std::max(0.0, LeastPart(solver, sum)) : 0.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -38,10 +39,10 @@ bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold)
   {
     return true;
   }
-  // The closed formula is several times faster; only near the threshold it takes the iterative solver to decide.
+  // The closed formula is several times faster. Only near the threshold the iterative solver has to decide.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  const double quick = Part(solver, sum);
+  const double quick = LeastPart(solver, sum);
   if (std::abs(quick - threshold) > RoundingOfClosedFormula)
   {
     return quick < threshold;

@@ -3,6 +3,9 @@
 
 #include "RoughSimplification.h"
 
+#include "CellLeaves.h"
+#include "LeafWriter.h"
+
 #include <numeric>
 
 namespace SeismicHorizons
@@ -10,14 +13,14 @@ namespace SeismicHorizons
 //----------------------------------------------------------------------------------------------------------------------
 Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& options, const Monitor& monitor)
 {
-  CellSimplifier simplifier(horizon, options, monitor.Step(0.0, 0.4));
-  simplifier.MakeGroups(
+  CellLeaves leaves(horizon, options.CellSize, monitor.Step(0.0, 0.4));
+  leaves.MakeGroups(
     [&horizon](PointId point) { return std::int64_t(horizon.Patch[std::size_t(point)]); }, monitor.Step(0.4, 0.6));
-  Reduction result = simplifier.Write(monitor.Step(0.6, 1.0));
+  Reduction result = WriteLeaves(leaves, options.Representative, monitor.Step(0.6, 1.0));
   if (options.ListCells)
   {
     // Squares have no bottom: they are shown at the mean height of their points.
-    simplifier.ListCells(result,
+    ListCells(leaves, result,
       [&horizon](const PointId* first, const PointId* last, int)
       {
         const double sum = std::accumulate(

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One point per square cell inside the boundary (thesis 4.3.1, Alg. 4.1): vertex clustering on a regular grid in plan
-// that leaves the boundary alone.
+// that leaves the boundary as it is.
 //
-// Cells start at the least corner of the bounding box of the horizon. In a cell each patch is on its own: if it has
-// boundary points there, these stay and its other points go; else the barycentre of its points stands for them, or the
-// input point nearest to that. Where a boundary edge crosses the cell (a long one can, without an end in it), the
-// barycentre can lie on the wrong side; then the nearest point stands for the cell in any case.
+// Cells start at the least corner of the bounding box of the horizon. The points of one patch in one cell are a group.
+// A group with boundary points keeps these, and its other points go. For any other group its barycentre stands, or the
+// input point nearest to that. A long boundary edge can cross a cell without having an end in it: a barycentre on the
+// wrong side of it is not used, but the nearest point.
 
 #ifndef SeismicHorizonsRoughSimplification_h
 #define SeismicHorizonsRoughSimplification_h
 
-#include "CellSimplifier.h"
+#include "CellOptions.h"
 #include "Common/BoundedHorizon.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"

@@ -4,6 +4,7 @@
 #include "CellSimplification/ElaborateSimplification.h"
 #include "CellSimplification/Flatness.h"
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/Parallel.h"
 #include "Generator/HorizonGenerator.h"
 #include "Tools/Check.h"
 #include "Tools/ReductionChecker.h"
