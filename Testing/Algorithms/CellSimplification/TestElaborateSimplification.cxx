@@ -6,6 +6,7 @@
 #include "CellSimplification/RoughSimplification.h"
 #include "Generator/HorizonGenerator.h"
 #include "Tools/Check.h"
+#include "Tools/MeshChecker.h"
 #include "Tools/ReductionChecker.h"
 #include "Triangulation/Triangulation.h"
 
