@@ -69,7 +69,11 @@ template <typename Item, typename Position = std::size_t>
 class ItemLists
 {
 public:
-  /// `forEach(add)` calls add(key, item) for all items; it is run twice, and must do the same both times.
+  /// Without keys.
+  ItemLists() = default;
+
+  /// For keys from 0 to below `keys`. `forEach(add)` calls add(key, item) for all items; it is run twice, and must do
+  /// the same both times.
   template <typename ForEach>
   ItemLists(std::int64_t keys, ForEach&& forEach)
     : Sort(keys)
@@ -86,8 +90,11 @@ public:
   Item* end(std::int64_t key) { return this->Items.data() + this->Sort.End(key); }
 
   bool IsEmpty(std::int64_t key) const { return this->Sort.First(key) == this->Sort.End(key); }
-  /// Whether no list has an item.
-  bool AreAllEmpty() const { return this->Items.empty(); }
+
+  /// How many items all lists have together.
+  std::size_t Size() const { return this->Items.size(); }
+  /// The position of an item among all of them, from 0.
+  std::size_t IndexOf(const Item* item) const { return std::size_t(item - this->Items.data()); }
 
 private:
   CountingSort<Position> Sort;

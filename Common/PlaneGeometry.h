@@ -14,6 +14,12 @@
 
 namespace SeismicHorizons
 {
+/// From the origin to the end of a vector.
+inline std::int64_t SquaredLength(const PlanePoint& vector)
+{
+  return std::int64_t(vector.X) * vector.X + std::int64_t(vector.Y) * vector.Y;
+}
+
 inline std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
 {
   const std::int64_t x = std::int64_t(b.X) - a.X;

@@ -19,7 +19,6 @@ LONG_FILES = {
     "Testing/Readers/TestVerneySparseMatrixReader.cxx": "one case after the other for one class",
     "Testing/Algorithms/CellSimplification/TestElaborateSimplification.cxx": "one case after the other for one function",
     "Testing/Algorithms/Readers/TestSparseMatrixParser.cxx": "one case after the other, all error messages among them",
-    "Testing/Algorithms/Triangulation/TestTriangulation.cxx": "one case after the other for one function",
 }
 # The one file of the methods that may know of VTK: it spreads loops over threads.
 VTK_ALLOWED = "Common/Parallel.h"

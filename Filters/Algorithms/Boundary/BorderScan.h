@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops that follow the borders of what hangs together from column to neighbouring column, in one pass over the lattice
-// (Suzuki and Abe, "Topological structural analysis of digitized binary images by border following", 1985).
+// Finds all loops in one pass over the lattice, where patches are connected from column to neighbouring column (Suzuki
+// and Abe, "Topological structural analysis of digitized binary images by border following", 1985).
 //
 // The rows are read from left to right, and at every column it is known whether it lies inside a patch. Where a row
-// comes from outside upon an occupied column that no walk has touched yet, a new patch begins, and its border is walked
-// at once. Where a row leaves a patch the walk has left a mark: it looked at the empty column to the right. All that
-// lies between entering and leaving belongs to the patch. Holes that have loops are walked where a row meets them
-// first, and then are outside; all others are inside, islands included.
+// comes from outside to a point that no walk has visited yet, a new patch begins, and its outline is walked at once.
+// The walk marks the points that have its outer side to their right: there the rows leave the patch. All points between
+// entering and leaving a patch belong to it. The loop of a hole is walked where a row meets the hole first, and what is
+// in the hole counts as outside then. In a hole that gets no loop everything belongs to the patch, islands included.
+//
+//      . . # # # . .        The row in the middle enters the patch at its first point, and leaves it at its second one,
+//      . . # . # . .        which the walk around the patch has marked. The empty column between them is in a hole.
+//      . . # # # . .
 
 #ifndef SeismicHorizonsBorderScan_h
 #define SeismicHorizonsBorderScan_h
@@ -22,24 +26,25 @@
 
 namespace SeismicHorizons
 {
-/// What one sweep around a point found.
-struct BorderTurn
+/// What a sweep around a point found.
+struct SweepResult
 {
-  HopId Next; // the hop to go on with, or NoHop
-  bool PassedEast; // whether the sweep looked at the column to the right, and found it empty
+  HopId Next; // the hop that the walk leaves the point by, or NoHop
+  bool PassedEast; // whether the sweep passed the column to the right, which is empty then
 };
 
-/// `Sweep` knows the hops of the graph: its Turn(place, from) sweeps clockwise after `from`, which ends the sweep.
-template <typename Sweep>
+/// `Graph` is a plane graph of hops: its Sweep(place, from) gives the first hop of the graph from a place that a
+/// clockwise sweep after `from` meets, where `from` comes last.
+template <typename Graph>
 class BorderScan
 {
 public:
-  BorderScan(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, Sweep sweep,
+  BorderScan(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopTable& hops, Graph graph,
     const BoundaryOptions& options)
     : Columns(columns)
     , Raster(raster)
     , Hops(hops)
-    , Turns(std::move(sweep))
+    , HopGraph(std::move(graph))
     , Options(options)
     , West(hops.Find({ -1, 0 }))
     , East(hops.Find({ 1, 0 }))
@@ -68,6 +73,7 @@ public:
   }
 
 private:
+  /// Gives the points of a row to their patches, and walks the loops that it meets first.
   void NumberRow(std::int64_t first)
   {
     std::int32_t inside = -1;
@@ -95,7 +101,7 @@ private:
     }
   }
 
-  /// Walks the border of the patch at a place whose western neighbour is outside.
+  /// Walks the outline of a new patch from a place with the outside to its left.
   void WalkOutline(std::int64_t start)
   {
     this->Walk(start, this->West);
@@ -104,8 +110,8 @@ private:
     this->Mark(this->OutsideEast);
   }
 
-  /// True when a hole that gets a loop lies to the right of a place. Of one that gets none the rim is remembered, and
-  /// so is the border of an island in it, which turns the other way and has no columns inside.
+  /// True when a hole that gets a loop lies to the right of a place. The points around one that gets none are marked,
+  /// so that it is walked once; so are those of islands in it, whose outlines run the other way and so have no size.
   bool EntersHole(std::int64_t place, std::int32_t patch)
   {
     if (!this->Options.HoleBoundaries || this->Raster[place + 1] != NoPoint ||
@@ -128,18 +134,19 @@ private:
   void Walk(std::int64_t start, HopId from)
   {
     this->PastEast.clear();
-    const auto turn = [this](std::int64_t place, HopId last)
+    const auto next = [this](std::int64_t place, HopId last)
     {
-      const BorderTurn result = this->Turns.Turn(place, last);
+      const SweepResult result = this->HopGraph.Sweep(place, last);
       if (result.PassedEast)
       {
         this->PastEast.push_back(this->Raster[place]);
       }
       return result.Next;
     };
-    WalkFace(this->Raster, this->Hops, start, turn(start, from), turn, this->Steps);
+    WalkFace(this->Raster, this->Hops, start, next(start, from), next, this->Steps);
   }
 
+  /// Gives the points of the last walk to a patch.
   void NumberSteps(std::int32_t patch)
   {
     for (const FaceStep& step : this->Steps)
@@ -148,6 +155,7 @@ private:
     }
   }
 
+  /// Marks the points of the last walk whose sweeps passed the column to their right.
   void Mark(std::vector<bool>& marks) const
   {
     for (const PointId point : this->PastEast)
@@ -158,17 +166,17 @@ private:
 
   const std::vector<PlanePoint>& Columns;
   const ColumnRaster& Raster;
-  const HopVectors& Hops;
-  Sweep Turns;
+  const HopTable& Hops;
+  Graph HopGraph;
   const BoundaryOptions& Options;
   const HopId West;
   const HopId East;
   ExteriorBoundary Result;
   Loops HoleLoops;
-  std::vector<bool> OutsideEast; // outside begins to the right
-  std::vector<bool> FilledHoleEast; // a hole without a loop begins to the right
-  std::vector<FaceStep> Steps; // of the walk that was last
-  std::vector<PointId> PastEast; // points of that walk with its empty side to the right
+  std::vector<bool> OutsideEast; // by point: the outside of its patch begins to the right
+  std::vector<bool> FilledHoleEast; // by point: a hole without a loop begins to the right
+  std::vector<FaceStep> Steps; // of the last walk
+  std::vector<PointId> PastEast; // points of the last walk whose sweeps passed the column to their right
 };
 }
 

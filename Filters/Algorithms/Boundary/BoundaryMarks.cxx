@@ -15,7 +15,7 @@ namespace
 std::vector<BoundaryKind> MarkLoops(const ExteriorBoundary& boundary)
 {
   std::vector<BoundaryKind> marks(boundary.Patch.size(), BoundaryKind::Inside);
-  // Holes first, so that the exterior boundary has the last word.
+  // Holes first, so that a point on loops of both kinds counts as exterior.
   for (std::size_t loop = boundary.Boundary.Size(); loop-- > 0;)
   {
     const BoundaryKind kind = loop < boundary.NumberOfPatches ? BoundaryKind::Exterior : BoundaryKind::Hole;
@@ -25,7 +25,7 @@ std::vector<BoundaryKind> MarkLoops(const ExteriorBoundary& boundary)
   return marks;
 }
 
-/// What a point at a place is that no loop runs through.
+/// What a point is that no loop runs through: what the points are that it shares an empty column at its corner with.
 BoundaryKind KindOfCorner(const ColumnRaster& raster, const std::vector<BoundaryKind>& marks, std::int64_t place)
 {
   const std::int64_t up = raster.Width();
@@ -38,7 +38,7 @@ BoundaryKind KindOfCorner(const ColumnRaster& raster, const std::vector<Boundary
       {
         continue;
       }
-      // No loop runs through the point, so that both columns between it and the empty one are occupied.
+      // As no loop runs through the point, both columns between it and the empty one are occupied.
       for (const std::int64_t beside : { place + aside, place + upright })
       {
         const BoundaryKind other = marks[std::size_t(raster[beside])];

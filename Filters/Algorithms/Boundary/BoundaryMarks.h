@@ -21,12 +21,12 @@ enum class BoundaryType
   Topological8 = 2 // points with an empty column side by side or corner to corner
 };
 
-/// The options under which the loops run through all points of a topological boundary with four neighbours, and no
-/// others: neighbouring columns, all holes. Exterior leaves them as they are.
+/// The options that make loops run through all points of Topological4 and no others: a radius of 1, and all holes. For
+/// Exterior they are returned as they are.
 BoundaryOptions OptionsFor(BoundaryType type, const BoundaryOptions& options);
 
-/// For each point what it is, given the loops made with OptionsFor(type, ...). A point on loops of both kinds is on the
-/// exterior one. A point that only has an empty column corner to corner is what the points beside it are.
+/// For each point what it is, given the boundary made with OptionsFor(type, ...). A point on an outline and on the loop
+/// of a hole counts as exterior. A point with an empty column only at a corner is what the two points between them are.
 std::vector<BoundaryKind> MarkBoundary(
   BoundaryType type, const std::vector<PlanePoint>& columns, const ExteriorBoundary& boundary);
 }

@@ -3,7 +3,8 @@
 
 #include "ColumnRaster.h"
 
-#include <algorithm>
+#include "Common/PlaneGeometry.h"
+
 #include <sstream>
 
 namespace SeismicHorizons
@@ -24,14 +25,11 @@ ColumnRaster::ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t 
   {
     return;
   }
-  const auto x = std::minmax_element(
-    columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
-  const auto y = std::minmax_element(
-    columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
-  this->MinX = std::int64_t(x.first->X) - rim;
-  this->MinY = std::int64_t(y.first->Y) - rim;
-  this->SizeX = std::int64_t(x.second->X) + rim + 1 - this->MinX;
-  this->SizeY = std::int64_t(y.second->Y) + rim + 1 - this->MinY;
+  const PlaneBox box(columns);
+  this->MinX = std::int64_t(box.Least.X) - rim;
+  this->MinY = std::int64_t(box.Least.Y) - rim;
+  this->SizeX = std::int64_t(box.Greatest.X) + rim + 1 - this->MinX;
+  this->SizeY = std::int64_t(box.Greatest.Y) + rim + 1 - this->MinY;
   this->Points.assign(std::size_t(this->SizeX * this->SizeY), NoPoint);
   for (std::size_t n = 0; n < columns.size(); ++n)
   {

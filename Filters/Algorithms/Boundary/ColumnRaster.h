@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which point of a horizon stands in which column, over the bounding box of the horizon with an empty rim. 4 bytes per
-// column of that box.
+// For each column of the bounding box of a horizon the point that stands there. An empty rim around the box lets
+// searches look at neighbours without a test for its sides. 4 bytes per column.
 
 #ifndef SeismicHorizonsColumnRaster_h
 #define SeismicHorizonsColumnRaster_h
@@ -23,11 +23,11 @@ public:
   /// `rim` is the width of the rim in columns. Throws InputError when two points stand in the same column.
   explicit ColumnRaster(const std::vector<PlanePoint>& columns, std::int32_t rim = 1);
 
-  /// Rows and columns of the box, the rim included.
+  /// How many columns and rows there are, with the rim.
   std::int64_t Width() const { return this->SizeX; }
   std::int64_t Height() const { return this->SizeY; }
 
-  /// The place of a column in the raster; one row up is Width() further.
+  /// The place of a column, which is its position in the raster, row by row: that above it has a place Width() further.
   std::int64_t Place(const PlanePoint& column) const
   {
     return (std::int64_t(column.Y) - this->MinY) * this->SizeX + (std::int64_t(column.X) - this->MinX);

@@ -4,6 +4,7 @@
 #include "EmptyBands.h"
 
 #include "ColumnRaster.h"
+#include "Common/PlaneGeometry.h"
 
 #include <algorithm>
 #include <iterator>
@@ -13,7 +14,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A raster of so many columns per point, or of so many in all, is no burden.
+// A raster may have so many columns per point, or so many in all, before empty bands are narrowed: it takes 64 bytes
+// per point, or 4 megabytes.
 constexpr std::int64_t EnoughColumnsPerPoint = 16;
 constexpr std::int64_t EnoughColumns = 1 << 20;
 
@@ -32,7 +34,7 @@ void CheckColumns(const std::vector<PlanePoint>& columns)
   }
 }
 
-/// Narrows the bands along one axis.
+/// Narrows the bands across one axis to `widest` columns from point to point.
 void Narrow(std::vector<PlanePoint>& columns, std::int32_t PlanePoint::*axis, std::int32_t widest)
 {
   std::vector<std::int32_t> before;
@@ -61,19 +63,16 @@ bool AreScattered(const std::vector<PlanePoint>& columns)
   {
     return false;
   }
-  const auto x = std::minmax_element(
-    columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.X < b.X; });
-  const auto y = std::minmax_element(
-    columns.begin(), columns.end(), [](const PlanePoint& a, const PlanePoint& b) { return a.Y < b.Y; });
-  const double width = double(x.second->X) - x.first->X + 1.0;
-  const double height = double(y.second->Y) - y.first->Y + 1.0;
+  const PlaneBox box(columns);
+  const double width = double(box.Greatest.X) - box.Least.X + 1.0;
+  const double height = double(box.Greatest.Y) - box.Least.Y + 1.0;
   return width * height > double(std::max(EnoughColumns, EnoughColumnsPerPoint * std::int64_t(columns.size())));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> NarrowEmptyBands(std::vector<PlanePoint> columns, int radius)
 {
-  CheckColumns(columns); // while a message can name them as they are
+  CheckColumns(columns); // first, so that the message names the columns as they were
   Narrow(columns, &PlanePoint::X, radius + 1);
   Narrow(columns, &PlanePoint::Y, radius + 1);
   return columns;

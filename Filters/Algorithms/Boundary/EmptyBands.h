@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Brings the parts of a horizon closer together that are far apart, so that a raster of its columns stays small.
+// Moves parts of a horizon that are far apart closer together, so that a raster of its columns stays small.
 
 #ifndef SeismicHorizonsEmptyBands_h
 #define SeismicHorizonsEmptyBands_h
@@ -12,17 +12,16 @@
 
 namespace SeismicHorizons
 {
-/// Whether the bounding box of the columns is much larger than they are many.
+/// Whether the bounding box of the columns has many times as many columns.
 bool AreScattered(const std::vector<PlanePoint>& columns);
 
-/// Rows and columns of the lattice that are empty from end to end form bands. This narrows bands that no hop of at most
-/// `radius` columns can cross, just so far that none can. No patch and no loop reaches over such a band: patches, loops
-/// and the order of columns stay what they were. Takes time near n log n. Throws InputError when two points stand in
-/// the same column.
-/// Throws InputError when two points stand in the same column.
+/// Narrows the bands that neighbouring rows of the lattice, or neighbouring columns of it, form when they are empty
+/// from end to end: those that no hop of at most `radius` columns can cross, and only so far that still none can. No
+/// patch and no loop reaches across such a band, so that patches, loops and the order of columns stay what they were.
+/// Takes time near n log n. Throws InputError when two points stand in the same column.
 std::vector<PlanePoint> NarrowEmptyBands(std::vector<PlanePoint> columns, int radius);
 
-/// Gives work(columns), where scattered columns are brought together before.
+/// Gives work(columns), or work(NarrowEmptyBands(columns)) when they are scattered.
 template <typename Work>
 auto WithoutWideBands(const std::vector<PlanePoint>& columns, int radius, Work&& work)
 {

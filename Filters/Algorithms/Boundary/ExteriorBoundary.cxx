@@ -4,10 +4,10 @@
 #include "ExteriorBoundary.h"
 
 #include "BorderScan.h"
+#include "ClockwiseBoundary.h"
 #include "Common/Errors.h"
 #include "EmptyBands.h"
 #include "PatchBridges.h"
-#include "PatchOutlines.h"
 
 #include <string>
 
@@ -18,18 +18,18 @@ namespace
 ExteriorBoundary FollowNeighbours(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
   const BoundaryOptions& options, const Monitor& monitor)
 {
-  const HopVectors hops(1, raster.Width());
-  return BorderScan<NeighbourSweep>(columns, raster, hops, NeighbourSweep(raster, hops), options).Run(monitor);
+  const HopTable hops(1, raster.Width());
+  return BorderScan<NeighbourHops>(columns, raster, hops, NeighbourHops(raster, hops), options).Run(monitor);
 }
 
-/// Neighbours first: where nothing is left to bridge, that is all.
+/// By hops to neighbours first. When these leave nothing to bridge, their boundary is the result.
 ExteriorBoundary GrowByDistance(
   const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
 {
   const ColumnRaster raster(columns, options.Radius);
   BoundaryOptions allHoles = options;
   allHoles.SmallestHoleSize = 1;
-  const HopVectors hops(options.Radius, raster.Width());
+  const HopTable hops(options.Radius, raster.Width());
   ExteriorBoundary parts = FollowNeighbours(columns, raster, allHoles, monitor.Step(0.0, 0.4));
   const PatchBridges bridges(columns, raster, hops, parts);
   monitor.Progress(0.5);
@@ -37,7 +37,7 @@ ExteriorBoundary GrowByDistance(
   {
     return parts;
   }
-  return BorderScan<BridgeSweep>(columns, raster, hops, BridgeSweep(raster, hops, bridges), options)
+  return BorderScan<BridgedHops>(columns, raster, hops, BridgedHops(raster, hops, bridges), options)
     .Run(monitor.Step(0.5, 1.0));
 }
 
@@ -47,12 +47,11 @@ ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOpti
   {
     return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
   }
-  return options.Growth == GrowthStrategy::Distance
-    ? GrowByDistance(columns, options, monitor)
-    : PatchOutlines(columns, options, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
+  return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
+                                                    : FindClockwiseBoundary(columns, options, monitor);
 }
 
-/// Patches that are too small lose their number and their loops, those of their holes included.
+/// Without the numbers and the loops of patches that are too small, and the loops of their holes.
 ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimumSize)
 {
   std::vector<std::int64_t> size(all.NumberOfPatches, 0);

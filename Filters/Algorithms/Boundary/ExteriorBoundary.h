@@ -1,20 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The exterior boundary of each patch of a horizon (thesis 3.3, Def. 3.4, Alg. 3.1 and 3.2), and on request that of its
-// holes.
+// The boundary of a horizon: the outline of each patch, which is the thesis's exterior boundary (3.3, Def. 3.4,
+// Alg. 3.1 and 3.2), and on request the loops of its holes.
 //
-// For any shape of patch and any k a loop is closed, hops at most k columns along each axis, never crosses itself, and
-// has the whole patch on it or inside. It is the walk around the outer face of a plane graph of hops, clockwise, which
-// at k = 1 is the border following of Suzuki and Abe (1985) for both rules of growth. They differ in the graph for
-// k > 1: growth by distance (PatchBridges.h) only leaves the border of neighbouring columns to bridge a gap, there and
-// back; clockwise growth (PlanarHops.h) takes every hop there is room for, and so straightens bays.
+// For any shape of patch and any k, an outline is a closed loop of hops of at most k columns along each axis. It never
+// crosses itself, and has the whole patch on it or inside. It is the clockwise walk around the outer face of a plane
+// graph of hops. With k = 1 that is the border following of Suzuki and Abe (1985), for both rules of growth. With k > 1
+// the rules differ in the graph: growth by distance (PatchBridges.h) follows neighbouring columns, and takes a longer
+// hop only to bridge a gap, there and back; clockwise growth (PlanarHops.h) takes every hop that crosses no other one,
+// and so cuts bays short.
 //
-// Three things differ from the thesis's pseudo-code. It stops as soon as the walk is back at its first point, which
-// cuts off the rest of a patch that only touches itself there; here the walk ends when it is about to repeat its first
-// step. Its sweeps can jump over the boundary itself, or never return, for k > 1; hops in a plane graph can not. And a
-// patch that lies inside the loop of another one has no loop of its own: it belongs to the outer patch, or two meshes
-// would lie over each other.
+// Three things differ from the thesis's pseudo-code, which
+//  - stops as soon as the walk is back at its first point, and so loses the rest of a patch that touches itself there:
+//    here the walk ends when it is about to repeat its first hop;
+//  - sweeps, for k > 1, over hops that can cross the loop, or never lead back to its first point: here a sweep takes
+//  hops
+//    of the plane graph only;
+//  - gives a loop to a patch inside the loop of another one: here that patch has none and belongs to the outer one, as
+//    their meshes would lie over each other.
 
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
@@ -26,11 +30,11 @@
 
 namespace SeismicHorizons
 {
-/// How a boundary goes on where there is a choice of hops.
+/// How a loop goes on where there is a choice of hops.
 enum class GrowthStrategy
 {
-  Distance = 0, // the nearest point that leads on
-  Clockwise = 1 // the first hop of a clockwise sweep, whatever its length
+  Distance = 0, // by hops to neighbours, and by longer ones where only these lead on
+  Clockwise = 1 // by the first hop of a clockwise sweep, whatever its length
 };
 
 struct BoundaryOptions
@@ -42,34 +46,37 @@ struct BoundaryOptions
   bool HoleBoundaries = false;
   /// Holes with fewer columns strictly inside, islands included, have no loops.
   std::int64_t SmallestHoleSize = 1;
-  /// Patches of fewer points are dropped, with all that belongs to them.
+  /// Patches of fewer points have no number and no loops.
   std::int64_t MinimumPatchSize = 1;
 };
 
-/// Beyond this the tables of hops would outgrow any horizon.
+/// HopCandidates.h keeps the columns that hops of a row can lead to, 2 k + 1 of them, in one number of 128 bits, of
+/// which it can fill 65. Tables of hops take 8 k^4 bytes, which is 8 megabytes then.
 constexpr int LargestRadius = 32;
 
-/// The patch number of points in patches that were dropped.
+/// The patch number of points in patches that are too small.
 constexpr std::int32_t NoPatch = -1;
 
 struct ExteriorBoundary
 {
-  /// First one loop per patch, clockwise seen from +z. A spur of one column's width is walked out and back; a single
-  /// point is a loop of one. Then one loop per hole, counter-clockwise, in the order in which rows from the least y
-  /// meet them. Each loop begins at its point of least x, then least y. Loops do not cross, but may touch.
+  /// First one loop per patch, its outline, clockwise seen from +z. A strip of one column's width is walked there and
+  /// back; a single point is a loop of one point. Then one loop per hole, counter-clockwise, in the order in which the
+  /// rows from the least y meet them. Each loop begins at its point of least x, then least y. Loops do not cross, but
+  /// may touch themselves and each other.
   Loops Boundary;
-  /// For each point the number of its patch, which is also the number of the loop around it, or NoPatch. Patches are
-  /// numbered in the order in which the rows of the lattice, from the least y, meet them. Points inside the loop of a
-  /// patch belong to it unless they are inside a hole with a loop.
+  /// For each point the number of its patch, which is also the number of the outline around it, or NoPatch. Patches are
+  /// numbered in the order in which the rows of the lattice, from the least y, meet them. Points inside the outline of
+  /// a patch belong to it unless they are inside a hole with a loop.
   std::vector<std::int32_t> Patch;
-  /// How many of the loops are those of patches.
+  /// How many of the loops are outlines.
   std::size_t NumberOfPatches = 0;
 };
 
 /// `columns` holds the column of each point, no two the same (InputError). The result does not depend on the order of
-/// the points. Linear in the points and in the columns of their bounding box, with a factor that grows with k in the
-/// points on the border; beyond its result it needs 4 bytes per column of that box, for growth by distance with k > 1
-/// also 4 per point, and some for the points on the border. Sequential: a walk can not know where it ends.
+/// the points. Takes time linear in the points and in the columns of their bounding box, with a factor that grows with
+/// k for the points beside empty columns. Memory beyond the result: 4 bytes per column of that box, for growth by
+/// distance with k > 1 also 4 per point, and some for the points beside empty columns. On one thread, as each step of a
+/// walk depends on the one before.
 ExteriorBoundary FindExteriorBoundary(const std::vector<PlanePoint>& columns,
   const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
 }

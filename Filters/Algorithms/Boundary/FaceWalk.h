@@ -1,33 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The walk around one face of a plane graph whose corners are points of a horizon and whose edges are hops. At every
-// point it sweeps clockwise, beginning after the hop it came by, and leaves by the first hop of the graph that it
-// meets; the hop back comes last. So the face lies to the left of all its hops: the outer face is walked clockwise
-// around the patch, and the face of a hole counter-clockwise, with the surface to the right in either case.
+// The walk around one face of a plane graph that connects points of a horizon by hops. At every point the walk sweeps
+// clockwise over the hops of the graph, beginning after the one back to where it came from, and leaves by the first
+// that the sweep meets; the hop back comes last. So the face lies to the left of all hops of the walk: the outer face
+// is walked clockwise around the patch, and the face of a hole counter-clockwise, with the surface to the right in
+// either case.
 
 #ifndef SeismicHorizonsFaceWalk_h
 #define SeismicHorizonsFaceWalk_h
 
 #include "ColumnRaster.h"
-#include "HopVectors.h"
+#include "HopTable.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// A point of a walk and the hop by which it is left; NoHop for a point alone.
+/// A point of a walk, and the hop by which the walk leaves it: NoHop for a point alone.
 struct FaceStep
 {
   PointId Point;
   HopId Hop;
 };
 
-/// Walks on from a place by a hop of the graph until it is about to repeat that hop. `sweep(place, from)` gives the
-/// first hop of the graph after `from`, in clockwise order, or NoHop.
-template <typename Sweep>
-void WalkFace(const ColumnRaster& raster, const HopVectors& hops, std::int64_t start, HopId first, Sweep&& sweep,
+/// Walks from the place `start` by the hop `first` until it is about to repeat that hop. `next(place, from)` gives the
+/// first hop of the graph from a place that a clockwise sweep after `from` meets, or NoHop.
+template <typename Next>
+void WalkFace(const ColumnRaster& raster, const HopTable& hops, std::int64_t start, HopId first, Next&& next,
   std::vector<FaceStep>& steps)
 {
   steps.clear();
@@ -39,18 +40,17 @@ void WalkFace(const ColumnRaster& raster, const HopVectors& hops, std::int64_t s
     if (hop != NoHop)
     {
       place += hops.Offset(hop);
-      hop = sweep(place, hops.Opposite(hop));
+      hop = next(place, hops.Opposite(hop));
     }
   } while (place != start || hop != first);
 }
 
 /// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
-/// walked clockwise, or has no area. A column the walk visits twice counts twice on the border, as it would if the
-/// border were pulled apart there.
-inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
+/// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
+inline std::int64_t ColumnsInside(const HopTable& hops, const std::vector<FaceStep>& steps)
 {
   std::int64_t twiceArea = 0;
-  std::int64_t onBorder = 0;
+  std::int64_t onLoop = 0;
   std::int64_t x = 0;
   std::int64_t y = 0;
   for (const FaceStep& step : steps)
@@ -61,16 +61,15 @@ inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<Face
     }
     const PlanePoint& vector = hops.Vector(step.Hop);
     twiceArea += x * vector.Y - y * vector.X;
-    onBorder += hops.Parts(step.Hop);
+    onLoop += hops.NumberOfParts(step.Hop);
     x += vector.X;
     y += vector.Y;
   }
-  return twiceArea > 0 ? (twiceArea - onBorder) / 2 + 1 : 0;
+  return twiceArea > 0 ? (twiceArea - onLoop) / 2 + 1 : 0;
 }
 
-/// Adds a walk as a loop that begins where the contract says: at the point of least x, then least y. The walk can visit
-/// that point several times; of its hops from there the one that comes first in a clockwise sweep from the south, where
-/// all is empty, begins.
+/// Adds a walk as a loop that begins at its point of least x, then least y. When the walk visits that point several
+/// times, the loop begins with the hop from there that a clockwise sweep from the south meets first.
 inline void AppendLoop(const std::vector<PlanePoint>& columns, std::vector<FaceStep>& steps, Loops& loops)
 {
   const auto first = std::min_element(steps.begin(), steps.end(),

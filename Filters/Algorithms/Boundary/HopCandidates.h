@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which long hops between points are worth a try. A hop is none when it passes over a point, or between two
-// neighbouring ones. Points are looked up as bits, a row at a time, and what is near the start of a hop rules out most
-// of its ends:
+// Which long hops between points may be admissible (PlanarHops.h). One that passes over a point, or between two
+// neighbouring points, is not. The points in a row of columns are bits of one number, and each point or pair of points
+// near the start of hops rules out all hops whose ends, the columns in its shadow, are behind it:
 //
-//        . . # # # # .
-//        . . # # # . .        a and b are neighbouring points: from *, no hop leads between them, nor straight on over
-//        . . a b . . .        one of them.
-//        . . * . . . .
+//        . . # # # # .        *    the start of hops
+//        . . # # # . .        a, b    two neighbouring points
+//        . . a b . . .        #    their shadow: no hop from * leads between a and b to these columns, nor over one of
+//        . . * . . . .             them
 
 #ifndef SeismicHorizonsHopCandidates_h
 #define SeismicHorizonsHopCandidates_h
 
 #include "ColumnRaster.h"
+#include "ExteriorBoundary.h"
 #include "LongHops.h"
 
 #include <algorithm>
@@ -24,16 +25,16 @@
 
 namespace SeismicHorizons
 {
-/// Memory: a bit per column of the raster.
+/// Takes a bit of memory per column of the raster.
 class HopCandidates
 {
 public:
   /// The raster has an empty rim of at least k columns. Keeps references.
-  HopCandidates(const ColumnRaster& raster, const HopVectors& hops, const LongHops& longHops);
+  HopCandidates(const ColumnRaster& raster, const HopTable& hops, const LongHops& longHops);
 
-  /// Calls visit(number) for the long hops from a column of the raster to another point, by their numbers and row by
-  /// row, that no points at most NearRadius columns away are in the way of. Takes about k steps for each such point and
-  /// pair of points, and one for each hop.
+  /// Calls visit(number) for the long hops from a column of the raster to another point that are not ruled out by
+  /// points at most NearRadius columns away from it, by their numbers in LongHops and row by row. Takes about k steps
+  /// for each point and pair of points that near, and one for each hop.
   template <typename Visitor>
   void ForEach(const PlanePoint& from, Visitor&& visit) const
   {
@@ -61,14 +62,14 @@ public:
 private:
   static constexpr std::int32_t NearRadius = 3;
   static constexpr std::int32_t NearWidth = 2 * NearRadius + 1;
-  // What can be in the way beside a column: itself, or it and the neighbour after one of the steps.
+  // What can rule out hops: a point and its neighbour after one of NeighbourSteps, or a point alone.
   static constexpr std::size_t Itself = NeighbourSteps.size();
   static constexpr std::size_t Kinds = Itself + 1;
 
   /// A bit for each of 2 k + 1 columns in a row, from the left.
   __extension__ typedef unsigned __int128 Window;
-  static constexpr std::size_t MostRows = 33; // LargestRadius upwards, and the row of the place
-  /// One for each row, from that of a place upwards.
+  static constexpr std::size_t MostRows = LargestRadius + 1;
+  /// One window for each row, from that of a place upwards.
   using Rows = std::array<Window, MostRows>;
 
   static std::int32_t LowestBit(Window window)
@@ -86,11 +87,13 @@ private:
     return shift == 0 ? window : window | Window(word[2]) << (128 - shift);
   }
 
+  /// The position in Shadows of a point, or of a pair of points that begins with it, at a vector from the start.
   static std::size_t Slot(std::size_t kind, std::int32_t x, std::int32_t y)
   {
     return (kind * (NearRadius + 1) + std::size_t(y)) * NearWidth + std::size_t(x + NearRadius);
   }
 
+  /// Takes the shadows of the points near a column off `open`.
   void RuleOut(const PlanePoint& from, Rows& open) const;
   void AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end);
 
@@ -99,8 +102,8 @@ private:
   const std::int32_t Radius;
   const std::int64_t WordsPerRow;
   std::vector<std::uint64_t> Words; // a bit per column, row by row, with room to read beyond the end
-  Rows Ends; // of all long hops
-  std::vector<Rows> Shadows; // by slot: the ends of the hops that something near the start is in the way of
+  Rows Ends; // the ends of all long hops
+  std::vector<Rows> Shadows; // by slot: the ends of the hops that a point or a pair of points rules out
 };
 }
 

@@ -3,6 +3,7 @@
 
 #include "PatchBridges.h"
 
+#include "LongHops.h"
 #include "PatchComponents.h"
 
 #include <algorithm>
@@ -11,14 +12,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Upwards or level hops that lead further than to a neighbour, near ones first.
-std::vector<HopId> LongHops(const HopVectors& hops)
+/// The hops that lead further than to a neighbour, those with the nearest ends first. Of two opposite ones only that
+/// which leads upwards or straight to the right.
+std::vector<HopId> FindLongHops(const HopTable& hops)
 {
   std::vector<HopId> result;
   for (HopId hop = 0; hop < hops.Size(); ++hop)
   {
     const PlanePoint& vector = hops.Vector(hop);
-    if (ChebyshevLength(vector) > 1 && (vector.Y > 0 || (vector.Y == 0 && vector.X > 0)))
+    if (LongHops::IsLongAndRising(vector))
     {
       result.push_back(hop);
     }
@@ -28,17 +30,13 @@ std::vector<HopId> LongHops(const HopVectors& hops)
   return result;
 }
 
-/// The places on the loops, row by row.
-std::vector<std::int64_t> BorderPlaces(
+/// The places that loops visit, row by row.
+std::vector<std::int64_t> FindPlaces(
   const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const Loops& loops)
 {
   std::vector<std::int64_t> places;
   places.reserve(loops.TotalLength());
-  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
-  {
-    std::for_each(loops.begin(loop), loops.end(loop),
-      [&](PointId point) { places.push_back(raster.Place(columns[std::size_t(point)])); });
-  }
+  loops.ForEachPoint([&](PointId point) { places.push_back(raster.Place(columns[std::size_t(point)])); });
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
@@ -46,7 +44,7 @@ std::vector<std::int64_t> BorderPlaces(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-NeighbourSweep::NeighbourSweep(const ColumnRaster& raster, const HopVectors& hops)
+NeighbourHops::NeighbourHops(const ColumnRaster& raster, const HopTable& hops)
   : Raster(raster)
   , East(hops.Find({ 1, 0 }))
 {
@@ -57,7 +55,7 @@ NeighbourSweep::NeighbourSweep(const ColumnRaster& raster, const HopVectors& hop
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PatchBridges::PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
+PatchBridges::PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopTable& hops,
   const ExteriorBoundary& parts)
   : Raster(raster)
   , Hops(hops)
@@ -65,14 +63,14 @@ PatchBridges::PatchBridges(const std::vector<PlanePoint>& columns, const ColumnR
 {
   if (parts.NumberOfPatches > 1)
   {
-    this->Join(BorderPlaces(columns, raster, parts.Boundary), parts);
+    this->Join(FindPlaces(columns, raster, parts.Boundary), parts);
   }
   std::sort(this->Ends.begin(), this->Ends.end(),
     [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PatchBridges::Join(const std::vector<std::int64_t>& border, const ExteriorBoundary& parts)
+void PatchBridges::Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
 {
   const auto part = [&](std::int64_t place) { return parts.Patch[std::size_t(this->Raster[place])]; };
   DisjointSets joined;
@@ -80,9 +78,9 @@ void PatchBridges::Join(const std::vector<std::int64_t>& border, const ExteriorB
   {
     joined.Add();
   }
-  for (const HopId hop : LongHops(this->Hops))
+  for (const HopId hop : FindLongHops(this->Hops))
   {
-    for (const std::int64_t place : border)
+    for (const std::int64_t place : onLoops)
     {
       const std::int64_t end = place + this->Hops.Offset(hop);
       if (this->Raster[end] != NoPoint && part(place) != part(end) && joined.Join(part(place), part(end)))
@@ -111,16 +109,16 @@ HopId PatchBridges::Next(std::int64_t place, HopId from) const
   auto end = std::lower_bound(
     this->Ends.begin(), this->Ends.end(), place, [](const End& a, std::int64_t b) { return a.Place < b; });
   HopId best = NoHop;
-  const auto turn = [&](HopId hop) { return hop > from ? hop : hop + this->Hops.Size(); };
+  const auto order = [&](HopId hop) { return hop > from ? hop : hop + this->Hops.Size(); };
   for (; end != this->Ends.end() && end->Place == place; ++end)
   {
-    best = best == NoHop || turn(end->Hop) < turn(best) ? end->Hop : best;
+    best = best == NoHop || order(end->Hop) < order(best) ? end->Hop : best;
   }
   return best;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BridgeSweep::BridgeSweep(const ColumnRaster& raster, const HopVectors& hops, const PatchBridges& bridges)
+BridgedHops::BridgedHops(const ColumnRaster& raster, const HopTable& hops, const PatchBridges& bridges)
   : Raster(raster)
   , Hops(hops)
   , Bridges(bridges)
@@ -137,7 +135,7 @@ BridgeSweep::BridgeSweep(const ColumnRaster& raster, const HopVectors& hops, con
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BorderTurn BridgeSweep::Turn(std::int64_t place, HopId from) const
+SweepResult BridgedHops::Sweep(std::int64_t place, HopId from) const
 {
   HopId next = this->Bridges.Next(place, from);
   for (const HopId hop : this->Neighbours)

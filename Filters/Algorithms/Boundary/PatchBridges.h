@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The graph whose faces are the boundaries by growth by distance (thesis Alg. 3.1): all hops to the eight neighbours,
-// and longer ones, bridges, only where these leave parts unconnected. Bridges are taken from near to far, each if it
-// joins parts that nothing joins yet; so they are a part of a shortest spanning tree, cross nothing (PlanarHops.h says
-// why), close no loop, and are walked there and back.
+// The graph whose faces are the loops of growth by distance (thesis Alg. 3.1): all hops to the eight neighbours, and
+// longer ones, called bridges, where those leave parts of a patch unconnected. Bridges are taken from the nearest to
+// the farthest end, each if it joins parts that are not joined yet. So they belong to a shortest spanning tree, cross
+// nothing (PlanarHops.h says why) and enclose nothing, and the walk takes each there and back.
 
 #ifndef SeismicHorizonsPatchBridges_h
 #define SeismicHorizonsPatchBridges_h
@@ -16,19 +16,19 @@
 
 namespace SeismicHorizons
 {
-/// Sweeps over the eight neighbours.
-class NeighbourSweep
+/// The graph of all hops to the eight neighbours, for BorderScan.
+class NeighbourHops
 {
 public:
   /// `hops` are those of k = 1.
-  explicit NeighbourSweep(const ColumnRaster& raster, const HopVectors& hops);
+  explicit NeighbourHops(const ColumnRaster& raster, const HopTable& hops);
 
-  BorderTurn Turn(std::int64_t place, HopId from) const
+  SweepResult Sweep(std::int64_t place, HopId from) const
   {
     bool passedEast = false;
-    for (HopId turn = 1; turn <= 8; ++turn)
+    for (HopId step = 1; step <= 8; ++step)
     {
-      const HopId next = (from + turn) % 8;
+      const HopId next = (from + step) % 8;
       if (this->Raster[place + this->Offsets[std::size_t(next)]] != NoPoint)
       {
         return { next, passedEast };
@@ -48,45 +48,46 @@ private:
 class PatchBridges
 {
 public:
-  /// `parts` are the boundaries of k = 1, on any raster.
-  PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
+  /// `parts` is the boundary of k = 1, whose patches are the parts to join.
+  PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopTable& hops,
     const ExteriorBoundary& parts);
 
   bool IsEmpty() const { return this->Ends.empty(); }
 
-  /// The first bridge from a place in a clockwise sweep after a hop; NoHop when there is none.
+  /// The first bridge from a place that a clockwise sweep after `from` meets; NoHop when there is none.
   HopId Next(std::int64_t place, HopId from) const;
 
 private:
+  /// One end of a bridge, and the hop from there to the other end.
   struct End
   {
     std::int64_t Place;
     HopId Hop;
   };
 
-  void Join(const std::vector<std::int64_t>& border, const ExteriorBoundary& parts);
+  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts);
   void AddEnd(std::int64_t place, HopId hop);
 
   const ColumnRaster& Raster;
-  const HopVectors& Hops;
+  const HopTable& Hops;
   std::vector<End> Ends; // by place, then hop
   std::vector<bool> HasEnd; // by point
 };
 
-/// Sweeps over the eight neighbours and the bridges.
-class BridgeSweep
+/// The graph of the hops to the eight neighbours and of bridges, for BorderScan.
+class BridgedHops
 {
 public:
-  BridgeSweep(const ColumnRaster& raster, const HopVectors& hops, const PatchBridges& bridges);
+  BridgedHops(const ColumnRaster& raster, const HopTable& hops, const PatchBridges& bridges);
 
-  BorderTurn Turn(std::int64_t place, HopId from) const;
+  SweepResult Sweep(std::int64_t place, HopId from) const;
 
 private:
-  /// How many hops a clockwise sweep meets between two.
+  /// By how many hops a clockwise sweep turns from one to another.
   HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
 
   const ColumnRaster& Raster;
-  const HopVectors& Hops;
+  const HopTable& Hops;
   const PatchBridges& Bridges;
   std::array<HopId, 8> Neighbours;
   HopId East;

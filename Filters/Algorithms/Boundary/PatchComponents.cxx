@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A row is cut into runs in which no gap is wider than a hop. Between the ends of a run, and up to k columns beyond
-// them, no column is more than k away from a point of it; so two runs in rows that are near enough hang together when
-// the reach of one meets the extent of the other, whatever gaps they have.
+// A row is cut into runs whose points follow each other by hops. Every column from k before the first point of a run to
+// k after its last is at most k away from some point of the run. So two runs in rows at most k apart are connected when
+// one, extended in this way, overlaps the other, whatever gaps they have.
 
 #include "PatchComponents.h"
 
@@ -13,13 +13,15 @@ namespace SeismicHorizons
 {
 namespace
 {
+/// Points in a row of the raster that follow each other by hops.
 struct Run
 {
-  std::int32_t First; // columns of the raster
+  std::int32_t First; // column of the raster
   std::int32_t Last;
   std::int32_t Set;
 };
 
+/// The runs of all rows, as sets of connected ones.
 class RunList
 {
 public:
@@ -82,7 +84,8 @@ private:
       {
         this->Sets.Join(runA.Set, runB.Set);
       }
-      // The one that ends first reaches no further run of the other row, or that run is met again with the next one.
+      // The run that ends first is done: the next one of the other row begins more than k columns after the other's
+      // end.
       ++(runA.Last < runB.Last ? a : b);
     }
   }

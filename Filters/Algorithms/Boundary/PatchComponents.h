@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What hangs together when each point reaches all columns that are at most k away along each axis (SN_k components).
+// The connected components of a horizon, where points at most k columns apart along each axis are connected (SN_k
+// components of the thesis).
 
 #ifndef SeismicHorizonsPatchComponents_h
 #define SeismicHorizonsPatchComponents_h
@@ -13,16 +14,18 @@
 
 namespace SeismicHorizons
 {
-/// A union-find forest whose roots are the least numbers of their sets.
+/// Sets of the numbers from 0 that can be joined (a union-find forest). The least number of a set stands for it.
 class DisjointSets
 {
 public:
+  /// Adds a set of one number, the next one, and gives that.
   std::int32_t Add()
   {
     this->Parent.push_back(std::int32_t(this->Parent.size()));
     return this->Parent.back();
   }
 
+  /// The number that stands for the set of another one.
   std::int32_t Find(std::int32_t member)
   {
     while (this->Parent[std::size_t(member)] != member)
@@ -34,7 +37,7 @@ public:
     return member;
   }
 
-  /// False when the two are in one set already.
+  /// Joins the sets of two numbers. False when they are in one set already.
   bool Join(std::int32_t a, std::int32_t b)
   {
     const std::int32_t rootA = this->Find(a);
@@ -52,11 +55,11 @@ struct PatchComponents
   /// For each point the number of its component. Components are numbered in the order in which the rows of the lattice,
   /// from the least y, meet them.
   std::vector<std::int32_t> Component;
-  /// For each component the place in the raster where that is.
+  /// For each component its first point in that order, as a place in the raster.
   std::vector<std::int64_t> First;
 };
 
-/// Linear in the places of the raster, with a factor of k in the runs of its rows.
+/// Takes time linear in the places of the raster, and in k times the number of runs in its rows.
 PatchComponents FindPatchComponents(const ColumnRaster& raster, std::size_t points, int radius);
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace SeismicHorizons
 {
@@ -20,7 +19,7 @@ constexpr std::size_t Batch = 4096; // points from one report of progress to the
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const HopTable& hops, const Monitor& monitor)
   : Raster(raster)
   , Hops(hops)
   , Long(hops)
@@ -32,7 +31,7 @@ PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const Hop
     if (ChebyshevLength(vector) == 1)
     {
       this->Short.push_back(hop);
-      // Of the two diagonals of four points the sweep meets the one from the south-east first.
+      // Of the two diagonals between four neighbouring points a sweep meets that from south-east to north-west first.
       if (vector.X * vector.Y <= 0)
       {
         this->Inner.push_back(hop);
@@ -46,7 +45,8 @@ PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const Hop
   this->AddFurtherHops(candidates, monitor.Step(0.4, 0.9));
   std::vector<std::int32_t>().swap(this->First);
   std::vector<Link>().swap(this->Links);
-  this->ListByPoint(points);
+  this->Listed = this->ListByPoint(points);
+  std::vector<PlacedHop>().swap(this->Placed);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -66,7 +66,7 @@ void PlanarHops::FindBorder()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Calls visit(hop) for the long hops between points that no points near their starts are in the way of.
+// Calls visit(hop) for the long hops between points that points near their starts do not rule out.
 template <typename Visitor>
 void PlanarHops::ForEachCandidate(const HopCandidates& candidates, const Monitor& monitor, Visitor&& visit) const
 {
@@ -176,7 +176,7 @@ void PlanarHops::Add(const PlacedHop& hop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Of the diagonals of four points one is admissible, of fewer each.
+// Of the two diagonals between four neighbouring points one is admissible; between fewer points each is.
 template <typename Visitor>
 void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 {
@@ -193,43 +193,37 @@ void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlanarHops::ListByPoint(std::size_t points)
+ItemLists<HopId> PlanarHops::ListByPoint(std::size_t points) const
 {
-  const auto forEach = [this](auto&& visit)
-  {
-    for (const std::int64_t place : this->Border)
+  ItemLists<HopId> lists(std::int64_t(points),
+    [this](auto&& add)
     {
-      this->ForEachShortHop(place, [&](HopId hop) { visit(this->Raster[place], hop); });
-    }
-    for (const PlacedHop& placed : this->Placed)
-    {
-      const HopId hop = this->Long[std::size_t(placed.Number)].Hop;
-      const std::int64_t start = this->StartOf(placed);
-      visit(this->Raster[start], hop);
-      visit(this->Raster[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
-    }
-  };
-  this->Starts.assign(points + 1, 0);
-  forEach([this](PointId point, HopId) { ++this->Starts[std::size_t(point) + 1]; });
-  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-  this->Listed.resize(this->Starts.back());
-  std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
-  forEach([&](PointId point, HopId hop) { this->Listed[next[std::size_t(point)]++] = hop; });
-  for (std::size_t point = 0; point < points; ++point)
+      for (const std::int64_t place : this->Border)
+      {
+        this->ForEachShortHop(place, [&](HopId hop) { add(this->Raster[place], hop); });
+      }
+      for (const PlacedHop& placed : this->Placed)
+      {
+        const HopId hop = this->Long[std::size_t(placed.Number)].Hop;
+        const std::int64_t start = this->StartOf(placed);
+        add(this->Raster[start], hop);
+        add(this->Raster[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
+      }
+    });
+  for (std::int64_t point = 0; point < std::int64_t(points); ++point)
   {
-    std::sort(this->Listed.begin() + std::ptrdiff_t(this->Starts[point]),
-      this->Listed.begin() + std::ptrdiff_t(this->Starts[point + 1]));
+    std::sort(lists.begin(point), lists.end(point));
   }
-  std::vector<PlacedHop>().swap(this->Placed);
+  return lists;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 HopId PlanarHops::Next(std::int64_t place, HopId from) const
 {
-  const std::size_t point = std::size_t(this->Raster[place]);
-  const bool isListed = this->IsOnBorder[point];
-  const HopId* const first = isListed ? this->Listed.data() + this->Starts[point] : this->Inner.data();
-  const HopId* const last = isListed ? this->Listed.data() + this->Starts[point + 1] : first + this->Inner.size();
+  const PointId point = this->Raster[place];
+  const bool isListed = this->IsOnBorder[std::size_t(point)];
+  const HopId* const first = isListed ? this->Listed.begin(point) : this->Inner.data();
+  const HopId* const last = isListed ? this->Listed.end(point) : first + this->Inner.size();
   const HopId* const next = std::upper_bound(first, last, from);
   return next != last ? *next : first != last ? *first : NoHop;
 }
@@ -237,9 +231,8 @@ HopId PlanarHops::Next(std::int64_t place, HopId from) const
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t PlanarHops::NumberOf(PointId point, HopId hop) const
 {
-  const auto first = this->Listed.begin() + std::ptrdiff_t(this->Starts[std::size_t(point)]);
-  const auto last = this->Listed.begin() + std::ptrdiff_t(this->Starts[std::size_t(point) + 1]);
-  const auto found = std::lower_bound(first, last, hop);
-  return found != last && *found == hop ? std::size_t(found - this->Listed.begin()) : this->Size();
+  const HopId* const last = this->Listed.end(point);
+  const HopId* const found = std::lower_bound(this->Listed.begin(point), last, hop);
+  return found != last && *found == hop ? this->Listed.IndexOf(found) : this->Size();
 }
 }

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The plane graph whose outer face is the boundary by clockwise growth (thesis Alg. 3.2) for any k.
+// The plane graph whose faces are the loops of clockwise growth (thesis Alg. 3.2) for any k.
 //
-// Taken literally the thesis's sweep can jump over itself. Here it only takes admissible hops, which never cross:
-//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in HopVectors.h). Two of
-//     them never cross: if a-b and c-d do, then ac + bd < ab + cd and ad + bc < ab + cd, and whichever way the
-//     distances fall, an end of one hop lies between the ends of the other. They include a shortest spanning tree, so
-//     that they connect all that hops of at most k connect (the relative neighbourhood graph of Toussaint, 1980, in
-//     the norm of the thesis's neighbourhoods).
+// Taken literally, the thesis's sweep can take hops that cross others it took before. Here it takes only admissible
+// hops, which never cross:
+//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in HopTable.h). Two of
+//     them never cross: if a-b and c-d did, then ac + bd < ab + cd and ad + bc < ab + cd, from which it follows that
+//     one of the four points is nearer to both ends of the other hop than these are to each other. Direct hops include
+//     a shortest spanning tree, so that they connect all that hops of at most k connect (the relative neighbourhood
+//     graph of Toussaint, 1980, in the norm of the thesis's neighbourhoods).
 //  2. Then all others in the order of their Euclidean length, each if it passes over no point and crosses no admissible
-//     hop before it. Of two equally long hops that cross, the one the clockwise sweep from the south meets first wins.
+//     hop before it. Of two that are equally long and cross, that which a clockwise sweep from the south meets first.
 //
 //          . . c . . .
 //          . . . . a .     k = 4: the hop c-d is shorter than a-b and crosses it. Were it taken first, b would be cut
@@ -20,17 +21,18 @@
 //          b . . . . .
 //
 // Hops to neighbours need no search: all are admissible, but for one of the two diagonals of four neighbouring points.
-// Longer ones only lead from points beside an empty column to others. First the direct ones are found; what crosses one
-// of these is out. What is left, a few hops per point, is tried in order of length, and compared with the admissible
-// hops that touch the same unit squares.
+// Longer ones only lead from points beside an empty column to others of these. First the direct ones are found, and
+// hops that cross one of these are ruled out. The rest, a few per point, is tried in order of length, and each is
+// compared with the admissible hops that touch the same unit squares.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
 
 #include "ColumnRaster.h"
+#include "Common/CountingSort.h"
 #include "Common/Monitor.h"
 #include "HopCandidates.h"
-#include "HopVectors.h"
+#include "HopTable.h"
 #include "LongHops.h"
 
 #include <cstddef>
@@ -39,23 +41,24 @@
 
 namespace SeismicHorizons
 {
-/// Time: for each point beside an empty column its rows of 2 k + 1 columns, and at most about k^2 for each point among
-/// them that no neighbouring points hide. Memory: 4 bytes and a bit per column of the raster, 24 per hop and 8 per unit
-/// square that it touches, about 2 k at most; and tables of about 8 k^4 bytes.
+/// Takes time, for each point beside an empty column, for the rows of 2 k + 1 columns above it, and for each hop to a
+/// point in these that is not ruled out at most about k^2. Takes memory for 4 bytes and a bit per column of the raster,
+/// 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and tables of
+/// about 8 k^4 bytes.
 class PlanarHops
 {
 public:
   /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it and to
   /// `hops`.
-  PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor);
+  PlanarHops(const ColumnRaster& raster, std::size_t points, const HopTable& hops, const Monitor& monitor);
 
-  /// The first admissible hop from a place in a clockwise sweep that begins after `from` and ends with it; NoHop when
-  /// there is none.
+  /// The first admissible hop from a place that a clockwise sweep after `from` meets, where `from` comes last; NoHop
+  /// when there is none.
   HopId Next(std::int64_t place, HopId from) const;
 
-  /// Numbers the hops of all points beside an empty column, one for each direction, from 0. Size() for other hops.
+  /// The hops from points beside an empty column have numbers from 0 to below Size(). For other hops this is Size().
   std::size_t NumberOf(PointId point, HopId hop) const;
-  std::size_t Size() const { return this->Listed.size(); }
+  std::size_t Size() const { return this->Listed.Size(); }
 
 private:
   /// A long hop between two points, in columns of the raster.
@@ -81,7 +84,7 @@ private:
   bool IsDirect(const PlacedHop& hop) const;
   bool IsCrossed(const PlacedHop& hop) const;
   void Add(const PlacedHop& hop);
-  void ListByPoint(std::size_t points);
+  ItemLists<HopId> ListByPoint(std::size_t points) const;
   template <typename Visitor>
   void ForEachShortHop(std::int64_t place, Visitor&& visit) const;
 
@@ -89,19 +92,18 @@ private:
   std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Raster.Width() + hop.From.X; }
 
   const ColumnRaster& Raster;
-  const HopVectors& Hops;
+  const HopTable& Hops;
   const LongHops Long;
-  std::vector<HopId> Short; // those to the eight neighbours
-  std::vector<HopId> Inner; // those of a point without an empty column beside it
+  std::vector<HopId> Short; // hops to the eight neighbours
+  std::vector<HopId> Inner; // the admissible hops of a point without an empty column beside it
   std::vector<std::int64_t> Border; // places of the points beside an empty column, row by row
-  std::vector<bool> IsOnBorder; // the same by point
+  std::vector<bool> IsOnBorder; // by point: whether it is one of these
   // Only while hops are tried.
   std::vector<PlacedHop> Placed; // admissible long hops
-  std::vector<std::int32_t> First; // of the links of each unit square
+  std::vector<std::int32_t> First; // for each unit square the first link of its list
   std::vector<Link> Links;
-  // The hops of all points on the border, point by point, each in the order of a sweep.
-  std::vector<std::size_t> Starts;
-  std::vector<HopId> Listed;
+  // Then, for each point beside an empty column, its admissible hops in the order of a sweep.
+  ItemLists<HopId> Listed;
 };
 }
 

@@ -146,7 +146,7 @@ SearchGrid::SortedPoints::SortedPoints(
 void SearchGrid::MeasureEdgeDistances()
 {
   this->EdgeDistances.assign(std::size_t(this->Grid.Size()), FarFromEdges);
-  if (this->EdgesInVoxel.AreAllEmpty())
+  if (this->EdgesInVoxel.Size() == 0)
   {
     return;
   }

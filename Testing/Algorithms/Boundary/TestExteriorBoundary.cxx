@@ -3,8 +3,9 @@
 
 #include "Boundary/BoundaryMarks.h"
 #include "Boundary/ExteriorBoundary.h"
+#include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
+#include "Tools/OutlineChecker.h"
 #include "Tools/Patches.h"
 
 #include <algorithm>
@@ -109,7 +110,7 @@ void TestRandomPatches()
     for (int n = 0; n < 300; ++n)
     {
       const Patches::Columns columns = Patches::Make(Patches::Shape(shape), random);
-      CHECK_EQUAL(MeshChecker::CheckExteriorBoundary(columns, FindExteriorBoundary(columns)), std::string());
+      CHECK_EQUAL(OutlineChecker::CheckOutlines(columns, FindExteriorBoundary(columns)), std::string());
     }
   }
 }
@@ -140,8 +141,8 @@ void TestBayAndGap()
   CHECK_EQUAL(LoopsOf(picture, With(2, GrowthStrategy::Clockwise)), " 0,0 0,1 2,1 4,1 5,1 5,0 4,0 2,0 1,0");
 }
 
-/// The two points in the upper right are nearer to each other than the last two, whose hop is the only one that reaches
-/// the lower left: it has to win where the hops cross.
+/// The hop between (2, 5) and (5, 2) crosses a longer one, from (4, 4) to (0, 0). But the longer one has to be taken,
+/// as no other hop leads to (0, 0).
 void TestShortHopGivesWay()
 {
   const std::vector<std::string> picture = { "..#...", "....#.", "......", ".....#", "......", "#....." };
@@ -179,7 +180,7 @@ void TestIslandsInHoles()
   }
 }
 
-/// Specks go with their loops, and the others close ranks. The hole of the last patch stays.
+/// Specks have no number and no loops, and the patches after them have lower numbers. The hole of the last patch stays.
 void TestMinimumPatchSize()
 {
   const Patches::Columns columns = Patches::FromPicture({ "###", "#.#", "###", "...", "#.#" });
@@ -212,7 +213,8 @@ void TestContract()
     for (int which = 0; which < 10; ++which)
     {
       const BoundaryOptions options = RandomOptions(1 + which / 2, GrowthStrategy(which % 2), random);
-      const std::string wrong = MeshChecker::CheckBoundary(columns, FindExteriorBoundary(columns, options), options);
+      const std::string wrong =
+        BoundaryChecker::CheckBoundary(columns, FindExteriorBoundary(columns, options), options);
       if (!CHECK_EQUAL(wrong, std::string()))
       {
         std::cerr << "patch " << n << ", radius " << options.Radius << ", growth " << int(options.Growth) << ", holes "

@@ -4,8 +4,9 @@
 // Clockwise growth beside a graph that is built by the definition, from all pairs of points, and walked face by face.
 
 #include "Boundary/ExteriorBoundary.h"
+#include "Common/PlaneGeometry.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
+#include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"
 
 #include <algorithm>
@@ -18,30 +19,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-using Edge = std::pair<std::size_t, std::size_t>;
-
-// Plane geometry of its own, so that nothing is shared with what is tested.
-
-std::int64_t Turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
-{
-  return (std::int64_t(b.X) - a.X) * (std::int64_t(c.Y) - a.Y) - (std::int64_t(b.Y) - a.Y) * (std::int64_t(c.X) - a.X);
-}
-
-bool AreOnBothSides(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
-{
-  return (Turn(a, b, c) < 0 && Turn(a, b, d) > 0) || (Turn(a, b, c) > 0 && Turn(a, b, d) < 0);
-}
-
-bool Cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
-{
-  return AreOnBothSides(a, b, c, d) && AreOnBothSides(c, d, a, b);
-}
-
-bool IsBetween(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
-{
-  return p != a && p != b && Turn(a, b, p) == 0 && p.X >= std::min(a.X, b.X) && p.X <= std::max(a.X, b.X) &&
-    p.Y >= std::min(a.Y, b.Y) && p.Y <= std::max(a.Y, b.Y);
-}
+using Hop = std::pair<std::size_t, std::size_t>;
 
 class ReferenceGraph
 {
@@ -56,19 +34,19 @@ public:
       {
         if (a != b && IsRising(this->Way(a, b)) && Square(this->Way(a, b)) <= radius && !this->IsOverPoint(a, b))
         {
-          candidates.push_back({ !this->IsDirect(a, b), Length(this->Way(a, b)), this->Sweep(a, b), { a, b } });
+          candidates.push_back({ !this->IsDirect(a, b), Length(this->Way(a, b)), this->SweepAngle(a, b), { a, b } });
         }
       }
     }
     std::sort(candidates.begin(), candidates.end());
     for (const Candidate& candidate : candidates)
     {
-      const Edge& edge = std::get<3>(candidate);
-      const bool isCrossed = this->IsCrossed(edge);
+      const Hop& hop = std::get<3>(candidate);
+      const bool isCrossed = this->IsCrossed(hop);
       CHECK(!isCrossed || std::get<0>(candidate)); // direct hops never cross
       if (!isCrossed)
       {
-        this->Edges.push_back(edge);
+        this->Hops.push_back(hop);
       }
     }
   }
@@ -77,22 +55,22 @@ public:
   std::vector<std::vector<PlanePoint>> Faces() const
   {
     std::map<std::size_t, std::vector<std::size_t>> next;
-    std::set<Edge> left;
-    for (const Edge& edge : this->Edges)
+    std::set<Hop> left;
+    for (const Hop& hop : this->Hops)
     {
-      next[edge.first].push_back(edge.second);
-      next[edge.second].push_back(edge.first);
-      left.insert({ edge, { edge.second, edge.first } });
+      next[hop.first].push_back(hop.second);
+      next[hop.second].push_back(hop.first);
+      left.insert({ hop, { hop.second, hop.first } });
     }
     std::vector<std::vector<PlanePoint>> faces;
     while (!left.empty())
     {
       std::vector<PlanePoint> face;
-      Edge edge = *left.begin();
-      while (left.erase(edge) != 0)
+      Hop hop = *left.begin();
+      while (left.erase(hop) != 0)
       {
-        face.push_back(this->Columns[edge.first]);
-        edge = { edge.second, this->Turn(edge.second, edge.first, next[edge.second]) };
+        face.push_back(this->Columns[hop.first]);
+        hop = { hop.second, this->Next(hop.second, hop.first, next[hop.second]) };
       }
       faces.push_back(Canonical(face));
     }
@@ -120,7 +98,7 @@ public:
 
 private:
   /// Whether it is not direct, squared length, direction, ends.
-  using Candidate = std::tuple<bool, std::int64_t, double, Edge>;
+  using Candidate = std::tuple<bool, std::int64_t, double, Hop>;
 
   static bool IsRising(const PlanePoint& way) { return way.Y > 0 || (way.Y == 0 && way.X > 0); }
   static int Square(const PlanePoint& way) { return std::max(std::abs(way.X), std::abs(way.Y)); }
@@ -135,7 +113,7 @@ private:
   }
 
   /// How far a clockwise sweep from the south has turned. Directions of short hops are far apart.
-  double Sweep(std::size_t a, std::size_t b) const
+  double SweepAngle(std::size_t a, std::size_t b) const
   {
     const double angle = std::atan2(-double(this->Way(a, b).X), -double(this->Way(a, b).Y));
     return angle < 0.0 ? angle + 8.0 * std::atan(1.0) : angle;
@@ -144,7 +122,11 @@ private:
   bool IsOverPoint(std::size_t a, std::size_t b) const
   {
     return std::any_of(this->Columns.begin(), this->Columns.end(),
-      [&](const PlanePoint& point) { return IsBetween(this->Columns[a], this->Columns[b], point); });
+      [&](const PlanePoint& point)
+      {
+        return point != this->Columns[a] && point != this->Columns[b] &&
+          ExactPlane::IsOnSegment(this->Columns[a], this->Columns[b], point);
+      });
   }
 
   bool IsDirect(std::size_t a, std::size_t b) const
@@ -161,24 +143,24 @@ private:
     return true;
   }
 
-  bool IsCrossed(const Edge& edge) const
+  bool IsCrossed(const Hop& hop) const
   {
-    return std::any_of(this->Edges.begin(), this->Edges.end(),
-      [&](const Edge& other)
+    return std::any_of(this->Hops.begin(), this->Hops.end(),
+      [&](const Hop& other)
       {
-        return Cross(this->Columns[edge.first], this->Columns[edge.second], this->Columns[other.first],
-          this->Columns[other.second]);
+        return ExactPlane::DoCross(
+          this->Columns[hop.first], this->Columns[hop.second], this->Columns[other.first], this->Columns[other.second]);
       });
   }
 
   /// The first neighbour of a point in a clockwise sweep after another one.
-  std::size_t Turn(std::size_t point, std::size_t from, const std::vector<std::size_t>& neighbours) const
+  std::size_t Next(std::size_t point, std::size_t from, const std::vector<std::size_t>& neighbours) const
   {
     std::size_t best = from;
     double least = 100.0;
     for (const std::size_t neighbour : neighbours)
     {
-      double turn = this->Sweep(point, neighbour) - this->Sweep(point, from);
+      double turn = this->SweepAngle(point, neighbour) - this->SweepAngle(point, from);
       turn += neighbour == from || turn < 0.0 ? 8.0 * std::atan(1.0) : 0.0;
       if (turn < least)
       {
@@ -190,31 +172,35 @@ private:
   }
 
   const Patches::Columns& Columns;
-  std::vector<Edge> Edges;
+  std::vector<Hop> Hops;
 };
 
-/// Twice the area of a face, counter-clockwise, and whether a column is strictly inside.
+/// Twice the area of a face, positive when it runs counter-clockwise.
+ExactPlane::Wide TwiceArea(const std::vector<PlanePoint>& face)
+{
+  ExactPlane::Wide area = 0;
+  for (std::size_t n = 0; n < face.size(); ++n)
+  {
+    area += ExactPlane::Cross(face[n], face[(n + 1) % face.size()]);
+  }
+  return area;
+}
+
+/// Whether a face runs counter-clockwise and has a column strictly inside.
 bool IsHole(const std::vector<PlanePoint>& face)
 {
   Loops loop;
-  std::int64_t area = 0;
-  PlanePoint low = face.front();
-  PlanePoint high = face.front();
   for (std::size_t n = 0; n < face.size(); ++n)
   {
-    const PlanePoint& a = face[n];
-    const PlanePoint& b = face[(n + 1) % face.size()];
     loop.Append(PointId(n));
-    area += std::int64_t(a.X) * b.Y - std::int64_t(a.Y) * b.X;
-    low = { std::min(low.X, a.X), std::min(low.Y, a.Y) };
-    high = { std::max(high.X, a.X), std::max(high.Y, a.Y) };
   }
   loop.Close();
-  for (std::int32_t x = low.X; area > 0 && x <= high.X; ++x)
+  const PlaneBox box(face);
+  for (std::int32_t x = box.Least.X; TwiceArea(face) > 0 && x <= box.Greatest.X; ++x)
   {
-    for (std::int32_t y = low.Y; y <= high.Y; ++y)
+    for (std::int32_t y = box.Least.Y; y <= box.Greatest.Y; ++y)
     {
-      if (MeshChecker::Locate(face, loop, { x, y }) > 0)
+      if (ExactPlane::Locate(face, loop, { x, y }) > 0)
       {
         return true;
       }
@@ -225,14 +211,7 @@ bool IsHole(const std::vector<PlanePoint>& face)
 
 bool IsOutline(const std::vector<PlanePoint>& face)
 {
-  std::int64_t area = 0;
-  for (std::size_t n = 0; n < face.size(); ++n)
-  {
-    const PlanePoint& a = face[n];
-    const PlanePoint& b = face[(n + 1) % face.size()];
-    area += std::int64_t(a.X) * b.Y - std::int64_t(a.Y) * b.X;
-  }
-  return area <= 0;
+  return TwiceArea(face) <= 0;
 }
 
 void Compare(const Patches::Columns& columns, int radius, const std::string& name)

@@ -44,7 +44,7 @@ void TestRadii(const std::string& name, const Patches::Columns& columns)
 
 void TestMesh(const Patches::Columns& columns, const BoundaryOptions& options)
 {
-  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0), options);
+  const BoundedHorizon horizon = MakeLevelHorizon(columns, options);
   CHECK_EQUAL(MeshChecker::CheckMesh(horizon, Triangulate(horizon).Triangles), std::string());
 }
 }

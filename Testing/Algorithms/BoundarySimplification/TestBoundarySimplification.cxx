@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "BoundarySimplification/BoundarySimplification.h"
+#include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
@@ -100,7 +101,7 @@ void TestDroppedPointsAreCounted()
 std::vector<PlanePoint> Dropped(const std::vector<std::string>& picture)
 {
   const Patches::Columns columns = Patches::FromPicture(picture);
-  const BoundarySimplification result = Simplify(MakeHorizon(columns, std::vector<double>(columns.size(), 0.0)), 0.4);
+  const BoundarySimplification result = Simplify(MakeLevelHorizon(columns), 0.4);
   std::vector<PlanePoint> dropped;
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
@@ -165,7 +166,7 @@ void TestSmallestLoops()
     { std::vector<std::string>{ "#" }, std::vector<std::string>{ "##" }, std::vector<std::string>{ "#.", ".#" } })
   {
     const Patches::Columns columns = Patches::FromPicture(picture);
-    const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+    const BoundedHorizon horizon = MakeLevelHorizon(columns);
     CHECK_EQUAL(Simplify(horizon, 10.0).Boundary.TotalLength(), columns.size());
   }
 }
@@ -310,7 +311,7 @@ void TestOutlineTolerance()
     }
     // A mesh with the areas of its loops and all points as corners shows the rest.
     const BoundedHorizon dropped = Drop(horizon, result);
-    CHECK_EQUAL(MeshChecker::CheckCrossings(dropped), std::string());
+    CHECK_EQUAL(BoundaryChecker::CheckCrossings(dropped), std::string());
     CHECK_EQUAL(MeshChecker::CheckMesh(dropped, Triangulate(dropped).Triangles), std::string());
   }
 }
@@ -323,10 +324,10 @@ void TestPointsInTheWay()
   const Patches::Columns columns = Patches::FromPicture({ "#####", "#...#", "#.#.#", "#...#", "#####" });
   BoundaryOptions holes;
   holes.HoleBoundaries = true;
-  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0), holes);
+  const BoundedHorizon horizon = MakeLevelHorizon(columns, holes);
   const BoundedHorizon result = Drop(horizon, SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options));
   CHECK_EQUAL(result.Boundary.Size(), 3u);
-  CHECK_EQUAL(MeshChecker::CheckCrossings(result), std::string());
+  CHECK_EQUAL(BoundaryChecker::CheckCrossings(result), std::string());
   CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
 }
 

@@ -7,6 +7,7 @@
 #include "Common/Parallel.h"
 #include "Generator/HorizonGenerator.h"
 #include "Tools/Check.h"
+#include "Tools/MeshChecker.h"
 #include "Tools/ReductionChecker.h"
 #include "Triangulation/Triangulation.h"
 

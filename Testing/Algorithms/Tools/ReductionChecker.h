@@ -6,7 +6,8 @@
 #ifndef SeismicHorizonsReductionChecker_h
 #define SeismicHorizonsReductionChecker_h
 
-#include "MeshChecker.h"
+#include "Common/PlaneGeometry.h"
+#include "ExactPlane.h"
 #include "TestHorizons.h"
 
 #include <algorithm>
@@ -22,10 +23,7 @@ using namespace TestHorizons;
 inline std::vector<bool> FindBoundary(const Loops& boundary, std::size_t points)
 {
   std::vector<bool> found(points, false);
-  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-  {
-    std::for_each(boundary.begin(loop), boundary.end(loop), [&](PointId point) { found[std::size_t(point)] = true; });
-  }
+  boundary.ForEachPoint([&](PointId point) { found[std::size_t(point)] = true; });
   return found;
 }
 
@@ -56,7 +54,7 @@ inline std::string CheckPoints(const BoundedHorizon& horizon, const Reduction& r
     {
       return "point " + std::to_string(point) + " is not what it says";
     }
-    if (!isOnBoundary[point] && MeshChecker::Locate(reduced.Plane, reduced.Boundary, reduced.Plane[point]) != 1)
+    if (!isOnBoundary[point] && ExactPlane::Locate(reduced.Plane, reduced.Boundary, reduced.Plane[point]) != 1)
     {
       return "point " + std::to_string(point) + " not strictly inside";
     }
@@ -100,11 +98,7 @@ inline bool IsSame(const Reduction& a, const Reduction& b)
 /// The columns with their least corner at the origin.
 inline Patches::Columns MovedToOrigin(Patches::Columns columns)
 {
-  PlanePoint least = columns.front();
-  for (const PlanePoint& column : columns)
-  {
-    least = { std::min(least.X, column.X), std::min(least.Y, column.Y) };
-  }
+  const PlanePoint least = PlaneBox(columns).Least;
   for (PlanePoint& column : columns)
   {
     column = { column.X - least.X, column.Y - least.Y };

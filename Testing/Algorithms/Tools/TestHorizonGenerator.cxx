@@ -42,7 +42,7 @@ Columns ColumnsOf(const HorizonVoxels& horizon)
   return columns;
 }
 
-/// Takes one part of the columns away, all that hangs together with the first, and returns its size.
+/// Takes one part of the columns away, the connected component of the first, and returns its size.
 std::size_t TakePart(Columns& columns, bool overCorners)
 {
   std::vector<std::pair<int, int>> front = { *columns.begin() };
@@ -77,7 +77,7 @@ std::vector<std::size_t> SizesOfParts(Columns columns, bool overCorners)
   return sizes;
 }
 
-/// The columns that are not occupied, with a frame around the lattice so that all of the outside hangs together.
+/// The columns that are not occupied, with a frame around the lattice so that all of the outside is connected.
 Columns MissingColumns(const Columns& occupied, const SparseMatrixSize& size)
 {
   Columns missing;

@@ -47,6 +47,13 @@ inline BoundedHorizon MakeHorizon(const Patches::Columns& columns, const std::ve
   return horizon;
 }
 
+/// A horizon whose heights are all 0.
+inline BoundedHorizon MakeLevelHorizon(
+  const Patches::Columns& columns, const BoundaryOptions& options = BoundaryOptions())
+{
+  return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0), options);
+}
+
 inline std::vector<SpacePoint> ToSpacePoints(const BoundedHorizon& horizon)
 {
   std::vector<SpacePoint> points;

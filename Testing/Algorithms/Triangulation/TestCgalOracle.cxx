@@ -5,7 +5,7 @@
 
 #include "CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
+#include "Tools/ExactPlane.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"
 
@@ -117,7 +117,7 @@ bool DifferByTiesOnly(const BoundedHorizon& horizon, const Thirds& one, const Th
     }
     const auto opposite = one.find(back);
     if (opposite == one.end() ||
-      MeshChecker::SideOfCircle(at(edge.first), at(edge.second), at(third), at(opposite->second)) != 0)
+      ExactPlane::SideOfCircle(at(edge.first), at(edge.second), at(third), at(opposite->second)) != 0)
     {
       return false;
     }

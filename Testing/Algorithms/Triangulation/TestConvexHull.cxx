@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Tools/Check.h"
+#include "Tools/ExactPlane.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/Patches.h"
 #include "Triangulation/ConvexHull.h"
@@ -49,7 +50,7 @@ void TestRandomPoints()
     CHECK_EQUAL(mesh.NonDelaunayEdges, 0u);
     for (const PlanePoint& place : horizon.Plane)
     {
-      CHECK(horizon.Plane.size() == 1 || MeshChecker::Locate(horizon.Plane, horizon.Boundary, place) >= 0);
+      CHECK(horizon.Plane.size() == 1 || ExactPlane::Locate(horizon.Plane, horizon.Boundary, place) >= 0);
     }
     const Ids hull(horizon.Boundary.begin(0), horizon.Boundary.end(0));
     CHECK(horizon.Plane[std::size_t(hull.front())] == *std::min_element(horizon.Plane.begin(), horizon.Plane.end()));

@@ -4,6 +4,7 @@
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
+#include "TriangleSets.h"
 #include "Triangulation/ConvexHull.h"
 #include "Triangulation/OutsideTriangles.h"
 
@@ -16,25 +17,10 @@
 #include <tuple>
 
 using namespace TestHorizons;
+using namespace TriangleSets;
 
 namespace
 {
-using Triangle = std::array<PointId, 3>;
-using Triangles = std::set<Triangle>;
-
-/// Triangles that start at their least point.
-Triangles Canonical(const RawVector<PointId>& list)
-{
-  Triangles result;
-  for (std::size_t corner = 0; corner < list.size(); corner += 3)
-  {
-    Triangle triangle = { list[corner], list[corner + 1], list[corner + 2] };
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    result.insert(triangle);
-  }
-  return result;
-}
-
 struct Hull
 {
   BoundedHorizon Horizon;
@@ -60,7 +46,7 @@ struct Hull
 
 std::vector<PlanePoint> ToSubVoxels(const Patches::Columns& columns)
 {
-  return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0)).Plane;
+  return MakeLevelHorizon(columns).Plane;
 }
 
 Hull FromPicture(const std::vector<std::string>& picture)
@@ -305,7 +291,7 @@ void TestOutlinesComeBack()
   for (int n = 0; n < 600; ++n)
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
-    const BoundedHorizon outlined = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+    const BoundedHorizon outlined = MakeLevelHorizon(columns);
     std::vector<PointId> loop(outlined.Boundary.begin(0), outlined.Boundary.end(0));
     std::sort(loop.begin(), loop.end());
     if (outlined.Boundary.Size() == 1 && std::adjacent_find(loop.begin(), loop.end()) == loop.end())

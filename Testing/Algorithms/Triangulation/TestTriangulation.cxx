@@ -2,26 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CellSimplification/RoughSimplification.h"
-#include "Common/Parallel.h"
 #include "Common/Predicates.h"
 #include "Tools/Check.h"
+#include "Tools/ExactPlane.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
+#include "TriangleSets.h"
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 #include <set>
 
 using namespace TestHorizons;
+using TriangleSets::Canonical;
 
 namespace
 {
 BoundedHorizon FromPicture(const std::vector<std::string>& picture)
 {
-  const Patches::Columns columns = Patches::FromPicture(picture);
-  return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
+  return MakeLevelHorizon(Patches::FromPicture(picture));
 }
 
 /// A horizon of one patch with one loop over its first points.
@@ -40,36 +39,11 @@ BoundedHorizon FromPolygon(const std::vector<PlanePoint>& places, int loopLength
   return horizon;
 }
 
-/// Triangles with the numbers their points had before they were put into another order, sorted.
-std::set<std::array<PointId, 3>> Canonical(const RawVector<PointId>& triangles, const std::vector<PointId>& number)
-{
-  std::set<std::array<PointId, 3>> result;
-  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
-  {
-    std::array<PointId, 3> triangle;
-    for (std::size_t n = 0; n < 3; ++n)
-    {
-      triangle[n] = number[std::size_t(triangles[corner + n])];
-    }
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    result.insert(triangle);
-  }
-  return result;
-}
-
-std::vector<PointId> Unchanged(std::size_t size)
-{
-  std::vector<PointId> numbers(size);
-  std::iota(numbers.begin(), numbers.end(), 0);
-  return numbers;
-}
-
 /// What is wrong with the mesh of a horizon; with that of the other strategy too, which must be the same.
 std::string Mesh(const BoundedHorizon& horizon)
 {
   const RawVector<PointId> triangles = Triangulate(horizon).Triangles;
-  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
-  if (Canonical(triangles, same) != Canonical(Triangulate(horizon, { SearchStrategy::Compactness }).Triangles, same))
+  if (Canonical(triangles) != Canonical(Triangulate(horizon, { SearchStrategy::Compactness }).Triangles))
   {
     return "the strategies differ";
   }
@@ -161,36 +135,11 @@ void TestOrderOfPointsIsNoMatter()
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape::Blob, random);
     const std::size_t size = columns.size();
-    const std::vector<PointId> same = Unchanged(size);
-    const std::vector<PointId> reversed(same.rbegin(), same.rend());
+    const auto turnedBack = [size](PointId point) { return PointId(size) - 1 - point; };
     const Patches::Columns turned(columns.rbegin(), columns.rend());
     const std::vector<double> heights(size, 0.0);
-    CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)).Triangles, same) ==
-      Canonical(Triangulate(MakeHorizon(turned, heights)).Triangles, reversed));
-  }
-}
-
-/// Full blocks are cut without a search. Three times as far apart, points have no neighbouring columns, and all
-/// triangles are searched for: the mesh must be the same.
-void TestFullBlocksAreWhatTheSearchFinds()
-{
-  Patches::Random random(9);
-  for (int n = 0; n < 500; ++n)
-  {
-    // With few points missing, so that most that are miss alone.
-    Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
-    const double missing = 0.2 * random.Fraction();
-    columns.erase(
-      std::remove_if(columns.begin() + 1, columns.end(), [&](const PlanePoint&) { return random.Chance(missing); }),
-      columns.end());
-    BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
-    const std::vector<PointId> same = Unchanged(columns.size());
-    const auto blocks = Canonical(Triangulate(horizon).Triangles, same);
-    for (PlanePoint& place : horizon.Plane)
-    {
-      place = { 3 * place.X, 3 * place.Y };
-    }
-    CHECK(blocks == Canonical(Triangulate(horizon).Triangles, same));
+    CHECK(Canonical(Triangulate(MakeHorizon(columns, heights)).Triangles) ==
+      Canonical(Triangulate(MakeHorizon(turned, heights)).Triangles, turnedBack));
   }
 }
 
@@ -203,7 +152,7 @@ bool IsDelaunay(const std::vector<PlanePoint>& places, const PlanePoint& a, cons
     return std::none_of(places.begin(), places.end(),
       [&](const PlanePoint& p)
       {
-        const int side = MeshChecker::SideOfCircle(a, b, third, p);
+        const int side = ExactPlane::SideOfCircle(a, b, third, p);
         return !(p == a) && !(p == b) && !(p == third) && (ties ? side > 0 : side >= 0);
       });
   };
@@ -254,94 +203,18 @@ void TestNonDelaunayEdgesAreCounted()
   CHECK(found > 0);
 }
 
-/// A boundary may run through the inside and back: its edges are edges, and what is beside them is meshed all the same.
-void TestBoundaryInsideFullBlocks()
-{
-  BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
-  const auto point = [&horizon](std::int32_t x, std::int32_t y)
-  {
-    const auto found = std::find(
-      horizon.Plane.begin(), horizon.Plane.end(), PlanePoint{ x * SubVoxelsPerColumn, y * SubVoxelsPerColumn });
-    return PointId(found - horizon.Plane.begin());
-  };
-  Loops withSpur;
-  const Loops outline = horizon.Boundary;
-  std::for_each(outline.begin(0), outline.end(0),
-    [&](PointId onOutline)
-    {
-      withSpur.Append(onOutline);
-      if (onOutline == point(0, 2))
-      {
-        for (const std::int32_t x : { 1, 2, 3, 2, 1, 0 })
-        {
-          withSpur.Append(point(x, 2));
-        }
-      }
-    });
-  withSpur.Close();
-  CHECK_EQUAL(withSpur.TotalLength(), outline.TotalLength() + 6);
-  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
-  const auto plain = Canonical(Triangulate(horizon).Triangles, same);
-  horizon.Boundary = withSpur;
-  CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
-  CHECK(Canonical(Triangulate(horizon, { SearchStrategy::VoxelTraversal, 1000 }).Triangles, same) == plain);
-  // So may a loop of a single point, which has no edge.
-  horizon.Boundary = outline;
-  horizon.Boundary.Append(point(3, 2));
-  horizon.Boundary.Close();
-  CHECK(Canonical(Triangulate(horizon).Triangles, same) == plain);
-}
-
-/// A point of another patch in the middle of full blocks is outside its own patch.
-void TestForeignPointInFullBlocks()
-{
-  BoundedHorizon horizon = FromPicture({ "######", "######", "######", "######", "######" });
-  horizon.Patch[14] = 1;
-  CHECK_THROWS_WITH(Triangulate(horizon), "lies outside the boundary of its patch");
-}
-
-/// Large enough for several threads to have rows of full blocks, with dropouts, gaps and rings where rows of one meet
-/// those of another.
-void TestThreadsMakeNoDifference()
-{
-  Patches::Random random(14);
-  Patches::Columns columns;
-  for (std::int32_t y = 0; y < 220; ++y)
-  {
-    for (std::int32_t x = 0; x < 500; ++x)
-    {
-      const bool inGap = (x - 250) * (x - 250) + (y - 110) * (y - 110) < 1600;
-      if (!inGap && random.Below(12) != 0)
-      {
-        columns.push_back({ x, y });
-      }
-    }
-  }
-  const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
-  const int before = Detail::NumberOfThreads();
-  Detail::NumberOfThreads() = 1;
-  const Triangulation alone = Triangulate(horizon);
-  Detail::NumberOfThreads() = 5;
-  const Triangulation together = Triangulate(horizon);
-  Detail::NumberOfThreads() = before;
-  CHECK(alone.Triangles == together.Triangles);
-  CHECK_EQUAL(alone.BoundaryEdges, together.BoundaryEdges);
-  CHECK_EQUAL(MeshChecker::CheckMesh(horizon, together.Triangles), std::string());
-}
-
 /// Stopped after so many triangles, the mesh is a part of the whole, and the walk leads to the last third point.
 void TestStopsAndTraces()
 {
   const BoundedHorizon horizon = FromPicture({ "######", "######", "##..##", "######", "######" });
-  const std::vector<PointId> same = Unchanged(horizon.Plane.size());
-  const auto whole = Canonical(Triangulate(horizon).Triangles, same);
+  const auto whole = Canonical(Triangulate(horizon).Triangles);
   for (const SearchStrategy strategy : { SearchStrategy::VoxelTraversal, SearchStrategy::Compactness })
   {
     for (std::size_t most = 1; most <= whole.size(); ++most)
     {
       const Triangulation part = Triangulate(horizon, { strategy, most });
       CHECK_EQUAL(part.Triangles.size(), 3 * most);
-      const auto triangles = Canonical(part.Triangles, same);
+      const auto triangles = Canonical(part.Triangles);
       CHECK(std::includes(whole.begin(), whole.end(), triangles.begin(), triangles.end()));
       const PlanePoint third = horizon.Plane[std::size_t(part.Triangles.back())];
       CHECK(std::any_of(part.Walk.begin(), part.Walk.end(),
@@ -352,7 +225,7 @@ void TestStopsAndTraces()
         }));
       CHECK_EQUAL(part.Walk.front().Dilatation, strategy == SearchStrategy::VoxelTraversal ? 0 : -1);
     }
-    CHECK(Canonical(Triangulate(horizon, { strategy, 10000 }).Triangles, same) == whole);
+    CHECK(Canonical(Triangulate(horizon, { strategy, 10000 }).Triangles) == whole);
   }
   CHECK(Triangulate(horizon).Walk.empty());
 }
@@ -397,11 +270,7 @@ int TestTriangulation(int, char*[])
   TestRandomPatches();
   TestHardPoints();
   TestOrderOfPointsIsNoMatter();
-  TestFullBlocksAreWhatTheSearchFinds();
   TestNonDelaunayEdgesAreCounted();
-  TestBoundaryInsideFullBlocks();
-  TestForeignPointInFullBlocks();
-  TestThreadsMakeNoDifference();
   TestStopsAndTraces();
   TestErrors();
   TestAbort();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "HopVectors.h"
+#include "HopTable.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +11,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// South and all that leads to the west comes in the first half of a sweep.
+/// Whether a sweep from the south meets the end of a vector in its first half, which is the west.
 bool IsInFirstHalf(const PlanePoint& vector)
 {
   return vector.X < 0 || (vector.X == 0 && vector.Y < 0);
@@ -19,7 +19,7 @@ bool IsInFirstHalf(const PlanePoint& vector)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool SweepsBefore(const PlanePoint& a, const PlanePoint& b)
+bool IsSweptBefore(const PlanePoint& a, const PlanePoint& b)
 {
   if (IsInFirstHalf(a) != IsInFirstHalf(b))
   {
@@ -43,9 +43,9 @@ bool IsNearer(const PlanePoint& a, const PlanePoint& b)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HopVectors::HopVectors(int radius, std::int64_t rowLength)
-  : K(radius)
-  , RowLength(rowLength)
+HopTable::HopTable(int radius, std::int64_t rasterWidth)
+  : MostColumns(radius)
+  , RasterWidth(rasterWidth)
 {
   for (std::int32_t y = -radius; y <= radius; ++y)
   {
@@ -57,15 +57,15 @@ HopVectors::HopVectors(int radius, std::int64_t rowLength)
       }
     }
   }
-  std::sort(this->Vectors.begin(), this->Vectors.end(), SweepsBefore);
-  this->Numbers.assign(this->Vectors.size() + 1, NoHop);
+  std::sort(this->Vectors.begin(), this->Vectors.end(), IsSweptBefore);
+  this->Hops.assign(this->Vectors.size() + 1, NoHop); // the vector of length 0 has a slot, too
   for (HopId hop = 0; hop < this->Size(); ++hop)
   {
-    this->Offsets.push_back(this->OffsetOf(this->Vector(hop)));
-    this->Numbers[this->Slot(this->Vector(hop))] = hop;
+    this->Hops[this->Slot(this->Vector(hop))] = hop;
   }
   for (const PlanePoint& vector : this->Vectors)
   {
+    this->Offsets.push_back(this->OffsetOf(vector));
     this->Opposites.push_back(this->Find({ -vector.X, -vector.Y }));
     this->NumbersOfParts.push_back(std::gcd(vector.X, vector.Y));
   }
