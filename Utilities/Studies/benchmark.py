@@ -4,7 +4,7 @@
 """Speed and memory of every stage and of the whole chain, from thousands to millions of points, beside other programs.
 
 Utilities/Studies/benchmark.sh makes all that is needed, and runs it. Each size with each number of threads is a process
-of its own, so that nobody starts with memory that another one has left behind. Seconds are by the clock, the least of
+of its own, so that none inherits memory that another one holds. Seconds are by the clock, the least of
 some runs. Memory is by how much the resident memory of the process grows at most during the first run of a stage,
 result included, beyond what it had before (VmHWM after a reset through /proc/self/clear_refs, less VmRSS).
 

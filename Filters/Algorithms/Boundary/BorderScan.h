@@ -39,7 +39,7 @@ template <typename Graph>
 class BorderScan
 {
 public:
-  BorderScan(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopTable& hops, Graph graph,
+  BorderScan(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, Graph graph,
     const BoundaryOptions& options)
     : Columns(columns)
     , Raster(raster)
@@ -166,7 +166,7 @@ private:
 
   const std::vector<PlanePoint>& Columns;
   const ColumnRaster& Raster;
-  const HopTable& Hops;
+  const HopVectors& Hops;
   Graph HopGraph;
   const BoundaryOptions& Options;
   const HopId West;

@@ -185,7 +185,7 @@ private:
   const std::vector<PlanePoint>& Columns;
   const BoundaryOptions& Options;
   const ColumnRaster Raster;
-  const HopTable Hops;
+  const HopVectors Hops;
   const PlanarHops Graph;
   PatchComponents Parts;
   Loops Faces; // the outlines of all components, then the loops of holes

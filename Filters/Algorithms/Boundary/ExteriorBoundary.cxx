@@ -18,7 +18,7 @@ namespace
 ExteriorBoundary FollowNeighbours(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
   const BoundaryOptions& options, const Monitor& monitor)
 {
-  const HopTable hops(1, raster.Width());
+  const HopVectors hops(1, raster.Width());
   return BorderScan<NeighbourHops>(columns, raster, hops, NeighbourHops(raster, hops), options).Run(monitor);
 }
 
@@ -29,7 +29,7 @@ ExteriorBoundary GrowByDistance(
   const ColumnRaster raster(columns, options.Radius);
   BoundaryOptions allHoles = options;
   allHoles.SmallestHoleSize = 1;
-  const HopTable hops(options.Radius, raster.Width());
+  const HopVectors hops(options.Radius, raster.Width());
   ExteriorBoundary parts = FollowNeighbours(columns, raster, allHoles, monitor.Step(0.0, 0.4));
   const PatchBridges bridges(columns, raster, hops, parts);
   monitor.Progress(0.5);

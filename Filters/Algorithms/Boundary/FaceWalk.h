@@ -11,7 +11,7 @@
 #define SeismicHorizonsFaceWalk_h
 
 #include "ColumnRaster.h"
-#include "HopTable.h"
+#include "HopVectors.h"
 
 #include <algorithm>
 #include <vector>
@@ -28,7 +28,7 @@ struct FaceStep
 /// Walks from the place `start` by the hop `first` until it is about to repeat that hop. `next(place, from)` gives the
 /// first hop of the graph from a place that a clockwise sweep after `from` meets, or NoHop.
 template <typename Next>
-void WalkFace(const ColumnRaster& raster, const HopTable& hops, std::int64_t start, HopId first, Next&& next,
+void WalkFace(const ColumnRaster& raster, const HopVectors& hops, std::int64_t start, HopId first, Next&& next,
   std::vector<FaceStep>& steps)
 {
   steps.clear();
@@ -47,7 +47,7 @@ void WalkFace(const ColumnRaster& raster, const HopTable& hops, std::int64_t sta
 
 /// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
 /// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
-inline std::int64_t ColumnsInside(const HopTable& hops, const std::vector<FaceStep>& steps)
+inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
 {
   std::int64_t twiceArea = 0;
   std::int64_t onLoop = 0;

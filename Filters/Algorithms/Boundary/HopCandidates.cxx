@@ -11,7 +11,7 @@ constexpr std::int64_t BitsPerWord = 64;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HopCandidates::HopCandidates(const ColumnRaster& raster, const HopTable& hops, const LongHops& longHops)
+HopCandidates::HopCandidates(const ColumnRaster& raster, const HopVectors& hops, const LongHops& longHops)
   : Raster(raster)
   , Long(longHops)
   , Radius(hops.Radius())

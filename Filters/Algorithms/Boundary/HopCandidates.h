@@ -30,7 +30,7 @@ class HopCandidates
 {
 public:
   /// The raster has an empty rim of at least k columns. Keeps references.
-  HopCandidates(const ColumnRaster& raster, const HopTable& hops, const LongHops& longHops);
+  HopCandidates(const ColumnRaster& raster, const HopVectors& hops, const LongHops& longHops);
 
   /// Calls visit(number) for the long hops from a column of the raster to another point that are not ruled out by
   /// points at most NearRadius columns away from it, by their numbers in LongHops and row by row. Takes about k steps

@@ -24,9 +24,9 @@ PlanePoint Difference(const PlanePoint& a, const PlanePoint& b)
   return { a.X - b.X, a.Y - b.Y };
 }
 
-/// Whether the hop from the origin to `end`, without its ends, touches a unit square. A hop of length n along its longer
-/// axis meets the next row or column of squares after an n-th part of it or more. So half as much is cut off at both ends
-/// here: what is left touches the same squares.
+/// Whether the hop from the origin to `end`, without its ends, touches a unit square. A hop of length n along its
+/// longer axis meets the next row or column of squares after an n-th part of it or more. So half as much is cut off at
+/// both ends here: what is left touches the same squares.
 bool Touches(const PlanePoint& end, const PlanePoint& corner)
 {
   const std::int32_t parts = 2 * ChebyshevLength(end);
@@ -46,7 +46,7 @@ bool Touches(const PlanePoint& end, const PlanePoint& corner)
 }
 
 /// Finds the columns that a hop passes over, and those between its ends.
-void FindColumns(const HopTable& hops, LongHop& hop)
+void FindColumns(const HopVectors& hops, LongHop& hop)
 {
   const PlanePoint& end = hops.Vector(hop.Hop);
   for (HopId other = 0; other < hops.Size(); ++other)
@@ -65,7 +65,7 @@ void FindColumns(const HopTable& hops, LongHop& hop)
 }
 
 /// Finds the unit squares that a hop touches, and the gates that it passes.
-void FindSquares(const HopTable& hops, LongHop& hop)
+void FindSquares(const HopVectors& hops, LongHop& hop)
 {
   const PlanePoint& end = hops.Vector(hop.Hop);
   std::vector<std::pair<std::int32_t, Gate>> gates; // with their distance from the nearer end
@@ -96,7 +96,7 @@ void FindSquares(const HopTable& hops, LongHop& hop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LongHops::LongHops(const HopTable& hops)
+LongHops::LongHops(const HopVectors& hops)
   : Radius(hops.Radius())
 {
   for (HopId hop = 0; hop < hops.Size(); ++hop)

@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsLongHops_h
 #define SeismicHorizonsLongHops_h
 
-#include "HopTable.h"
+#include "HopVectors.h"
 
 #include <array>
 #include <cstddef>
@@ -43,7 +43,7 @@ struct LongHop
 class LongHops
 {
 public:
-  explicit LongHops(const HopTable& hops);
+  explicit LongHops(const HopVectors& hops);
 
   /// Hops are numbered by their Euclidean length, equal ones in the order of a sweep.
   std::size_t Size() const { return this->Hops.size(); }

@@ -14,7 +14,7 @@ namespace
 {
 /// The hops that lead further than to a neighbour, those with the nearest ends first. Of two opposite ones only that
 /// which leads upwards or straight to the right.
-std::vector<HopId> FindLongHops(const HopTable& hops)
+std::vector<HopId> FindLongHops(const HopVectors& hops)
 {
   std::vector<HopId> result;
   for (HopId hop = 0; hop < hops.Size(); ++hop)
@@ -44,7 +44,7 @@ std::vector<std::int64_t> FindPlaces(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-NeighbourHops::NeighbourHops(const ColumnRaster& raster, const HopTable& hops)
+NeighbourHops::NeighbourHops(const ColumnRaster& raster, const HopVectors& hops)
   : Raster(raster)
   , East(hops.Find({ 1, 0 }))
 {
@@ -55,7 +55,7 @@ NeighbourHops::NeighbourHops(const ColumnRaster& raster, const HopTable& hops)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PatchBridges::PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopTable& hops,
+PatchBridges::PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
   const ExteriorBoundary& parts)
   : Raster(raster)
   , Hops(hops)
@@ -118,7 +118,7 @@ HopId PatchBridges::Next(std::int64_t place, HopId from) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BridgedHops::BridgedHops(const ColumnRaster& raster, const HopTable& hops, const PatchBridges& bridges)
+BridgedHops::BridgedHops(const ColumnRaster& raster, const HopVectors& hops, const PatchBridges& bridges)
   : Raster(raster)
   , Hops(hops)
   , Bridges(bridges)

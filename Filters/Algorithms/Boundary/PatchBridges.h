@@ -21,7 +21,7 @@ class NeighbourHops
 {
 public:
   /// `hops` are those of k = 1.
-  explicit NeighbourHops(const ColumnRaster& raster, const HopTable& hops);
+  explicit NeighbourHops(const ColumnRaster& raster, const HopVectors& hops);
 
   SweepResult Sweep(std::int64_t place, HopId from) const
   {
@@ -49,7 +49,7 @@ class PatchBridges
 {
 public:
   /// `parts` is the boundary of k = 1, whose patches are the parts to join.
-  PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopTable& hops,
+  PatchBridges(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
     const ExteriorBoundary& parts);
 
   bool IsEmpty() const { return this->Ends.empty(); }
@@ -69,7 +69,7 @@ private:
   void AddEnd(std::int64_t place, HopId hop);
 
   const ColumnRaster& Raster;
-  const HopTable& Hops;
+  const HopVectors& Hops;
   std::vector<End> Ends; // by place, then hop
   std::vector<bool> HasEnd; // by point
 };
@@ -78,7 +78,7 @@ private:
 class BridgedHops
 {
 public:
-  BridgedHops(const ColumnRaster& raster, const HopTable& hops, const PatchBridges& bridges);
+  BridgedHops(const ColumnRaster& raster, const HopVectors& hops, const PatchBridges& bridges);
 
   SweepResult Sweep(std::int64_t place, HopId from) const;
 
@@ -87,7 +87,7 @@ private:
   HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
 
   const ColumnRaster& Raster;
-  const HopTable& Hops;
+  const HopVectors& Hops;
   const PatchBridges& Bridges;
   std::array<HopId, 8> Neighbours;
   HopId East;

@@ -19,7 +19,7 @@ constexpr std::size_t Batch = 4096; // points from one report of progress to the
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const HopTable& hops, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor)
   : Raster(raster)
   , Hops(hops)
   , Long(hops)

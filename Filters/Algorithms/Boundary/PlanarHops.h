@@ -5,7 +5,7 @@
 //
 // Taken literally, the thesis's sweep can take hops that cross others it took before. Here it takes only admissible
 // hops, which never cross:
-//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in HopTable.h). Two of
+//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in HopVectors.h). Two of
 //     them never cross: if a-b and c-d did, then ac + bd < ab + cd and ad + bc < ab + cd, from which it follows that
 //     one of the four points is nearer to both ends of the other hop than these are to each other. Direct hops include
 //     a shortest spanning tree, so that they connect all that hops of at most k connect (the relative neighbourhood
@@ -32,7 +32,7 @@
 #include "Common/CountingSort.h"
 #include "Common/Monitor.h"
 #include "HopCandidates.h"
-#include "HopTable.h"
+#include "HopVectors.h"
 #include "LongHops.h"
 
 #include <cstddef>
@@ -50,7 +50,7 @@ class PlanarHops
 public:
   /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it and to
   /// `hops`.
-  PlanarHops(const ColumnRaster& raster, std::size_t points, const HopTable& hops, const Monitor& monitor);
+  PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor);
 
   /// The first admissible hop from a place that a clockwise sweep after `from` meets, where `from` comes last; NoHop
   /// when there is none.
@@ -92,7 +92,7 @@ private:
   std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Raster.Width() + hop.From.X; }
 
   const ColumnRaster& Raster;
-  const HopTable& Hops;
+  const HopVectors& Hops;
   const LongHops Long;
   std::vector<HopId> Short; // hops to the eight neighbours
   std::vector<HopId> Inner; // the admissible hops of a point without an empty column beside it

@@ -7,8 +7,8 @@
 #include "Common/Errors.h"
 
 #include <limits>
-#include <new>
 #include <sstream>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -34,6 +34,11 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
   , OnBoundary(horizon.Plane.size(), 0)
   , Marks(horizon.Plane.size(), 0)
 {
+  if (this->Cells.Size() >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw InputError("cell size " + std::to_string(columns) +
+      ", expected one that gives less than 2^32 cells: there are " + std::to_string(this->Cells.Size()));
+  }
   monitor.Progress(0.0);
   horizon.Boundary.ForEachPoint([this](PointId point) { this->OnBoundary[std::size_t(point)] = 1; });
   this->SortPoints(monitor);
@@ -42,10 +47,6 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
 //----------------------------------------------------------------------------------------------------------------------
 void CellLeaves::SortPoints(const Monitor& monitor)
 {
-  if (this->Cells.Size() >= std::numeric_limits<std::uint32_t>::max())
-  {
-    throw std::bad_alloc();
-  }
   const std::size_t size = this->Input.Plane.size();
   this->Points.reset(new PointId[size]); // not a vector, which would write to all of it on one thread first
   this->CellEnds.assign(std::size_t(this->Cells.Size()) + 1, 0);

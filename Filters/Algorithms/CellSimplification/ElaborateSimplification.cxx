@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace SeismicHorizons
@@ -69,7 +70,18 @@ struct PatchCube
   std::int32_t Layer = 0;
   std::int32_t Patch = 0;
   std::int32_t Ring = 0; // 0 until it is known
+  std::uint32_t Tower = 0; // its number
   LeafSizes Sizes; // of its leaves, once it is cut
+};
+
+/// The patch cubes of one patch above one cell of the grid, from the bottom up.
+struct PatchTower
+{
+  std::size_t First = 0;
+  std::size_t End = 0;
+  std::int32_t Patch = 0;
+  bool IsTaken = false; // all of them have a ring
+  LeafSizes Sizes; // of those in the rings that are cut
 };
 
 class ElaborateSimplifier
@@ -86,6 +98,7 @@ public:
   Reduction Run(const Monitor& monitor)
   {
     this->MakeCubes(monitor.Step(0.0, 0.2));
+    this->MakeTowers();
     this->NumberRings();
     std::size_t done = 0;
     for (const std::vector<std::size_t>& ring : this->Rings)
@@ -93,6 +106,10 @@ public:
       const Monitor step = monitor.Step(0.2 + 0.4 * this->Part(done), 0.2 + 0.4 * this->Part(done + ring.size()));
       ParallelFor(std::int64_t(ring.size()), GrainOfCutting, step,
         [&](std::int64_t first, std::int64_t last) { this->CutCubes(ring.data() + first, ring.data() + last); });
+      for (const std::size_t cube : ring)
+      {
+        this->TowerOf(this->Cubes[cube]).Sizes.Add(this->Cubes[cube].Sizes);
+      }
       done += ring.size();
     }
     Reduction result = WriteLeaves(this->Leaves, this->Options.Representative, monitor.Step(0.6, 0.95));
@@ -134,17 +151,35 @@ private:
             [&](PointId* first, PointId* last)
             {
               this->Cubes[cube] = { first, last, cell, this->LayerOf(*first), this->Leaves.Patch(*first),
-                this->Leaves.HasBoundary(first) ? 1 : 0, LeafSizes() };
+                this->Leaves.HasBoundary(first) ? 1 : 0, 0, LeafSizes() };
               ++cube;
             });
         }
       });
   }
 
-  /// Calls visit(number) for the patch cubes of the same patch that touch one; with `anyHeight`, for those that touch
-  /// it in plan.
+  PatchTower& TowerOf(const PatchCube& cube) { return this->Towers[cube.Tower]; }
+
+  void MakeTowers()
+  {
+    this->TowersOfCells.assign(std::size_t(this->Leaves.Grid().Size()) + 1, 0);
+    for (std::size_t n = 0; n < this->Cubes.size(); ++n)
+    {
+      PatchCube& cube = this->Cubes[n];
+      if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell || cube.Patch != this->Cubes[n - 1].Patch)
+      {
+        this->Towers.push_back({ n, n, cube.Patch, false, LeafSizes() });
+        ++this->TowersOfCells[std::size_t(cube.Cell) + 1];
+      }
+      this->Towers.back().End = n + 1;
+      cube.Tower = std::uint32_t(this->Towers.size() - 1);
+    }
+    std::partial_sum(this->TowersOfCells.begin(), this->TowersOfCells.end(), this->TowersOfCells.begin());
+  }
+
+  /// Calls visit(number) for the towers of the same patch that touch that of a cube, itself included.
   template <typename Visitor>
-  void ForEachNeighbour(const PatchCube& cube, bool anyHeight, Visitor&& visit) const
+  void ForEachTower(const PatchCube& cube, Visitor&& visit) const
   {
     const CellGrid& grid = this->Leaves.Grid();
     const std::int64_t x = cube.Cell % grid.SizeX();
@@ -153,16 +188,32 @@ private:
     {
       const std::int64_t left = grid.Index(std::max<std::int64_t>(0, x - 1), row);
       const std::int64_t right = grid.Index(std::min(grid.SizeX() - 1, x + 1), row);
-      for (std::size_t n = this->Leaves.FirstGroup(left); n < this->Leaves.FirstGroup(right + 1); ++n)
+      for (std::size_t n = this->TowersOfCells[std::size_t(left)]; n < this->TowersOfCells[std::size_t(right) + 1]; ++n)
       {
-        const PatchCube& other = this->Cubes[n];
-        const std::int64_t up = std::int64_t(other.Layer) - cube.Layer;
-        if (&other != &cube && other.Patch == cube.Patch && (anyHeight || (up >= -1 && up <= 1)))
+        if (this->Towers[n].Patch == cube.Patch)
         {
           visit(n);
         }
       }
     }
+  }
+
+  /// Calls visit(number) for the patch cubes of the same patch that touch one, itself included.
+  template <typename Visitor>
+  void ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const
+  {
+    const std::int64_t lowest = std::int64_t(cube.Layer) - 1;
+    this->ForEachTower(cube,
+      [&](std::size_t tower)
+      {
+        const auto end = this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].End);
+        auto other = std::lower_bound(this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].First), end, lowest,
+          [](const PatchCube& a, std::int64_t layer) { return a.Layer < layer; });
+        for (; other != end && other->Layer <= lowest + 2; ++other)
+        {
+          visit(std::size_t(other - this->Cubes.begin()));
+        }
+      });
   }
 
   void NumberRings()
@@ -199,7 +250,7 @@ private:
     };
     for (const std::size_t cube : this->Rings.back())
     {
-      this->ForEachNeighbour(this->Cubes[cube], false, take);
+      this->ForEachNeighbour(this->Cubes[cube], take);
     }
     if (next.empty())
     {
@@ -224,9 +275,19 @@ private:
     {
       for (const std::size_t cube : this->Rings[this->FirstRingWithCliffs])
       {
-        this->ForEachNeighbour(this->Cubes[cube], true, take);
+        this->ForEachTower(this->Cubes[cube], [&](std::size_t tower) { this->TakeTower(this->Towers[tower], take); });
       }
     }
+  }
+
+  template <typename Take>
+  void TakeTower(PatchTower& tower, Take& take)
+  {
+    for (std::size_t cube = tower.First; !tower.IsTaken && cube < tower.End; ++cube)
+    {
+      take(cube);
+    }
+    tower.IsTaken = true;
   }
 
   void CutCubes(const std::size_t* first, const std::size_t* last)
@@ -244,10 +305,10 @@ private:
   /// different sizes is below the largest of them.
   int LeastLevel(const PatchCube& cube) const
   {
-    LeafSizes before = this->SizesBefore(cube, false);
+    LeafSizes before = this->SizesOfRingBefore(cube);
     if (before.Number == 0)
     {
-      before = this->SizesBefore(cube, true);
+      this->ForEachTower(cube, [&](std::size_t tower) { before.Add(this->Towers[tower].Sizes); });
     }
     const double largest = HalfALevel * this->Options.GrowthPerRing * double(before.Sum);
     for (int level = 0; level < this->Deepest; ++level)
@@ -262,18 +323,16 @@ private:
     return this->Deepest;
   }
 
-  /// The leaves of the neighbours one ring further out; with `anyHeight`, of those in plan in any ring further out.
-  LeafSizes SizesBefore(const PatchCube& cube, bool anyHeight) const
+  /// The leaves of the neighbours one ring further out.
+  LeafSizes SizesOfRingBefore(const PatchCube& cube) const
   {
     LeafSizes sizes;
-    this->ForEachNeighbour(cube, anyHeight,
+    this->ForEachNeighbour(cube,
       [&](std::size_t n)
       {
-        const std::int32_t outwards = cube.Ring - this->Cubes[n].Ring;
-        if (anyHeight ? outwards > 0 : outwards == 1)
+        if (this->Cubes[n].Ring == cube.Ring - 1)
         {
-          sizes.Sum += this->Cubes[n].Sizes.Sum;
-          sizes.Number += this->Cubes[n].Sizes.Number;
+          sizes.Add(this->Cubes[n].Sizes);
         }
       });
     return sizes;
@@ -317,6 +376,8 @@ private:
   const int Deepest; // the level of the smallest cells
   CellLeaves Leaves;
   std::vector<PatchCube> Cubes; // in the order of the groups
+  std::vector<PatchTower> Towers; // in the same order
+  std::vector<std::size_t> TowersOfCells; // for each cell its first tower, and at the end their number
   std::vector<std::vector<std::size_t>> Rings; // the numbers of their patch cubes, ring 1 first
   std::size_t FirstRingWithCliffs = 0; // where TakeBeyondCliffs goes on
 };
@@ -326,6 +387,10 @@ private:
 Reduction SimplifyElaborate(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);
+  if (horizon.Plane.empty())
+  {
+    return Reduction();
+  }
   return ElaborateSimplifier(horizon, options, monitor.Step(0.0, 0.2)).Run(monitor.Step(0.2, 1.0));
 }
 }

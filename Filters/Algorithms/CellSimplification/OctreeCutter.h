@@ -23,6 +23,12 @@ struct LeafSizes
 {
   std::int64_t Sum = 0; // in units of the smallest size that halving can give, so that sums are exact
   std::int64_t Number = 0;
+
+  void Add(const LeafSizes& other)
+  {
+    this->Sum += other.Sum;
+    this->Number += other.Number;
+  }
 };
 
 /// A cube, or an octant of one: its least corner and its side. Its own octants begin at the middle.

@@ -13,6 +13,10 @@ namespace SeismicHorizons
 //----------------------------------------------------------------------------------------------------------------------
 Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& options, const Monitor& monitor)
 {
+  if (horizon.Plane.empty())
+  {
+    return Reduction();
+  }
   CellLeaves leaves(horizon, options.CellSize, monitor.Step(0.0, 0.4));
   leaves.MakeGroups(
     [&horizon](PointId point) { return std::int64_t(horizon.Patch[std::size_t(point)]); }, monitor.Step(0.4, 0.6));

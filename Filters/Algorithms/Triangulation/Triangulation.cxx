@@ -290,6 +290,6 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options, const Monitor& monitor)
 {
-  return HorizonTriangulator(horizon, options).Run(monitor);
+  return horizon.Plane.empty() ? Triangulation() : HorizonTriangulator(horizon, options).Run(monitor);
 }
 }

@@ -455,6 +455,28 @@ void TestErrorsAndAbort()
       SimplifyElaborate(horizon, 8, Monitor([&left](double) { return left-- > 0; })), "stopped on request");
   }
 }
+
+/// Heights without any order: hundreds of layers above one cell, none of which touches another. Each cube must not look
+/// at all others: 90,000 points took half a minute when they did.
+void TestManyLayers()
+{
+  Patches::Columns columns;
+  std::vector<double> heights;
+  Patches::Random random(8);
+  for (std::int32_t n = 0; n < 90000; ++n)
+  {
+    columns.push_back({ n % 300, n / 300 });
+    heights.push_back(1e9 * random.Fraction());
+  }
+  const BoundedHorizon horizon = MakeHorizon(columns, heights);
+  const Reduction result = SimplifyElaborate(horizon, ElaborateOptions(300));
+  CHECK_EQUAL(CheckPoints(horizon, result), std::string());
+}
+
+void TestEmpty()
+{
+  CHECK(SimplifyElaborate(BoundedHorizon(), ElaborateOptions()).Source.empty());
+}
 }
 
 int TestElaborateSimplification(int, char*[])
@@ -482,5 +504,7 @@ int TestElaborateSimplification(int, char*[])
   TestGeneratedHorizon();
   TestNumberOfThreads();
   TestErrorsAndAbort();
+  TestManyLayers();
+  TestEmpty();
   return Check::Result();
 }

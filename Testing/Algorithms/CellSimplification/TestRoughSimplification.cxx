@@ -196,6 +196,22 @@ void TestErrorsAndAbort()
   const Monitor stop([](double) { return false; });
   CHECK_THROWS_WITH(SimplifyRough(horizon, 3, stop), "stopped on request");
 }
+
+void TestEmpty()
+{
+  CHECK(SimplifyRough(BoundedHorizon(), 3).Source.empty());
+}
+
+/// The limit is told before memory is asked for.
+void TestTooManyCells()
+{
+  BoundedHorizon horizon;
+  horizon.Plane = { { 0, 0 }, { 1 << 28, 1 << 28 } };
+  horizon.Height = { 0.0, 0.0 };
+  horizon.Patch = { 0, 0 };
+  horizon.Count = { 1, 1 };
+  CHECK_THROWS_WITH(SimplifyRough(horizon, 1), "cell size 1, expected one that gives less than 2^32 cells");
+}
 }
 
 int TestRoughSimplification(int, char*[])
@@ -212,5 +228,7 @@ int TestRoughSimplification(int, char*[])
   TestPlaneStaysAPlane();
   TestRandomPatches();
   TestErrorsAndAbort();
+  TestEmpty();
+  TestTooManyCells();
   return Check::Result();
 }

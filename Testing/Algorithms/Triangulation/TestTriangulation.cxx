@@ -260,6 +260,11 @@ void TestAbort()
   const Monitor stop([](double) { return false; });
   CHECK_THROWS_WITH(Triangulate(FromPicture({ "###", "###" }), TriangulationOptions(), stop), "stopped on request");
 }
+
+void TestEmpty()
+{
+  CHECK_EQUAL(Triangulate(BoundedHorizon()).Triangles.size(), 0u);
+}
 }
 
 int TestTriangulation(int, char*[])
@@ -274,5 +279,6 @@ int TestTriangulation(int, char*[])
   TestStopsAndTraces();
   TestErrors();
   TestAbort();
+  TestEmpty();
   return Check::Result();
 }

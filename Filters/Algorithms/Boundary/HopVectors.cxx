@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "HopTable.h"
+#include "HopVectors.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -43,7 +43,7 @@ bool IsNearer(const PlanePoint& a, const PlanePoint& b)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HopTable::HopTable(int radius, std::int64_t rasterWidth)
+HopVectors::HopVectors(int radius, std::int64_t rasterWidth)
   : MostColumns(radius)
   , RasterWidth(rasterWidth)
 {

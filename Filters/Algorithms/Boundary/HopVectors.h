@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The table of hops: the steps that a boundary may take, from a column to any other one at most k columns away along
+// The vectors of hops, the steps that a boundary may take, from a column to any other one at most k columns away along
 // each axis (the thesis's k-square neighbourhood, Def. 3.1). Hops are numbered in the order in which a clockwise sweep
 // from the south meets their ends; of several in one direction the shorter comes first.
 //
@@ -9,8 +9,8 @@
 //          2  *  6         the 8 hops of k = 1
 //          1  0  7
 
-#ifndef SeismicHorizonsHopTable_h
-#define SeismicHorizonsHopTable_h
+#ifndef SeismicHorizonsHopVectors_h
+#define SeismicHorizonsHopVectors_h
 
 #include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
@@ -24,11 +24,11 @@ using HopId = std::int32_t;
 
 constexpr HopId NoHop = -1;
 
-class HopTable
+class HopVectors
 {
 public:
   /// All hops of at most `radius` columns along each axis, for a raster with rows of `rasterWidth` places.
-  HopTable(int radius, std::int64_t rasterWidth);
+  HopVectors(int radius, std::int64_t rasterWidth);
 
   int Radius() const { return this->MostColumns; }
   HopId Size() const { return HopId(this->Vectors.size()); }
