@@ -62,7 +62,8 @@ private:
   std::vector<vtkIdType> Pixels;
 };
 
-/// Places an image on the lattice, at vertical index 0. Images can be turned and stretched, but not sheared.
+/// Places an image below the columns of the lattice, at z = 0, so that warping it by world z gives the surface. z of the
+/// image is z of the world, whichever way vertical indices count. Images can be turned and stretched, but not sheared.
 void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
 {
   const double column[2] = { toWorld[0], toWorld[4] };
@@ -73,11 +74,10 @@ void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
   {
     throw InputError("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for images");
   }
-  const double up = toWorld[10] < 0.0 ? -1.0 : 1.0;
-  image->SetOrigin(toWorld[3], toWorld[7], toWorld[11]);
+  image->SetOrigin(toWorld[3], toWorld[7], 0.0);
   image->SetSpacing(columnSize, rowSize, std::abs(toWorld[10]));
   image->SetDirectionMatrix(
-    column[0] / columnSize, row[0] / rowSize, 0, column[1] / columnSize, row[1] / rowSize, 0, 0, 0, up);
+    column[0] / columnSize, row[0] / rowSize, 0, column[1] / columnSize, row[1] / rowSize, 0, 0, 0, 1);
 }
 
 /// Adds the point data of an image. There is at least one voxel.

@@ -19,9 +19,9 @@
  * - PointCount (vtkIdType): the number of input points a point stands for, here 1
  *
  * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at
- * the height of vertical index 0:
+ * z = 0:
  * - SurfaceId (int)
- * - Elevation (double): the world z the point has in the vtkPolyData; warp by it to see the surface
+ * - Elevation (double): the world z the point has in the vtkPolyData; warp by it along z to get the surface
  * - VerticalIndex, Thickness, Amplitude, RealZ (double): as above
  * - vtkGhostType (unsigned char): blanks the columns without a voxel, where all arrays of doubles are nan
  *

@@ -241,7 +241,7 @@ void ImagesAreMaps()
   CHECK(GetArray<vtkDoubleArray>(image->GetFieldData(), "LatticeToWorld", 1, 16)->GetValue(1) == -12.5);
   double point[3];
   image->GetPoint(3, point); // i = 2, j = 2
-  CHECK(std::abs(point[0] - 975.0) < 1e-9 && std::abs(point[1] - 2050.0) < 1e-9 && point[2] == 50.0);
+  CHECK(std::abs(point[0] - 975.0) < 1e-9 && std::abs(point[1] - 2050.0) < 1e-9 && point[2] == 0.0);
 
   Errors errors(reader);
   reader->SetRowStep(-12.5, 1.0);
