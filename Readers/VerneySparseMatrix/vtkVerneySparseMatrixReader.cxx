@@ -82,14 +82,13 @@ void AddNames(vtkPartitionedDataSetCollection* collection, const SparseMatrixCou
   }
 }
 
-vtkSmartPointer<vtkDataObject> MakeHorizon(
-  bool asImage, HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
+vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   if (asImage)
   {
-    return MakeHorizonImage(voxels, size, toWorld, useRealZ);
+    return MakeHorizonImage(voxels, placement);
   }
-  return MakeHorizonPoints(std::move(voxels), size, toWorld, useRealZ);
+  return MakeHorizonPoints(std::move(voxels), placement);
 }
 
 /// Runs the work of a request; an error or a stop leaves the output empty.
@@ -225,6 +224,8 @@ LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
   placement.ColumnStep = Eigen::Vector2d(this->ColumnStep);
   placement.RowStep = Eigen::Vector2d(this->RowStep);
   placement.VerticalStep = this->VerticalStep;
+  using Direction = SeismicHorizons::VerticalDirection;
+  placement.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
   return placement;
 }
 
@@ -236,7 +237,7 @@ LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
   const SparseMatrixVerticalFit& fit = this->Summary->Content.VerticalFit;
   if (this->Elevation == RealZ && fit.Step != 0.0)
   {
-    placement.Origin.z() = fit.Offset;
+    placement.Origin.z() = static_cast<int>(placement.Direction) * fit.Offset;
     placement.VerticalStep = fit.Step;
   }
   return placement;
@@ -265,15 +266,15 @@ void vtkVerneySparseMatrixReader::Load(
         static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.5, 0.9));
     });
 
-  const LatticeMatrix toWorld = this->MakeFittedPlacement().ToWorld();
+  const LatticePlacement fitted = this->MakeFittedPlacement();
+  const HorizonPlacement placement = { matrix.Size, fitted.ToWorld(), fitted.Direction, this->Elevation == RealZ };
   vtkNew<vtkPartitionedDataSetCollection> horizons;
   AddNames(horizons, selected);
   for (HorizonVoxels& voxels : matrix.Horizons)
   {
     const auto position = static_cast<unsigned int>(std::distance(selected.begin(), selected.find(voxels.SurfaceId)));
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
-    horizons->SetPartition(position, 0,
-      MakeHorizon(this->OutputType == Images, std::move(voxels), matrix.Size, toWorld, this->Elevation == RealZ));
+    horizons->SetPartition(position, 0, MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
     monitor.Progress(0.9 + 0.1 * (position + 1) / static_cast<double>(selected.size()));
   }
   output->ShallowCopy(horizons);
@@ -296,6 +297,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 2> types = { "Points", "Images" };
   constexpr std::array<const char*, 2> elevations = { "VerticalIndex", "RealZ" };
+  constexpr std::array<const char*, 2> directions = { "Down", "Up" };
   constexpr std::array<const char*, 3> policies = { "StrongestAmplitude", "Topmost", "Lowest" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
@@ -306,6 +308,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColumnStep: " << ToText(placement.ColumnStep) << '\n';
   os << indent << "RowStep: " << ToText(placement.RowStep) << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
+  os << indent << "VerticalDirection: " << directions[static_cast<std::size_t>(this->VerticalDirection)] << '\n';
   os << indent << "DuplicatePolicy: " << policies[static_cast<std::size_t>(this->DuplicatePolicy)] << '\n';
   os << indent << "HorizonSelection:\n";
   this->HorizonSelection->PrintSelf(os, indent.GetNextIndent());
