@@ -26,12 +26,14 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -329,6 +331,44 @@ void SelectionMayComeFirstAndOutlivesTheFile()
   CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 8");
 }
 
+/// Choosing one of many horizons takes a fraction of a second; comparing all names with all others takes minutes.
+void ChoosingAmongManyHorizonsIsQuick()
+{
+  constexpr int numberOfHorizons = 200000;
+  constexpr double mostSeconds = 10.0; // of the processor, so that other programs do not matter
+  std::string text = "1 1 " + std::to_string(numberOfHorizons) + '\n';
+  for (int id = 0; id < numberOfHorizons; ++id)
+  {
+    text += std::to_string(id) + ' ' + std::to_string(id) + " 1 1 1 ";
+  }
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(WriteFile("many.vsm", text).c_str());
+  const std::clock_t start = std::clock();
+  reader->UpdateInformation();
+  reader->DisableAllHorizons();
+  reader->SetHorizonStatus("Horizon 7", 1);
+  reader->Update();
+  CHECK(static_cast<double>(std::clock() - start) < mostSeconds * CLOCKS_PER_SEC);
+  CHECK(reader->GetNumberOfHorizons() == numberOfHorizons);
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 7");
+}
+
+/// By the number, not by the letters of the name, and whatever was chosen before.
+void HorizonsComeInNumericalOrder()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetHorizonStatus("Horizon 10", 1);
+  reader->SetFileName(WriteFile("order.vsm", "1 1 9\n1 10 1 1 1 2 2 1 1 1 3 -3 1 1 1 4 1 1 1 1\n").c_str());
+  reader->Update();
+  const std::vector<std::string> expected = { "Horizon -3", "Horizon 1", "Horizon 2", "Horizon 10" };
+  CHECK(reader->GetNumberOfHorizons() == 4);
+  for (unsigned int position = 0; position < expected.size(); ++position)
+  {
+    CHECK(reader->GetHorizonName(static_cast<int>(position)) == expected[position]);
+    CHECK(GetName(reader, position) == expected[position]);
+  }
+}
+
 void FileIsScannedOnlyOnce()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
@@ -459,14 +499,24 @@ void WrongParametersGiveOneErrorEach()
 void CanReadFileLooksAtTheHeader()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "2 2 10\nwhatever").c_str()) == 1);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "\xEF\xBB\xBF 2 2 10").c_str()) == 1);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "2 2 10 4\n").c_str()) == 0);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "2 2\n").c_str()) == 0);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\nwhatever").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "\xEF\xBB\xBF 2 2 10").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10 4\n").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2\n").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "").c_str()) == 0);
   CHECK(reader->CanReadFile(Folder.c_str()) == 0);
-  CHECK(reader->CanReadFile((Folder + "/missing.vsm").c_str()) == 0);
+  CHECK(reader->CanReadFile((Folder + "/missing.txt").c_str()) == 0);
+  CHECK(reader->CanReadFile("vsm") == 0);
   CHECK(reader->CanReadFile(nullptr) == 0);
+}
+
+/// So that it is the reader that says what is wrong with them.
+void CanReadFileTakesAllFilesOfItsName()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  CHECK(reader->CanReadFile(WriteFile("empty.vsm", "").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("zipped.VSM", "\x1F\x8B\x08").c_str()) == 1);
+  CHECK(reader->CanReadFile((Folder + "/missing.vSm").c_str()) == 1);
 }
 
 // ---- The rest ----------------------------------------------------------------------------------------------------
@@ -548,6 +598,8 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   DuplicatePolicyChoosesTheVoxel();
   SelectionIsObeyed();
   SelectionMayComeFirstAndOutlivesTheFile();
+  ChoosingAmongManyHorizonsIsQuick();
+  HorizonsComeInNumericalOrder();
   FileIsScannedOnlyOnce();
   HorizonsAreDealtOutToPieces();
   WrongFilesGiveOneErrorEach();
@@ -555,6 +607,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   FileThatTurnsWrongIsAnError();
   WrongParametersGiveOneErrorEach();
   CanReadFileLooksAtTheHeader();
+  CanReadFileTakesAllFilesOfItsName();
   AbortLeavesTheOutputEmpty();
   PrintListsEveryProperty();
   SampleIsRead(TakeString(vtkTestUtilities::ExpandDataFileName(argc, argv, "sample.vsm")));
