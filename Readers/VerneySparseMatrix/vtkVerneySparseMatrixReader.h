@@ -31,7 +31,7 @@
  * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row. Its columns
  *   are (ColumnStep, 0), (RowStep, 0), (0, 0, +-VerticalStep) and Origin; see VerticalDirection for the sign, and
  *   Elevation for the last two.
- * - VerticalDirection (int, 1 component): -1 when vertical indices and real z count downwards, 1 when upwards
+ * - VerticalDirection (int, 1 component): -1 for Down, 1 for Up
  * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
  *   column, see DuplicatePolicy
  *
