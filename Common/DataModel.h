@@ -36,6 +36,7 @@ namespace FieldArray
 {
 constexpr const char* LatticeDimensions = "LatticeDimensions";
 constexpr const char* LatticeToWorld = "LatticeToWorld";
+constexpr const char* VerticalDirection = "VerticalDirection";
 constexpr const char* DroppedDuplicates = "DroppedDuplicates";
 constexpr const char* NumberOfPatches = "NumberOfPatches";
 constexpr const char* NumberOfHoles = "NumberOfHoles";

@@ -45,9 +45,10 @@ void LatticePlacement::Check() const
 //----------------------------------------------------------------------------------------------------------------------
 LatticeMatrix LatticePlacement::ToWorld() const
 {
+  const double step = static_cast<int>(this->Direction) * this->VerticalStep;
   return { this->ColumnStep.x(), this->RowStep.x(), 0.0, this->Origin.x(), //
     this->ColumnStep.y(), this->RowStep.y(), 0.0, this->Origin.y(), //
-    0.0, 0.0, this->VerticalStep, this->Origin.z(), //
+    0.0, 0.0, step, this->Origin.z(), //
     0.0, 0.0, 0.0, 1.0 };
 }
 }

@@ -13,6 +13,7 @@ import sys
 
 PROGRAM = "horizon_mesh"
 ELEVATIONS = ("VerticalIndex", "RealZ")
+VERTICAL_DIRECTIONS = ("Down", "Up")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
@@ -87,7 +88,10 @@ def _add_reader_options(group):
     group.add_argument("--row-step", nargs=2, type=float, default=[0.0, 1.0], metavar=("X", "Y"),
                        help="world vector from a row to the next")
     group.add_argument("--vertical-step", type=_vertical_step, default=1.0, metavar="Z",
-                       help="world z from one vertical index to the next; may be negative, but not 0")
+                       help="length along world z from one vertical index to the next; a negative one turns the "
+                       "vertical direction around")
+    group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=VERTICAL_DIRECTIONS[0],
+                       help="where vertical indices and real z grow to: time and depth do so downwards")
 
 
 def _add_stage_options(group):
@@ -142,7 +146,8 @@ def make_settings(options):
     settings = Settings(horizons=getattr(options, "horizons", None))
     settings.reader = {
         "Elevation": options.elevation, "DuplicatePolicy": options.duplicate_policy, "Origin": options.origin,
-        "ColumnStep": options.column_step, "RowStep": options.row_step, "VerticalStep": options.vertical_step}
+        "ColumnStep": options.column_step, "RowStep": options.row_step, "VerticalStep": options.vertical_step,
+        "VerticalDirection": options.vertical_direction}
     settings.boundary = {
         "Radius": options.radius, "GrowthStrategy": options.growth_strategy,
         "MinimumPatchSize": options.minimum_patch_size, "HoleBoundaries": options.hole_boundaries,

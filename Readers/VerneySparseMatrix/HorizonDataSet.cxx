@@ -20,8 +20,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const LatticeMatrix& toWorld, bool useRealZ)
+vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const HorizonPlacement& placement)
 {
+  const LatticeMatrix& toWorld = placement.ToWorld;
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
   coordinates->SetNumberOfTuples(static_cast<vtkIdType>(voxels.I.size()));
@@ -32,7 +33,7 @@ vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const Lattice
     const double j = voxels.J[voxel];
     *world++ = toWorld[0] * i + toWorld[1] * j + toWorld[3];
     *world++ = toWorld[4] * i + toWorld[5] * j + toWorld[7];
-    *world++ = ElevationOf(voxels, voxel, toWorld, useRealZ);
+    *world++ = placement.Elevation(voxels, voxel);
   }
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(coordinates);
@@ -41,20 +42,19 @@ vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const Lattice
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void AddHorizonFields(
-  vtkFieldData* data, const SparseMatrixSize& size, const LatticeMatrix& toWorld, std::int64_t droppedDuplicates)
+void AddHorizonFields(vtkFieldData* data, const HorizonPlacement& placement, std::int64_t droppedDuplicates)
 {
-  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, size);
-  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, toWorld);
+  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, placement.Size);
+  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, placement.ToWorld);
+  AddValue<vtkIntArray>(data, FieldArray::VerticalDirection, static_cast<int>(placement.Direction));
   AddValue<vtkIdTypeArray>(data, FieldArray::DroppedDuplicates, static_cast<vtkIdType>(droppedDuplicates));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeHorizonPoints(
-  HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
+vtkSmartPointer<vtkPolyData> MakeHorizonPoints(HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   auto horizon = vtkSmartPointer<vtkPolyData>::New();
-  horizon->SetPoints(MakePoints(voxels, toWorld, useRealZ));
+  horizon->SetPoints(MakePoints(voxels, placement));
   voxels.I = std::vector<int>();
   voxels.J = std::vector<int>();
 
@@ -66,9 +66,10 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(
   MoveToArray<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude);
   MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ);
   AddConstant<vtkIdTypeArray>(data, PointArray::PointCount, numberOfPoints, 1);
+  data->SetActiveScalars(PointArray::VerticalIndex); // what ParaView colours by at first
   horizon->SetVerts(MakeVertices(numberOfPoints));
 
-  AddHorizonFields(horizon->GetFieldData(), size, toWorld, voxels.DroppedDuplicates);
+  AddHorizonFields(horizon->GetFieldData(), placement, voxels.DroppedDuplicates);
   return horizon;
 }
 }

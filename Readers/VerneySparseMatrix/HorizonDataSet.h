@@ -17,19 +17,27 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The world z of a voxel: its real z, or where the map puts its vertical index.
-inline double ElevationOf(const HorizonVoxels& voxels, std::size_t voxel, const LatticeMatrix& toWorld, bool useRealZ)
+/// Where the voxels of a file lie in the world.
+struct HorizonPlacement
 {
-  return useRealZ ? voxels.RealZ[voxel] : toWorld[10] * voxels.K[voxel] + toWorld[11];
-}
+  SparseMatrixSize Size = {};
+  LatticeMatrix ToWorld = {};
+  VerticalDirection Direction = VerticalDirection::Down;
+  bool UseRealZ = false;
+
+  /// The world z of a voxel: its real z with the sign of the direction, or where the map puts its vertical index.
+  double Elevation(const HorizonVoxels& voxels, std::size_t voxel) const
+  {
+    return this->UseRealZ ? static_cast<int>(this->Direction) * voxels.RealZ[voxel]
+                          : this->ToWorld[10] * voxels.K[voxel] + this->ToWorld[11];
+  }
+};
 
 /// Adds the lattice of the file, and how many voxels of the horizon were left out.
-void AddHorizonFields(
-  vtkFieldData* data, const SparseMatrixSize& size, const LatticeMatrix& toWorld, std::int64_t droppedDuplicates);
+void AddHorizonFields(vtkFieldData* data, const HorizonPlacement& placement, std::int64_t droppedDuplicates);
 
 /// Makes a point and a vertex cell of each voxel. Each array of the voxels is freed as soon as it was copied.
-vtkSmartPointer<vtkPolyData> MakeHorizonPoints(
-  HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ);
+vtkSmartPointer<vtkPolyData> MakeHorizonPoints(HorizonVoxels voxels, const HorizonPlacement& placement);
 }
 
 #endif

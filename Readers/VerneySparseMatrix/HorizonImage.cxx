@@ -6,7 +6,6 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
-#include "HorizonDataSet.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -62,7 +61,9 @@ private:
   std::vector<vtkIdType> Pixels;
 };
 
-/// Places an image on the lattice, at vertical index 0. Images can be turned and stretched, but not sheared.
+/// Places an image below the columns of the lattice, at z = 0, so that warping it by world z gives the surface. z of
+/// the image is z of the world, whichever way vertical indices count. Images can be turned and stretched, but not
+/// sheared.
 void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
 {
   const double column[2] = { toWorld[0], toWorld[4] };
@@ -73,22 +74,21 @@ void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
   {
     throw InputError("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for images");
   }
-  const double up = toWorld[10] < 0.0 ? -1.0 : 1.0;
-  image->SetOrigin(toWorld[3], toWorld[7], toWorld[11]);
+  image->SetOrigin(toWorld[3], toWorld[7], 0.0);
   image->SetSpacing(columnSize, rowSize, std::abs(toWorld[10]));
   image->SetDirectionMatrix(
-    column[0] / columnSize, row[0] / rowSize, 0, column[1] / columnSize, row[1] / rowSize, 0, 0, 0, up);
+    column[0] / columnSize, row[0] / rowSize, 0, column[1] / columnSize, row[1] / rowSize, 0, 0, 0, 1);
 }
 
 /// Adds the point data of an image. There is at least one voxel.
-void AddPixels(const HorizonVoxels& voxels, const LatticeMatrix& toWorld, bool useRealZ, vtkImageData* image)
+void AddPixels(const HorizonVoxels& voxels, const HorizonPlacement& placement, vtkImageData* image)
 {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   const HorizonPixels pixels(voxels, image);
   std::vector<double> elevation(voxels.I.size());
   for (std::size_t voxel = 0; voxel < elevation.size(); ++voxel)
   {
-    elevation[voxel] = ElevationOf(voxels, voxel, toWorld, useRealZ);
+    elevation[voxel] = placement.Elevation(voxels, voxel);
   }
   vtkPointData* const data = image->GetPointData();
   AddConstant<vtkIntArray>(data, PointArray::SurfaceId, image->GetNumberOfPoints(), voxels.SurfaceId);
@@ -97,6 +97,7 @@ void AddPixels(const HorizonVoxels& voxels, const LatticeMatrix& toWorld, bool u
   pixels.Add<vtkDoubleArray>(data, PointArray::Thickness, voxels.Thickness, missing);
   pixels.Add<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude, missing);
   pixels.Add<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ, missing);
+  data->SetActiveScalars(PointArray::Elevation); // what ParaView colours by at first
   const std::vector<unsigned char> shown(voxels.I.size(), 0);
   pixels.Add<vtkUnsignedCharArray>(
     data, vtkDataSetAttributes::GhostArrayName(), shown, vtkDataSetAttributes::HIDDENPOINT);
@@ -104,15 +105,14 @@ void AddPixels(const HorizonVoxels& voxels, const LatticeMatrix& toWorld, bool u
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeHorizonImage(
-  const HorizonVoxels& voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
+vtkSmartPointer<vtkImageData> MakeHorizonImage(const HorizonVoxels& voxels, const HorizonPlacement& placement)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  PlaceOnLattice(toWorld, image);
-  AddHorizonFields(image->GetFieldData(), size, toWorld, voxels.DroppedDuplicates);
+  PlaceOnLattice(placement.ToWorld, image);
+  AddHorizonFields(image->GetFieldData(), placement, voxels.DroppedDuplicates);
   if (!voxels.I.empty())
   {
-    AddPixels(voxels, toWorld, useRealZ, image);
+    AddPixels(voxels, placement, image);
   }
   return image;
 }

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsHorizonImage_h
 #define SeismicHorizonsHorizonImage_h
 
-#include "Common/LatticePlacement.h"
+#include "HorizonDataSet.h"
 #include "SparseMatrixParser.h"
 
 #include "vtkSmartPointer.h"
@@ -17,8 +17,7 @@ namespace SeismicHorizons
 {
 /// Makes an image with a pixel for each column of the horizon's bounding box. Pixels without a voxel are blanked, and
 /// their attributes are nan. Throws InputError when the steps of the lattice are not perpendicular.
-vtkSmartPointer<vtkImageData> MakeHorizonImage(
-  const HorizonVoxels& voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ);
+vtkSmartPointer<vtkImageData> MakeHorizonImage(const HorizonVoxels& voxels, const HorizonPlacement& placement);
 }
 
 #endif

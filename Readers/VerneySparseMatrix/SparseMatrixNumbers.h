@@ -102,18 +102,32 @@ inline const char* ReadPlainNumber(const char* text, double& value)
   return last;
 }
 
-/// Whether a number is too small for a double, when it is known to be too small or too large.
-inline bool IsTiny(std::string_view number)
-{
-  const std::size_t exponent = number.find_first_of("eE");
-  return exponent != std::string_view::npos ? number[exponent + 1] == '-'
-                                            : number.find('.') < number.find_first_of("123456789");
-}
-
 /// The token without a leading plus sign, which the standard library does not take.
 inline std::string_view WithoutPlus(std::string_view token)
 {
   return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
+}
+
+/// The power of ten that the first digit other than 0 counts: 2 for "123", -3 for "0.00123".
+inline std::int64_t LeadingPower(std::string_view digits)
+{
+  const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  return first < point ? point - first - 1 : point - first;
+}
+
+/// Whether a number is too small for a double, when it is known to be too small or too large.
+inline bool IsTiny(std::string_view number)
+{
+  const std::size_t end = std::min(number.find_first_of("eE"), number.size());
+  const std::string_view power = WithoutPlus(number.substr(std::min(end + 1, number.size())));
+  std::int64_t exponent = 0;
+  const auto [last, error] = std::from_chars(power.data(), power.data() + power.size(), exponent);
+  if (error == std::errc::result_out_of_range)
+  {
+    return power[0] == '-'; // no number has so many digits that they make up for it
+  }
+  return exponent < -LeadingPower(number.substr(0, end));
 }
 
 /// What a token is. Numbers too large for a double, infinity and nan are not finite.

@@ -29,9 +29,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
-#include <iterator>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -39,13 +41,51 @@ namespace
 {
 using namespace SeismicHorizons;
 
+/// Whether a name ends in .vsm, in letters of either case.
+bool HasOwnExtension(const std::string& name)
+{
+  constexpr std::string_view extension = ".vsm";
+  return name.size() >= extension.size() &&
+    std::equal(extension.rbegin(), extension.rend(), name.rbegin(),
+      [](char own, char other) { return own == std::tolower(static_cast<unsigned char>(other)); });
+}
+
+// vtkDataArraySelection looks for a name among all of them, one after the other, so that asking it for every name would
+// take the square of their number.
+
+/// Lists the horizons. Those that were in the list before keep their choice, others are enabled.
+void List(const SparseMatrixCounts& horizons, vtkDataArraySelection* selection)
+{
+  std::vector<std::string> names;
+  bool areListed = static_cast<int>(horizons.size()) == selection->GetNumberOfArrays();
+  for (const auto& horizon : horizons)
+  {
+    names.push_back(HorizonName(horizon.first));
+    areListed = areListed && names.back() == selection->GetArrayName(static_cast<int>(names.size()) - 1);
+  }
+  if (!areListed)
+  {
+    std::vector<const char*> texts(names.size());
+    std::transform(names.begin(), names.end(), texts.begin(), [](const std::string& name) { return name.c_str(); });
+    selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), 1);
+  }
+}
+
 /// The horizons whose names are enabled.
 SparseMatrixCounts Select(const SparseMatrixCounts& horizons, vtkDataArraySelection* selection)
 {
+  std::unordered_set<std::string> enabled;
+  for (int index = 0; index < selection->GetNumberOfArrays(); ++index)
+  {
+    if (selection->GetArraySetting(index))
+    {
+      enabled.insert(selection->GetArrayName(index));
+    }
+  }
   SparseMatrixCounts selected;
   for (const auto& horizon : horizons)
   {
-    if (selection->ArrayIsEnabled(HorizonName(horizon.first).c_str()))
+    if (enabled.count(HorizonName(horizon.first)))
     {
       selected.insert(horizon);
     }
@@ -82,14 +122,13 @@ void AddNames(vtkPartitionedDataSetCollection* collection, const SparseMatrixCou
   }
 }
 
-vtkSmartPointer<vtkDataObject> MakeHorizon(
-  bool asImage, HorizonVoxels voxels, const SparseMatrixSize& size, const LatticeMatrix& toWorld, bool useRealZ)
+vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   if (asImage)
   {
-    return MakeHorizonImage(voxels, size, toWorld, useRealZ);
+    return MakeHorizonImage(voxels, placement);
   }
-  return MakeHorizonPoints(std::move(voxels), size, toWorld, useRealZ);
+  return MakeHorizonPoints(std::move(voxels), placement);
 }
 
 /// Runs the work of a request; an error or a stop leaves the output empty.
@@ -126,6 +165,10 @@ vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 {
   const std::string name = fileName ? fileName : "";
+  if (HasOwnExtension(name))
+  {
+    return 1;
+  }
   try
   {
     MakeFileStamp(name); // refuses what is no regular file
@@ -206,15 +249,7 @@ void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
       std::ifstream stream = OpenInputFile(this->FileName);
       this->Summary = std::make_unique<FileSummary>(FileSummary{ stamp, ScanSparseMatrix(stream, monitor) });
     });
-
-  std::vector<std::string> names;
-  for (const auto& horizon : this->Summary->Content.VoxelCounts)
-  {
-    names.push_back(HorizonName(horizon.first));
-  }
-  std::vector<const char*> texts(names.size());
-  std::transform(names.begin(), names.end(), texts.begin(), [](const std::string& name) { return name.c_str(); });
-  this->HorizonSelection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), 1);
+  List(this->Summary->Content.VoxelCounts, this->HorizonSelection);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -225,6 +260,8 @@ LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
   placement.ColumnStep = Eigen::Vector2d(this->ColumnStep);
   placement.RowStep = Eigen::Vector2d(this->RowStep);
   placement.VerticalStep = this->VerticalStep;
+  using Direction = SeismicHorizons::VerticalDirection;
+  placement.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
   return placement;
 }
 
@@ -236,7 +273,7 @@ LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
   const SparseMatrixVerticalFit& fit = this->Summary->Content.VerticalFit;
   if (this->Elevation == RealZ && fit.Step != 0.0)
   {
-    placement.Origin.z() = fit.Offset;
+    placement.Origin.z() = static_cast<int>(placement.Direction) * fit.Offset;
     placement.VerticalStep = fit.Step;
   }
   return placement;
@@ -265,16 +302,17 @@ void vtkVerneySparseMatrixReader::Load(
         static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.5, 0.9));
     });
 
-  const LatticeMatrix toWorld = this->MakeFittedPlacement().ToWorld();
+  const LatticePlacement fitted = this->MakeFittedPlacement();
+  const HorizonPlacement placement = { matrix.Size, fitted.ToWorld(), fitted.Direction, this->Elevation == RealZ };
   vtkNew<vtkPartitionedDataSetCollection> horizons;
   AddNames(horizons, selected);
+  auto position = static_cast<unsigned int>(piece); // as the horizons were dealt out
   for (HorizonVoxels& voxels : matrix.Horizons)
   {
-    const auto position = static_cast<unsigned int>(std::distance(selected.begin(), selected.find(voxels.SurfaceId)));
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
-    horizons->SetPartition(position, 0,
-      MakeHorizon(this->OutputType == Images, std::move(voxels), matrix.Size, toWorld, this->Elevation == RealZ));
+    horizons->SetPartition(position, 0, MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
     monitor.Progress(0.9 + 0.1 * (position + 1) / static_cast<double>(selected.size()));
+    position += static_cast<unsigned int>(numberOfPieces);
   }
   output->ShallowCopy(horizons);
 }
@@ -296,6 +334,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 2> types = { "Points", "Images" };
   constexpr std::array<const char*, 2> elevations = { "VerticalIndex", "RealZ" };
+  constexpr std::array<const char*, 2> directions = { "Down", "Up" };
   constexpr std::array<const char*, 3> policies = { "StrongestAmplitude", "Topmost", "Lowest" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
@@ -306,6 +345,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColumnStep: " << ToText(placement.ColumnStep) << '\n';
   os << indent << "RowStep: " << ToText(placement.RowStep) << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
+  os << indent << "VerticalDirection: " << directions[static_cast<std::size_t>(this->VerticalDirection)] << '\n';
   os << indent << "DuplicatePolicy: " << policies[static_cast<std::size_t>(this->DuplicatePolicy)] << '\n';
   os << indent << "HorizonSelection:\n";
   this->HorizonSelection->PrintSelf(os, indent.GetNextIndent());

@@ -14,21 +14,24 @@
  *
  * Point data of the vtkPolyData, one component each:
  * - SurfaceId (int): the ID of the horizon
- * - VerticalIndex (int): k, from 0 to nZ - 1
+ * - VerticalIndex (int): k, from 0 to nZ - 1; the active scalars
  * - Thickness, Amplitude, RealZ (double): as in the file
  * - PointCount (vtkIdType): the number of input points a point stands for, here 1
  *
  * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at
- * the height of vertical index 0:
+ * z = 0:
  * - SurfaceId (int)
- * - Elevation (double): the world z the point has in the vtkPolyData; warp by it to see the surface
+ * - Elevation (double): the world z the point has in the vtkPolyData; warp by it along z to get the surface; the
+ *   active scalars
  * - VerticalIndex, Thickness, Amplitude, RealZ (double): as above
  * - vtkGhostType (unsigned char): blanks the columns without a voxel, where all arrays of doubles are nan
  *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components): nX, nY, nZ
  * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row. Its columns
- *   are (ColumnStep, 0), (RowStep, 0), (0, 0, VerticalStep) and Origin; see Elevation for the last two.
+ *   are (ColumnStep, 0), (RowStep, 0), (0, 0, +-VerticalStep) and Origin; see VerticalDirection for the sign, and
+ *   Elevation for the last two.
+ * - VerticalDirection (int, 1 component): -1 for Down, 1 for Up
  * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
  *   column, see DuplicatePolicy
  *
@@ -79,8 +82,10 @@ public:
   ///@}
 
   /**
-   * 1 when the first line of the file is what the format asks for: three positive integers, separated by blanks, within
-   * the first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of the file is looked at.
+   * 1 for any name that ends in .vsm, in letters of either case: when something is wrong with the file, reading it says
+   * what. For other names 1 when the first line of the file is what the format asks for: three positive integers,
+   * separated by blanks, within the first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of
+   * the file is looked at.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
@@ -111,11 +116,12 @@ public:
 
   ///@{
   /**
-   * The z coordinate of the points. VerticalIndex: Origin's z plus VerticalStep times the vertical index. RealZ: the
-   * real z of the voxel as in the file, in its unit; in place of Origin's z and VerticalStep, LatticeToWorld then holds
-   * the straight line that fits real z over the vertical index best, for all voxels of the file, so that a height of 1
-   * in lattice units is one vertical index all the same. (Where real z or the index is the same everywhere there is no
-   * such line, and Origin and VerticalStep hold.) Default: VerticalIndex.
+   * The z coordinate of the points. VerticalIndex: Origin's z, minus or plus VerticalStep times the vertical index.
+   * RealZ: minus or plus the real z of the voxel, in the unit of the file; in place of Origin's z and VerticalStep,
+   * LatticeToWorld then holds the straight line that fits it over the vertical index best, for all voxels of the file,
+   * so that a height of 1 in lattice units is one vertical index all the same. (Where real z or the index is the same
+   * everywhere there is no such line, and Origin and VerticalStep hold.) The sign is that of VerticalDirection.
+   * Default: VerticalIndex.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
   vtkGetMacro(Elevation, int);
@@ -151,11 +157,30 @@ public:
 
   ///@{
   /**
-   * The step in z from a vertical index to the next one, in world units. Finite, not 0; negative when the indices count
-   * downwards. Default: 1.
+   * The length along z from a vertical index to the next one, in world units: z is Origin's z minus (VerticalDirection
+   * Down) or plus (Up) VerticalStep times the index. Finite, not 0; a negative one turns the direction around. Default:
+   * 1.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
+  ///@}
+
+  /// Where vertical indices and real z grow to.
+  enum VerticalSense
+  {
+    Down = 0,
+    Up = 1
+  };
+
+  ///@{
+  /**
+   * Where vertical indices and real z grow to. Down: to smaller z, as time and depth do. Up: to larger z. Default:
+   * Down.
+   */
+  vtkSetClampMacro(VerticalDirection, int, Down, Up);
+  vtkGetMacro(VerticalDirection, int);
+  void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
+  void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
   ///@}
 
   /// Which voxel is kept when a horizon has several in one column.
@@ -219,6 +244,7 @@ private:
   double ColumnStep[2] = { 1.0, 0.0 };
   double RowStep[2] = { 0.0, 1.0 };
   double VerticalStep = 1.0;
+  int VerticalDirection = Down;
   int DuplicatePolicy = StrongestAmplitude;
   vtkNew<vtkDataArraySelection> HorizonSelection;
 

@@ -90,6 +90,18 @@ class BatchTest(unittest.TestCase):
         mesh = read(self.output / "sample_horizon_1.vtp")
         self.assertEqual(mesh_checks.array(mesh, "PointCount").sum(), mesh.GetNumberOfPoints())
         self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+        self.assertTrue((mesh_checks.coordinates(mesh)[:, 2] == -mesh_checks.array(mesh, "RealZ")).all())
+
+    def test_vertical_direction(self):
+        """Down by default, and both ways every face looks up."""
+        middles = []
+        for arguments in ([], ["--vertical-direction", "Up"]):
+            self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
+            mesh = read(self.output / "sample_horizon_1.vtp")
+            self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+            middles.append(mesh.GetCenter()[2])
+        self.assertLess(middles[0], 0.0)
+        self.assertEqual(middles[0], -middles[1])
 
     def test_elaborate(self):
         """After the rough simplification, and alone; with points of the input only, counts are all of them."""
@@ -200,7 +212,7 @@ class BatchTest(unittest.TestCase):
         done, errors = run("--help")
         self.assertEqual((done.returncode, errors), (0, []))
         for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
-                       "--column-step", "--row-step", "--vertical-step", "--duplicate-policy", "--horizons",
+                       "--column-step", "--row-step", "--vertical-step", "--vertical-direction", "--duplicate-policy", "--horizons",
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",
                        "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",

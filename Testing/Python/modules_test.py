@@ -108,7 +108,7 @@ class PipelineTest(unittest.TestCase):
         self.assertGreaterEqual(seconds, 0.0)
         (only,), _ = pipeline.read(str(path), horizons=[2], Elevation="RealZ", Origin=[0.0, 0.0, 100.0])
         self.assertEqual(only[0], 2)
-        self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, 8.0, 8.0))
+        self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, -8.0, -8.0))
 
     def test_nothing_to_read(self):
         for name, content, horizons, message in (

@@ -72,6 +72,27 @@ def check_distance(reader, mesh):
     assert more > 2 * samples, (samples, more)
 
 
+def check_warped_maps(reader):
+    """Maps that are warped by their elevation lie where the points are."""
+    from paraview import simple
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    reader.UpdatePipeline()
+    expected = {name: mesh_checks.coordinates(horizon).copy() for name, horizon in fetch(reader).items()}
+    reader.OutputType = "Images"
+    warped = simple.WarpByScalar(Input=reader)
+    warped.Scalars = ["POINTS", "Elevation"]
+    warped.UpdatePipeline()
+    maps = mesh_checks.blocks(warped.GetClientSideObject().GetOutputDataObject(0))
+    assert list(maps) == list(expected), maps
+    for name, surface in maps.items():
+        covered = vtk_to_numpy(surface.GetPointGhostArray()) == 0
+        off = abs(mesh_checks.coordinates(surface)[covered] - expected[name]).max()
+        assert off < 1e-3, off  # the warped points are in single precision
+    reader.OutputType = "Points"
+    reader.UpdatePipeline()
+
+
 def check_reader_properties(reader):
     """The panel's choices reach the reader."""
     name, before = next(iter(fetch(reader).items()))
@@ -79,17 +100,25 @@ def check_reader_properties(reader):
     reader.Origin = [1000.0, 2000.0, -50.0]
     reader.ColumnStep = [20.0, 5.0]
     reader.RowStep = [-5.0, 20.0]
-    reader.VerticalStep = -4.0
+    reader.VerticalStep = 4.0
     reader.UpdatePipeline()
     moved = mesh_checks.coordinates(fetch(reader)[name])
-    i, j, k = points.T
+    i, j, k = points.T  # k is negative: indices count downwards
     assert abs(moved[:, 0] - (1000.0 + 20.0 * i - 5.0 * j)).max() < 1e-9
     assert abs(moved[:, 1] - (2000.0 + 5.0 * i + 20.0 * j)).max() < 1e-9
-    assert abs(moved[:, 2] - (-50.0 - 4.0 * k)).max() < 1e-9
+    assert abs(moved[:, 2] - (-50.0 + 4.0 * k)).max() < 1e-9
+    check_warped_maps(reader)
     reader.Elevation = "Real Z"
     reader.UpdatePipeline()
     horizon = fetch(reader)[name]
+    assert (mesh_checks.coordinates(horizon)[:, 2] == -mesh_checks.array(horizon, "RealZ")).all()
+    check_warped_maps(reader)
+    reader.VerticalDirection = "Up"
+    reader.UpdatePipeline()
+    horizon = fetch(reader)[name]
     assert (mesh_checks.coordinates(horizon)[:, 2] == mesh_checks.array(horizon, "RealZ")).all()
+    reader.Elevation = "Vertical Index"
+    check_warped_maps(reader)
 
 
 def main():

@@ -4,7 +4,7 @@
 
 POINT_ARRAYS = ("SurfaceId", "VerticalIndex", "Thickness", "Amplitude", "RealZ", "PointCount")
 BOUNDARY_ARRAYS = ("PatchId", "Boundary")
-FIELD_ARRAYS = ("LatticeDimensions", "LatticeToWorld", "DroppedDuplicates")
+FIELD_ARRAYS = ("LatticeDimensions", "LatticeToWorld", "VerticalDirection", "DroppedDuplicates")
 STAGES = ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
           "HorizonTriangulation")
 

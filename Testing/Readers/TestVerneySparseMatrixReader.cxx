@@ -26,12 +26,14 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -125,6 +127,7 @@ void ArraysAreComplete()
   CHECK(data->GetNumberOfArrays() == 6);
   CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 2, 1)->GetValue(1) == 7);
   CHECK(GetArray<vtkIntArray>(data, "VerticalIndex", 2, 1)->GetValue(1) == 6);
+  CHECK(data->GetScalars() == data->GetArray("VerticalIndex"));
   CHECK(GetArray<vtkDoubleArray>(data, "Thickness", 2, 1)->GetValue(1) == 3.0);
   CHECK(GetArray<vtkDoubleArray>(data, "Amplitude", 2, 1)->GetValue(1) == -3.0);
   CHECK(GetArray<vtkDoubleArray>(data, "RealZ", 2, 1)->GetValue(1) == 24.25);
@@ -133,7 +136,7 @@ void ArraysAreComplete()
   CHECK(horizon->GetCellType(1) == VTK_VERTEX && !horizon->GetVerts()->IsStorage64Bit());
   double point[3];
   horizon->GetPoint(1, point);
-  CHECK(point[0] == 1.0 && point[1] == 1.0 && point[2] == 6.0);
+  CHECK(point[0] == 1.0 && point[1] == 1.0 && point[2] == -6.0);
 }
 
 void FieldDataDescribeTheLattice()
@@ -147,8 +150,9 @@ void FieldDataDescribeTheLattice()
   auto toWorld = GetArray<vtkDoubleArray>(data, "LatticeToWorld", 1, 16);
   for (int entry = 0; entry < 16; ++entry)
   {
-    CHECK(toWorld->GetValue(entry) == (entry % 5 == 0 ? 1.0 : 0.0));
+    CHECK(toWorld->GetValue(entry) == (entry == 10 ? -1.0 : entry % 5 == 0 ? 1.0 : 0.0));
   }
+  CHECK(GetArray<vtkIntArray>(data, "VerticalDirection", 1, 1)->GetValue(0) == -1);
   CHECK(GetArray<vtkIdTypeArray>(data, "DroppedDuplicates", 1, 1)->GetValue(0) == 1);
   CHECK(GetArray<vtkIdTypeArray>(GetHorizon(reader, 1)->GetFieldData(), "DroppedDuplicates", 1, 1)->GetValue(0) == 0);
 }
@@ -163,7 +167,7 @@ void RotatedSurveyKeepsDoublePrecision()
   reader->SetOrigin(736012.125, 4890345.0625, -100.5);
   reader->SetColumnStep(columnStep[0], columnStep[1]);
   reader->SetRowStep(rowStep[0], rowStep[1]);
-  reader->SetVerticalStep(-4.25);
+  reader->SetVerticalStep(4.25);
   reader->Update();
   vtkPolyData* const horizon = GetHorizon(reader, 1);
   double point[3];
@@ -187,10 +191,34 @@ void ElevationCanBeRealZ()
   reader->SetElevationToRealZ();
   reader->SetVerticalStep(2.0);
   reader->Update();
-  CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == 24.25);
+  CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == -24.25);
   reader->SetElevationToVerticalIndex();
   reader->Update();
-  CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == 12.0);
+  CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == -12.0);
+}
+
+void DirectionCanBeUp()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(WriteFile("small.vsm", Small).c_str());
+  reader->SetOrigin(0.0, 0.0, 100.0);
+  reader->SetVerticalDirectionToUp();
+  const auto lastHeight = [&reader](double verticalStep)
+  {
+    reader->SetVerticalStep(verticalStep);
+    reader->Update();
+    return GetHorizon(reader, 1)->GetPoint(1)[2];
+  };
+  CHECK(lastHeight(2.0) == 112.0);
+  CHECK(lastHeight(-2.0) == 88.0);
+  vtkFieldData* const data = GetHorizon(reader, 1)->GetFieldData();
+  CHECK(GetArray<vtkIntArray>(data, "VerticalDirection", 1, 1)->GetValue(0) == 1);
+  reader->SetElevationToRealZ();
+  CHECK(lastHeight(2.0) == 24.25);
+  reader->SetVerticalDirectionToDown();
+  CHECK(lastHeight(2.0) == -24.25);
+  reader->SetElevationToVerticalIndex();
+  CHECK(lastHeight(2.0) == 88.0);
 }
 
 /// With real z, a height of 1 on the lattice is one vertical index: z is 4 ms per index here, from 100 ms.
@@ -203,8 +231,8 @@ void RealZIsFitted()
   reader->SetOrigin(10.0, 20.0, 30.0);
   reader->Update();
   auto toWorld = GetArray<vtkDoubleArray>(GetHorizon(reader, 0)->GetFieldData(), "LatticeToWorld", 1, 16);
-  CHECK(std::abs(toWorld->GetValue(10) - 4.0) < 1e-12);
-  CHECK(std::abs(toWorld->GetValue(11) - 100.0) < 1e-12);
+  CHECK(std::abs(toWorld->GetValue(10) + 4.0) < 1e-12);
+  CHECK(std::abs(toWorld->GetValue(11) + 100.0) < 1e-12);
   CHECK(toWorld->GetValue(3) == 10.0 && toWorld->GetValue(7) == 20.0);
   // It is the same line for all horizons, and it is not there when real z is the same everywhere.
   auto other = GetArray<vtkDoubleArray>(GetHorizon(reader, 1)->GetFieldData(), "LatticeToWorld", 1, 16);
@@ -212,7 +240,7 @@ void RealZIsFitted()
   reader->SetFileName(WriteFile("flat.vsm", "2 1 10\n3 1 1 1 0\n4 1 1 1 0\n").c_str());
   reader->Update();
   toWorld = GetArray<vtkDoubleArray>(GetHorizon(reader, 0)->GetFieldData(), "LatticeToWorld", 1, 16);
-  CHECK(toWorld->GetValue(10) == 1.0 && toWorld->GetValue(11) == 30.0);
+  CHECK(toWorld->GetValue(10) == -1.0 && toWorld->GetValue(11) == 30.0);
 }
 
 // ---- Images ------------------------------------------------------------------------------------------------------
@@ -224,7 +252,7 @@ void ImagesAreMaps()
   reader->SetOrigin(1000.0, 2000.0, 50.0);
   reader->SetColumnStep(0.0, 25.0);
   reader->SetRowStep(-12.5, 0.0);
-  reader->SetVerticalStep(-4.0);
+  reader->SetVerticalStep(4.0);
   reader->Update();
   auto image = vtkImageData::SafeDownCast(reader->GetOutput()->GetPartitionAsDataObject(0, 0));
   CHECK(image != nullptr);
@@ -234,6 +262,7 @@ void ImagesAreMaps()
   CHECK(extent[0] == 1 && extent[1] == 2 && extent[2] == 1 && extent[3] == 2 && extent[4] == 0 && extent[5] == 0);
   vtkPointData* const data = image->GetPointData();
   CHECK(GetArray<vtkDoubleArray>(data, "Elevation", 4, 1)->GetValue(0) == 50.0 - 3 * 4.0);
+  CHECK(data->GetScalars() == data->GetArray("Elevation"));
   CHECK(GetArray<vtkDoubleArray>(data, "Amplitude", 4, 1)->GetValue(3) == 20.0);
   CHECK(std::isnan(GetArray<vtkDoubleArray>(data, "RealZ", 4, 1)->GetValue(1)));
   CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 4, 1)->GetValue(3) == 1);
@@ -241,7 +270,7 @@ void ImagesAreMaps()
   CHECK(GetArray<vtkDoubleArray>(image->GetFieldData(), "LatticeToWorld", 1, 16)->GetValue(1) == -12.5);
   double point[3];
   image->GetPoint(3, point); // i = 2, j = 2
-  CHECK(std::abs(point[0] - 975.0) < 1e-9 && std::abs(point[1] - 2050.0) < 1e-9 && point[2] == 50.0);
+  CHECK(std::abs(point[0] - 975.0) < 1e-9 && std::abs(point[1] - 2050.0) < 1e-9 && point[2] == 0.0);
 
   Errors errors(reader);
   reader->SetRowStep(-12.5, 1.0);
@@ -258,7 +287,7 @@ void DuplicatePolicyChoosesTheVoxel()
   {
     reader->Update();
     CHECK(GetHorizon(reader, 0)->GetNumberOfPoints() == 2);
-    return GetHorizon(reader, 0)->GetPoint(0)[2];
+    return -GetHorizon(reader, 0)->GetPoint(0)[2];
   };
   CHECK(keptIndex() == 5.0);
   reader->SetDuplicatePolicyToTopmost();
@@ -300,6 +329,44 @@ void SelectionMayComeFirstAndOutlivesTheFile()
   reader->Update();
   CHECK(reader->GetNumberOfHorizons() == 2);
   CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 8");
+}
+
+/// Choosing one of many horizons takes a fraction of a second; comparing all names with all others takes minutes.
+void ChoosingAmongManyHorizonsIsQuick()
+{
+  constexpr int numberOfHorizons = 200000;
+  constexpr double mostSeconds = 10.0; // of the processor, so that other programs do not matter
+  std::string text = "1 1 " + std::to_string(numberOfHorizons) + '\n';
+  for (int id = 0; id < numberOfHorizons; ++id)
+  {
+    text += std::to_string(id) + ' ' + std::to_string(id) + " 1 1 1 ";
+  }
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(WriteFile("many.vsm", text).c_str());
+  const std::clock_t start = std::clock();
+  reader->UpdateInformation();
+  reader->DisableAllHorizons();
+  reader->SetHorizonStatus("Horizon 7", 1);
+  reader->Update();
+  CHECK(static_cast<double>(std::clock() - start) < mostSeconds * CLOCKS_PER_SEC);
+  CHECK(reader->GetNumberOfHorizons() == numberOfHorizons);
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 7");
+}
+
+/// By the number, not by the letters of the name, and whatever was chosen before.
+void HorizonsComeInNumericalOrder()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetHorizonStatus("Horizon 10", 1);
+  reader->SetFileName(WriteFile("order.vsm", "1 1 9\n1 10 1 1 1 2 2 1 1 1 3 -3 1 1 1 4 1 1 1 1\n").c_str());
+  reader->Update();
+  const std::vector<std::string> expected = { "Horizon -3", "Horizon 1", "Horizon 2", "Horizon 10" };
+  CHECK(reader->GetNumberOfHorizons() == 4);
+  for (unsigned int position = 0; position < expected.size(); ++position)
+  {
+    CHECK(reader->GetHorizonName(static_cast<int>(position)) == expected[position]);
+    CHECK(GetName(reader, position) == expected[position]);
+  }
 }
 
 void FileIsScannedOnlyOnce()
@@ -432,14 +499,24 @@ void WrongParametersGiveOneErrorEach()
 void CanReadFileLooksAtTheHeader()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "2 2 10\nwhatever").c_str()) == 1);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "\xEF\xBB\xBF 2 2 10").c_str()) == 1);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "2 2 10 4\n").c_str()) == 0);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "2 2\n").c_str()) == 0);
-  CHECK(reader->CanReadFile(WriteFile("header.vsm", "").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\nwhatever").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "\xEF\xBB\xBF 2 2 10").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10 4\n").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2\n").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "").c_str()) == 0);
   CHECK(reader->CanReadFile(Folder.c_str()) == 0);
-  CHECK(reader->CanReadFile((Folder + "/missing.vsm").c_str()) == 0);
+  CHECK(reader->CanReadFile((Folder + "/missing.txt").c_str()) == 0);
+  CHECK(reader->CanReadFile("vsm") == 0);
   CHECK(reader->CanReadFile(nullptr) == 0);
+}
+
+/// So that it is the reader that says what is wrong with them.
+void CanReadFileTakesAllFilesOfItsName()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  CHECK(reader->CanReadFile(WriteFile("empty.vsm", "").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("zipped.VSM", "\x1F\x8B\x08").c_str()) == 1);
+  CHECK(reader->CanReadFile((Folder + "/missing.vSm").c_str()) == 1);
 }
 
 // ---- The rest ----------------------------------------------------------------------------------------------------
@@ -475,14 +552,15 @@ void PrintListsEveryProperty()
   reader->SetColumnStep(4.5, 5.5);
   reader->SetRowStep(6.5, 7.5);
   reader->SetVerticalStep(8.5);
+  reader->SetVerticalDirectionToUp();
   reader->SetDuplicatePolicyToLowest();
   reader->SetHorizonStatus("Horizon 12", 1);
   std::ostringstream stream;
   reader->SetOutputTypeToImages();
   reader->Print(stream);
   for (const char* text : { "FileName: some.vsm", "OutputType: Images", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)",
-         "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "DuplicatePolicy: Lowest",
-         "HorizonSelection:", "Horizon 12" })
+         "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "VerticalDirection: Up",
+         "DuplicatePolicy: Lowest", "HorizonSelection:", "Horizon 12" })
   {
     Check::True(stream.str().find(text) != std::string::npos, text, __FILE__, __LINE__);
   }
@@ -514,11 +592,14 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   FieldDataDescribeTheLattice();
   RotatedSurveyKeepsDoublePrecision();
   ElevationCanBeRealZ();
+  DirectionCanBeUp();
   RealZIsFitted();
   ImagesAreMaps();
   DuplicatePolicyChoosesTheVoxel();
   SelectionIsObeyed();
   SelectionMayComeFirstAndOutlivesTheFile();
+  ChoosingAmongManyHorizonsIsQuick();
+  HorizonsComeInNumericalOrder();
   FileIsScannedOnlyOnce();
   HorizonsAreDealtOutToPieces();
   WrongFilesGiveOneErrorEach();
@@ -526,6 +607,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   FileThatTurnsWrongIsAnError();
   WrongParametersGiveOneErrorEach();
   CanReadFileLooksAtTheHeader();
+  CanReadFileTakesAllFilesOfItsName();
   AbortLeavesTheOutputEmpty();
   PrintListsEveryProperty();
   SampleIsRead(TakeString(vtkTestUtilities::ExpandDataFileName(argc, argv, "sample.vsm")));

@@ -152,6 +152,17 @@ void NumbersTooSmallAreZero()
   CHECK_EQUAL(ReadNumber("1e-400"), 0.0);
   CHECK_EQUAL(ReadNumber("-1e-400"), 0.0);
   CHECK_EQUAL(ReadNumber("0." + std::string(400, '0') + "1"), 0.0);
+  CHECK_EQUAL(ReadNumber("0." + std::string(400, '0') + "1e+5"), 0.0);
+  CHECK_EQUAL(ReadNumber("-0." + std::string(400, '0') + "1e5"), 0.0);
+  CHECK_EQUAL(ReadNumber("1e-99999999999999999999"), 0.0);
+  CHECK_EQUAL(ReadNumber("0e99999999999999999999"), 0.0);
+}
+
+/// Many zeros and an exponent that takes them back.
+void DigitsAndExponentMakeUpForEachOther()
+{
+  CHECK_EQUAL(ReadNumber("1" + std::string(400, '0') + "e-400"), 1.0);
+  CHECK_EQUAL(ReadNumber("0." + std::string(400, '0') + "1e+401"), 1.0);
 }
 
 // ---- Duplicates --------------------------------------------------------------------------------------------------
@@ -275,12 +286,18 @@ void TextIsRefused()
 
 void InfiniteNumbersAreRefused()
 {
-  for (const std::string text : { "nan", "-nan", "NaN", "inf", "+inf", "-Infinity", "1e309", "-1e400" })
+  for (const std::string text :
+    { "nan", "-nan", "NaN", "inf", "+inf", "-Infinity", "1e309", "-1e400", "1e99999999999999999999" })
   {
     CheckLineRefused("1 1 0 " + text + " 0", "amplitude \"" + text + "\", expected a finite number");
   }
   CheckLineRefused(
     "1 1 " + std::string(400, '9') + " 0 0", "thickness \"" + std::string(32, '9') + "...\", expected a finite number");
+  for (const std::string exponent : { "e-5", "e+5", ".5e-5" })
+  {
+    CheckLineRefused("1 1 1" + std::string(400, '0') + exponent + " 0 0",
+      "thickness \"1" + std::string(31, '0') + "...\", expected a finite number");
+  }
 }
 
 void TwoVoxelsInACellAreRefused()
@@ -416,6 +433,7 @@ int TestSparseMatrixParser(int, char*[])
   EmptyLastColumnNeedsNoNewline();
   NumbersAreRoundedCorrectly();
   NumbersTooSmallAreZero();
+  DigitsAndExponentMakeUpForEachOther();
   PolicyChoosesAmongDuplicates();
   EquallyStrongDuplicatesKeepTheTopmost();
   NeighbouringColumnsAreNoDuplicates();
