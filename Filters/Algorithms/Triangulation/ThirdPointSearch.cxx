@@ -21,37 +21,13 @@ namespace
 constexpr double NearbyDiameter = 1.5;
 constexpr double LeastDiameter = 1.1;
 
-// A cotangent is a quotient of two whole numbers that are rounded to doubles: right to three times 2^-53 of its size.
-// For points whose cotangents are closer to each other than this part, InCircle decides.
-constexpr double CotangentRounding = 1e-14;
-
 // A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain, and not in
 // its margin.
 constexpr double CotangentMargin = 1e-12;
 
-// In voxels. Shorter edges are most; beyond, going through the box of an edge takes longer than SearchFar.
+// The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar takes less
+// time.
 constexpr std::int64_t LargestBoxToTraverse = 8;
-
-/// From a place to the nearest place of a box.
-double SquaredDistance(const SegmentEnd& place, const PointBox& box)
-{
-  const double x = std::max({ box.Low.X - place.X, 0.0, place.X - box.High.X });
-  const double y = std::max({ box.Low.Y - place.Y, 0.0, place.Y - box.High.Y });
-  return x * x + y * y;
-}
-
-PlanePoint Doubled(const PlanePoint& p)
-{
-  return { 2 * p.X, 2 * p.Y };
-}
-
-/// The cotangent of the angle at which a point to the left of an edge from a to b sees it; `area` is twice that of the
-/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left. Half
-/// of it times the length of the edge is how far the centre of that circle lies to the left.
-double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
-{
-  return double(ScalarProduct(point, a, b)) / double(area);
-}
 
 /// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
 double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
@@ -65,7 +41,7 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 {
   ThirdPointQuery query(this->Points, a, b, walk);
   this->Search(query);
-  if (query.Best != NoPoint && !this->IsVisible(query, query.Best))
+  if (query.Best != NoPoint && !query.IsVisible(query.Best))
   {
     query.OnlyVisible = true;
     query.Best = NoPoint;
@@ -211,11 +187,10 @@ void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox
       {
         const std::int64_t area = SignedArea(query.A, query.B, this->At(point));
         const double compactness = Compactness(query.A, query.B, this->At(point), area);
-        if (compactness > most && (!query.OnlyVisible || this->IsVisible(query, point)))
+        if (compactness > most && (!query.OnlyVisible || query.IsVisible(point)))
         {
           most = compactness;
-          query.Best = point;
-          query.BestCotangent = Cotangent(query.A, query.B, this->At(point), area);
+          query.Take(point, area);
         }
       });
   }
@@ -233,18 +208,18 @@ void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
   std::optional<EdgeCircle> circle;
   const SegmentEnd middle = query.Middle();
   const auto isLeft = [&](std::int32_t x, std::int32_t y) { return SignedArea(query.A, query.B, { x, y }) > 0; };
-  const auto mayHold = [&](const PointBox& box)
+  const auto mayHold = [&](const PlaneBox& box)
   {
-    return (isLeft(box.Low.X, box.Low.Y) || isLeft(box.High.X, box.Low.Y) || isLeft(box.Low.X, box.High.Y) ||
-             isLeft(box.High.X, box.High.Y)) &&
-      (!circle || circle->MayReach(box.Low, box.High));
+    return (isLeft(box.Least.X, box.Least.Y) || isLeft(box.Greatest.X, box.Least.Y) ||
+             isLeft(box.Least.X, box.Greatest.Y) || isLeft(box.Greatest.X, box.Greatest.Y)) &&
+      (!circle || circle->MayReach(box));
   };
   this->Pyramid->Visit(
-    mayHold, [&](const PointBox& box) { return SquaredDistance(middle, box); },
+    mayHold, [&](const PlaneBox& box) { return SquaredDistanceToBox(middle, box); },
     [&](PointId point)
     {
       const PointId before = query.Best;
-      this->Consider(query, point);
+      query.Consider(point);
       if (query.Best != before)
       {
         circle.emplace(query, query.BestCotangent);
@@ -313,7 +288,7 @@ void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& ci
   {
     for (std::size_t n = 0; n < count; ++n)
     {
-      this->Consider(query, inside[n]);
+      query.Consider(inside[n]);
     }
     count = 0;
   };
@@ -350,7 +325,7 @@ void ThirdPointSearch::SearchBox(ThirdPointQuery& query, const VoxelBox& box) co
 //----------------------------------------------------------------------------------------------------------------------
 void ThirdPointSearch::SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const
 {
-  this->VisitRow(query, row, first, last, [&](PointId point) { this->Consider(query, point); });
+  this->VisitRow(query, row, first, last, [&](PointId point) { query.Consider(point); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -374,68 +349,5 @@ void ThirdPointSearch::VisitRow(
   {
     visit(point);
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Consider(ThirdPointQuery& query, PointId candidate) const
-{
-  const PlanePoint& place = this->At(candidate);
-  const std::int64_t area = SignedArea(query.A, query.B, place);
-  if (area <= 0)
-  {
-    return;
-  }
-  const double cotangent = Cotangent(query.A, query.B, place, area);
-  if (this->IsBetter(query, candidate, cotangent) && (!query.OnlyVisible || this->IsVisible(query, candidate)))
-  {
-    query.Best = candidate;
-    query.BestCotangent = cotangent;
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool ThirdPointSearch::IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const
-{
-  if (query.Best == NoPoint)
-  {
-    return true;
-  }
-  const double difference = cotangent - query.BestCotangent;
-  const double uncertain = CotangentRounding * (std::abs(cotangent) + std::abs(query.BestCotangent));
-  if (std::abs(difference) > uncertain)
-  {
-    return difference < 0.0;
-  }
-  return candidate != query.Best && InCircle(query.A, query.B, this->At(query.Best), this->At(candidate)) > 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Whether a segment leads as many voxels away from its start as the nearest boundary edge is.
-bool ThirdPointSearch::MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const
-{
-  const std::int64_t x = this->Grid.CellX(from.X);
-  const std::int64_t y = this->Grid.CellY(from.Y);
-  return std::max(std::abs(this->Grid.CellX(to.X) - x), std::abs(this->Grid.CellY(to.Y) - y)) >=
-    this->Points.EdgeDistance(x, y);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// A segment that runs through the end of a boundary edge does not cross it, and the point behind counts as visible.
-// That does no harm: the end of the edge is nearer, and lies inside the circle of the point behind it.
-bool ThirdPointSearch::IsVisible(const ThirdPointQuery& query, PointId candidate) const
-{
-  const SegmentEnd middle = query.Middle();
-  if (!this->MayMeetEdges(middle, this->At(candidate)))
-  {
-    return true;
-  }
-  const PlanePoint target = Doubled(this->At(candidate));
-  bool visible = true;
-  const auto blocks = [&](const Edge& edge)
-  { return ProperlyCross(Doubled(this->At(edge.From)), Doubled(this->At(edge.To)), query.DoubledMiddle(), target); };
-  this->Grid.ForEachCellAlong(middle, this->At(candidate),
-    [&](std::int64_t cell)
-    { visible = visible && std::none_of(this->Points.Edges().begin(cell), this->Points.Edges().end(cell), blocks); });
-  return visible;
 }
 }

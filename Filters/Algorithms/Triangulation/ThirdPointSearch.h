@@ -103,11 +103,6 @@ private:
   template <typename Visitor>
   void VisitRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
 
-  void Consider(ThirdPointQuery& query, PointId candidate) const;
-  bool IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const;
-  bool MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const;
-  bool IsVisible(const ThirdPointQuery& query, PointId candidate) const;
-
   const PlanePoint& At(PointId point) const { return this->Points.At(point); }
 
   const SearchStrategy Strategy;
