@@ -13,7 +13,7 @@ PlaneFrame::PlaneFrame(const std::vector<PlanePoint>& places)
   // A power of two that divides all distances from the first place also divides those from the least coordinates. The
   // lowest bit that is set in any of them is the largest such power.
   const PlanePoint first = places.front();
-  PlaneBox box(first);
+  PlaneBox box;
   std::int32_t bits = 0;
   for (const PlanePoint& place : places)
   {

@@ -10,6 +10,8 @@
 #include "Types.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -37,19 +39,12 @@ inline std::int64_t ScalarProduct(const PlanePoint& origin, const PlanePoint& a,
   return ax * bx + ay * by;
 }
 
-/// The least and the greatest coordinates of some places, these included.
+/// The least and the greatest coordinates of some places; the least are above the greatest as long as there is none.
 struct PlaneBox
 {
-  /// Of one place.
-  explicit PlaneBox(const PlanePoint& place)
-    : Least(place)
-    , Greatest(place)
-  {
-  }
+  PlaneBox() = default;
 
-  /// Of places of which there is at least one.
   explicit PlaneBox(const std::vector<PlanePoint>& places)
-    : PlaneBox(places.front())
   {
     for (const PlanePoint& place : places)
     {
@@ -57,14 +52,22 @@ struct PlaneBox
     }
   }
 
+  bool IsEmpty() const { return this->Least.X > this->Greatest.X; }
+
   void Add(const PlanePoint& place)
   {
     this->Least = { std::min(this->Least.X, place.X), std::min(this->Least.Y, place.Y) };
     this->Greatest = { std::max(this->Greatest.X, place.X), std::max(this->Greatest.Y, place.Y) };
   }
 
-  PlanePoint Least;
-  PlanePoint Greatest;
+  void Add(const PlaneBox& box)
+  {
+    this->Least = { std::min(this->Least.X, box.Least.X), std::min(this->Least.Y, box.Least.Y) };
+    this->Greatest = { std::max(this->Greatest.X, box.Greatest.X), std::max(this->Greatest.Y, box.Greatest.Y) };
+  }
+
+  PlanePoint Least{ std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max() };
+  PlanePoint Greatest{ std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min() };
 };
 }
 

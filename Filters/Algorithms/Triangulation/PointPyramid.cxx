@@ -24,15 +24,15 @@ void PointPyramid::MakeRuns()
   this->Runs.emplace_back(std::size_t((count - 1) / RunSize + 1));
   for (PointId point = 0; point < count; ++point)
   {
-    this->Runs.back()[std::size_t(point / RunSize)].Include(this->Points.At(point), this->Points.At(point));
+    this->Runs.back()[std::size_t(point / RunSize)].Add(this->Points.At(point));
   }
   while (this->Runs.back().size() > 1)
   {
-    const std::vector<PointBox>& below = this->Runs.back();
-    std::vector<PointBox> runs(((below.size() - 1) >> RunShift) + 1);
+    const std::vector<PlaneBox>& below = this->Runs.back();
+    std::vector<PlaneBox> runs(((below.size() - 1) >> RunShift) + 1);
     for (std::size_t run = 0; run < below.size(); ++run)
     {
-      runs[run >> RunShift].Include(below[run].Low, below[run].High);
+      runs[run >> RunShift].Add(below[run]);
     }
     this->Runs.push_back(std::move(runs));
   }
@@ -44,13 +44,13 @@ void PointPyramid::MakeLowest()
   const CellGrid& voxels = this->Points.Voxels();
   Level level{ (voxels.SizeX() - 1) / BaseSize + 1, (voxels.SizeY() - 1) / BaseSize + 1, {} };
   level.Boxes.resize(std::size_t(level.SizeX * level.SizeY));
-  const auto any = [](const PointBox&) { return true; };
+  const auto any = [](const PlaneBox&) { return true; };
   for (std::int64_t y = 0; y < level.SizeY; ++y)
   {
     for (std::int64_t x = 0; x < level.SizeX; ++x)
     {
-      PointBox& box = level.Boxes[std::size_t(y * level.SizeX + x)];
-      const auto include = [&](PointId point) { box.Include(this->Points.At(point), this->Points.At(point)); };
+      PlaneBox& box = level.Boxes[std::size_t(y * level.SizeX + x)];
+      const auto include = [&](PointId point) { box.Add(this->Points.At(point)); };
       this->VisitVoxels({ 0, x, y }, any, include);
     }
   }
@@ -67,8 +67,8 @@ void PointPyramid::MakeNext()
   {
     for (std::int64_t x = 0; x < below.SizeX; ++x)
     {
-      const PointBox& box = below.Boxes[std::size_t(y * below.SizeX + x)];
-      level.Boxes[std::size_t(y / 2 * level.SizeX + x / 2)].Include(box.Low, box.High);
+      const PlaneBox& box = below.Boxes[std::size_t(y * below.SizeX + x)];
+      level.Boxes[std::size_t(y / 2 * level.SizeX + x / 2)].Add(box);
     }
   }
   this->Levels.push_back(std::move(level));

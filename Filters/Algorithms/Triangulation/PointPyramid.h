@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Boxes around the points of a search, in squares of voxels that double in size from level to level. For edges whose
-// third point is far away: along an outline without points inside, or from many points to one that stands apart. There
-// a search voxel by voxel looks at most of the points, again and again. Here it only opens boxes that can hold a better
-// point than the best so far.
+// Bounding boxes of the points in squares of voxels, which double in size from level to level. For edges whose third
+// point is far away: those of an outline without points inside, or between many points and one far from them. A search
+// voxel by voxel would look at most of the points for each such edge. With the boxes it leaves out those that can not
+// hold a better point than the best so far.
 
 #ifndef SeismicHorizonsPointPyramid_h
 #define SeismicHorizonsPointPyramid_h
 
+#include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
 #include "SearchGrid.h"
 
@@ -16,35 +17,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// The bounding box of some points; its least corner is above its greatest when there are none.
-struct PointBox
-{
-  PlanePoint Low{ std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max() };
-  PlanePoint High{ std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min() };
-
-  bool IsEmpty() const { return this->Low.X > this->High.X; }
-  void Include(const PlanePoint& low, const PlanePoint& high)
-  {
-    this->Low = { std::min(this->Low.X, low.X), std::min(this->Low.Y, low.Y) };
-    this->High = { std::max(this->High.X, high.X), std::max(this->High.Y, high.Y) };
-  }
-};
-
-/// Time to make it: linear in the points and voxels. Memory: 16 bytes for each 12 voxels and each 7 points.
+/// To make it takes time linear in the points and voxels, and memory of 16 bytes for each 12 voxels and for each 7
+/// points.
 class PointPyramid
 {
 public:
   /// Keeps a reference.
   explicit PointPyramid(const SearchGrid& points);
 
-  /// Calls visit(point) for the points in boxes that may hold what is looked for: mayHold(box) says so. Boxes of small
-  /// distance(box) come first. Both are asked where the pyramid branches, and may depend on the points visited so far.
+  /// Calls visit(point) for the points in boxes for which mayHold(box) is true, those with a small distance(box) first.
+  /// Both are called when the search reaches a box, so that mayHold can depend on the points that were visited so far.
   template <typename MayHold, typename Distance, typename Visitor>
   void Visit(MayHold&& mayHold, Distance&& distance, Visitor&& visit) const
   {
@@ -58,7 +45,7 @@ private:
   {
     std::int64_t SizeX;
     std::int64_t SizeY;
-    std::vector<PointBox> Boxes; // row by row
+    std::vector<PlaneBox> Boxes; // row by row
   };
 
   struct Square
@@ -68,7 +55,7 @@ private:
     std::int64_t Y;
   };
 
-  const PointBox& BoxOf(const Square& square) const
+  const PlaneBox& BoxOf(const Square& square) const
   {
     const Level& level = this->Levels[square.Level];
     return level.Boxes[std::size_t(square.Y * level.SizeX + square.X)];
@@ -81,7 +68,7 @@ private:
   template <typename MayHold, typename Distance, typename Visitor>
   void VisitSquare(const Square& square, MayHold& mayHold, Distance& distance, Visitor& visit) const
   {
-    const PointBox& box = this->BoxOf(square);
+    const PlaneBox& box = this->BoxOf(square);
     if (box.IsEmpty() || !mayHold(box))
     {
       return;
@@ -173,7 +160,7 @@ private:
 
   const SearchGrid& Points;
   // Boxes of points that follow each other. Along an outline a voxel can have many, where inside there are none.
-  std::vector<std::vector<PointBox>> Runs;
+  std::vector<std::vector<PlaneBox>> Runs;
   std::vector<Level> Levels; // the lowest first; the last one has a single square
 };
 }

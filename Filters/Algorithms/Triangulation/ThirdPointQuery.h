@@ -36,11 +36,21 @@ struct VoxelBox
   std::int64_t LastY;
 };
 
+/// From a place to the nearest place of a box.
+inline double SquaredDistanceToBox(const SegmentEnd& place, const PlaneBox& box)
+{
+  const double x = std::max({ box.Least.X - place.X, 0.0, place.X - box.Greatest.X });
+  const double y = std::max({ box.Least.Y - place.Y, 0.0, place.Y - box.Greatest.Y });
+  return x * x + y * y;
+}
+
 /// An edge from A to B, and the best point that was found for it so far.
 struct ThirdPointQuery
 {
+  /// Keeps a reference to the points.
   ThirdPointQuery(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedVoxel>* walk)
-    : From(from)
+    : Points(points)
+    , From(from)
     , To(to)
     , A(points.At(from))
     , B(points.At(to))
@@ -53,6 +63,17 @@ struct ThirdPointQuery
 
   double SquaredLength() const { return double(SquaredDistance(this->A, this->B)); }
 
+  /// Takes a point as the best if it is better than the best so far, to the left of the edge, and visible where only
+  /// such points count.
+  void Consider(PointId candidate);
+
+  /// Takes a point to the left of the edge as the best; `area` is twice that of its triangle with the edge.
+  void Take(PointId point, std::int64_t area);
+
+  /// Whether the segment from the middle of the edge to a point crosses no boundary edge.
+  bool IsVisible(PointId point) const;
+
+  const SearchGrid& Points;
   const PointId From;
   const PointId To;
   const PlanePoint A;
@@ -62,15 +83,12 @@ struct ThirdPointQuery
   bool OnlyVisible = false; // whether points behind boundary edges do not count
   PointId Best = NoPoint;
   double BestCotangent = 0.0; // of the angle at which the best point sees the edge
-};
 
-/// The cotangent of the angle at which a point to the left of an edge from a to b sees it; `area` is twice that of the
-/// triangle. The smaller it is, the smaller is the part of the point's circle with the edge that lies to the left. Half
-/// of it times the length of the edge is how far the centre of that circle lies to the left.
-inline double Cotangent(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point, std::int64_t area)
-{
-  return double(ScalarProduct(point, a, b)) / double(area);
-}
+private:
+  double CotangentOf(const PlanePoint& place, std::int64_t area) const;
+  bool IsBetter(const PlanePoint& place, PointId candidate, double cotangent) const;
+  bool MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const;
+};
 
 /// The square box of an edge (thesis 5.3.2), in voxels: as far around its middle as it is long.
 struct EdgeBox
@@ -128,13 +146,9 @@ struct EdgeCircle
   }
 
   /// False only when no place of a box is inside, left or right of the edge.
-  bool MayReach(const PlanePoint& low, const PlanePoint& high) const
+  bool MayReach(const PlaneBox& box) const
   {
-    const double x = this->X + this->Start.X;
-    const double y = this->Y + this->Start.Y;
-    const double byX = std::max({ low.X - x, 0.0, x - high.X });
-    const double byY = std::max({ low.Y - y, 0.0, y - high.Y });
-    return byX * byX + byY * byY <= this->SquaredReach;
+    return SquaredDistanceToBox({ this->X + this->Start.X, this->Y + this->Start.Y }, box) <= this->SquaredReach;
   }
 
   PlanePoint Start;

@@ -5,10 +5,12 @@
 
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
+#include "VoxelWalk.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -19,22 +21,19 @@ namespace
 constexpr double NearbyDiameter = 1.5;
 constexpr double LeastDiameter = 1.1;
 
-// A cotangent is a quotient of two whole numbers that are rounded to doubles: right to three times 2^-53 of its size.
-// For points whose cotangents are closer to each other than this part, InCircle decides.
-constexpr double CotangentRounding = 1e-14;
-
 // A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain, and not in
 // its margin.
 constexpr double CotangentMargin = 1e-12;
 
-// In voxels. Shorter edges are most; beyond, going through the box of an edge takes longer than SearchFar.
+// The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar takes less
+// time.
 constexpr std::int64_t LargestBoxToTraverse = 8;
 
-PlanePoint Doubled(const PlanePoint& p)
+/// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
+double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
 {
-  return { 2 * p.X, 2 * p.Y };
+  return double(area) / (double(SquaredDistance(a, b)) + double(SquaredDistance(b, c)) + double(SquaredDistance(c, a)));
 }
-
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -42,7 +41,7 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 {
   ThirdPointQuery query(this->Points, a, b, walk);
   this->Search(query);
-  if (query.Best != NoPoint && !this->IsVisible(query, query.Best))
+  if (query.Best != NoPoint && !query.IsVisible(query.Best))
   {
     query.OnlyVisible = true;
     query.Best = NoPoint;
@@ -140,6 +139,114 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// The bisector, then one line of voxels more on either side of it at a time, as far as the box reaches.
+void ThirdPointSearch::TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const
+{
+  for (int dilatation = 0; query.Best == NoPoint && dilatation <= edgeBox.Size; ++dilatation)
+  {
+    query.Dilatation = dilatation;
+    this->SearchDilatation(query, edgeBox, dilatation);
+    if (dilatation > 0)
+    {
+      this->SearchDilatation(query, edgeBox, -dilatation);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// One line of a dilatation: the bisector's line of voxels, moved along the axis on which it advances less.
+void ThirdPointSearch::SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const
+{
+  const double x = double(query.A.Y) - query.B.Y;
+  const double y = double(query.B.X) - query.A.X;
+  const std::int64_t shiftX = std::abs(x) < std::abs(y) ? shift : 0;
+  const std::int64_t shiftY = shift - shiftX;
+  VoxelWalk walk(edgeBox.MiddleX, edgeBox.MiddleY, x, y);
+  const std::int64_t startX = walk.X();
+  const std::int64_t startY = walk.Y();
+  for (; std::max(std::abs(walk.X() - startX), std::abs(walk.Y() - startY)) <= edgeBox.Size; walk.Next())
+  {
+    const std::int64_t cellX = walk.X() + shiftX;
+    const std::int64_t cellY = walk.Y() + shiftY;
+    if (cellX >= 0 && cellX < this->Grid.SizeX() && cellY >= 0 && cellY < this->Grid.SizeY())
+    {
+      this->SearchRow(query, cellY, cellX, cellX);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const
+{
+  double most = 0.0;
+  const VoxelBox box = this->SquareAround(edgeBox, edgeBox.Size);
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->VisitRow(query, row, box.FirstX, box.LastX,
+      [&](PointId point)
+      {
+        const std::int64_t area = SignedArea(query.A, query.B, this->At(point));
+        const double compactness = Compactness(query.A, query.B, this->At(point), area);
+        if (compactness > most && (!query.OnlyVisible || query.IsVisible(point)))
+        {
+          most = compactness;
+          query.Take(point, area);
+        }
+      });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// A box can hold a better point when a corner of it is to the left of the edge, and it reaches into the circle of the
+// best one. Every better point makes that circle smaller, which is why near boxes come first.
+void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
+{
+  if (!this->Pyramid)
+  {
+    this->Pyramid = std::make_unique<PointPyramid>(this->Points);
+  }
+  std::optional<EdgeCircle> circle;
+  const SegmentEnd middle = query.Middle();
+  const auto isLeft = [&](std::int32_t x, std::int32_t y) { return SignedArea(query.A, query.B, { x, y }) > 0; };
+  const auto mayHold = [&](const PlaneBox& box)
+  {
+    return (isLeft(box.Least.X, box.Least.Y) || isLeft(box.Greatest.X, box.Least.Y) ||
+             isLeft(box.Least.X, box.Greatest.Y) || isLeft(box.Greatest.X, box.Greatest.Y)) &&
+      (!circle || circle->MayReach(box));
+  };
+  this->Pyramid->Visit(
+    mayHold, [&](const PlaneBox& box) { return SquaredDistanceToBox(middle, box); },
+    [&](PointId point)
+    {
+      const PointId before = query.Best;
+      query.Consider(point);
+      if (query.Best != before)
+      {
+        circle.emplace(query, query.BestCotangent);
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox) const
+{
+  const std::int64_t everything = std::max(this->Grid.SizeX(), this->Grid.SizeY());
+  for (std::int64_t radius = edgeBox.Size; query.Best == NoPoint && radius < 2 * everything; radius = 2 * radius + 1)
+  {
+    this->SearchBox(query, this->SquareAround(edgeBox, radius));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+VoxelBox ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const
+{
+  const std::int64_t x = std::int64_t(edgeBox.MiddleX);
+  const std::int64_t y = std::int64_t(edgeBox.MiddleY);
+  return { std::max<std::int64_t>(x - radius, 0), std::max<std::int64_t>(y - radius, 0),
+    std::min(x + radius, this->Grid.SizeX() - 1), std::min(y + radius, this->Grid.SizeY() - 1) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 // The box of the circle's part to the left of the edge: around the ends of the edge, and those of the circle's
 // leftmost, rightmost, lowest and highest points that are to the left.
 VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const
@@ -181,7 +288,7 @@ void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& ci
   {
     for (std::size_t n = 0; n < count; ++n)
     {
-      this->Consider(query, inside[n]);
+      query.Consider(inside[n]);
     }
     count = 0;
   };
@@ -207,6 +314,21 @@ void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& ci
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchBox(ThirdPointQuery& query, const VoxelBox& box) const
+{
+  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  {
+    this->SearchRow(query, row, box.FirstX, box.LastX);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ThirdPointSearch::SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const
+{
+  this->VisitRow(query, row, first, last, [&](PointId point) { query.Consider(point); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void ThirdPointSearch::Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const
 {
   for (std::int64_t column = first; query.Walk && column <= last; ++column)
@@ -216,65 +338,16 @@ void ThirdPointSearch::Trace(ThirdPointQuery& query, std::int64_t row, std::int6
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Consider(ThirdPointQuery& query, PointId candidate) const
+// The points in a row of voxels are in one range.
+template <typename Visitor>
+void ThirdPointSearch::VisitRow(
+  ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
 {
-  const PlanePoint& place = this->At(candidate);
-  const std::int64_t area = SignedArea(query.A, query.B, place);
-  if (area <= 0)
+  this->Trace(query, row, first, last);
+  const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
+  for (PointId point = this->Points.FirstIn(this->Grid.Index(first, row)); point < end; ++point)
   {
-    return;
+    visit(point);
   }
-  const double cotangent = Cotangent(query.A, query.B, place, area);
-  if (this->IsBetter(query, candidate, cotangent) && (!query.OnlyVisible || this->IsVisible(query, candidate)))
-  {
-    query.Best = candidate;
-    query.BestCotangent = cotangent;
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool ThirdPointSearch::IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const
-{
-  if (query.Best == NoPoint)
-  {
-    return true;
-  }
-  const double difference = cotangent - query.BestCotangent;
-  const double uncertain = CotangentRounding * (std::abs(cotangent) + std::abs(query.BestCotangent));
-  if (std::abs(difference) > uncertain)
-  {
-    return difference < 0.0;
-  }
-  return candidate != query.Best && InCircle(query.A, query.B, this->At(query.Best), this->At(candidate)) > 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Whether a segment leads as many voxels away from its start as the nearest boundary edge is.
-bool ThirdPointSearch::MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const
-{
-  const std::int64_t x = this->Grid.CellX(from.X);
-  const std::int64_t y = this->Grid.CellY(from.Y);
-  return std::max(std::abs(this->Grid.CellX(to.X) - x), std::abs(this->Grid.CellY(to.Y) - y)) >=
-    this->Points.EdgeDistance(x, y);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// A segment that runs through the end of a boundary edge does not cross it, and the point behind counts as visible.
-// That does no harm: the end of the edge is nearer, and lies inside the circle of the point behind it.
-bool ThirdPointSearch::IsVisible(const ThirdPointQuery& query, PointId candidate) const
-{
-  const SegmentEnd middle = query.Middle();
-  if (!this->MayMeetEdges(middle, this->At(candidate)))
-  {
-    return true;
-  }
-  const PlanePoint target = Doubled(this->At(candidate));
-  bool visible = true;
-  const auto blocks = [&](const Edge& edge)
-  { return ProperlyCross(Doubled(this->At(edge.From)), Doubled(this->At(edge.To)), query.DoubledMiddle(), target); };
-  this->Grid.ForEachCellAlong(middle, this->At(candidate),
-    [&](std::int64_t cell)
-    { visible = visible && std::none_of(this->Points.Edges().begin(cell), this->Points.Edges().end(cell), blocks); });
-  return visible;
 }
 }

@@ -103,11 +103,6 @@ private:
   template <typename Visitor>
   void VisitRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
 
-  void Consider(ThirdPointQuery& query, PointId candidate) const;
-  bool IsBetter(const ThirdPointQuery& query, PointId candidate, double cotangent) const;
-  bool MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const;
-  bool IsVisible(const ThirdPointQuery& query, PointId candidate) const;
-
   const PlanePoint& At(PointId point) const { return this->Points.At(point); }
 
   const SearchStrategy Strategy;
@@ -115,20 +110,6 @@ private:
   const CellGrid& Grid;
   mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-// The points in a row of voxels are in one range.
-template <typename Visitor>
-void ThirdPointSearch::VisitRow(
-  ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const
-{
-  this->Trace(query, row, first, last);
-  const PointId end = this->Points.EndOf(this->Grid.Index(last, row));
-  for (PointId point = this->Points.FirstIn(this->Grid.Index(first, row)); point < end; ++point)
-  {
-    visit(point);
-  }
-}
 }
 
 #endif
