@@ -3,7 +3,6 @@
 
 #include "vtkHorizonAlgorithm.h"
 
-#include "Common/Errors.h"
 #include "Common/Monitor.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -12,7 +11,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
@@ -42,29 +40,22 @@ int vtkHorizonAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 int vtkHorizonAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0], 0);
-  for (int port = 0; input && port < this->GetNumberOfOutputPorts(); ++port)
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    vtkDataObject* const output = vtkDataObject::GetData(outputVector, port);
-    if (!output || !output->IsA(input->GetClassName()))
-    {
-      auto fresh = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
-      outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), fresh);
-    }
+    MakeOutputLike(vtkDataObject::GetData(inputVector[0], 0), outputVector->GetInformationObject(port));
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
+// The loop over the horizons is here, and not that of vtkCompositeDataPipeline over the leaves of a dataset. That one
+// goes on after an error or a request to stop, and leaves in the output what was done by then; here the whole output
+// has to be empty. Nor does it put the partitions of a horizon together.
 int vtkHorizonAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0], 0);
-  std::vector<vtkDataObject*> outputs;
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    outputs.push_back(vtkDataObject::GetData(outputVector, port));
-  }
+  const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
   return RunRequest(this, outputs, NotEnoughMemory,
     [this, input, &outputs](std::string& subject, const Monitor& monitor)
     {

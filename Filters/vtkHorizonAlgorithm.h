@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonAlgorithm
- * @brief   what all stages that work on horizons have in common
+ * @brief   what the stages that turn one horizon into another have in common
  *
  * A horizon is a vtkPolyData with the lattice in its field data (see Documentation/DataModel.md). A stage takes one
- * horizon, or a composite dataset of them, and gives the same kind of dataset with the same structure and names. A
- * subclass only says what happens to one horizon.
+ * horizon, or a composite dataset of them (any vtkDataObjectTree), and gives the same kind of dataset with the same
+ * structure and names. A subclass only has to say what happens to one horizon.
  *
- * A horizon without points gives an empty result. When one horizon can not be processed, one error names it and says
- * what was found and what was expected, and the whole output stays empty: never a half result. Progress runs over all
- * horizons, and a request to stop is obeyed between and within them.
+ * A horizon without points gives an empty one. When a horizon can not be processed, one error names it, and says what
+ * was found and what was expected. The whole output is empty then, even if other horizons were processed before;
+ * likewise when the user asks to stop. Progress goes from 0 to 1 over all horizons.
  *
- * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonRoughSimplification
- * vtkHorizonTriangulation
+ * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonCellSimplification vtkHorizonTriangulation
+ * vtkHorizonSurfaceDistance
  */
 
 #ifndef vtkHorizonAlgorithm_h
@@ -36,7 +36,7 @@ public:
   vtkTypeMacro(vtkHorizonAlgorithm, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The output as a single horizon; null when it is a composite dataset.
+  /// Output 0 as a single horizon; null when it is a composite dataset.
   vtkPolyData* GetPolyDataOutput();
 
 protected:
@@ -46,8 +46,8 @@ protected:
   /// The outputs of one horizon, by port.
   using Outputs = std::vector<vtkPolyData*>;
 
-  /// Turns one horizon that has points into what the stage gives for it. Throws SeismicHorizons::InputError on input
-  /// that breaks the contract of the stage. The outputs have the field data of the input already.
+  /// Turns one horizon that has points into the outputs, which are empty but for the field data of the input. Throws
+  /// SeismicHorizons::InputError on input that breaks the contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

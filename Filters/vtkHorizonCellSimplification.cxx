@@ -22,7 +22,8 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// A square, or a box, as one line along its edges. Along a box it has to go up and down some of them twice.
+/// A square, or a box, as one line along its edges. No line runs along all edges of a box just once: it takes 15 steps
+/// for the 12 edges.
 void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid, vtkPolyData* output)
 {
   const vtkIdType first = output->GetNumberOfPoints();

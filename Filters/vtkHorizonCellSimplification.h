@@ -84,7 +84,7 @@ protected:
   /// Runs the method of the subclass on a horizon.
   virtual SeismicHorizons::Reduction Simplify(
     const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor) = 0;
-  /// Whether cells end upwards, too: cubes are shown as boxes, squares flat.
+  /// Whether cells are cubes, which are shown as boxes, or squares, which are shown flat.
   virtual bool HasCubes() const = 0;
 
   void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) final;

@@ -2,26 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonElaborateSimplification
- * @brief   fewer points where a horizon is flat, in steady steps from the boundary to the inside
+ * @brief   fewer points where a horizon is flat, in cells whose size changes gradually from the boundary to the inside
  *
  * Input and output: as vtkHorizonCellSimplification describes. It can follow vtkHorizonRoughSimplification, which makes
- * it faster (the thesis's global method), or do alone.
+ * it faster (the thesis's global method), or be used alone.
  *
  * The points of each patch are sorted into cubes of CellSize lattice units, from the least corner of the bounding box
- * of the horizon. Cubes are halved, octant by octant, and every piece becomes the barycentre of its points, or the
- * point nearest to that (thesis 4.3.2, Alg. 4.2 and 4.3). Cubes with boundary points are the first ring: they are
- * halved until boundary points lie densely and far enough apart; a large piece keeps its boundary points and one point
- * for the others, a small one its boundary points alone. Each further ring is the cubes that touch the one before. They
- * are halved until their points are flat, by principal component analysis, and no piece is larger than those of the
- * ring before are in the mean.
+ * of the horizon. Cubes are halved along all three axes where need be, and their octants again; both are called cells.
+ * Each cell that is not halved any further gives the barycentre of its points, or the point nearest to that (thesis
+ * 4.3.2, Alg. 4.2 and 4.3). Cubes with boundary points are the first ring. They are halved until the boundary points in
+ * a cell lie densely and far enough apart; a large cell then keeps its boundary points and one point for the others, a
+ * small one its boundary points alone. Each further ring is the cubes that touch the one before. They are halved until
+ * the points in each cell are flat, by principal component analysis, and no cell is larger than those of the ring
+ * before are in the mean.
  *
  * No cell is halved to a side below one column. A barycentre that is not strictly inside the boundary, or in the place
- * of another point, gives way to the point nearest to it. So points stay strictly inside, and no two share a place in
+ * of another point, is replaced by the point nearest to it. So points stay strictly inside, and no two share a place in
  * plan.
  *
- * Linear in the points and the cells of the bounding box. The cells of a ring run in parallel (vtkSMPTools), and the
- * result is the same to the bit for any number of threads. The output is no better than the points are: noise of one
- * voxel makes a surface of small cells curved.
+ * Linear in the points and the cells of the bounding box. The cubes of a ring run in parallel (vtkSMPTools), and the
+ * result is the same to the bit for any number of threads. Noise counts as curvature: where points go up and down by a
+ * voxel, small cells are not flat.
  *
  * Errors: a cell size below 1, a threshold below 0, a growth below 1, no boundary loops, no PatchId, no lattice in the
  * field data.
@@ -45,7 +46,8 @@ public:
   ///@{
   /**
    * How curved the points of a cell may be: the least eigenvalue of their covariance divided by the sum of the three
-   * (thesis: eq. 4.5). 0, only a plane is flat, to 1/3, everything is. The thesis uses 0.03 to 0.20. Default: 0.12.
+   * (thesis: eq. 4.5). From 0, only a plane is flat, to 1/3, everything is. The thesis uses 0.03 to 0.20. Default:
+   * 0.12.
    */
   vtkSetMacro(FlatnessThreshold, double);
   vtkGetMacro(FlatnessThreshold, double);

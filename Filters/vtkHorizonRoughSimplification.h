@@ -13,8 +13,8 @@
  * it, with its own attributes; so every point stays strictly inside the boundary. A cell size of 1 changes nothing.
  *
  * Linear in the points and the cells of the bounding box; cells run in parallel (vtkSMPTools), and the result is the
- * same to the bit for any number of threads. It takes no account of how curved the surface is: use small cells, to thin
- * out a horizon that is sampled too finely, and vtkHorizonElaborateSimplification for more.
+ * same to the bit for any number of threads. How curved the surface is does not matter: use small cells, to thin out a
+ * horizon that is sampled too finely, and vtkHorizonElaborateSimplification to remove more points.
  *
  * Errors: a cell size below 1, no boundary loops, no PatchId, no lattice in the field data.
  *

@@ -8,6 +8,7 @@
 #include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/DistanceReport.h"
 #include "Marshalling/HorizonPairs.h"
+#include "Marshalling/HorizonTree.h"
 #include "Marshalling/SurfacePair.h"
 
 #include "vtkDoubleArray.h"
@@ -17,7 +18,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -79,16 +79,9 @@ int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformatio
 int vtkHorizonSurfaceDistance::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (const int port : { ReferencePort, MeshPort, TablePort })
+  for (const int port : { ReferencePort, MeshPort }) // the executive makes the table
   {
-    vtkDataObject* const input = port == TablePort ? nullptr : vtkDataObject::GetData(inputVector[port], 0);
-    vtkDataObject* const output = vtkDataObject::GetData(outputVector, port);
-    const char* const type = port == TablePort ? "vtkTable" : input ? input->GetClassName() : nullptr;
-    if (type && (!output || !output->IsA(type)))
-    {
-      auto fresh = vtkSmartPointer<vtkDataObject>::Take(input ? input->NewInstance() : vtkTable::New());
-      outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), fresh);
-    }
+    MakeOutputLike(vtkDataObject::GetData(inputVector[port], 0), outputVector->GetInformationObject(port));
   }
   return 1;
 }
@@ -99,20 +92,19 @@ int vtkHorizonSurfaceDistance::RequestData(
 {
   vtkDataObject* const reference = vtkDataObject::GetData(inputVector[ReferencePort], 0);
   vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeshPort], 0);
-  const std::vector<vtkDataObject*> outputs = { vtkDataObject::GetData(outputVector, ReferencePort),
-    vtkDataObject::GetData(outputVector, MeshPort), vtkDataObject::GetData(outputVector, TablePort) };
+  const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
   return RunRequest(this, outputs, NotEnoughMemory,
     [&](std::string& subject, const Monitor& monitor)
     {
       auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
       MakeColumns(table);
       const std::vector<HorizonPair> pairs = MatchHorizons(reference, mesh, outputs[ReferencePort], outputs[MeshPort]);
+      const double size = double(pairs.size());
       for (std::size_t n = 0; n < pairs.size(); ++n)
       {
         subject = pairs[n].Name;
         if (pairs[n].Reference->GetNumberOfPoints() + pairs[n].Mesh->GetNumberOfPoints() > 0)
         {
-          const double size = double(pairs.size());
           this->MeasurePair(pairs[n], table, monitor.Step(double(n) / size, double(n + 1) / size));
         }
       }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSurfaceDistance
- * @brief   how far a mesh is from the horizon it stands for, and that from the mesh
+ * @brief   distances between a mesh and the horizon it stands for, in both directions
  *
  * Input 0, the reference: a triangle mesh, or a horizon without triangles, which is meshed at full resolution inside
  * its loops, or where it has none inside its exterior boundary of the given Radius, holes closed. Input 1: a triangle
@@ -27,10 +27,11 @@
  * Samples, the number of places on its faces.
  *
  * The measure is that of Metro (Cignoni, Rocchini and Scopigno 1998, "Metro: measuring error on simplified surfaces";
- * thesis 4.4). Vertices, edges and faces of a surface are sampled, evenly and by a seed, and the distance of each
- * sample to the other surface is exact. The nearest place in lattice units need not be the nearest one in world units,
- * so that everything is measured in both, unless a lattice unit is as long in all directions. The lattice is that of
- * the reference, else that of the mesh; where neither has one, lattice units are those of the world.
+ * thesis 4.4). Vertices of a surface, and samples that are spread evenly over its edges and faces, are measured to the
+ * other surface; the distance of each of them is exact. The nearest place in lattice units need not be the nearest one
+ * in world units, so that everything is measured in both. Where a lattice unit is as long in all directions of the
+ * world, one follows from the other. The lattice is that of the reference, else that of the mesh; where neither has
+ * one, lattice units are those of the world.
  *
  * Runs on several threads, and gives the same bytes on any number of them. Near linear; about 70 bytes per triangle
  * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, all else is exact for
@@ -82,9 +83,9 @@ public:
 
   ///@{
   /**
-   * How densely faces are sampled: so many places on each surface for each point of the one that has more of them, but
-   * at least 10,000 on each surface, and one on each triangle. Edges are sampled at the same spacing. From 0.01 to
-   * 1000. Default: 2, about one on each triangle at full resolution.
+   * How many samples there are on the faces of each surface, for each point of the surface that has more points. There
+   * are at least 10,000 on each surface, and at least one on each triangle. Edges are sampled at the same spacing. From
+   * 0.01 to 1000. Default: 2, about one on each triangle at full resolution.
    */
   vtkSetClampMacro(SamplesPerPoint, double, 0.01, 1000.0);
   vtkGetMacro(SamplesPerPoint, double);
@@ -92,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Another number puts the samples elsewhere. At least 0. Default: 1.
+   * The seed of the random places of the samples: with another one they are elsewhere. At least 0. Default: 1.
    */
   vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
   vtkGetMacro(Seed, int);

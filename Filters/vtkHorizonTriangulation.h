@@ -25,8 +25,8 @@
  * triangle); every point inside is a vertex; no triangle lies outside; every other edge is locally Delaunay, seen from
  * above in lattice units. Holes without loops close.
  *
- * Where the lattice is full, triangles come without a search, at the speed of memory. Into the rest they grow from the
- * boundary inwards; the third point for an edge is searched in a grid of voxels around it (thesis chapter 5). All
+ * Where the lattice is full, triangles are made without a search. In the rest they grow from the boundary inwards; the
+ * third point for an edge is searched in a grid of voxels around it (thesis chapter 5). All
  * decisions are exact: places are taken as integers, columns being cut into up to 2^20 parts (Lattice.h), and ties
  * between points on one circle, of which a lattice is full, are settled by one rule that looks at the places alone
  * (Predicates.h). So the result is unique: neither the order of the points nor the strategy matters.
@@ -110,8 +110,8 @@ public:
 
   ///@{
   /**
-   * To look inside: stop each patch after so many triangles, and show in output 1 how the last one was found. The short
-   * cut of full blocks is not taken then. At least 0, and 0 makes all triangles. Default: 0.
+   * For inspection: stop each patch after so many triangles, and show in output 1 how the last one was found. Full
+   * lattices are searched as well then. At least 0, and 0 makes all triangles. Default: 0.
    */
   vtkSetClampMacro(MaximumNumberOfTriangles, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfTriangles, int);

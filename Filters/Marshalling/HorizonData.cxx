@@ -35,8 +35,11 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
 
-// So many voxels no horizon has; and their number times a place in sub-voxels, which averages are made of, fits 64
-// bits.
+// How far from a whole column, in lattice units, a point may be to count as being on it. Rounding of world coordinates
+// is far below, and no other column could be meant.
+constexpr double ColumnTolerance = 0.01;
+
+// More voxels than any horizon has. Averages add up as many places in sub-voxels, below 2^29 each, which fits 64 bits.
 constexpr std::int64_t MostVoxels = std::int64_t(1) << 32;
 
 /// An array of numbers by its name; null when there is none of that name.
@@ -260,15 +263,13 @@ LatticePoints ReadPoints(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> ToColumns(const LatticePoints& points)
 {
-  // A hundredth of a column is far beyond rounding in world coordinates, and no column could be meant but the nearest.
-  const double tolerance = 0.01;
   std::vector<PlanePoint> columns;
   columns.reserve(points.Plane.size());
   for (const PlanePoint& place : points.Plane)
   {
     const double x = points.Grid.ToLatticeUnits(place.X);
     const double y = points.Grid.ToLatticeUnits(place.Y);
-    if (std::abs(x - std::round(x)) > tolerance || std::abs(y - std::round(y)) > tolerance)
+    if (std::abs(x - std::round(x)) > ColumnTolerance || std::abs(y - std::round(y)) > ColumnTolerance)
     {
       throw InputError("point " + std::to_string(columns.size()) + " at (" + std::to_string(x) + ", " +
         std::to_string(y) +

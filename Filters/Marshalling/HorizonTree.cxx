@@ -12,6 +12,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -170,6 +171,28 @@ void AcceptHorizons(vtkInformation* port)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
+{
+  vtkDataObject* const output = vtkDataObject::GetData(outputPort);
+  if (input && (!output || !output->IsA(input->GetClassName())))
+  {
+    auto made = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    outputPort->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkDataObject*> ListOutputs(vtkInformationVector* outputPorts)
+{
+  std::vector<vtkDataObject*> outputs;
+  for (int port = 0; port < outputPorts->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs.push_back(vtkDataObject::GetData(outputPorts, port));
+  }
+  return outputs;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
 {
   Collector collector;
@@ -181,7 +204,7 @@ std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vt
     {
       vtkDataObjectTree::SafeDownCast(output)->CopyStructure(tree);
     }
-    // Now, not after the work: of a single horizon the root is the output, whose figures must not be overwritten.
+    // Before the work: the output of a single horizon is `output` itself, and gets figures of the same names then.
     output->GetFieldData()->PassData(input->GetFieldData());
     single.push_back(vtkPolyData::SafeDownCast(output));
   }

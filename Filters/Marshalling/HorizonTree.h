@@ -13,6 +13,7 @@
 
 class vtkDataObject;
 class vtkInformation;
+class vtkInformationVector;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -23,21 +24,28 @@ constexpr const char* NotEnoughMemory = "not enough memory, expected a horizon w
 /// Lets an input port take a vtkPolyData or a composite dataset.
 void AcceptHorizons(vtkInformation* port);
 
+/// Gives an output port a data object of the class of `input`, unless it has one. Does nothing without an input.
+void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort);
+
+/// The data objects of all output ports.
+std::vector<vtkDataObject*> ListOutputs(vtkInformationVector* outputPorts);
+
+/// A horizon of a dataset.
 struct HorizonLeaf
 {
   /// That of the block or of the dataset above it; else by the surface ID of its points; empty when there is none.
   std::string Name;
   vtkSmartPointer<vtkPolyData> Input;
-  std::vector<vtkPolyData*> Outputs;
+  std::vector<vtkPolyData*> Outputs; // by port; empty but for the field data of the input
 };
 
 /// The horizons of `input`, a vtkPolyData or a composite dataset of them. Gives each of `outputs`, which are of the
-/// same type, the structure of the input with an empty vtkPolyData for each horizon, and passes the field data of the
-/// root.
+/// same class, the structure of the input with an empty vtkPolyData for each horizon, and the field data of the whole
+/// input.
 ///
-/// A horizon that is dealt out to several partitions of a vtkPartitionedDataSet is put together, and its output is in
-/// the place of the first of them. Throws InputError when such a horizon has more than points already, and on leaves
-/// that are no vtkPolyData.
+/// Several partitions of one vtkPartitionedDataSet are one horizon: their points are put together, and the output takes
+/// the place of the first of them. Throws InputError when such partitions have lines or polygons, and when a dataset is
+/// no vtkPolyData.
 std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs);
 }
 

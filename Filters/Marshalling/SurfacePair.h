@@ -14,16 +14,16 @@ namespace SeismicHorizons
 {
 struct HorizonPair;
 
-/// Gives the reference's output the reference with triangles: as it is, or meshed with all its points inside its loops,
-/// or without loops inside its exterior boundary. Throws InputError when it can not be meshed.
+/// Writes the reference as a mesh to its output. A reference with triangles is passed as it is. Any other is meshed
+/// with all its points: inside its loops, or where it has none, inside its exterior boundary of that radius. Throws
+/// InputError when it can not be meshed.
 void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor);
 
-/// Distances of points in the unit that was asked for, and the figures in all.
 struct MeasuredPair
 {
-  SurfaceDistance Points;
-  double Upwards = 1.0; // from heights on the lattice to those of the unit, positive upwards in the world
-  DistanceReport Report;
+  SurfaceDistance Points; // the distances of points, in the unit that was asked for
+  double Upwards = 1.0; // times a vertical distance: the same in that unit, positive upwards in the world
+  DistanceReport Report; // the figures, in all units
 };
 
 /// Measures the output of WriteReference and the mesh. Without a lattice, lattice units are those of the world. Throws

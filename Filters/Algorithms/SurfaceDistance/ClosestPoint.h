@@ -21,10 +21,15 @@ inline double SquaredDistanceToSegment(const Eigen::Vector3d& p, const Eigen::Ve
   return (p - a - part * along).squaredNorm();
 }
 
-/// The squared distance from `p` to the triangle `a`, `b`, `c`, which may be without an area. It is told from the signs
-/// of a few scalar products whether a corner, an edge or the face is nearest (Ericson 2005, "Real-Time Collision
-/// Detection", 5.1.5); the result is always the distance to a point of the triangle, so that rounding never makes it
-/// smaller than it is.
+/// A triangle is a needle when the square of the sine of its angle at `a` is at most this. With 16 digits, the place on
+/// its face that is nearest to a point is then no better than to 1e-16 / 1e-10 = 1e-6 of its size, while no place on
+/// its face is more than about 1e-5 of its size away from a side.
+constexpr double SquaredSineOfNeedle = 1e-10;
+
+/// The squared distance from `p` to the triangle `a`, `b`, `c`, which may be without an area. The signs of scalar
+/// products tell whether a corner, an edge or the face is nearest (Ericson 2005, "Real-Time Collision Detection",
+/// 5.1.5). The result is always the distance to a point of the triangle, so that rounding can make it too large, but
+/// never too small.
 inline double SquaredDistanceToTriangle(
   const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -51,7 +56,8 @@ inline double SquaredDistanceToTriangle(
   {
     return cp.squaredNorm();
   }
-  // Signed areas of the triangles between p, as it is projected, and the edges, each times that of the whole.
+  // With q for p projected onto the plane of the triangle: the signed area of a, b, q, times that of a, b, c, times 4;
+  // likewise below.
   const double onC = d1 * d4 - d3 * d2;
   if (onC <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
   {
@@ -70,9 +76,9 @@ inline double SquaredDistanceToTriangle(
   const double sum = onA + onB + onC;
   const bool onFace = onA > 0.0 && onB > 0.0 && onC > 0.0;
   const double face = onFace ? (ap - onB / sum * ab - onC / sum * ac).squaredNorm() : 0.0;
-  // The foot of the perpendicular is lost to rounding in a needle, the sine of whose angle is below 1e-5; but there a
-  // side is as near.
-  if (onFace && sum > 1e-10 * ab.squaredNorm() * ac.squaredNorm())
+  // On a needle q is rounded too much, but there a side is about as near. The sum is the square of the cross product of
+  // ab and ac.
+  if (onFace && sum > SquaredSineOfNeedle * ab.squaredNorm() * ac.squaredNorm())
   {
     return face;
   }

@@ -13,7 +13,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t TrianglesPerChunk = 4096;
+constexpr std::int64_t TrianglesPerChunk = 4096; // after which a thread locks the histogram
 }
 
 //----------------------------------------------------------------------------------------------------------------------

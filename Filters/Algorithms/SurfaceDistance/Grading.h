@@ -10,8 +10,8 @@
 
 namespace SeismicHorizons
 {
-/// Over the corners of all triangles the ratio of the longer to the shorter of the two sides that meet there: 1 where
-/// they are equal, infinite where one has no length. Within 1/1024 of their size.
+/// Median and percentile, over the corners of all triangles, of the ratio of the longer to the shorter of the two sides
+/// that meet there: 1 where they are equal, infinite where one has no length. Right to 1/1024 of their value.
 struct Grading
 {
   double Median = 0.0;

@@ -17,25 +17,29 @@ namespace SeismicHorizons
 {
 namespace
 {
+// So much work that it hardly matters for the speed where a chunk's first search begins.
 constexpr std::int64_t PointsPerChunk = 4096;
 constexpr std::int64_t TrianglesPerChunk = 512;
+// The histogram is locked once for so many samples.
 constexpr std::size_t EntriesAtOnce = 16384;
 
-// A millionth of the mean spacing of points: places on an outline are still above it.
-constexpr double OutlineTolerance = 1e-6;
+// How far outside a triangle, seen from above, a place still counts as above or below it: a millionth of the spacing of
+// samples. Rounding may put places of an outline just outside, but by far less.
+constexpr double HeightTolerance = 1e-6;
 
-// The weight of all faces of both surfaces, in the integers of the histogram.
+// The weight of all faces of both surfaces, in the integers of the histogram: small parts of it keep many digits, and
+// sums stay below 2^64.
 const double TotalWeight = std::ldexp(1.0, 60);
 
-/// What is known of a surface that is measured.
-struct Side
+/// A surface with what it takes to measure from it and to it.
+struct MeasuredSurface
 {
   const TriangleSurface& Surface;
   TriangleTree Tree;
   SurfaceEdges Edges;
   double Area = 0.0;
 
-  Side(const TriangleSurface& surface, const Monitor& monitor)
+  MeasuredSurface(const TriangleSurface& surface, const Monitor& monitor)
     : Surface(surface)
     , Tree(surface, monitor)
     , Edges(surface)
@@ -47,7 +51,8 @@ struct Side
   }
 };
 
-/// Distances to one surface, each search beginning where the one before ended.
+/// Measures distances to one surface. Each search begins with the triangle that the one before found, so that a probe
+/// serves one chunk: with the same places in the same order it finds the same triangles.
 class Probe
 {
 public:
@@ -83,7 +88,7 @@ std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
   return marks;
 }
 
-/// The distances of all points; the largest of those that are corners.
+/// Writes the distances of all points, and gives the largest of those that are corners of triangles.
 double MeasurePoints(
   const TriangleSurface& from, const TriangleTree& to, std::vector<double>& distances, const Monitor& monitor)
 {
@@ -107,6 +112,7 @@ double MeasurePoints(
   return largest;
 }
 
+/// Writes for all points how far they are above the other surface.
 void MeasureHeights(const TriangleSurface& from, const TriangleTree& to, double tolerance, std::vector<double>& heights)
 {
   const std::int64_t size = std::int64_t(from.Points.size());
@@ -121,7 +127,8 @@ void MeasureHeights(const TriangleSurface& from, const TriangleTree& to, double 
     });
 }
 
-/// The largest distance of samples on edges, one for each `spacing` of their length; shorter edges have their ends.
+/// The largest distance of samples on edges, one for each `spacing` of their length. Shorter edges have no samples:
+/// their ends are measured as points.
 double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleTree& to, double spacing,
   std::uint64_t seed, const Monitor& monitor)
 {
@@ -144,12 +151,12 @@ double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, cons
   return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
 }
 
-/// Sums over the faces of a surface, or of a chunk of it.
+/// What the samples on the faces of a surface, or of a chunk of it, add up to.
 struct FaceSums
 {
   double Area = 0.0;
-  double Distance = 0.0;
-  double Square = 0.0;
+  double Distance = 0.0; // weighted by area
+  double Square = 0.0; // of the distance, weighted by area
   double Largest = 0.0;
   std::int64_t Samples = 0;
 
@@ -163,7 +170,7 @@ struct FaceSums
   }
 };
 
-/// Measures the samples of a range of sorted triangles.
+/// Measures samples on the triangles of one chunk.
 class FaceMeter
 {
 public:
@@ -175,7 +182,8 @@ public:
   {
   }
 
-  FaceSums Run(const Side& from, std::int64_t first, std::int64_t last, WeightedHistogram& histogram)
+  /// From the triangles `first` to before `last`, in the order of the tree.
+  FaceSums Run(const MeasuredSurface& from, std::int64_t first, std::int64_t last, WeightedHistogram& histogram)
   {
     for (std::int64_t n = first; n < last; ++n)
     {
@@ -222,7 +230,7 @@ private:
   std::vector<WeightedHistogram::Entry> Entries;
 };
 
-FaceSums MeasureFaces(const Side& from, const Side& to, double density, std::uint64_t seed,
+FaceSums MeasureFaces(const MeasuredSurface& from, const MeasuredSurface& to, double density, std::uint64_t seed,
   WeightedHistogram& histogram, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(from.Surface.Triangles.size());
@@ -239,7 +247,7 @@ FaceSums MeasureFaces(const Side& from, const Side& to, double density, std::uin
   return sums;
 }
 
-/// Fills in what follows from the faces.
+/// Fills in the figures that follow from the faces.
 void SetFaceFigures(const FaceSums& sums, const WeightedHistogram& histogram, DistanceFigures& figures)
 {
   figures.Largest = std::max(figures.Largest, sums.Largest);
@@ -248,11 +256,12 @@ void SetFaceFigures(const FaceSums& sums, const WeightedHistogram& histogram, Di
   figures.Samples = sums.Samples;
   for (std::size_t n = 0; n < Percentiles.size(); ++n)
   {
-    // Where a bin of the histogram ends need not be a distance that occurs.
+    // A bin of the histogram may end beyond the largest distance in it.
     figures.Percentile[n] = std::min(histogram.Percentile(0.01 * Percentiles[n]), sums.Largest);
   }
 }
 
+/// The largest distance of one outline to the other; nan when one of them is empty.
 double MeasureOutline(const TriangleSurface& from, const TriangleSurface& to, double spacing, std::uint64_t seed)
 {
   if (from.Triangles.empty() || to.Triangles.empty())
@@ -265,13 +274,14 @@ double MeasureOutline(const TriangleSurface& from, const TriangleSurface& to, do
   return std::max(corners, MeasureEdges(from, SurfaceEdges(from), tree, spacing, seed, Monitor()));
 }
 
-/// One direction of the measure.
+/// Measures from one surface to the other.
 struct Direction
 {
-  const Side& From;
-  const Side& To;
-  double Samples;
+  const MeasuredSurface& From;
+  const MeasuredSurface& To;
+  double Samples; // on the faces
   const SurfaceDistanceOptions& Options;
+  // What Run finds on the faces.
   FaceSums Sums;
   WeightedHistogram Histogram;
 
@@ -292,20 +302,22 @@ struct Direction
       FindOutline(this->To.Surface, this->To.Edges), spacing, this->Options.Seed);
     if (this->Options.Vertical)
     {
-      MeasureHeights(this->From.Surface, this->To.Tree, OutlineTolerance * spacing, points.Vertical);
+      MeasureHeights(this->From.Surface, this->To.Tree, HeightTolerance * spacing, points.Vertical);
     }
     return figures;
   }
 };
 
-DistanceFigures Combine(const DistanceFigures& a, const DistanceFigures& b, Direction& there, const Direction& back)
+/// The figures of both directions together. Adds what the second one found on the faces to the first one.
+DistanceFigures Combine(
+  const DistanceFigures& a, const DistanceFigures& b, Direction& firstDirection, const Direction& secondDirection)
 {
   DistanceFigures both;
   both.Largest = std::max(a.Largest, b.Largest);
   both.Outline = std::max(a.Outline, b.Outline);
-  there.Sums.Add(back.Sums);
-  there.Histogram.Add(back.Histogram);
-  SetFaceFigures(there.Sums, there.Histogram, both);
+  firstDirection.Sums.Add(secondDirection.Sums);
+  firstDirection.Histogram.Add(secondDirection.Histogram);
+  SetFaceFigures(firstDirection.Sums, firstDirection.Histogram, both);
   return both;
 }
 }
@@ -316,16 +328,16 @@ SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const T
 {
   CheckSurface(reference, "reference");
   CheckSurface(mesh, "mesh");
-  const Side referenceSide(reference, monitor.Step(0.0, 0.1));
-  const Side meshSide(mesh, monitor.Step(0.1, 0.2));
+  const MeasuredSurface measuredReference(reference, monitor.Step(0.0, 0.1));
+  const MeasuredSurface measuredMesh(mesh, monitor.Step(0.1, 0.2));
   const double samples = std::max(SurfaceDistanceOptions::LeastSamples,
     options.SamplesPerPoint * double(std::max(reference.Points.size(), mesh.Points.size())));
-  Direction there{ referenceSide, meshSide, samples, options, {}, {} };
-  Direction back{ meshSide, referenceSide, samples, options, {}, {} };
+  Direction toMesh{ measuredReference, measuredMesh, samples, options, {}, {} };
+  Direction toReference{ measuredMesh, measuredReference, samples, options, {}, {} };
   SurfaceDistance result;
-  result.ReferenceToMesh = there.Run(result.Reference, monitor.Step(0.2, 0.6));
-  result.MeshToReference = back.Run(result.Mesh, monitor.Step(0.6, 1.0));
-  result.TwoSided = Combine(result.ReferenceToMesh, result.MeshToReference, there, back);
+  result.ReferenceToMesh = toMesh.Run(result.Reference, monitor.Step(0.2, 0.6));
+  result.MeshToReference = toReference.Run(result.Mesh, monitor.Step(0.6, 1.0));
+  result.TwoSided = Combine(result.ReferenceToMesh, result.MeshToReference, toMesh, toReference);
   return result;
 }
 }

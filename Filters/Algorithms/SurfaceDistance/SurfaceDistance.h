@@ -4,10 +4,10 @@
 // How far two triangle meshes are apart: the measure of Metro (Cignoni, Rocchini and Scopigno 1998, "Metro: measuring
 // error on simplified surfaces"; thesis 4.4).
 //
-// Places on one surface (its vertices, and samples of its edges and faces) are each measured to the nearest triangle of
-// the other surface, exactly; then the other way round. Only where the places are is a matter of sampling: the largest
-// distance that is found is never above the true one, and below it by less than the way from any place to the sample
-// nearest to it.
+// From places on one surface (its points, and samples of its edges and faces) the distance to the nearest triangle of
+// the other surface is measured exactly; then the other way round. Only the choice of the places is approximate: the
+// largest distance that is found is never above the true one, and is below it by no more than the distance from any
+// place to the sample nearest to it.
 
 #ifndef SeismicHorizonsSurfaceDistance_h
 #define SeismicHorizonsSurfaceDistance_h
@@ -23,10 +23,11 @@ namespace SeismicHorizons
 {
 struct SurfaceDistanceOptions
 {
-  /// Samples on the faces of each surface for each point of the one that has more of them; above 0. There are at least
-  /// one on every triangle with an area, and LeastSamples on a surface. Edges are sampled as densely.
+  /// Samples on the faces of each surface for each point of the one that has more points; above 0. There is at least
+  /// one on every triangle with an area, and there are at least LeastSamples on a surface. Edges are sampled at the
+  /// same spacing.
   double SamplesPerPoint = 2.0;
-  /// Other numbers put the samples elsewhere.
+  /// The seed of where the samples are; any number.
   std::uint64_t Seed = 1;
   /// Whether PointDistances::Vertical is made.
   bool Vertical = true;
@@ -70,10 +71,8 @@ struct SurfaceDistance
   PointDistances Mesh;
 };
 
-/// Throws InputError on a surface without triangles, without any area, with a corner that is no point of it, and on
-/// coordinates that are not finite or larger than LargestCoordinate. Messages call
-/// the surfaces "reference" and "mesh". The result is the same for any number of threads. Near linear; about 40 bytes
-/// per triangle of both.
+/// Throws InputError as CheckSurface does; messages call the surfaces "reference" and "mesh". The result is the same
+/// for any number of threads. Near linear; about 40 bytes per triangle of both.
 SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const TriangleSurface& mesh,
   const SurfaceDistanceOptions& options = SurfaceDistanceOptions(), const Monitor& monitor = Monitor());
 }

@@ -11,6 +11,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
+
 /// Calls visit(low, high) for the sides of all triangles.
 template <typename Visitor>
 void ForEachSide(const std::vector<Corners>& triangles, Visitor&& visit)
@@ -33,7 +35,7 @@ void ForEachSide(const std::vector<Corners>& triangles, Visitor&& visit)
 SurfaceEdges::SurfaceEdges(const TriangleSurface& surface)
   : Highs(std::int64_t(surface.Points.size()), [&surface](auto&& add) { ForEachSide(surface.Triangles, add); })
 {
-  ParallelFor(std::int64_t(surface.Points.size()), 4096,
+  ParallelFor(std::int64_t(surface.Points.size()), Grain,
     [this](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t point = first; point < last; ++point)

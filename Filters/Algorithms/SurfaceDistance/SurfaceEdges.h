@@ -20,8 +20,9 @@ public:
   /// Linear; 4 bytes per point and 12 per triangle.
   explicit SurfaceEdges(const TriangleSurface& surface);
 
-  /// Calls visit(low, high, triangles) for each edge whose end of lower number is in a range of points, with the number
-  /// of triangles it belongs to. A triangle with a corner twice has its one edge twice.
+  /// Calls visit(low, high, triangles) for each edge whose end of lower number is in a range of points: its ends, and
+  /// how many triangles it is a side of. A triangle that has one point as two of its corners counts twice for its one
+  /// edge.
   template <typename Visitor>
   void ForEach(std::int64_t firstPoint, std::int64_t lastPoint, Visitor&& visit) const
   {
@@ -41,7 +42,8 @@ private:
   ItemLists<PointId, std::uint32_t> Highs; // by the end of lower number: the other ends, sorted, one for each triangle
 };
 
-/// The edges of one triangle alone, each as a triangle without an area, in plan (z = 0), over points of their own.
+/// The edges that are a side of one triangle alone, in plan (z = 0). Each is given as a triangle without an area, over
+/// points of their own.
 TriangleSurface FindOutline(const TriangleSurface& surface, const SurfaceEdges& edges);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Places spread evenly over triangles and edges. They follow from a seed and the number of the triangle or edge alone:
-// the same for any number of threads.
+// Places spread evenly over triangles and edges. They follow from a random number alone, which the caller makes out of
+// a seed and the triangle or edge: so they are the same for any number of threads.
 
 #ifndef SeismicHorizonsSurfaceSamples_h
 #define SeismicHorizonsSurfaceSamples_h
@@ -14,7 +14,7 @@
 
 namespace SeismicHorizons
 {
-/// A number of 64 bits that looks random, from a counter (Steele, Lea and Flood 2014, the last step of SplitMix64).
+/// A pseudo-random number of 64 bits for each counter (Steele, Lea and Flood 2014, the last step of SplitMix64).
 inline std::uint64_t Scramble(std::uint64_t counter)
 {
   std::uint64_t bits = counter * 0x9e3779b97f4a7c15ULL;
@@ -29,8 +29,8 @@ inline double Fraction(std::uint64_t bits)
   return double(bits >> 11U) * 0x1.0p-53;
 }
 
-/// Calls visit(place) for `count` places on a triangle. They fill it evenly: a lattice of the plane that never repeats
-/// (Roberts 2018, the sequence R2), shifted at random, and folded from the unit square onto the triangle.
+/// Calls visit(place) for `count` places on a triangle: those of the sequence R2 (Roberts 2018), which fills the unit
+/// square evenly for any count, shifted at random, and folded from the square onto the triangle.
 template <typename Visitor>
 void SampleTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, std::int64_t count,
   std::uint64_t random, Visitor&& visit)
@@ -41,7 +41,7 @@ void SampleTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
   double v = Fraction(Scramble(random));
   for (std::int64_t n = 0; n < count; ++n)
   {
-    const bool beyond = u + v > 1.0;
+    const bool beyond = u + v > 1.0; // in the half of the square that is folded
     visit(Eigen::Vector3d(a + (beyond ? 1.0 - u : u) * (b - a) + (beyond ? 1.0 - v : v) * (c - a)));
     u += u + StepU < 1.0 ? StepU : StepU - 1.0;
     v += v + StepV < 1.0 ? StepV : StepV - 1.0;

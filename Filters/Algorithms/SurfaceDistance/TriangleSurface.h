@@ -17,8 +17,9 @@ namespace SeismicHorizons
 {
 using Corners = std::array<PointId, 3>;
 
-/// Points relative to a place near them, so that their differences are exact; triangles of any shape and orientation,
-/// those without an area included. Points that are the corner of no triangle are no part of the surface.
+/// Triangles may have any shape and orientation; they may also be without an area. Points that are the corner of no
+/// triangle are no part of the surface. Points are given relative to a place near them, so that their differences are
+/// exact.
 struct TriangleSurface
 {
   std::vector<Eigen::Vector3d> Points;

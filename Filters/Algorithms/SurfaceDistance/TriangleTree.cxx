@@ -15,20 +15,28 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t Fan = 4; // children of a node, and triangles of a lowest box
-constexpr std::size_t DeepestStack = 64; // 3 more per level; there are at most 16 levels of 4
+constexpr std::size_t Fan = 4; // children of a node, and triangles of a leaf
+// On each level a box is taken off the stack and four are put there; numbers of 32 bits fit 16 levels.
+constexpr std::size_t MostWaiting = 64;
+constexpr std::int64_t Grain = 4096; // triangles that a thread takes at a time
+constexpr std::int64_t GrainOfNodes = 256;
 
-// The relative error of a squared distance in single precision stays far below.
-constexpr double Slack = 1.0 + 1e-5;
+// Rounding to single precision moves a coordinate by up to 2^-24 of its size. Of a box and a point that are compared,
+// both are rounded, and so is the box once more when it is widened: four times as much is enough.
+constexpr double RoundingOfCoordinates = 4 * 0x1p-24;
 
-/// The middle of a triangle's box, twice, while triangles are sorted.
+// A squared distance in single precision is wrong by a few roundings, less than 1e-6 of it. Boxes that are farther than
+// the best triangle by this factor have nothing nearer.
+constexpr double SlackOfDistances = 1.0 + 1e-5;
+
+/// The middle of a triangle's box, by twice its coordinates, for sorting triangles.
 struct Middle
 {
-  float Place[3];
+  float Doubled[3];
   std::int32_t Triangle;
 };
 
-/// A box that waits to be looked into.
+/// A box that is still to be searched: a node, or on the level below the last one a leaf.
 struct Waiting
 {
   float SquaredDistance;
@@ -43,8 +51,8 @@ Middle MiddleOf(const TriangleSurface& surface, std::size_t triangle)
   {
     box.extend(surface.Point(corner));
   }
-  const Eigen::Vector3f middle = (box.min() + box.max()).cast<float>();
-  return { { middle.x(), middle.y(), middle.z() }, std::int32_t(triangle) };
+  const Eigen::Vector3f doubled = (box.min() + box.max()).cast<float>();
+  return { { doubled.x(), doubled.y(), doubled.z() }, std::int32_t(triangle) };
 }
 
 int LongestSide(const Middle* first, const Middle* last)
@@ -52,14 +60,14 @@ int LongestSide(const Middle* first, const Middle* last)
   Eigen::AlignedBox3f box;
   for (const Middle* middle = first; middle < last; ++middle)
   {
-    box.extend(Eigen::Vector3f(middle->Place[0], middle->Place[1], middle->Place[2]));
+    box.extend(Eigen::Vector3f(middle->Doubled[0], middle->Doubled[1], middle->Doubled[2]));
   }
   int axis = 0;
   box.sizes().maxCoeff(&axis);
   return axis;
 }
 
-/// Brings the triangles that are least along the longest side to the front of the range, `count` of them.
+/// Moves the `count` triangles that are least along the longest side to the front of the range.
 void Split(Middle* first, std::size_t count, Middle* last)
 {
   if (count < std::size_t(last - first))
@@ -67,7 +75,7 @@ void Split(Middle* first, std::size_t count, Middle* last)
     const int axis = LongestSide(first, last);
     std::nth_element(first, first + count, last,
       [axis](const Middle& a, const Middle& b)
-      { return a.Place[axis] != b.Place[axis] ? a.Place[axis] < b.Place[axis] : a.Triangle < b.Triangle; });
+      { return a.Doubled[axis] != b.Doubled[axis] ? a.Doubled[axis] < b.Doubled[axis] : a.Triangle < b.Triangle; });
   }
 }
 
@@ -81,7 +89,7 @@ void SplitIntoChildren(Middle* first, Middle* last, std::size_t capacity)
   Split(half, capacity, last);
 }
 
-/// Sorts what waits, the nearest last.
+/// Sorts boxes so that the nearest is last. There are four at most, for which this takes less time than std::sort.
 void SortByDistance(Waiting* first, Waiting* last)
 {
   for (Waiting* next = first + 1; next < last; ++next)
@@ -101,7 +109,7 @@ double SquaredDistanceTo(const TriangleSurface& surface, const Corners& t, const
   return SquaredDistanceToTriangle(point, surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]));
 }
 
-/// The same to the box of a triangle, which is never farther.
+/// The same to the box of a triangle, which is never farther away.
 double SquaredDistanceToBox(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& point)
 {
   const auto& a = surface.Point(t[0]).array();
@@ -110,7 +118,8 @@ double SquaredDistanceToBox(const TriangleSurface& surface, const Corners& t, co
   return (a.min(b).min(c) - point.array()).max(point.array() - a.max(b).max(c)).max(0.0).square().sum();
 }
 
-/// z of a triangle at a place in plan; nan outside it or when it is vertical.
+/// The z of a triangle at a place in plan; nan when the place is more than `tolerance` outside it, or when it is no
+/// wider than that in plan.
 double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners, double tolerance)
 {
   std::array<double, 3> part;
@@ -150,7 +159,7 @@ TriangleTree::TriangleTree(const TriangleSurface& surface, const Monitor& monito
   {
     largest = std::max(largest, point.cwiseAbs().maxCoeff());
   }
-  this->Margin = float(std::ldexp(largest, -22));
+  this->Margin = float(RoundingOfCoordinates * largest);
   this->MakeLevels();
   this->Sort(monitor);
   this->FillNodes();
@@ -160,7 +169,7 @@ TriangleTree::TriangleTree(const TriangleSurface& surface, const Monitor& monito
 void TriangleTree::MakeLevels()
 {
   std::vector<std::size_t> sizes; // from the lowest level to the root
-  std::size_t size = (this->Surface.Triangles.size() + Fan - 1) / Fan; // boxes with triangles
+  std::size_t size = (this->Surface.Triangles.size() + Fan - 1) / Fan; // leaves
   do
   {
     size = (size + Fan - 1) / Fan;
@@ -178,7 +187,7 @@ void TriangleTree::Sort(const Monitor& monitor)
 {
   const std::size_t size = this->Surface.Triangles.size();
   std::vector<Middle> middles(size);
-  ParallelFor(std::int64_t(size), 4096,
+  ParallelFor(std::int64_t(size), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
@@ -186,15 +195,14 @@ void TriangleTree::Sort(const Monitor& monitor)
         middles[std::size_t(n)] = MiddleOf(this->Surface, std::size_t(n));
       }
     });
-  const std::size_t levels = this->LevelStart.size() - 1;
   std::size_t capacity = Fan; // triangles of a child
-  for (std::size_t level = 1; level < levels; ++level)
+  for (std::size_t level = 1; level < this->Levels(); ++level)
   {
     capacity *= Fan;
   }
-  for (std::size_t level = 0; level < levels; ++level, capacity /= Fan)
+  for (std::size_t level = 0; level < this->Levels(); ++level, capacity /= Fan)
   {
-    monitor.Progress(double(level) / double(levels));
+    monitor.Progress(double(level) / double(this->Levels()));
     const auto split = [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t node = first; node < last; ++node)
@@ -203,7 +211,7 @@ void TriangleTree::Sort(const Monitor& monitor)
         SplitIntoChildren(middles.data() + begin, middles.data() + std::min(size, begin + Fan * capacity), capacity);
       }
     };
-    ParallelFor(std::int64_t(this->NodesOf(level)), std::int64_t(4096 / capacity + 1), split);
+    ParallelFor(std::int64_t(this->NodesOf(level)), Grain / std::int64_t(capacity) + 1, split);
   }
   this->Triangles.reserve(size);
   for (const Middle& middle : middles)
@@ -225,12 +233,12 @@ void TriangleTree::SetBox(Node& node, int child, const Eigen::AlignedBox3d& box)
 //----------------------------------------------------------------------------------------------------------------------
 void TriangleTree::FillLowest(std::size_t node)
 {
-  Node& filled = this->Nodes[this->LevelStart[this->LevelStart.size() - 2] + node];
+  Node& filled = this->Nodes[this->LevelStart[this->Levels() - 1] + node];
   for (std::size_t child = 0; child < Fan; ++child)
   {
     Eigen::AlignedBox3d box;
-    const std::size_t begin = (node * Fan + child) * Fan;
-    for (std::size_t triangle = begin; triangle < std::min(begin + Fan, this->Triangles.size()); ++triangle)
+    const TriangleRange triangles = this->TrianglesOf(node * Fan + child);
+    for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
     {
       for (const PointId corner : this->Triangles[triangle])
       {
@@ -266,10 +274,10 @@ void TriangleTree::FillNodes()
   std::fill_n(empty.Low, 3, Eigen::Array4f::Constant(std::numeric_limits<float>::infinity()));
   std::fill_n(empty.High, 3, Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity()));
   this->Nodes.assign(this->LevelStart.back(), empty);
-  for (std::size_t level = this->LevelStart.size() - 1; level-- > 0;)
+  for (std::size_t level = this->Levels(); level-- > 0;)
   {
-    const bool lowest = level + 2 == this->LevelStart.size();
-    ParallelFor(std::int64_t(this->NodesOf(level)), 256,
+    const bool lowest = level + 1 == this->Levels();
+    ParallelFor(std::int64_t(this->NodesOf(level)), GrainOfNodes,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::size_t node = std::size_t(first); node < std::size_t(last); ++node)
@@ -281,13 +289,36 @@ void TriangleTree::FillNodes()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+TriangleTree::TriangleRange TriangleTree::TrianglesOf(std::size_t leaf) const
+{
+  return { leaf * Fan, std::min((leaf + 1) * Fan, this->Triangles.size()) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TriangleTree::SearchLeaf(std::size_t leaf, const Eigen::Vector3d& point, std::int32_t& nearest, double& best) const
+{
+  const TriangleRange triangles = this->TrianglesOf(leaf);
+  for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
+  {
+    // The boxes of most triangles are too far away already, which takes less time to find out.
+    const Corners& corners = this->Triangles[triangle];
+    if (std::int32_t(triangle) != nearest && SquaredDistanceToBox(this->Surface, corners, point) < best)
+    {
+      const double distance = SquaredDistanceTo(this->Surface, corners, point);
+      nearest = distance < best ? std::int32_t(triangle) : nearest;
+      best = std::min(best, distance);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint) const
 {
   const Eigen::Vector3f place = point.cast<float>();
-  const std::uint32_t levels = std::uint32_t(this->LevelStart.size() - 1);
+  const std::uint32_t levels = std::uint32_t(this->Levels());
   double best = SquaredDistanceTo(this->Surface, this->Triangles[std::size_t(hint)], point);
-  float bound = float(Slack * best); // boxes that are farther have nothing nearer
-  Waiting stack[DeepestStack];
+  float bound = float(SlackOfDistances * best);
+  Waiting stack[MostWaiting];
   std::size_t size = 1;
   stack[0] = { 0.0F, 0, 0 };
   while (size > 0)
@@ -299,19 +330,8 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
     }
     if (box.Level == levels)
     {
-      const std::size_t last = std::min((std::size_t(box.Node) + 1) * Fan, this->Triangles.size());
-      for (std::size_t triangle = std::size_t(box.Node) * Fan; triangle < last; ++triangle)
-      {
-        // Most triangles are out of question for their boxes, which is quicker to see.
-        const Corners& corners = this->Triangles[triangle];
-        if (std::int32_t(triangle) != hint && SquaredDistanceToBox(this->Surface, corners, point) < best)
-        {
-          const double distance = SquaredDistanceTo(this->Surface, corners, point);
-          hint = distance < best ? std::int32_t(triangle) : hint;
-          best = std::min(best, distance);
-        }
-      }
-      bound = float(Slack * best);
+      this->SearchLeaf(box.Node, point, hint, best);
+      bound = float(SlackOfDistances * best);
       continue;
     }
     const Node& node = this->Nodes[this->LevelStart[box.Level] + box.Node];
@@ -334,13 +354,29 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// The height of a leaf's triangle that is nearer to the point than `best`, or else that; nan for none at all.
+double TriangleTree::HeightInLeaf(std::size_t leaf, const Eigen::Vector3d& point, double tolerance, double best) const
+{
+  const TriangleRange triangles = this->TrianglesOf(leaf);
+  for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
+  {
+    const Corners& t = this->Triangles[triangle];
+    const double height =
+      HeightAt(point, { this->Surface.Point(t[0]), this->Surface.Point(t[1]), this->Surface.Point(t[2]) }, tolerance);
+    // The first comparison is false for nan.
+    best = std::abs(height - point.z()) >= std::abs(best - point.z()) || std::isnan(height) ? best : height;
+  }
+  return best;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 double TriangleTree::FindHeight(const Eigen::Vector3d& point, double tolerance) const
 {
   const Eigen::Vector3f place = point.cast<float>();
-  const float reach = std::max(this->Margin, float(2.0 * tolerance));
-  const std::uint32_t levels = std::uint32_t(this->LevelStart.size() - 1);
+  const float reach = std::max(this->Margin, float(2.0 * tolerance)); // twice: the tolerance is rounded as well
+  const std::uint32_t levels = std::uint32_t(this->Levels());
   double best = std::numeric_limits<double>::quiet_NaN();
-  Waiting stack[DeepestStack];
+  Waiting stack[MostWaiting];
   std::size_t size = 1;
   stack[0] = { 0.0F, 0, 0 };
   while (size > 0)
@@ -348,15 +384,7 @@ double TriangleTree::FindHeight(const Eigen::Vector3d& point, double tolerance) 
     const Waiting box = stack[--size];
     if (box.Level == levels)
     {
-      const std::size_t last = std::min((std::size_t(box.Node) + 1) * Fan, this->Triangles.size());
-      for (std::size_t triangle = std::size_t(box.Node) * Fan; triangle < last; ++triangle)
-      {
-        const Corners& t = this->Triangles[triangle];
-        const double height = HeightAt(
-          point, { this->Surface.Point(t[0]), this->Surface.Point(t[1]), this->Surface.Point(t[2]) }, tolerance);
-        // The first comparison is false for nan.
-        best = std::abs(height - point.z()) >= std::abs(best - point.z()) || std::isnan(height) ? best : height;
-      }
+      best = this->HeightInLeaf(box.Node, point, tolerance, best);
       continue;
     }
     const Node& node = this->Nodes[this->LevelStart[box.Level] + box.Node];

@@ -12,9 +12,9 @@
 
 namespace SeismicHorizons
 {
-/// Counts values that are not negative in bins of 1/1024 of their size or narrower, from 2^-64 to 2^64. What is smaller
-/// counts as 0, what is larger as infinite. Weights are integers: then sums do not depend on their order, and so not on
-/// the number of threads.
+/// Adds up the weights of values that are not negative, in bins that are at most 1/1024 of the value wide, from 2^-64
+/// to 2^64. What is smaller counts as 0, what is larger as infinite. Weights are integers, so that their sums do not
+/// depend on the order, and thus not on the number of threads.
 class WeightedHistogram
 {
 public:
@@ -33,7 +33,8 @@ public:
   void Add(std::vector<Entry>& entries);
   void Add(const WeightedHistogram& other);
 
-  /// The value below which a part of the weight lies, 0 to 1; within 1/1024 of it. Nan when there is no weight.
+  /// The value below which a part of the weight lies, 0 to 1; right to 1/1024 of the value. Nan when there is no
+  /// weight.
   double Percentile(double part) const;
 
 private:
