@@ -97,29 +97,57 @@ void TestChunks()
     });
 }
 
-/// At most 16 batches, and the monitor is called before each of them, where the loop was started.
+/// At most 16 batches of 64 grains or more; the monitor is called before each of them, where the loop was started.
 void TestMonitor()
 {
+  struct Case
+  {
+    std::int64_t Size;
+    int Batches;
+  };
   const auto caller = std::this_thread::get_id();
   const auto loop = [](std::int64_t size, const Monitor& monitor)
   { ParallelFor(size, 10, monitor, [](std::int64_t, std::int64_t) {}); };
   ForThreads(
     [&](int)
     {
-      std::vector<double> parts;
-      loop(100000,
-        Monitor(
-          [&](double part)
-          {
-            CHECK(std::this_thread::get_id() == caller);
-            parts.push_back(part);
-            return true;
-          }));
-      CHECK_EQUAL(parts.size(), 16u);
-      CHECK_EQUAL(parts.front(), 0.0);
-      CHECK_EQUAL(MonitorChecker::Check(16, [&](const Monitor& monitor) { loop(100000, monitor); }), std::string());
-      CHECK_EQUAL(MonitorChecker::Check(2, [&](const Monitor& monitor) { loop(641, monitor); }), std::string());
+      for (const Case& one : { Case{ 0, 0 }, { 640, 1 }, { 641, 2 }, { 100000, 16 }, { 100001, 16 } })
+      {
+        int calls = 0;
+        loop(one.Size,
+          Monitor(
+            [&](double)
+            {
+              CHECK(std::this_thread::get_id() == caller);
+              ++calls;
+              return true;
+            }));
+        CHECK_EQUAL(calls, one.Batches);
+        CHECK_EQUAL(
+          MonitorChecker::Check(calls, [&](const Monitor& monitor) { loop(one.Size, monitor); }), std::string());
+      }
     });
+}
+
+/// A step of a step is a part of that part.
+void TestSteps()
+{
+  double last = -1.0;
+  const Monitor whole(
+    [&last](double part)
+    {
+      last = part;
+      return true;
+    });
+  whole.Progress(0.25);
+  CHECK_EQUAL(last, 0.25);
+  const Monitor step = whole.Step(0.5, 0.75);
+  step.Progress(0.0);
+  CHECK_EQUAL(last, 0.5);
+  step.Progress(1.0);
+  CHECK_EQUAL(last, 0.75);
+  step.Step(0.5, 1.0).Progress(0.5);
+  CHECK_EQUAL(last, 0.6875);
 }
 
 /// Of the errors of several ranges that of the lowest range comes out, whichever was first in time.
@@ -169,6 +197,7 @@ int TestParallel(int, char*[])
   TestEveryIndexOnce();
   TestChunks();
   TestMonitor();
+  TestSteps();
   TestLowestErrorWins();
   TestErrorStopsNoOther();
   return Check::Result();
