@@ -92,6 +92,29 @@ void TestCellsAlongSegments()
   }
 }
 
+/// Cells that a segment reaches by less than a thousandth, or just touches at their least corner.
+void TestSlivers()
+{
+  const auto passes = [](const CellGrid& grid, const PlanePoint& a, const PlanePoint& b, std::int64_t wanted)
+  {
+    bool found = false;
+    grid.ForEachCellAlong(a, b, [&](std::int64_t cell) { found = found || cell == wanted; });
+    return found;
+  };
+  const CellGrid tall({ { 0, 0 }, { 100, 4000 } }, 1, 10);
+  CHECK(passes(tall, { 69, 2 }, { 71, 4000 }, tall.Index(6, 200))); // at (70 - 1/1999, 2000)
+  CHECK(passes(tall, { 69, 0 }, { 71, 3998 }, tall.Index(7, 199))); // at (70 + 1/1999, 2000)
+  Patches::Random random(4);
+  const CellGrid grid({ { 0, 0 }, { 2000, 2000 } }, 1, 7);
+  for (int n = 0; n < 3000; ++n)
+  {
+    const PlanePoint corner{ 7 * (100 + random.Below(50)), 7 * (100 + random.Below(50)) };
+    const PlanePoint way{ 1 + random.Below(300), 1 + random.Below(300) };
+    CHECK(passes(grid, { corner.X - way.X, corner.Y + way.Y }, { corner.X + 2 * way.X, corner.Y - 2 * way.Y },
+      grid.CellOf(corner)));
+  }
+}
+
 /// Coordinates count from the least, in the largest power of two that all distances are multiples of.
 void TestPlaneFrame()
 {
@@ -116,6 +139,7 @@ int TestCellGrid(int, char*[])
   TestExtent();
   TestCellsOfPlaces();
   TestCellsAlongSegments();
+  TestSlivers();
   TestPlaneFrame();
   return Check::Result();
 }
