@@ -5,6 +5,7 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
+#include "Tools/MonitorChecker.h"
 #include "Tools/OutlineChecker.h"
 #include "Tools/Patches.h"
 
@@ -307,17 +308,27 @@ void TestErrorsAndEmpty()
   CHECK_EQUAL(FindExteriorBoundary({}, With(3, GrowthStrategy::Distance, true)).Boundary.Size(), 0u);
 }
 
-void TestAbort()
+/// Rows of which only every other column is there: many patches of one column, and at radius 2 one with a long border.
+void TestMonitor()
 {
-  const Monitor stop([](double) { return false; });
-  for (const int radius : { 1, 2 })
+  std::vector<std::string> picture(130);
+  for (std::string& row : picture)
   {
-    for (const GrowthStrategy growth : { GrowthStrategy::Distance, GrowthStrategy::Clockwise })
+    for (int n = 0; n < 40; ++n)
     {
-      CHECK_THROWS_WITH(
-        FindExteriorBoundary(Patches::FromPicture({ "###" }), With(radius, growth), stop), "stopped on request");
+      row += "#.";
     }
   }
+  const Patches::Columns columns = Patches::FromPicture(picture);
+  const auto check = [&](int leastCalls, const BoundaryOptions& options)
+  {
+    CHECK_EQUAL(MonitorChecker::Check(
+                  leastCalls, [&](const Monitor& monitor) { FindExteriorBoundary(columns, options, monitor); }),
+      std::string());
+  };
+  check(3, With(1, GrowthStrategy::Clockwise));
+  check(7, With(2, GrowthStrategy::Distance));
+  check(15, With(2, GrowthStrategy::Clockwise, true));
 }
 }
 
@@ -342,6 +353,6 @@ int TestExteriorBoundary(int, char*[])
   TestOrderOfPointsIsNoMatter();
   TestPatchesFarApart();
   TestErrorsAndEmpty();
-  TestAbort();
+  TestMonitor();
   return Check::Result();
 }

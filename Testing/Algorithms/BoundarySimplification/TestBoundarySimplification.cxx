@@ -5,6 +5,7 @@
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
+#include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"
 
@@ -316,6 +317,30 @@ void TestOutlineTolerance()
   }
 }
 
+/// With both bounds no dropped corner is farther off in height than the threshold, though corners go one by one.
+void TestBoundDeviationOfCorners()
+{
+  Patches::Random random(10);
+  BoundarySimplificationOptions options;
+  options.OutlineTolerance = 1.0;
+  std::size_t beyond = 0;
+  for (int n = 0; n < 300; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
+    options.DistanceThreshold = 2.0 * random.Fraction();
+    const double most = std::hypot(options.DistanceThreshold, options.OutlineTolerance);
+    const auto deviation = [&](bool bound)
+    {
+      options.BoundDeviation = bound;
+      return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options).Deviation;
+    };
+    CHECK(deviation(true) <= most);
+    beyond += deviation(false) > most ? 1 : 0;
+  }
+  CHECK(beyond > 0); // without the bound some are
+}
+
 /// A pillar that leans over a bay, and an island in a lagoon: cutting the corner would run over a point.
 void TestPointsInTheWay()
 {
@@ -331,7 +356,7 @@ void TestPointsInTheWay()
   CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
 }
 
-void TestErrorsAndAbort()
+void TestErrors()
 {
   const BoundedHorizon horizon = Strip({ 0, 0, 0 });
   CHECK_THROWS_WITH(
@@ -341,8 +366,21 @@ void TestErrorsAndAbort()
   options.OutlineTolerance = -1.0;
   CHECK_THROWS_WITH(SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options),
     "outline tolerance -1, expected a number of columns that is at least 0");
-  const Monitor stop([](double) { return false; });
-  CHECK_THROWS_WITH(SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, 0.4, stop), "stopped on request");
+}
+
+/// Each of many loops can be the last.
+void TestMonitor()
+{
+  std::string picture;
+  for (int patch = 0; patch < 200; ++patch)
+  {
+    picture += "#.";
+  }
+  const BoundedHorizon horizon = MakeHorizon(Patches::FromPicture({ picture }), std::vector<double>(200, 0.0));
+  CHECK_EQUAL(
+    MonitorChecker::Check(
+      4, [&](const Monitor& monitor) { SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, 0.4, monitor); }),
+    std::string());
 }
 }
 
@@ -362,7 +400,9 @@ int TestBoundarySimplification(int, char*[])
   TestBoundDeviation();
   TestStaircase();
   TestOutlineTolerance();
+  TestBoundDeviationOfCorners();
   TestPointsInTheWay();
-  TestErrorsAndAbort();
+  TestErrors();
+  TestMonitor();
   return Check::Result();
 }

@@ -8,6 +8,7 @@
 #include "Generator/HorizonGenerator.h"
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
+#include "Tools/MonitorChecker.h"
 #include "Tools/ReductionChecker.h"
 #include "Triangulation/Triangulation.h"
 
@@ -411,9 +412,6 @@ void TestNumberOfThreads()
     CHECK(IsSame(elaborate, SimplifyElaborate(horizon, ElaborateOptions(8, 0.002))));
   }
   threads = usual;
-  // An exception comes out of the threads, once.
-  CHECK_THROWS_WITH(
-    ParallelFor(1000, 10, [](std::int64_t, std::int64_t) { throw InputError("a thread's problem"); }), "a thread's");
 }
 
 void TestErrorsAndAbort()
@@ -434,26 +432,8 @@ void TestErrorsAndAbort()
     &ElaborateOptions::BoundaryExtentThreshold, -1.0, "boundary extent threshold -1, expected at least 0 lattice");
   refuses(&ElaborateOptions::BoundaryCellSizeThreshold, -1.0, "boundary cell size threshold -1, expected at least 0 l");
   refuses(&ElaborateOptions::GrowthPerRing, 0.5, "growth per ring 0.5, expected at least 1 (cells as large as");
-  int calls = 0;
-  double last = 0.0;
-  bool rises = true;
-  SimplifyElaborate(horizon, 8,
-    Monitor(
-      [&](double part)
-      {
-        ++calls;
-        rises = rises && part >= last && part <= 1.0;
-        last = part;
-        return true;
-      }));
-  CHECK(calls > 4);
-  CHECK(rises);
-  for (int stop = 0; stop < calls; ++stop)
-  {
-    int left = stop;
-    CHECK_THROWS_WITH(
-      SimplifyElaborate(horizon, 8, Monitor([&left](double) { return left-- > 0; })), "stopped on request");
-  }
+  CHECK_EQUAL(
+    MonitorChecker::Check(9, [&](const Monitor& monitor) { SimplifyElaborate(horizon, 8, monitor); }), std::string());
 }
 
 /// Heights without any order: hundreds of layers above one cell, none of which touches another. Each cube must not look

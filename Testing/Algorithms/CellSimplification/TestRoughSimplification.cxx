@@ -3,6 +3,7 @@
 
 #include "CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
+#include "Tools/MonitorChecker.h"
 #include "Tools/ReductionChecker.h"
 
 #include <algorithm>
@@ -191,10 +192,10 @@ void TestRandomPatches()
 
 void TestErrorsAndAbort()
 {
-  const BoundedHorizon horizon = FromPicture(Square(4));
-  CHECK_THROWS_WITH(SimplifyRough(horizon, 0), "cell size 0, expected at least 1 column");
-  const Monitor stop([](double) { return false; });
-  CHECK_THROWS_WITH(SimplifyRough(horizon, 3, stop), "stopped on request");
+  CHECK_THROWS_WITH(SimplifyRough(FromPicture(Square(4)), 0), "cell size 0, expected at least 1 column");
+  const BoundedHorizon horizon = FromPicture(Square(80));
+  CHECK_EQUAL(
+    MonitorChecker::Check(7, [&](const Monitor& monitor) { SimplifyRough(horizon, 3, monitor); }), std::string());
 }
 
 void TestEmpty()

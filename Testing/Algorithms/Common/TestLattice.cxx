@@ -72,6 +72,26 @@ void TestSubVoxelsFit()
   }
 }
 
+/// To the nearest sub-voxel, halves away from 0; half a column outside the lattice is still on it.
+void TestRounding()
+{
+  const Lattice lattice({ 5, 4, 3 }, Eigen::Matrix4d::Identity());
+  const double scale = lattice.SubVoxelsPerColumn();
+  for (const double place : { -100.0, -1.5, -1.4, -0.5, -0.4, 0.0, 0.3, 0.5, 0.6, 1.5, 1234.4, 1234.5, 1234.6 })
+  {
+    const PlanePoint rounded = lattice.ToSubVoxels({ place / scale, (place + 7.0) / scale, 0.0 }, 0);
+    CHECK_EQUAL(rounded.X, std::lround(place));
+    CHECK_EQUAL(rounded.Y, std::lround(place + 7.0));
+  }
+  CHECK(lattice.ToSubVoxels({ -0.5, -0.5, 0.0 }, 0) == (PlanePoint{ -(1 << 19), -(1 << 19) }));
+  CHECK(lattice.ToSubVoxels({ 4.5, 3.5, 0.0 }, 0) == (PlanePoint{ 9 << 19, 7 << 19 }));
+  for (const Eigen::Vector3d& outside : { Eigen::Vector3d(-0.51, 0, 0), Eigen::Vector3d(4.51, 0, 0),
+         Eigen::Vector3d(0, -0.51, 0), Eigen::Vector3d(0, 3.51, 0) })
+  {
+    CHECK_THROWS_WITH(lattice.ToSubVoxels(outside, 0), "expected a place on the lattice");
+  }
+}
+
 void TestErrors()
 {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
@@ -111,6 +131,7 @@ int TestLattice(int, char*[])
   TestOrientation();
   TestUniformScale();
   TestSubVoxelsFit();
+  TestRounding();
   TestErrors();
   return Check::Result();
 }

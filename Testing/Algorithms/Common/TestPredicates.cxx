@@ -90,6 +90,21 @@ void TestTies(Patches::Random& random)
   }
 }
 
+/// On circles of the largest size a sum of doubles is hardly ever the 0 it should be. Ties are broken as on small ones.
+void TestLargeTies(Patches::Random& random)
+{
+  const PlanePoint circle[] = { { 65, 0 }, { 63, 16 }, { 60, 25 }, { 52, 39 }, { 25, 60 }, { 0, 65 }, { -33, 56 },
+    { -65, 0 }, { -39, -52 }, { 16, -63 } };
+  for (int n = 0; n < 2000; ++n)
+  {
+    const int first = random.Below(7);
+    const PlanePoint* const p = circle + first;
+    const std::int32_t factor = 8000001 + random.Below(200000); // below 2^29 in the end
+    const auto large = [&](int point) { return PlanePoint{ factor * p[point].X, factor * p[point].Y }; };
+    CHECK_EQUAL(InCircle(large(0), large(1), large(2), large(3)), InCircle(p[0], p[1], p[2], p[3]));
+  }
+}
+
 /// The order of circles through an edge has no cycles: the search keeps the best so far and never looks back.
 void TestOrderOfCircles(Patches::Random& random)
 {
@@ -123,6 +138,7 @@ int TestPredicates(int, char*[])
   TestCircle();
   TestLatticeBlock();
   TestTies(random);
+  TestLargeTies(random);
   TestOrderOfCircles(random);
   return Check::Result();
 }

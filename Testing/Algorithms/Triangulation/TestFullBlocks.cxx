@@ -7,7 +7,7 @@
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
-#include "TriangleSets.h"
+#include "Tools/TriangleSets.h"
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>

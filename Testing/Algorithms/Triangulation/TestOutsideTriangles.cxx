@@ -3,8 +3,9 @@
 
 #include "Tools/Check.h"
 #include "Tools/MeshChecker.h"
+#include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
-#include "TriangleSets.h"
+#include "Tools/TriangleSets.h"
 #include "Triangulation/ConvexHull.h"
 #include "Triangulation/OutsideTriangles.h"
 
@@ -342,11 +343,22 @@ void TestErrors()
   CHECK_THROWS_WITH(peel(180.0, HUGE_VAL), "boundary edge length inf, expected");
 }
 
-void TestAbort()
+/// Every other column: no edge is short enough, so that triangles go until all points are on the boundary.
+void TestMonitor()
 {
-  Hull hull = FromPicture({ "#..", "###" });
-  const Monitor stop([](double) { return false; });
-  CHECK_THROWS_WITH(RemoveOutsideTriangles(hull.Horizon, hull.Mesh, { 100.0, 0.0 }, stop), "stopped on request");
+  std::vector<PlanePoint> places;
+  for (int n = 0; n < 100 * 100; ++n)
+  {
+    places.push_back({ 2 * (n % 100), 2 * (n / 100) });
+  }
+  const Hull hull(places, 1);
+  CHECK_EQUAL(MonitorChecker::Check(3,
+                [&](const Monitor& monitor)
+                {
+                  Hull copy = hull;
+                  RemoveOutsideTriangles(copy.Horizon, copy.Mesh, { 180.0, 1.0 }, monitor);
+                }),
+    std::string());
 }
 }
 
@@ -361,6 +373,6 @@ int TestOutsideTriangles(int, char*[])
   TestOutlinesComeBack();
   TestOrderOfPointsIsNoMatter();
   TestErrors();
-  TestAbort();
+  TestMonitor();
   return Check::Result();
 }

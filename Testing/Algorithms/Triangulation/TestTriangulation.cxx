@@ -6,8 +6,9 @@
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/MeshChecker.h"
+#include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
-#include "TriangleSets.h"
+#include "Tools/TriangleSets.h"
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
@@ -255,10 +256,21 @@ void TestErrors()
   CHECK_THROWS_WITH(Triangulate(horizon), "patch numbers from -5 to 0, expected numbers from 0");
 }
 
-void TestAbort()
+/// Every other column, so that all triangles have to be searched for.
+void TestMonitor()
 {
-  const Monitor stop([](double) { return false; });
-  CHECK_THROWS_WITH(Triangulate(FromPicture({ "###", "###" }), TriangulationOptions(), stop), "stopped on request");
+  std::vector<std::string> picture(100);
+  for (std::size_t row = 0; row < picture.size(); ++row)
+  {
+    for (int n = 0; n < 50; ++n)
+    {
+      picture[row] += row % 2 == 0 ? "#." : ".#";
+    }
+  }
+  const BoundedHorizon horizon = FromPicture(picture);
+  CHECK_EQUAL(
+    MonitorChecker::Check(4, [&](const Monitor& monitor) { Triangulate(horizon, TriangulationOptions(), monitor); }),
+    std::string());
 }
 
 void TestEmpty()
@@ -278,7 +290,7 @@ int TestTriangulation(int, char*[])
   TestNonDelaunayEdgesAreCounted();
   TestStopsAndTraces();
   TestErrors();
-  TestAbort();
+  TestMonitor();
   TestEmpty();
   return Check::Result();
 }

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// An input is a file of the sparse-matrix format. It is read with every policy for duplicates, and in buffers of
+// several sizes, which must not matter.
+
+#include "Require.h"
+
+#include "VerneySparseMatrix/SparseMatrixParser.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+
+using namespace Fuzz;
+using namespace SeismicHorizons;
+
+namespace
+{
+/// What came of a file: an error, or what is in it.
+struct Outcome
+{
+  std::string Error;
+  SparseMatrixSummary Summary;
+  SparseMatrix Matrix;
+};
+
+Outcome Read(const std::string& text, DuplicatePolicy policy, std::size_t bufferSize)
+{
+  Outcome outcome;
+  try
+  {
+    std::istringstream scanned(text);
+    outcome.Summary = ScanSparseMatrix(scanned, Monitor(), bufferSize);
+    std::istringstream loaded(text);
+    outcome.Matrix = LoadSparseMatrix(loaded, outcome.Summary.VoxelCounts, policy, Monitor(), bufferSize);
+  }
+  catch (const InputError& error)
+  {
+    outcome.Error = error.what();
+  }
+  return outcome;
+}
+
+/// Bit by bit.
+bool IsSame(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+bool IsSame(const HorizonVoxels& a, const HorizonVoxels& b)
+{
+  return a.SurfaceId == b.SurfaceId && a.I == b.I && a.J == b.J && a.K == b.K && IsSame(a.Thickness, b.Thickness) &&
+    IsSame(a.Amplitude, b.Amplitude) && IsSame(a.RealZ, b.RealZ) && a.DroppedDuplicates == b.DroppedDuplicates;
+}
+
+bool IsSame(const Outcome& a, const Outcome& b)
+{
+  const auto sameVoxels = [](const HorizonVoxels& x, const HorizonVoxels& y) { return IsSame(x, y); };
+  const std::vector<HorizonVoxels>& horizons = a.Matrix.Horizons;
+  const std::vector<HorizonVoxels>& others = b.Matrix.Horizons;
+  return a.Error == b.Error && a.Summary.Size == b.Summary.Size && a.Summary.VoxelCounts == b.Summary.VoxelCounts &&
+    a.Summary.VerticalFit.Offset == b.Summary.VerticalFit.Offset &&
+    a.Summary.VerticalFit.Step == b.Summary.VerticalFit.Step &&
+    std::equal(horizons.begin(), horizons.end(), others.begin(), others.end(), sameVoxels);
+}
+
+bool IsInside(int index, int size)
+{
+  return index >= 0 && index < size;
+}
+
+void CheckVoxels(const HorizonVoxels& horizon, const SparseMatrixSize& size)
+{
+  for (std::size_t n = 0; n < horizon.I.size(); ++n)
+  {
+    Require(IsInside(horizon.I[n], size[0]) && IsInside(horizon.J[n], size[1]) && IsInside(horizon.K[n], size[2]),
+      "voxel outside the lattice");
+    Require(
+      std::isfinite(horizon.Thickness[n]) && std::isfinite(horizon.Amplitude[n]) && std::isfinite(horizon.RealZ[n]),
+      "voxel with a number that is not finite");
+    Require(n == 0 || horizon.J[n - 1] < horizon.J[n] ||
+        (horizon.J[n - 1] == horizon.J[n] && horizon.I[n - 1] < horizon.I[n]),
+      "voxels of a horizon not in the order of the columns");
+  }
+}
+
+void CheckMatrix(const Outcome& outcome)
+{
+  const SparseMatrixCounts& counts = outcome.Summary.VoxelCounts;
+  Require(outcome.Matrix.Size == outcome.Summary.Size, "two sizes");
+  Require(std::isfinite(outcome.Summary.VerticalFit.Offset) && std::isfinite(outcome.Summary.VerticalFit.Step),
+    "vertical fit not finite");
+  Require(outcome.Matrix.Horizons.size() == counts.size(), "number of horizons");
+  for (const HorizonVoxels& horizon : outcome.Matrix.Horizons)
+  {
+    const auto count = counts.find(horizon.SurfaceId);
+    Require(count != counts.end() && count->second == std::int64_t(horizon.I.size()) + horizon.DroppedDuplicates,
+      "counts do not add up");
+    CheckVoxels(horizon, outcome.Matrix.Size);
+  }
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  for (const DuplicatePolicy policy :
+    { DuplicatePolicy::StrongestAmplitude, DuplicatePolicy::Topmost, DuplicatePolicy::Lowest })
+  {
+    const Outcome whole = Read(text, policy, size + 1);
+    Require(
+      whole.Error.empty() || whole.Error.compare(0, 5, "line ") == 0, "an error without its line: " + whole.Error);
+    if (whole.Error.empty())
+    {
+      CheckMatrix(whole);
+    }
+    for (const std::size_t bufferSize : { std::size_t(1), 2 + size % 61, std::size_t(64) })
+    {
+      Require(IsSame(Read(text, policy, bufferSize), whole), "the size of the buffer matters");
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// An input is a horizon and the options of all stages (StageInput.h), which are run one after the other. Their results
+// must have the properties of StageProperties.h; options out of range must be refused, and nothing else may be.
+
+#include "StageInput.h"
+#include "StageProperties.h"
+
+#include "CellSimplification/RoughSimplification.h"
+#include "Tools/ReductionChecker.h"
+#include "Triangulation/ConvexHull.h"
+
+#include <cmath>
+
+using namespace Fuzz;
+using namespace SeismicHorizons;
+using namespace TestHorizons;
+
+namespace
+{
+bool IsLength(double value)
+{
+  return value >= 0.0 && std::isfinite(value);
+}
+
+bool IsValid(const BoundaryOptions& options)
+{
+  return options.Radius >= 1 && options.Radius <= LargestRadius;
+}
+
+bool IsValid(const BoundarySimplificationOptions& options)
+{
+  return IsLength(options.DistanceThreshold) && IsLength(options.OutlineTolerance);
+}
+
+bool IsValid(const CellOptions& options)
+{
+  return options.CellSize >= 1;
+}
+
+bool IsValid(const ElaborateOptions& options)
+{
+  return options.CellSize >= 1 && options.FlatnessThreshold >= 0.0 && options.BoundaryDensityThreshold >= 0.0 &&
+    options.BoundaryExtentThreshold >= 0.0 && options.BoundaryCellSizeThreshold >= 0.0 && options.GrowthPerRing >= 1.0;
+}
+
+bool IsValid(const BoundaryLimits& limits)
+{
+  return limits.LargestAngle >= 0.0 && limits.LargestAngle <= 180.0 && IsLength(limits.LongestEdge);
+}
+
+/// The columns that were not dropped, with their heights, inside their boundary. Patches that were dropped must make no
+/// difference to the others.
+BoundedHorizon KeepPatches(const Patches::Columns& columns, const std::vector<double>& heights,
+  const ExteriorBoundary& boundary, const BoundaryOptions& options)
+{
+  Patches::Columns keptColumns;
+  std::vector<double> keptHeights;
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    if (boundary.Patch[point] != NoPatch)
+    {
+      keptColumns.push_back(columns[point]);
+      keptHeights.push_back(heights[point]);
+    }
+  }
+  const BoundedHorizon horizon = MakeHorizon(keptColumns, keptHeights, options);
+  Require(horizon.Boundary.Size() == boundary.Boundary.Size() &&
+      horizon.Boundary.TotalLength() == boundary.Boundary.TotalLength(),
+    "boundary: dropped patches matter");
+  return horizon;
+}
+
+std::optional<BoundedHorizon> TakeHorizon(StageInput& input)
+{
+  const Patches::Columns columns = input.TakeColumns();
+  const std::vector<double> heights = input.TakeHeights(columns);
+  const BoundaryOptions options = input.TakeBoundaryOptions();
+  const auto boundary = RunOn(IsValid(options), "boundary", [&]() { return FindExteriorBoundary(columns, options); });
+  if (!boundary)
+  {
+    return {};
+  }
+  CheckBoundary(columns, *boundary, options);
+  return KeepPatches(columns, heights, *boundary, options);
+}
+
+BoundedHorizon SimplifyLoops(const BoundedHorizon& horizon, StageInput& input)
+{
+  const BoundarySimplificationOptions options = input.TakeBoundarySimplificationOptions();
+  const auto result = RunOn(IsValid(options), "boundary simplification",
+    [&]() { return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options); });
+  if (!result)
+  {
+    return horizon;
+  }
+  CheckSimplifiedBoundary(horizon, *result, options);
+  const BoundedHorizon simplified = Drop(horizon, *result);
+  CheckedMesh(simplified, "mesh of the simplified boundary");
+  return simplified;
+}
+
+BoundedHorizon SimplifyInside(const BoundedHorizon& horizon, StageInput& input)
+{
+  const ElaborateOptions options = input.TakeCellOptions();
+  const bool isElaborate = input.TakeBool();
+  const std::string name = isElaborate ? "elaborate simplification" : "rough simplification";
+  const auto simplify = [&]()
+  { return isElaborate ? SimplifyElaborate(horizon, options) : SimplifyRough(horizon, options); };
+  const bool isValid = isElaborate ? IsValid(options) : IsValid(static_cast<const CellOptions&>(options));
+  const auto result = RunOn(isValid, name, [&]() { return OnAnyThreads(simplify, ReductionChecker::IsSame, name); });
+  if (!result)
+  {
+    return horizon;
+  }
+  CheckReduction(horizon, *result);
+  const BoundedHorizon reduced = Reduce(horizon, *result);
+  CheckedMesh(reduced, "mesh of the " + name);
+  return reduced;
+}
+
+/// The hull of all points, and what is left of it when triangles outside are taken off.
+void PeelHull(const BoundedHorizon& horizon, StageInput& input)
+{
+  BoundedHorizon hull = horizon;
+  hull.Patch.assign(hull.Plane.size(), 0);
+  hull.Boundary = FindConvexHull(hull.Plane);
+  Triangulation mesh = CheckedMesh(hull, "mesh of the hull");
+  const BoundaryLimits limits = input.TakeBoundaryLimits();
+  const auto triangles = RunOn(IsValid(limits), "peeling",
+    [&]()
+    {
+      RemoveOutsideTriangles(hull, mesh, limits);
+      return mesh.Triangles.size();
+    });
+  const Triangulation again = CheckedMesh(hull, "mesh of the peeled hull");
+  Require(!triangles || again.Triangles.size() == *triangles, "peeling: the mesh is not that of its boundary");
+}
+
+TriangleSurface MakeSurface(const BoundedHorizon& horizon)
+{
+  TriangleSurface surface;
+  for (const SpacePoint& point : ToSpacePoints(horizon))
+  {
+    surface.Points.emplace_back(point.X, point.Y, point.Z);
+  }
+  const RawVector<PointId> triangles = Triangulate(horizon).Triangles;
+  for (std::size_t first = 0; first < triangles.size(); first += 3)
+  {
+    surface.Triangles.push_back({ triangles[first], triangles[first + 1], triangles[first + 2] });
+  }
+  return surface;
+}
+
+void Measure(const BoundedHorizon& reference, const BoundedHorizon& horizon, StageInput& input)
+{
+  const TriangleSurface from = MakeSurface(reference);
+  const TriangleSurface to = MakeSurface(horizon);
+  const SurfaceDistanceOptions options = input.TakeSurfaceDistanceOptions();
+  const bool areValid = !from.Triangles.empty() && !to.Triangles.empty();
+  const auto isSame = [](const SurfaceDistance& a, const SurfaceDistance& b) { return Fuzz::IsSame(a, b); };
+  const auto measure = [&]() { return MeasureSurfaceDistance(from, to, options); };
+  const auto distance =
+    RunOn(areValid, "surface distance", [&]() { return OnAnyThreads(measure, isSame, "surface distance"); });
+  if (distance)
+  {
+    CheckDistance(*distance);
+  }
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Detail::NumberOfThreads() = 1;
+  StageInput input(data, size);
+  const std::optional<BoundedHorizon> taken = TakeHorizon(input);
+  if (!taken || taken->Plane.empty())
+  {
+    return 0;
+  }
+  CheckedMesh(*taken, "mesh of the boundary");
+  BoundedHorizon horizon = SimplifyLoops(*taken, input);
+  for (int simplifications = input.TakeBelow(3); simplifications >= 0; --simplifications)
+  {
+    horizon = SimplifyInside(horizon, input);
+  }
+  PeelHull(horizon, input);
+  // At least ten thousand samples are taken, so that not every input can have them.
+  if (input.TakeBelow(16) == 1)
+  {
+    Measure(*taken, horizon, input);
+  }
+  return 0;
+}

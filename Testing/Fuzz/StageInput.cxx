@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "StageInput.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace Fuzz
+{
+using namespace SeismicHorizons;
+
+namespace
+{
+using Numbers = std::numeric_limits<double>;
+using ColumnSet = std::set<PlanePoint>;
+
+// The largest heights that distances can be measured at.
+constexpr double GreatHeight = LargestCoordinate / 2;
+
+/// Takes the column out of the set, or puts it in.
+void Flip(ColumnSet& columns, const PlanePoint& column)
+{
+  if (columns.erase(column) == 0)
+  {
+    columns.insert(column);
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Patches::Columns StageInput::TakeColumns()
+{
+  const int kind = this->TakeBelow(4);
+  Patches::Columns columns = kind < 2 ? this->TakeBitmap() : (kind == 2 ? this->TakeShape() : this->TakeScattered());
+  if (columns.empty())
+  {
+    columns.push_back({ 3, 5 });
+  }
+  Patches::Random random = this->TakeRandom();
+  for (std::size_t n = columns.size(); n > 1; --n)
+  {
+    std::swap(columns[n - 1], columns[std::size_t(random.Below(int(n)))]);
+  }
+  return columns;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Patches::Columns StageInput::TakeBitmap()
+{
+  const int width = 1 + this->TakeBelow(20);
+  const int height = 1 + this->TakeBelow(20);
+  const std::vector<unsigned char> bits = this->Bytes.ConsumeBytes<unsigned char>(std::size_t(width * height + 7) / 8);
+  Patches::Columns columns;
+  for (int n = 0; n < width * height && std::size_t(n / 8) < bits.size(); ++n)
+  {
+    if ((bits[std::size_t(n / 8)] >> (n % 8) & 1) != 0)
+    {
+      columns.push_back({ n % width, n / width });
+    }
+  }
+  return columns;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Patches::Columns StageInput::TakeShape()
+{
+  Patches::Random random = this->TakeRandom();
+  const Patches::Columns shape = Patches::Make(Patches::Shape(this->TakeBelow(int(Patches::Shape::Count))), random);
+  ColumnSet columns(shape.begin(), shape.end());
+  for (int flips = this->TakeBelow(12); flips > 0; --flips)
+  {
+    const int x = this->TakeBelow(24);
+    Flip(columns, { x, this->TakeBelow(24) });
+  }
+  return { columns.begin(), columns.end() };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Patches::Columns StageInput::TakeScattered()
+{
+  const int size = this->TakeBool() ? 40 : 700;
+  ColumnSet columns;
+  for (int points = this->TakeBelow(30); points > 0; --points)
+  {
+    const int x = this->TakeBelow(size);
+    columns.insert({ x, this->TakeBelow(size) });
+  }
+  return { columns.begin(), columns.end() };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<double> StageInput::TakeHeights(const Patches::Columns& columns)
+{
+  const int kind = this->TakeBelow(8);
+  Patches::Random random = this->TakeRandom();
+  std::vector<double> heights;
+  for (const PlanePoint& column : columns)
+  {
+    heights.push_back(this->TakeHeight(kind, column, random));
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double StageInput::TakeHeight(int kind, const PlanePoint& column, Patches::Random& random)
+{
+  switch (kind)
+  {
+    case 0: // level
+      return 0.0;
+    case 1: // on a plane
+      return 0.5 * column.X + 0.25 * column.Y;
+    case 2: // cliffs
+      return (column.X / 5) % 2 == 0 ? 0.0 : 40.0;
+    case 3: // extremes
+      return GreatHeight * (random.Below(3) - 1);
+    case 4: // noise between extremes
+      return GreatHeight * random.Fraction();
+    case 5: // by the fuzzer
+      return this->TakeBelow(64);
+    default: // a fold
+      return std::round(20.0 + 5.0 * std::sin(0.3 * column.X + 0.2 * column.Y) + random.Fraction());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundaryOptions StageInput::TakeBoundaryOptions()
+{
+  BoundaryOptions options;
+  const int odd[] = { 0, -5, LargestRadius + 1, std::numeric_limits<int>::max() };
+  options.Radius = this->TakeBelow(16) == 0 ? odd[this->TakeBelow(4)] : 1 + this->TakeBelow(6);
+  options.Growth = this->TakeBool() ? GrowthStrategy::Clockwise : GrowthStrategy::Distance;
+  options.HoleBoundaries = this->TakeBool();
+  options.SmallestHoleSize = this->TakeSize();
+  options.MinimumPatchSize = this->TakeSize();
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t StageInput::TakeSize()
+{
+  const std::int64_t sizes[] = { 1, 1, 1, 2, 5, 1000, std::numeric_limits<std::int64_t>::max() };
+  return sizes[this->TakeBelow(7)];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundarySimplificationOptions StageInput::TakeBoundarySimplificationOptions()
+{
+  BoundarySimplificationOptions options;
+  options.DistanceThreshold = this->TakeNumber(0.0, 3.0);
+  options.BoundDeviation = this->TakeBool();
+  options.OutlineTolerance = this->TakeBool() ? 0.0 : this->TakeNumber(0.0, 4.0);
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ElaborateOptions StageInput::TakeCellOptions()
+{
+  const int odd[] = { 0, -1, 100, 1 << 20, std::numeric_limits<int>::max(), std::numeric_limits<int>::min() };
+  ElaborateOptions options(this->TakeBelow(8) == 0 ? odd[this->TakeBelow(6)] : 1 + this->TakeBelow(16));
+  options.Representative = this->TakeBool() ? RepresentativeKind::Barycentre : RepresentativeKind::NearestPoint;
+  options.ListCells = this->TakeBool();
+  if (this->TakeBool())
+  {
+    options.FlatnessThreshold = this->TakeNumber(0.0, 0.4);
+    options.BoundaryDensityThreshold = this->TakeNumber(0.0, 3.0);
+    options.BoundaryExtentThreshold = this->TakeNumber(0.0, 12.0);
+    options.BoundaryCellSizeThreshold = this->TakeNumber(0.0, 10.0);
+    options.GrowthPerRing = this->TakeNumber(1.0, 5.0);
+  }
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundaryLimits StageInput::TakeBoundaryLimits()
+{
+  BoundaryLimits limits;
+  limits.LargestAngle = this->TakeNumber(0.0, 180.0);
+  limits.LongestEdge = this->TakeBool() ? 0.0 : this->TakeNumber(0.0, 10.0);
+  return limits;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfaceDistanceOptions StageInput::TakeSurfaceDistanceOptions()
+{
+  SurfaceDistanceOptions options;
+  options.SamplesPerPoint = 0.01 + 3.0 * this->Bytes.ConsumeProbability<double>();
+  options.Seed = this->Bytes.ConsumeIntegral<std::uint64_t>();
+  options.Vertical = this->TakeBool();
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double StageInput::TakeNumber(double low, double high)
+{
+  const double odd[] = { Numbers::quiet_NaN(), Numbers::infinity(), -Numbers::infinity(), -1.0, -0.0, Numbers::max(),
+    Numbers::denorm_min(), low, high };
+  const int kind = this->TakeBelow(32);
+  return kind < 9 ? odd[kind] : low + (high - low) * this->Bytes.ConsumeProbability<double>();
+}
+}

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "StageProperties.h"
+
+#include "Common/Predicates.h"
+#include "Tools/BoundaryChecker.h"
+#include "Tools/MeshChecker.h"
+#include "Tools/ReductionChecker.h"
+#include "Tools/TriangleSets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace Fuzz
+{
+using namespace SeismicHorizons;
+
+namespace
+{
+// Checkers look at all pairs of points, which takes too long with more of them.
+constexpr std::size_t MostPointsInPairs = 200;
+// Figures are sums of rounded numbers; this is far above what that takes away, and far below any fault.
+constexpr double Rounding = 1e-9;
+
+bool IsSameBoundary(const Loops& a, const Loops& b)
+{
+  bool same = a.Size() == b.Size();
+  for (std::size_t loop = 0; same && loop < a.Size(); ++loop)
+  {
+    same = std::equal(a.begin(loop), a.end(loop), b.begin(loop), b.end(loop));
+  }
+  return same;
+}
+
+std::vector<PlanePoint> Moved(std::vector<PlanePoint> places, const PlanePoint& way)
+{
+  for (PlanePoint& place : places)
+  {
+    place = { place.X + way.X, place.Y + way.Y };
+  }
+  return places;
+}
+
+/// Twice the area inside the loops.
+std::int64_t DoubledArea(const BoundedHorizon& horizon)
+{
+  std::int64_t area = 0;
+  horizon.Boundary.ForEachEdge([&](PointId from, PointId to)
+    { area -= SignedArea(horizon.Plane.front(), horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)]); });
+  return area;
+}
+
+std::int64_t DoubledArea(const BoundedHorizon& horizon, const RawVector<PointId>& triangles)
+{
+  std::int64_t area = 0;
+  for (std::size_t first = 0; first < triangles.size(); first += 3)
+  {
+    const auto place = [&](std::size_t corner) { return horizon.Plane[std::size_t(triangles[first + corner])]; };
+    const std::int64_t own = SignedArea(place(0), place(1), place(2));
+    Require(own > 0, "a triangle that does not turn counter-clockwise");
+    area += own;
+  }
+  return area;
+}
+
+/// All numbers that are not one per point.
+std::vector<double> Figures(const SurfaceDistance& distance)
+{
+  std::vector<double> figures;
+  for (const DistanceFigures* f : { &distance.ReferenceToMesh, &distance.MeshToReference, &distance.TwoSided })
+  {
+    figures.insert(figures.end(), { f->Largest, f->Mean, f->Rms, f->Outline, double(f->Samples) });
+    figures.insert(figures.end(), f->Percentile.begin(), f->Percentile.end());
+  }
+  return figures;
+}
+
+/// Numbers that are the same to the bit; nan is the same as nan.
+bool IsSame(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+void CheckFigures(const DistanceFigures& figures)
+{
+  const double most = figures.Largest * (1.0 + Rounding);
+  Require(
+    std::isfinite(figures.Largest) && figures.Largest >= 0.0, "largest distance " + std::to_string(figures.Largest));
+  Require(figures.Rms >= 0.0 && figures.Rms <= most, "root mean square above the largest distance");
+  Require(figures.Mean >= 0.0 && figures.Mean <= figures.Rms * (1.0 + Rounding), "mean above the root mean square");
+  Require(std::is_sorted(figures.Percentile.begin(), figures.Percentile.end()), "percentiles not in order");
+  // Percentiles are right within a thousandth.
+  Require(figures.Percentile.front() >= 0.0 && figures.Percentile.back() <= figures.Largest * 1.001 * (1.0 + Rounding),
+    "percentile above the largest distance");
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckBoundary(const Patches::Columns& columns, const ExteriorBoundary& boundary, const BoundaryOptions& options)
+{
+  if (columns.size() <= MostPointsInPairs)
+  {
+    RequireNothing(BoundaryChecker::CheckBoundary(columns, boundary, options), "boundary");
+  }
+  for (const PlanePoint& way : { PlanePoint{ 1, -1 }, { -1000, 777 }, { (1 << 28) - 2000, -(1 << 28) } })
+  {
+    const ExteriorBoundary moved = FindExteriorBoundary(Moved(columns, way), options);
+    Require(moved.Patch == boundary.Patch && IsSameBoundary(moved.Boundary, boundary.Boundary),
+      "boundary: the place of the origin matters");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Triangulation CheckedMesh(const BoundedHorizon& horizon, const std::string& name)
+{
+  const Triangulation mesh = Triangulate(horizon);
+  const TriangleSets::Triangles triangles = TriangleSets::Canonical(mesh.Triangles);
+  Require(triangles.size() == mesh.Triangles.size() / 3, name + ": a triangle twice");
+  TriangulationOptions options;
+  options.Strategy = SearchStrategy::Compactness;
+  Require(
+    TriangleSets::Canonical(Triangulate(horizon, options).Triangles) == triangles, name + ": the strategy matters");
+  BoundedHorizon moved = horizon;
+  moved.Plane = Moved(horizon.Plane, { 12345, -(1 << 28) });
+  Require(
+    TriangleSets::Canonical(Triangulate(moved).Triangles) == triangles, name + ": the place of the origin matters");
+  Require(DoubledArea(horizon) == DoubledArea(horizon, mesh.Triangles), name + ": area");
+  if (horizon.Plane.size() <= MostPointsInPairs)
+  {
+    RequireNothing(BoundaryChecker::CheckCrossings(horizon), name);
+    RequireNothing(MeshChecker::CheckMesh(horizon, mesh.Triangles), name);
+  }
+  return mesh;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckSimplifiedBoundary(
+  const BoundedHorizon& horizon, const BoundarySimplification& result, const BoundarySimplificationOptions& options)
+{
+  const double tolerance = options.OutlineTolerance;
+  Require(result.OutlineDeviation <= tolerance, "boundary simplification: outline deviation above the tolerance");
+  const double most = std::hypot(options.DistanceThreshold, tolerance) * (1.0 + Rounding);
+  Require(std::isfinite(result.Deviation) && (!options.BoundDeviation || result.Deviation <= most),
+    "boundary simplification: deviation " + std::to_string(result.Deviation));
+  for (const PointId target : result.Target)
+  {
+    Require(result.Target[std::size_t(target)] == target, "boundary simplification: a dropped point is a target");
+  }
+  const BoundedHorizon dropped = TestHorizons::Drop(horizon, result);
+  Require(tolerance > 0.0 || DoubledArea(dropped) == DoubledArea(horizon), "boundary simplification: area");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckReduction(const BoundedHorizon& horizon, const Reduction& result)
+{
+  RequireNothing(ReductionChecker::CheckPoints(horizon, result), "reduction");
+  const auto [low, high] = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
+  const double slack = Rounding * std::max(std::abs(*low), std::abs(*high));
+  for (const double height : result.Height)
+  {
+    Require(height >= *low - slack && height <= *high + slack, "reduction: height " + std::to_string(height));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckDistance(const SurfaceDistance& distance)
+{
+  for (const DistanceFigures* figures : { &distance.ReferenceToMesh, &distance.MeshToReference, &distance.TwoSided })
+  {
+    CheckFigures(*figures);
+  }
+  for (const PointDistances* points : { &distance.Reference, &distance.Mesh })
+  {
+    const bool fine = std::all_of(points->Distance.begin(), points->Distance.end(),
+      [](double value) { return std::isfinite(value) && value >= 0.0; });
+    Require(fine, "distance of a point");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsSame(const SurfaceDistance& a, const SurfaceDistance& b)
+{
+  return IsSame(Figures(a), Figures(b)) && IsSame(a.Reference.Distance, b.Reference.Distance) &&
+    IsSame(a.Reference.Vertical, b.Reference.Vertical) && IsSame(a.Mesh.Distance, b.Mesh.Distance) &&
+    IsSame(a.Mesh.Vertical, b.Mesh.Vertical);
+}
+}
