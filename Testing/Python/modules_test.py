@@ -146,7 +146,7 @@ class PipelineTest(unittest.TestCase):
         points = pipeline.read_first(write("bump.vsm", b"5 4 9\n" + 2 * voxel + b"4 1 1 0.5 4.0\n" + 17 * voxel))
         settings = pipeline.Settings(simplified={"DistanceThreshold": 2.0}, rough=None, error={})
         result = pipeline.run("bump.vsm", 1, points, settings)
-        self.assertEqual(result.data["mesh"].GetBounds()[4:], (3.0, 3.0))
+        self.assertEqual(result.data["mesh"].GetBounds()[4:], (-3.0, -3.0))
         self.assertLess(abs(largest_error(result.figures) - 1.0), ROUNDING)
 
     def test_error_names_the_file(self):
