@@ -212,7 +212,8 @@ class BatchTest(unittest.TestCase):
         done, errors = run("--help")
         self.assertEqual((done.returncode, errors), (0, []))
         for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
-                       "--column-step", "--row-step", "--vertical-step", "--vertical-direction", "--duplicate-policy", "--horizons",
+                       "--column-step", "--row-step", "--vertical-step", "--vertical-direction",
+                       "--duplicate-policy", "--horizons",
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",
                        "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
