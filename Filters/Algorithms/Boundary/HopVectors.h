@@ -19,7 +19,7 @@
 
 namespace SeismicHorizons
 {
-/// The number of a hop in its table.
+/// The number of a hop in HopVectors.
 using HopId = std::int32_t;
 
 constexpr HopId NoHop = -1;

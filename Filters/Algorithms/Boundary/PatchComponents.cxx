@@ -84,8 +84,7 @@ private:
       {
         this->Sets.Join(runA.Set, runB.Set);
       }
-      // The run that ends first is done: the next one of the other row begins more than k columns after the other's
-      // end.
+      // The run that ends first is done: the next one of the other row begins more than k columns further on.
       ++(runA.Last < runB.Last ? a : b);
     }
   }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The search for the third point of one edge: what is asked, how far the search is, and the box and the circle in which
-// it looks.
+// The search for the third point of one edge: the edge, the best point so far, and the box and the circle to look in.
 
 #ifndef SeismicHorizonsThirdPointQuery_h
 #define SeismicHorizonsThirdPointQuery_h

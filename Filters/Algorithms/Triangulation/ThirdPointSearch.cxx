@@ -21,12 +21,10 @@ namespace
 constexpr double NearbyDiameter = 1.5;
 constexpr double LeastDiameter = 1.1;
 
-// A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain, and not in
-// its margin.
+// A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain.
 constexpr double CotangentMargin = 1e-12;
 
-// The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar takes less
-// time.
+// The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar is quicker.
 constexpr std::int64_t LargestBoxToTraverse = 8;
 
 /// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
