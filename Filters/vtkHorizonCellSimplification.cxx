@@ -7,6 +7,7 @@
 #include "Common/Monitor.h"
 #include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonData.h"
+#include "Marshalling/HorizonPoints.h"
 #include "Marshalling/ReducedHorizon.h"
 
 #include "vtkCellArray.h"

@@ -11,6 +11,7 @@
 #include "Common/VTK/VertexCells.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
+#include "Marshalling/HorizonPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"

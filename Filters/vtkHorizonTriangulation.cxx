@@ -7,6 +7,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
+#include "Marshalling/HorizonPoints.h"
 #include "Triangulation/ConvexHull.h"
 #include "Triangulation/OutsideTriangles.h"
 #include "Triangulation/TriangleQuality.h"

@@ -24,7 +24,12 @@ namespace
 {
 constexpr std::array<const char*, Directions> DirectionNames = { "Reference to mesh", "Mesh to reference",
   "Two-sided" };
+
+// The units, in their order in tuples and rows.
+constexpr std::size_t WorldUnit = 1;
+constexpr std::size_t DiagonalUnit = 2;
 constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
+
 constexpr const char* GradingMedian = "GradingMedian";
 constexpr const char* Grading95 = "Grading95";
 constexpr const char* Samples = "Samples";
@@ -43,13 +48,19 @@ std::vector<Figure> ListFigures(const DistanceFigures& figures)
   return list;
 }
 
+/// What was measured in a direction. In units of the diagonal: on the lattice, as the diagonal is.
+const DistanceFigures& FiguresIn(const DistanceReport& report, std::size_t direction, std::size_t unit)
+{
+  return unit == WorldUnit ? report.World[direction] : report.Lattice[direction];
+}
+
 /// The figures of a direction in one of the units.
 std::vector<Figure> ListFigures(const DistanceReport& report, std::size_t direction, std::size_t unit)
 {
-  std::vector<Figure> list = ListFigures(unit == 1 ? report.World[direction] : report.Lattice[direction]);
+  std::vector<Figure> list = ListFigures(FiguresIn(report, direction, unit));
   for (Figure& figure : list)
   {
-    figure.second = unit == 2 ? figure.second / report.Diagonal : figure.second;
+    figure.second = unit == DiagonalUnit ? figure.second / report.Diagonal : figure.second;
   }
   return list;
 }
@@ -125,8 +136,8 @@ void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTab
       const bool ofOne = direction < report.Surfaces.size();
       number(GradingMedian)->InsertNextValue(ofOne ? report.Surfaces[direction].Median : none);
       number(Grading95)->InsertNextValue(ofOne ? report.Surfaces[direction].Percentile95 : none);
-      const DistanceFigures& figures = unit == 1 ? report.World[direction] : report.Lattice[direction];
-      vtkIdTypeArray::SafeDownCast(table->GetColumnByName(Samples))->InsertNextValue(vtkIdType(figures.Samples));
+      vtkIdTypeArray::SafeDownCast(table->GetColumnByName(Samples))
+        ->InsertNextValue(vtkIdType(FiguresIn(report, direction, unit).Samples));
     }
   }
 }

@@ -6,19 +6,15 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
+#include "HorizonPoints.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -115,17 +111,6 @@ vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
   return array;
 }
 
-bool IsVisible(unsigned char ghost)
-{
-  return (ghost & (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) == 0;
-}
-
-vtkIdType CountVisiblePoints(vtkPolyData* horizon)
-{
-  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  return ghosts ? std::count_if(ghosts->Begin(), ghosts->End(), IsVisible) : horizon->GetNumberOfPoints();
-}
-
 /// The values of an array as whole numbers.
 template <typename Number>
 std::vector<Number> CopyValues(vtkDataArray* array)
@@ -176,55 +161,6 @@ Lattice ReadLattice(vtkPolyData* horizon)
     toWorld(n / 4, n % 4) = FieldValue(map, n);
   }
   return Lattice(dimensions, toWorld);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
-{
-  const vtkIdType visible = CountVisiblePoints(horizon);
-  if (visible == horizon->GetNumberOfPoints())
-  {
-    return horizon;
-  }
-  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  vtkNew<vtkIdList> kept;
-  kept->Allocate(visible);
-  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
-  {
-    if (IsVisible(ghosts->GetValue(point)))
-    {
-      kept->InsertNextId(point);
-    }
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  CopyPoints(horizon, kept, result);
-  result->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  result->GetFieldData()->PassData(horizon->GetFieldData());
-  return result;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void ActivateHeight(vtkPolyData* horizon)
-{
-  if (horizon->GetPointData()->HasArray(PointArray::VerticalIndex))
-  {
-    horizon->GetPointData()->SetActiveScalars(PointArray::VerticalIndex);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
-  input->GetPoints()->GetPoints(kept, points);
-  output->SetPoints(points);
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), kept->GetNumberOfIds());
-  for (vtkIdType point = 0; point < kept->GetNumberOfIds(); ++point)
-  {
-    output->GetPointData()->CopyData(input->GetPointData(), kept->GetId(point), point);
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From vtkPolyData to the plain data of the algorithms. All readers of input throw InputError when it breaks the
-// data model (Documentation/DataModel.md).
+// From vtkPolyData to the plain data of the algorithms. All functions throw InputError on a horizon that breaks the data
+// model (Documentation/DataModel.md).
 
 #ifndef SeismicHorizonsHorizonData_h
 #define SeismicHorizonsHorizonData_h
@@ -11,12 +11,9 @@
 #include "Common/Lattice.h"
 #include "Common/Types.h"
 
-#include "vtkSmartPointer.h"
-
 #include <cstdint>
 #include <vector>
 
-class vtkIdList;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -32,18 +29,8 @@ struct LatticePoints
   std::vector<double> Height; // lattice units
 };
 
-/// All points, none of which may be hidden.
+/// All points, none of which may be hidden (HorizonPoints.h).
 LatticePoints ReadPoints(vtkPolyData* horizon);
-
-/// The horizon itself; or, when the array vtkGhostType hides some of its points or marks them as those of another
-/// process, the others alone, without cells.
-vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon);
-
-/// Makes the vertical index the active scalars, by which windows colour, where there is one.
-void ActivateHeight(vtkPolyData* horizon);
-
-/// Gives `output` some of the points of `input`, with their arrays.
-void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output);
 
 /// The column of each point, for stages before points leave their columns.
 std::vector<PlanePoint> ToColumns(const LatticePoints& points);

@@ -152,7 +152,7 @@ void Scale(std::vector<double>& distances, double scale)
   std::transform(distances.begin(), distances.end(), distances.begin(), [scale](double d) { return scale * d; });
 }
 
-/// Both surfaces of a pair, in world coordinates at first.
+/// Both surfaces of a pair, in world coordinates until they are moved.
 struct Surfaces
 {
   TriangleSurface Reference;
@@ -178,6 +178,33 @@ struct Surfaces
     return MeasureSurfaceDistance(this->Reference, this->Mesh, options, monitor);
   }
 };
+
+/// What was measured on a lattice, in world units, when a lattice unit is `scale` of these long in all directions: then
+/// the nearest place is the same one in the world.
+void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
+{
+  std::transform(measured.Report.Lattice.begin(), measured.Report.Lattice.end(), measured.Report.World.begin(),
+    [scale](const DistanceFigures& figures) { return Scaled(figures, scale); });
+  if (inWorldUnits)
+  {
+    Scale(measured.Points.Reference.Distance, scale);
+    Scale(measured.Points.Mesh.Distance, scale);
+  }
+}
+
+/// Measures surfaces in world units that were measured on a lattice.
+void MeasureInWorld(const Surfaces& surfaces, SurfaceDistanceOptions options, bool inWorldUnits, const Monitor& monitor,
+  MeasuredPair& measured)
+{
+  options.Vertical = false; // follows from that on the lattice, whose columns are vertical
+  SurfaceDistance inWorld = surfaces.Measure(options, monitor);
+  measured.Report.World = FiguresOf(inWorld);
+  if (inWorldUnits)
+  {
+    measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
+    measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -197,41 +224,31 @@ MeasuredPair MeasureSurfaces(
 {
   Surfaces surfaces(pair);
   const std::optional<Lattice> lattice = FindLattice(pair.Reference, pair.Mesh);
-  const Eigen::Vector3d origin = surfaces.Reference.Points.front();
+  const Eigen::Vector3d origin = surfaces.Reference.Points.front(); // so that coordinates are small in the world, too
   surfaces.Move([&](const Eigen::Vector3d& world)
     { return Eigen::Vector3d(lattice ? lattice->ToLattice(world) : world - origin); });
-  MeasuredPair measured;
-  // Where a lattice unit is as long in all directions, the nearest place is the same one in the world.
   const double scale = lattice ? lattice->UniformScale() : 1.0;
-  measured.Points = surfaces.Measure(options, monitor.Step(0.0, scale > 0.0 ? 1.0 : 0.5));
-  DistanceReport& report = measured.Report;
-  report.Lattice = FiguresOf(measured.Points);
-  report.World = report.Lattice;
-  report.Diagonal = MeasureDiagonal(surfaces.Reference);
-  report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
+  const bool isUniform = scale > 0.0;
+  MeasuredPair measured;
+  measured.Points = surfaces.Measure(options, monitor.Step(0.0, isUniform ? 1.0 : 0.5));
+  measured.Report.Lattice = FiguresOf(measured.Points);
+  measured.Report.World = measured.Report.Lattice;
+  measured.Report.Diagonal = MeasureDiagonal(surfaces.Reference);
+  measured.Report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
   if (!lattice)
   {
     return measured;
   }
   const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
   measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
-  if (scale > 0.0)
+  if (isUniform)
   {
-    std::transform(report.Lattice.begin(), report.Lattice.end(), report.World.begin(),
-      [scale](const DistanceFigures& figures) { return Scaled(figures, scale); });
-    Scale(measured.Points.Reference.Distance, inWorldUnits ? scale : 1.0);
-    Scale(measured.Points.Mesh.Distance, inWorldUnits ? scale : 1.0);
-    return measured;
+    ScaleToWorld(scale, inWorldUnits, measured);
   }
-  surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
-  SurfaceDistanceOptions again = options;
-  again.Vertical = false;
-  SurfaceDistance inWorld = surfaces.Measure(again, monitor.Step(0.5, 1.0));
-  report.World = FiguresOf(inWorld);
-  if (inWorldUnits)
+  else
   {
-    measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
-    measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
+    surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
+    MeasureInWorld(surfaces, options, inWorldUnits, monitor.Step(0.5, 1.0), measured);
   }
   return measured;
 }

@@ -13,10 +13,10 @@
 // All points stand in one array: cell by cell, in a cell group by group, in a group leaf by leaf, and in a leaf in the
 // order of the input. So each of these is a range of the array, and what is known of a leaf is noted where it begins:
 //
-//     cells    |      0      |       1       |  2  |
-//     groups   |   0  |  1   |       2       |  3  |
-//     points     7  2   3  8   1  9  4  0  5    6
-//     leaves     *      *      *     *          *
+//     cells    |     0     |       1       | 2 |
+//     groups   |  0  |  1  |       2       | 3 |
+//     points   | 2 7 | 3 8 | 1 4 9   0 5   | 6 |
+//     leaves     *     *     *       *       *
 
 #ifndef SeismicHorizonsCellLeaves_h
 #define SeismicHorizonsCellLeaves_h

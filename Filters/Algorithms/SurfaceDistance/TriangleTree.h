@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,8 @@ public:
   double FindHeight(const Eigen::Vector3d& point, double tolerance) const;
 
 private:
+  static constexpr std::size_t Fan = 4; // children of a node, and triangles of a leaf
+
   /// The boxes of four children, by axis; where there is no child, low is above high.
   struct Node
   {
@@ -65,7 +68,10 @@ private:
     std::size_t First;
     std::size_t Last;
   };
-  TriangleRange TrianglesOf(std::size_t leaf) const;
+  TriangleRange TrianglesOf(std::size_t leaf) const
+  {
+    return { leaf * Fan, std::min((leaf + 1) * Fan, this->Triangles.size()) };
+  }
   void SearchLeaf(std::size_t leaf, const Eigen::Vector3d& point, std::int32_t& nearest, double& best) const;
   double HeightInLeaf(std::size_t leaf, const Eigen::Vector3d& point, double tolerance, double best) const;
 
