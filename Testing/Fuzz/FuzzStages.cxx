@@ -11,6 +11,7 @@
 #include "Tools/ReductionChecker.h"
 #include "Triangulation/ConvexHull.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Fuzz;
@@ -138,6 +139,17 @@ void PeelHull(const BoundedHorizon& horizon, StageInput& input)
   Require(!triangles || again.Triangles.size() == *triangles, "peeling: the mesh is not that of its boundary");
 }
 
+// Triangles that stand on end have long edges and little area, to which the spacing of samples on edges is fitted: with
+// higher cliffs these samples are too many for a fuzzer.
+constexpr double HighestCliffToMeasure = 1e4;
+
+/// From the lowest point to the highest.
+double HeightRange(const BoundedHorizon& horizon)
+{
+  const auto [low, high] = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
+  return *high - *low;
+}
+
 TriangleSurface MakeSurface(const BoundedHorizon& horizon)
 {
   TriangleSurface surface;
@@ -187,7 +199,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   PeelHull(horizon, input);
   // At least ten thousand samples are taken, so that not every input can have them.
-  if (input.TakeBelow(16) == 1)
+  if (input.TakeBelow(16) == 1 && HeightRange(*taken) <= HighestCliffToMeasure)
   {
     Measure(*taken, horizon, input);
   }

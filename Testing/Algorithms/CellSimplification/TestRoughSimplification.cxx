@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/PlaneGeometry.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/ReductionChecker.h"
 
 #include <algorithm>
+#include <tuple>
 
 using namespace ReductionChecker;
 
@@ -164,10 +166,46 @@ void TestPlaneStaysAPlane()
   }
 }
 
+/// The boundary point of a point's cell and patch that is nearest to it; of equally near ones the first.
+PointId NearestOnBoundary(
+  const BoundedHorizon& horizon, const std::vector<bool>& onBoundary, PointId point, int cellSize)
+{
+  const auto place = [&](PointId p) { return horizon.Plane[std::size_t(p)]; };
+  const auto group = [&](PointId p)
+  {
+    const int side = cellSize * horizon.SubVoxelsPerColumn;
+    return std::make_tuple(horizon.Patch[std::size_t(p)], place(p).X / side, place(p).Y / side);
+  };
+  PointId nearest = NoPoint;
+  for (PointId other = 0; other < PointId(onBoundary.size()); ++other)
+  {
+    const bool nearer =
+      nearest == NoPoint || SquaredDistance(place(other), place(point)) < SquaredDistance(place(nearest), place(point));
+    nearest = onBoundary[std::size_t(other)] && group(other) == group(point) && nearer ? other : nearest;
+  }
+  return nearest;
+}
+
+/// Points that go in a cell with boundary points count for the nearest of these.
+std::string CheckTargets(const BoundedHorizon& horizon, const Reduction& result, int cellSize)
+{
+  const std::vector<bool> onBoundary = FindBoundary(horizon.Boundary, horizon.Plane.size());
+  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
+  {
+    const PointId source = result.Source[std::size_t(result.Target[point])];
+    if (onBoundary[std::size_t(source)] && source != NearestOnBoundary(horizon, onBoundary, PointId(point), cellSize))
+    {
+      return "point " + std::to_string(point) + " counts for point " + std::to_string(source);
+    }
+  }
+  return {};
+}
+
 std::string Wrong(const BoundedHorizon& horizon, const Reduction& result, int cellSize)
 {
   const std::string points = CheckPoints(horizon, result);
-  return points.empty() ? CheckCells(horizon, result, cellSize, false) : points;
+  const std::string cells = points.empty() ? CheckCells(horizon, result, cellSize, false) : points;
+  return cells.empty() ? CheckTargets(horizon, result, cellSize) : cells;
 }
 
 void TestRandomPatches()
