@@ -12,12 +12,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace SeismicHorizons
 {
 namespace
 {
 // So much work that it hardly matters for the speed where a chunk's first search begins.
+// The most samples on all edges of a surface: far more than it takes where triangles are no needles, about four per
+// point.
+constexpr double MostEdgeSamples = 1e5;
+constexpr double MostEdgeSamplesPerPoint = 64.0;
+
 constexpr std::int64_t PointsPerChunk = 4096;
 constexpr std::int64_t TrianglesPerChunk = 512;
 // The histogram is locked once for so many samples.
@@ -127,12 +133,34 @@ void MeasureHeights(const TriangleSurface& from, const TriangleTree& to, double 
     });
 }
 
+double LengthOf(const TriangleSurface& surface, PointId low, PointId high)
+{
+  return (surface.Point(high) - surface.Point(low)).norm();
+}
+
+/// The spacing of samples on edges: that which was asked for, unless it gives too many. Along needles and surfaces that
+/// stand on end edges are long beside the area, from which spacings are made.
+double SpacingOnEdges(const TriangleSurface& surface, const SurfaceEdges& edges, double spacing)
+{
+  const std::int64_t size = std::int64_t(surface.Points.size());
+  std::vector<double> lengths(CountChunks(size, PointsPerChunk), 0.0);
+  ForEachChunk(size, PointsPerChunk, Monitor(),
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      edges.ForEach(
+        first, last, [&](PointId low, PointId high, std::uint32_t) { lengths[chunk] += LengthOf(surface, low, high); });
+    });
+  const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  return std::max(spacing, total / (MostEdgeSamples + MostEdgeSamplesPerPoint * double(size)));
+}
+
 /// The largest distance of samples on edges, one for each `spacing` of their length. Shorter edges have no samples:
 /// their ends are measured as points.
 double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleTree& to, double spacing,
   std::uint64_t seed, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(from.Points.size());
+  const double wide = SpacingOnEdges(from, edges, spacing);
   std::vector<double> largest(CountChunks(size, PointsPerChunk), 0.0);
   ForEachChunk(size, PointsPerChunk, monitor,
     [&](std::size_t chunk, std::int64_t first, std::int64_t last)
@@ -141,10 +169,10 @@ double MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, cons
       edges.ForEach(first, last,
         [&](PointId low, PointId high, std::uint32_t)
         {
-          const double length = (from.Point(high) - from.Point(low)).norm();
+          const double length = LengthOf(from, low, high);
           const std::uint64_t edge = (std::uint64_t(low) << 32U) | std::uint64_t(high);
           SampleEdge(
-            from.Point(low), from.Point(high), std::int64_t(length / spacing), Scramble(seed ^ Scramble(edge)), probe);
+            from.Point(low), from.Point(high), std::int64_t(length / wide), Scramble(seed ^ Scramble(edge)), probe);
         });
       largest[chunk] = probe.Largest;
     });

@@ -293,6 +293,19 @@ void TestStop()
       20, [&](const Monitor& monitor) { MeasureSurfaceDistance(field, field, SurfaceDistanceOptions(), monitor); }),
     std::string());
 }
+
+/// One needle, a million times as long as it is wide: samples by its area would be one for each thousandth of its
+/// width.
+void TestNeedle()
+{
+  for (const double length : { 1e6, 1e9, 1e14 })
+  {
+    TriangleSurface needle;
+    needle.Points = { { 0.0, 0.0, 0.0 }, { length, 0.0, 0.0 }, { 0.0, 1e-3, 0.0 } };
+    needle.Triangles = { { 0, 1, 2 } };
+    CHECK_EQUAL(MeasureSurfaceDistance(needle, needle, SurfaceDistanceOptions()).TwoSided.Largest, 0.0);
+  }
+}
 }
 
 int TestSurfaceDistance(int, char*[])
@@ -308,5 +321,6 @@ int TestSurfaceDistance(int, char*[])
   TestGrading();
   TestErrors();
   TestStop();
+  TestNeedle();
   return Check::Result();
 }
