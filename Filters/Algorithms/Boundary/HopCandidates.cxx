@@ -18,6 +18,7 @@ HopCandidates::HopCandidates(const ColumnRaster& raster, const HopVectors& hops,
   , WordsPerRow(raster.Width() / BitsPerWord + 1)
   , Words(std::size_t(this->WordsPerRow * raster.Height() + 2), 0)
   , Ends()
+  , OpenNumbers(std::size_t(1) << NearestBits, -1)
   , Shadows(Slot(Kinds, -NearRadius, 0), this->Ends)
 {
   for (std::int64_t y = 0; y < raster.Height(); ++y)
@@ -55,13 +56,44 @@ void HopCandidates::AddToShadow(std::size_t kind, const PlanePoint& column, cons
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HopCandidates::RuleOut(const PlanePoint& from, Rows& open) const
+HopCandidates::NearRows HopCandidates::NearRowsAt(const PlanePoint& from, std::int32_t radius) const
 {
-  std::array<unsigned, NearRadius + 2> near = {}; // a row at a time, and an empty one
-  for (std::int32_t row = 0; row <= NearRadius; ++row)
+  const unsigned columns = ((1U << (2 * radius + 1)) - 1) << (NearRadius - radius);
+  NearRows near = {};
+  for (std::int32_t row = 0; row <= radius; ++row)
   {
-    near[std::size_t(row)] = unsigned(this->BitsAt(from.X - NearRadius, from.Y + row)) & ((1U << NearWidth) - 1);
+    near[std::size_t(row)] = unsigned(this->BitsAt(from.X - NearRadius, from.Y + row)) & columns;
   }
+  return near;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HopCandidates::FindEndsBeyondNearest(const PlanePoint& from, Rows& ends) const
+{
+  const NearRows near = this->NearRowsAt(from, NearestRadius);
+  unsigned bits = 0;
+  for (std::int32_t row = NearestRadius; row >= 0; --row)
+  {
+    bits = bits << (2 * NearestRadius + 1) | near[std::size_t(row)] >> (NearRadius - NearestRadius);
+  }
+  std::int32_t& number = this->OpenNumbers[bits];
+  if (number < 0)
+  {
+    number = std::int32_t(this->OpenByNearest.size());
+    this->OpenByNearest.push_back(this->Ends);
+    this->RuleOut(near, this->OpenByNearest.back());
+  }
+  const Rows& open = this->OpenByNearest[std::size_t(number)];
+  for (std::int32_t row = 0; row <= this->Radius; ++row)
+  {
+    const Window left = open[std::size_t(row)];
+    ends[std::size_t(row)] = left == 0 ? left : left & this->BitsAt(from.X - this->Radius, from.Y + row);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HopCandidates::RuleOut(const NearRows& near, Rows& ends) const
+{
   for (std::int32_t row = 0; row <= NearRadius; ++row)
   {
     const unsigned here = near[std::size_t(row)];
@@ -76,7 +108,7 @@ void HopCandidates::RuleOut(const PlanePoint& from, Rows& open) const
         const Rows& shadow = this->Shadows[Slot(kind, __builtin_ctz(columns) - NearRadius, row)];
         for (std::size_t n = std::size_t(row); n <= std::size_t(this->Radius); ++n)
         {
-          open[n] &= ~shadow[n];
+          ends[n] &= ~shadow[n];
         }
       }
     }

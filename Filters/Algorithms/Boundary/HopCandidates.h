@@ -38,14 +38,17 @@ public:
   template <typename Visitor>
   void ForEach(const PlanePoint& from, Visitor&& visit) const
   {
-    Rows open = this->Ends;
-    this->RuleOut(from, open);
+    Rows ends;
+    this->FindEndsBeyondNearest(from, ends);
+    if (this->Count(ends) > FewEnds)
+    {
+      this->RuleOut(this->NearRowsAt(from, NearRadius), ends);
+    }
     for (std::int32_t row = 0; row <= this->Radius; ++row)
     {
-      Window ends = this->BitsAt(from.X - this->Radius, from.Y + row) & open[std::size_t(row)];
-      for (; ends != 0; ends &= ends - 1)
+      for (Window left = ends[std::size_t(row)]; left != 0; left &= left - 1)
       {
-        visit(this->Long.NumberOf({ LowestBit(ends) - this->Radius, row }));
+        visit(this->Long.NumberOf({ LowestBit(left) - this->Radius, row }));
       }
     }
   }
@@ -62,6 +65,13 @@ public:
 private:
   static constexpr std::int32_t NearRadius = 3;
   static constexpr std::int32_t NearWidth = 2 * NearRadius + 1;
+  // What is near is known by the bits of so many rows of five columns.
+  static constexpr std::int32_t NearestRadius = 2;
+  static constexpr int NearestBits = (NearestRadius + 1) * (2 * NearestRadius + 1);
+  // So few are better tried than ruled out by what is farther away.
+  static constexpr int FewEnds = 8;
+
+  using NearRows = std::array<unsigned, NearRadius + 2>; // and an empty one above
   // What can rule out hops: a point and its neighbour after one of NeighbourSteps, or a point alone.
   static constexpr std::size_t Itself = NeighbourSteps.size();
   static constexpr std::size_t Kinds = Itself + 1;
@@ -94,7 +104,23 @@ private:
   }
 
   /// Takes the shadows of the points near a column off `open`.
-  void RuleOut(const PlanePoint& from, Rows& open) const;
+  /// The points around a column that are at most a radius away along x, in its row and those above, a bit each.
+  NearRows NearRowsAt(const PlanePoint& from, std::int32_t radius) const;
+  /// Takes those ends away that such points are in the way of.
+  void RuleOut(const NearRows& near, Rows& ends) const;
+  /// The points that long hops from a column lead to, without those that points at most two columns away are in the way
+  /// of. In a horizon with few gaps that is a look into a table.
+  void FindEndsBeyondNearest(const PlanePoint& from, Rows& ends) const;
+
+  int Count(const Rows& rows) const
+  {
+    int count = 0;
+    for (std::size_t row = 0; row <= std::size_t(this->Radius); ++row)
+    {
+      count += __builtin_popcountll(std::uint64_t(rows[row])) + __builtin_popcountll(std::uint64_t(rows[row] >> 64));
+    }
+    return count;
+  }
   void AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end);
 
   const ColumnRaster& Raster;
@@ -103,6 +129,8 @@ private:
   const std::int64_t WordsPerRow;
   std::vector<std::uint64_t> Words; // a bit per column, row by row, with room to read beyond the end
   Rows Ends; // the ends of all long hops
+  mutable std::vector<Rows> OpenByNearest; // the ends that the nearest points leave, for what was found so far
+  mutable std::vector<std::int32_t> OpenNumbers; // in that list, by the bits of the nearest points; -1 for none
   std::vector<Rows> Shadows; // by slot: the ends of the hops that a point or a pair of points rules out
 };
 }
