@@ -102,6 +102,12 @@ TriangleSurface ReadSurface(vtkPolyData* data)
       throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
         " corners, expected triangles: apply Triangulate before");
     }
+    const auto [least, greatest] = std::minmax({ corners[0], corners[1], corners[2] });
+    if (least < 0 || greatest >= data->GetNumberOfPoints())
+    {
+      throw InputError("point ids " + std::to_string(least) + " to " + std::to_string(greatest) + " in triangle " +
+        std::to_string(cell) + ", expected 0 to " + std::to_string(data->GetNumberOfPoints() - 1));
+    }
     surface.Triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
   }
   return surface;
