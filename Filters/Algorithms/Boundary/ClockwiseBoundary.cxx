@@ -18,6 +18,8 @@ namespace
 // Most faces are small and have no column inside. To walk such a one again takes less time than to remember its hops.
 constexpr std::size_t SmallestWalkToRemember = 16;
 
+constexpr std::size_t Batch = 4096; // points from one report of progress to the next
+
 /// Walks the faces of the graph: first the outlines of all components, then the holes.
 class FaceFinder
 {
@@ -27,7 +29,7 @@ public:
     , Options(options)
     , Raster(columns, 2 * options.Radius)
     , Hops(options.Radius, this->Raster.Width())
-    , Graph(this->Raster, columns.size(), this->Hops, monitor)
+    , Graph(this->Raster, this->Hops, monitor)
     , Parts(FindPatchComponents(this->Raster, columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
   {
@@ -65,45 +67,15 @@ private:
 
   void WalkHoles(const Monitor& monitor)
   {
-    for (std::int64_t row = 0; row < this->Raster.Height(); ++row)
+    const std::vector<std::int64_t>& places = this->Graph.PlacesBesideGaps();
+    for (std::size_t n = 0; n < places.size(); ++n)
     {
-      if (row % 16 == 0)
+      if (n % Batch == 0)
       {
-        monitor.Progress(double(row) / double(this->Raster.Height()));
+        monitor.Progress(double(n) / double(places.size()));
       }
-      const std::int64_t end = (row + 1) * this->Raster.Width();
-      for (std::int64_t place = row * this->Raster.Width(); place < end; ++place)
-      {
-        if (this->Raster[place] != NoPoint && this->MayBeAtHole(place))
-        {
-          this->WalkHolesAt(place);
-        }
-      }
+      this->WalkHolesAt(places[n]);
     }
-  }
-
-  /// Whether a point has an empty column beside it that has another one beside it. Around a point among eight others
-  /// all faces are triangles between neighbours. An empty column among eight points lies on the hop that spans it, and
-  /// in no face. So each face with columns inside has such points only.
-  bool MayBeAtHole(std::int64_t place) const
-  {
-    const auto isEmpty = [this](std::int64_t column) { return this->Raster[column] == NoPoint; };
-    return this->HasNeighbour(
-      place, [&](std::int64_t column) { return isEmpty(column) && this->HasNeighbour(column, isEmpty); });
-  }
-
-  template <typename Condition>
-  bool HasNeighbour(std::int64_t place, Condition&& condition) const
-  {
-    const std::int64_t up = this->Raster.Width();
-    for (const std::int64_t offset : { std::int64_t(1), up + 1, up, up - 1, std::int64_t(-1), -up - 1, -up, 1 - up })
-    {
-      if (condition(place + offset))
-      {
-        return true;
-      }
-    }
-    return false;
   }
 
   /// Walks the faces on the left of all hops from a place, but for those that are remembered.
@@ -113,7 +85,7 @@ private:
     HopId hop = first;
     while (hop != NoHop)
     {
-      if (!this->Walked[this->NumberOf({ this->Raster[place], hop })])
+      if (!this->Walked[this->Graph.NumberOf(place, hop)])
       {
         this->WalkHole(place, hop);
       }
@@ -142,16 +114,14 @@ private:
     WalkFace(this->Raster, this->Hops, start, first, next, this->Steps);
   }
 
-  std::size_t NumberOf(const FaceStep& step) const { return this->Graph.NumberOf(step.Point, step.Hop); }
-
   /// Remembers the hops of the last walk.
   void Remember()
   {
     for (const FaceStep& step : this->Steps)
     {
-      this->Walked[this->NumberOf(step)] = true;
+      this->Walked[this->Graph.NumberOf(this->Raster.Place(this->Columns[std::size_t(step.Point)]), step.Hop)] = true;
     }
-    this->Walked.back() = false; // the graph has this number for all hops between points with eight neighbours
+    this->Walked.back() = false; // the graph has this number for all hops between points that are not beside gaps
   }
 
   /// Leaves out the outlines of islands that belong to another patch, and numbers the patches.

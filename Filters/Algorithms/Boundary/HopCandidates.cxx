@@ -5,30 +5,17 @@
 
 namespace SeismicHorizons
 {
-namespace
-{
-constexpr std::int64_t BitsPerWord = 64;
-}
-
 //----------------------------------------------------------------------------------------------------------------------
-HopCandidates::HopCandidates(const ColumnRaster& raster, const HopVectors& hops, const LongHops& longHops)
+HopCandidates::HopCandidates(
+  const ColumnRaster& raster, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops)
   : Raster(raster)
+  , Points(points)
   , Long(longHops)
   , Radius(hops.Radius())
-  , WordsPerRow(raster.Width() / BitsPerWord + 1)
-  , Words(std::size_t(this->WordsPerRow * raster.Height() + 2), 0)
   , Ends()
   , OpenNumbers(std::size_t(1) << NearestBits, -1)
   , Shadows(Slot(Kinds, -NearRadius, 0), this->Ends)
 {
-  for (std::int64_t y = 0; y < raster.Height(); ++y)
-  {
-    for (std::int64_t x = 0; x < raster.Width(); ++x)
-    {
-      this->Words[std::size_t(y * this->WordsPerRow + x / BitsPerWord)] |=
-        std::uint64_t(raster[y * raster.Width() + x] != NoPoint) << (x % BitsPerWord);
-    }
-  }
   for (std::size_t number = 0; number < longHops.Size(); ++number)
   {
     const PlanePoint& end = hops.Vector(longHops[number].Hop);
@@ -56,19 +43,19 @@ void HopCandidates::AddToShadow(std::size_t kind, const PlanePoint& column, cons
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HopCandidates::NearRows HopCandidates::NearRowsAt(const PlanePoint& from, std::int32_t radius) const
+HopCandidates::NearRows HopCandidates::NearRowsAt(std::int64_t from, std::int32_t radius) const
 {
   const unsigned columns = ((1U << (2 * radius + 1)) - 1) << (NearRadius - radius);
   NearRows near = {};
   for (std::int32_t row = 0; row <= radius; ++row)
   {
-    near[std::size_t(row)] = unsigned(this->BitsAt(from.X - NearRadius, from.Y + row)) & columns;
+    near[std::size_t(row)] = unsigned(this->Points.From(from + row * this->Raster.Width() - NearRadius)) & columns;
   }
   return near;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HopCandidates::FindEndsBeyondNearest(const PlanePoint& from, Rows& ends) const
+void HopCandidates::FindEndsBeyondNearest(std::int64_t from, Rows& ends) const
 {
   const NearRows near = this->NearRowsAt(from, NearestRadius);
   unsigned bits = 0;
@@ -87,7 +74,8 @@ void HopCandidates::FindEndsBeyondNearest(const PlanePoint& from, Rows& ends) co
   for (std::int32_t row = 0; row <= this->Radius; ++row)
   {
     const Window left = open[std::size_t(row)];
-    ends[std::size_t(row)] = left == 0 ? left : left & this->BitsAt(from.X - this->Radius, from.Y + row);
+    ends[std::size_t(row)] =
+      left == 0 ? left : left & this->Points.From(from + row * this->Raster.Width() - this->Radius);
   }
 }
 

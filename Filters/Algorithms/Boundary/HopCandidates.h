@@ -16,6 +16,7 @@
 #include "ColumnRaster.h"
 #include "ExteriorBoundary.h"
 #include "LongHops.h"
+#include "PlaceSet.h"
 
 #include <algorithm>
 #include <array>
@@ -25,18 +26,18 @@
 
 namespace SeismicHorizons
 {
-/// Takes a bit of memory per column of the raster.
 class HopCandidates
 {
 public:
-  /// The raster has an empty rim of at least k columns. Keeps references.
-  HopCandidates(const ColumnRaster& raster, const HopVectors& hops, const LongHops& longHops);
+  /// `points` holds the places of the raster that count as points here. The raster has an empty rim of at least k
+  /// columns. Keeps references.
+  HopCandidates(const ColumnRaster& raster, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops);
 
-  /// Calls visit(number) for the long hops from a column of the raster to another point that are not ruled out by
-  /// points at most NearRadius columns away from it, by their numbers in LongHops and row by row. Takes about k steps
-  /// for each point and pair of points that near, and one for each hop.
+  /// Calls visit(number) for the long hops from a place to another point that are not ruled out by points at most
+  /// NearRadius columns away from it, by their numbers in LongHops and row by row. Takes about k steps for each point
+  /// and pair of points that near, and one for each hop.
   template <typename Visitor>
-  void ForEach(const PlanePoint& from, Visitor&& visit) const
+  void ForEach(std::int64_t from, Visitor&& visit) const
   {
     Rows ends;
     this->FindEndsBeyondNearest(from, ends);
@@ -48,7 +49,7 @@ public:
     {
       for (Window left = ends[std::size_t(row)]; left != 0; left &= left - 1)
       {
-        visit(this->Long.NumberOf({ LowestBit(left) - this->Radius, row }));
+        visit(this->Long.NumberOf({ FirstColumn(left) - this->Radius, row }));
       }
     }
   }
@@ -77,24 +78,15 @@ private:
   static constexpr std::size_t Kinds = Itself + 1;
 
   /// A bit for each of 2 k + 1 columns in a row, from the left.
-  __extension__ typedef unsigned __int128 Window;
+  using Window = PlaceSet::Window;
   static constexpr std::size_t MostRows = LargestRadius + 1;
   /// One window for each row, from that of a place upwards.
   using Rows = std::array<Window, MostRows>;
 
-  static std::int32_t LowestBit(Window window)
+  static std::int32_t FirstColumn(Window window)
   {
     const auto low = static_cast<std::uint64_t>(window);
-    return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll(static_cast<std::uint64_t>(window >> 64));
-  }
-
-  /// The columns from a place to the right; at least the first 65 bits are valid.
-  Window BitsAt(std::int64_t x, std::int64_t y) const
-  {
-    const std::uint64_t* const word = this->Words.data() + y * this->WordsPerRow + x / 64;
-    const int shift = int(x % 64);
-    const Window window = (Window(word[1]) << 64 | word[0]) >> shift;
-    return shift == 0 ? window : window | Window(word[2]) << (128 - shift);
+    return low != 0 ? LowestBit(low) : PlaceSet::WordBits + LowestBit(std::uint64_t(window >> PlaceSet::WordBits));
   }
 
   /// The position in Shadows of a point, or of a pair of points that begins with it, at a vector from the start.
@@ -103,14 +95,13 @@ private:
     return (kind * (NearRadius + 1) + std::size_t(y)) * NearWidth + std::size_t(x + NearRadius);
   }
 
-  /// Takes the shadows of the points near a column off `open`.
-  /// The points around a column that are at most a radius away along x, in its row and those above, a bit each.
-  NearRows NearRowsAt(const PlanePoint& from, std::int32_t radius) const;
+  /// The points around a place that are at most a radius away along x, in its row and those above, a bit each.
+  NearRows NearRowsAt(std::int64_t from, std::int32_t radius) const;
   /// Takes those ends away that such points are in the way of.
   void RuleOut(const NearRows& near, Rows& ends) const;
-  /// The points that long hops from a column lead to, without those that points at most two columns away are in the way
+  /// The points that long hops from a place lead to, without those that points at most two columns away are in the way
   /// of. In a horizon with few gaps that is a look into a table.
-  void FindEndsBeyondNearest(const PlanePoint& from, Rows& ends) const;
+  void FindEndsBeyondNearest(std::int64_t from, Rows& ends) const;
 
   int Count(const Rows& rows) const
   {
@@ -124,10 +115,9 @@ private:
   void AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end);
 
   const ColumnRaster& Raster;
+  const PlaceSet& Points;
   const LongHops& Long;
   const std::int32_t Radius;
-  const std::int64_t WordsPerRow;
-  std::vector<std::uint64_t> Words; // a bit per column, row by row, with room to read beyond the end
   Rows Ends; // the ends of all long hops
   mutable std::vector<Rows> OpenByNearest; // the ends that the nearest points leave, for what was found so far
   mutable std::vector<std::int32_t> OpenNumbers; // in that list, by the bits of the nearest points; -1 for none

@@ -19,50 +19,50 @@ constexpr std::size_t Batch = 4096; // points from one report of progress to the
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const Monitor& monitor)
   : Raster(raster)
   , Hops(hops)
   , Long(hops)
-  , IsOnBorder(points, false)
+  , South(hops.Find({ 0, -2 }))
+  , North(hops.Find({ 0, 2 }))
 {
   for (HopId hop = 0; hop < hops.Size(); ++hop)
   {
-    const PlanePoint& vector = hops.Vector(hop);
-    if (ChebyshevLength(vector) == 1)
+    if (ChebyshevLength(hops.Vector(hop)) == 1)
     {
       this->Short.push_back(hop);
-      // Of the two diagonals between four neighbouring points a sweep meets that from south-east to north-west first.
-      if (vector.X * vector.Y <= 0)
-      {
-        this->Inner.push_back(hop);
-      }
     }
   }
-  this->FindBorder();
+  const PlaceSet filled = this->FindBorder();
   this->First.assign(std::size_t(raster.Width() * raster.Height()), NoLink);
-  const HopCandidates candidates(raster, hops, this->Long);
+  const HopCandidates candidates(raster, filled, hops, this->Long);
   this->AddDirectHops(candidates, monitor.Step(0.0, 0.4));
   this->AddFurtherHops(candidates, monitor.Step(0.4, 0.9));
   std::vector<std::int32_t>().swap(this->First);
   std::vector<Link>().swap(this->Links);
-  this->Listed = this->ListByPoint(points);
+  this->Listed = this->ListByPoint();
   std::vector<PlacedHop>().swap(this->Placed);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlanarHops::FindBorder()
+// Gives the places of points and of single empty columns. No other long hop than that over such a column leads there,
+// so that it counts as a point when long hops are looked for.
+PlaceSet PlanarHops::FindBorder()
 {
-  const std::int64_t up = this->Raster.Width();
-  for (std::int64_t place = up; place < up * (this->Raster.Height() - 1); ++place)
+  const PlaceSet points(this->Raster);
+  PlaceSet filled = points;
+  filled.AddSurrounded();
+  const std::int64_t end = this->Raster.Width() * this->Raster.Height();
+  for (std::int64_t place = 0; place < end; place += PlaceSet::WordBits)
   {
-    if (this->Has(place) &&
-      !std::all_of(
-        this->Short.begin(), this->Short.end(), [&](HopId hop) { return this->Has(place + this->Hops.Offset(hop)); }))
+    const std::uint64_t besideGaps = std::uint64_t(points.From(place)) & ~filled.Surrounded(place);
+    this->BorderNumbers.Append(besideGaps);
+    for (std::uint64_t left = besideGaps; left != 0; left &= left - 1)
     {
-      this->IsOnBorder[std::size_t(this->Raster[place])] = true;
-      this->Border.push_back(place);
+      this->Border.push_back(place + LowestBit(left));
     }
   }
+  return filled;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ void PlanarHops::ForEachCandidate(const HopCandidates& candidates, const Monitor
     }
     const std::int64_t place = this->Border[n];
     const PlanePoint from{ std::int32_t(place % this->Raster.Width()), std::int32_t(place / this->Raster.Width()) };
-    candidates.ForEach(from,
+    candidates.ForEach(place,
       [&](std::size_t number)
       {
         const PlanePoint& vector = this->Hops.Vector(this->Long[number].Hop);
@@ -176,43 +176,57 @@ void PlanarHops::Add(const PlacedHop& hop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Of the two diagonals between four neighbouring points one is admissible; between fewer points each is.
+// Calls visit(hop) for the admissible hops from a place to neighbours, and over single empty columns. Of the two
+// diagonals between four neighbouring points that from south-east to north-west is one, as a sweep meets it first;
+// between fewer points each is.
 template <typename Visitor>
 void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 {
   for (const HopId hop : this->Short)
   {
     const PlanePoint& vector = this->Hops.Vector(hop);
+    const std::int64_t neighbour = place + this->Hops.Offset(hop);
     const bool isOfFour =
       vector.X * vector.Y > 0 && this->Has(place + vector.X) && this->Has(place + this->Hops.OffsetOf({ 0, vector.Y }));
-    if (this->Has(place + this->Hops.Offset(hop)) && !isOfFour)
+    if (this->Has(neighbour) && !isOfFour)
     {
       visit(hop);
+    }
+    else if (vector.X == 0 && !this->Has(neighbour) && this->HasAllNeighbours(neighbour))
+    {
+      visit(vector.Y < 0 ? this->South : this->North);
     }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ItemLists<HopId> PlanarHops::ListByPoint(std::size_t points) const
+bool PlanarHops::HasAllNeighbours(std::int64_t place) const
 {
-  ItemLists<HopId> lists(std::int64_t(points),
+  return std::all_of(
+    this->Short.begin(), this->Short.end(), [&](HopId hop) { return this->Has(place + this->Hops.Offset(hop)); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ItemLists<HopId> PlanarHops::ListByPoint() const
+{
+  ItemLists<HopId> lists(this->BorderNumbers.Size(),
     [this](auto&& add)
     {
       for (const std::int64_t place : this->Border)
       {
-        this->ForEachShortHop(place, [&](HopId hop) { add(this->Raster[place], hop); });
+        this->ForEachShortHop(place, [&](HopId hop) { add(this->BorderNumbers[place], hop); });
       }
       for (const PlacedHop& placed : this->Placed)
       {
         const HopId hop = this->Long[std::size_t(placed.Number)].Hop;
         const std::int64_t start = this->StartOf(placed);
-        add(this->Raster[start], hop);
-        add(this->Raster[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
+        add(this->BorderNumbers[start], hop);
+        add(this->BorderNumbers[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
       }
     });
-  for (std::int64_t point = 0; point < std::int64_t(points); ++point)
+  for (std::int64_t number = 0; number < this->BorderNumbers.Size(); ++number)
   {
-    std::sort(lists.begin(point), lists.end(point));
+    std::sort(lists.begin(number), lists.end(number));
   }
   return lists;
 }
@@ -220,19 +234,42 @@ ItemLists<HopId> PlanarHops::ListByPoint(std::size_t points) const
 //----------------------------------------------------------------------------------------------------------------------
 HopId PlanarHops::Next(std::int64_t place, HopId from) const
 {
-  const PointId point = this->Raster[place];
-  const bool isListed = this->IsOnBorder[std::size_t(point)];
-  const HopId* const first = isListed ? this->Listed.begin(point) : this->Inner.data();
-  const HopId* const last = isListed ? this->Listed.end(point) : first + this->Inner.size();
+  const std::int64_t number = this->BorderNumbers[place];
+  if (number == PlaceNumbers::None)
+  {
+    return this->NextShort(place, from);
+  }
+  const HopId* const first = this->Listed.begin(number);
+  const HopId* const last = this->Listed.end(number);
   const HopId* const next = std::upper_bound(first, last, from);
   return next != last ? *next : first != last ? *first : NoHop;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::size_t PlanarHops::NumberOf(PointId point, HopId hop) const
+// The same for points that are not beside gaps.
+HopId PlanarHops::NextShort(std::int64_t place, HopId from) const
 {
-  const HopId* const last = this->Listed.end(point);
-  const HopId* const found = std::lower_bound(this->Listed.begin(point), last, hop);
+  HopId first = NoHop;
+  HopId next = NoHop;
+  this->ForEachShortHop(place,
+    [&](HopId hop)
+    {
+      first = first == NoHop ? hop : first;
+      next = next == NoHop && hop > from ? hop : next;
+    });
+  return next != NoHop ? next : first;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t PlanarHops::NumberOf(std::int64_t place, HopId hop) const
+{
+  const std::int64_t number = this->BorderNumbers[place];
+  if (number == PlaceNumbers::None)
+  {
+    return this->Size();
+  }
+  const HopId* const last = this->Listed.end(number);
+  const HopId* const found = std::lower_bound(this->Listed.begin(number), last, hop);
   return found != last && *found == hop ? this->Listed.IndexOf(found) : this->Size();
 }
 }

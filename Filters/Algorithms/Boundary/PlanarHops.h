@@ -21,9 +21,18 @@
 //          b . . . . .
 //
 // Hops to neighbours need no search: all are admissible, but for one of the two diagonals of four neighbouring points.
-// Longer ones only lead from points beside an empty column to others of these. First the direct ones are found, and
-// hops that cross one of these are ruled out. The rest, a few per point, is tried in order of length, and each is
-// compared with the admissible hops that touch the same unit squares.
+// And the eight points around a single empty column let no other hops between them than that from south to north over
+// the column:
+//
+//          a - a - a       a    points
+//          | / | \ |       .    the empty column, under the hop
+//          a   .   a
+//          | \ | / |
+//          a - a - a
+//
+// So longer hops are only looked for between points beside gaps, which are two or more empty columns side by side.
+// First the direct ones are found, and hops that cross one of these are ruled out. The rest, a few per point, is tried
+// in order of length, and each is compared with the admissible hops that touch the same unit squares.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
@@ -34,6 +43,7 @@
 #include "HopCandidates.h"
 #include "HopVectors.h"
 #include "LongHops.h"
+#include "PlaceSet.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -41,23 +51,26 @@
 
 namespace SeismicHorizons
 {
-/// Takes time, for each point beside an empty column, for the rows of 2 k + 1 columns above it, and for each hop to a
-/// point in these that is not ruled out at most about k^2. Takes memory for 4 bytes and a bit per column of the raster,
-/// 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and tables of
-/// about 8 k^4 bytes.
+/// Takes time, for each point beside a gap, for the rows of 2 k + 1 columns above it, and for each hop to a
+/// point in these that is not ruled out at most about k^2. Takes memory for 4 bytes and 4 bits per column of the
+/// raster, 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and
+/// tables of about 8 k^4 bytes.
 class PlanarHops
 {
 public:
   /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it and to
   /// `hops`.
-  PlanarHops(const ColumnRaster& raster, std::size_t points, const HopVectors& hops, const Monitor& monitor);
+  PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const Monitor& monitor);
+
+  /// The places of the points beside gaps, row by row. Only these are on outlines, or on faces with columns inside.
+  const std::vector<std::int64_t>& PlacesBesideGaps() const { return this->Border; }
 
   /// The first admissible hop from a place that a clockwise sweep after `from` meets, where `from` comes last; NoHop
   /// when there is none.
   HopId Next(std::int64_t place, HopId from) const;
 
-  /// The hops from points beside an empty column have numbers from 0 to below Size(). For other hops this is Size().
-  std::size_t NumberOf(PointId point, HopId hop) const;
+  /// The hops from points beside gaps have numbers from 0 to below Size(). For other hops this is Size().
+  std::size_t NumberOf(std::int64_t place, HopId hop) const;
   std::size_t Size() const { return this->Listed.Size(); }
 
 private:
@@ -76,7 +89,7 @@ private:
     std::int32_t Next;
   };
 
-  void FindBorder();
+  PlaceSet FindBorder();
   void AddDirectHops(const HopCandidates& candidates, const Monitor& monitor);
   void AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor);
   template <typename Visitor>
@@ -84,9 +97,11 @@ private:
   bool IsDirect(const PlacedHop& hop) const;
   bool IsCrossed(const PlacedHop& hop) const;
   void Add(const PlacedHop& hop);
-  ItemLists<HopId> ListByPoint(std::size_t points) const;
+  ItemLists<HopId> ListByPoint() const;
   template <typename Visitor>
   void ForEachShortHop(std::int64_t place, Visitor&& visit) const;
+  HopId NextShort(std::int64_t place, HopId from) const;
+  bool HasAllNeighbours(std::int64_t place) const;
 
   bool Has(std::int64_t place) const { return this->Raster[place] != NoPoint; }
   std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Raster.Width() + hop.From.X; }
@@ -95,14 +110,15 @@ private:
   const HopVectors& Hops;
   const LongHops Long;
   std::vector<HopId> Short; // hops to the eight neighbours
-  std::vector<HopId> Inner; // the admissible hops of a point without an empty column beside it
-  std::vector<std::int64_t> Border; // places of the points beside an empty column, row by row
-  std::vector<bool> IsOnBorder; // by point: whether it is one of these
+  const HopId South; // the hops over a single empty column
+  const HopId North;
+  std::vector<std::int64_t> Border; // places of the points beside gaps, row by row
+  PlaceNumbers BorderNumbers; // their positions in that list
   // Only while hops are tried.
   std::vector<PlacedHop> Placed; // admissible long hops
   std::vector<std::int32_t> First; // for each unit square the first link of its list
   std::vector<Link> Links;
-  // Then, for each point beside an empty column, its admissible hops in the order of a sweep.
+  // Then, for each point beside a gap, its admissible hops in the order of a sweep.
   ItemLists<HopId> Listed;
 };
 }
