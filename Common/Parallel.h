@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops over several threads. In the module they run on vtkSMPTools, whose back-end and number of threads users choose;
-// in programs without VTK on std::thread. No other file of the algorithms includes VTK.
+// Loops over several threads. In the module they run on vtkSMPTools, whose back-end and number of threads users choose
+// (VTK/SMPToolsLoop.cxx); in programs without VTK on std::thread (ThreadLoop.cxx). A program links one of the two.
 //
 // Work on one range must neither read nor write what work on another range writes. Then results are the same for any
 // number of threads.
@@ -12,17 +12,11 @@
 
 #include "Monitor.h"
 
-#ifdef SEISMICHORIZONS_USE_VTK_SMP
-#include <vtkSMPTools.h>
-#endif
-
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 namespace SeismicHorizons
 {
@@ -65,38 +59,11 @@ private:
   std::int64_t Range = 0;
 };
 
-#ifndef SEISMICHORIZONS_USE_VTK_SMP
-/// How many threads loops use where there is no vtkSMPTools.
-inline int& NumberOfThreads()
-{
-  static int number = std::max(1, int(std::thread::hardware_concurrency()));
-  return number;
-}
+/// Calls range(first, last) for ranges that together are 0 to `size`.
+void RunOnThreads(std::int64_t size, std::int64_t grain, const std::function<void(std::int64_t, std::int64_t)>& range);
 
-template <typename Range>
-void RunOnThreads(std::int64_t size, std::int64_t grain, Range&& range)
-{
-  std::atomic<std::int64_t> next(0);
-  const auto run = [&]()
-  {
-    for (std::int64_t first = next.fetch_add(grain); first < size; first = next.fetch_add(grain))
-    {
-      range(first, std::min(size, first + grain));
-    }
-  };
-  const std::int64_t ranges = (size + grain - 1) / grain;
-  std::vector<std::thread> helpers;
-  for (std::int64_t n = 1; n < std::min<std::int64_t>(ranges, NumberOfThreads()); ++n)
-  {
-    helpers.emplace_back(run);
-  }
-  run();
-  for (std::thread& helper : helpers)
-  {
-    helper.join();
-  }
-}
-#endif
+/// How many threads loops of programs without VTK use.
+int& NumberOfThreads();
 }
 
 /// Calls work(first, last) for ranges of indices, `last` not included, that together are 0 to `size`: in any order, and
@@ -109,13 +76,8 @@ template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
 {
   Detail::FirstException exception;
-  const auto range = [&](std::int64_t first, std::int64_t last) noexcept
-  { exception.Guard(first, [&]() { work(first, last); }); };
-#ifdef SEISMICHORIZONS_USE_VTK_SMP
-  vtkSMPTools::For(0, vtkIdType(size), vtkIdType(grain), range);
-#else
-  Detail::RunOnThreads(size, grain, range);
-#endif
+  Detail::RunOnThreads(
+    size, grain, [&](std::int64_t first, std::int64_t last) { exception.Guard(first, [&]() { work(first, last); }); });
   exception.Rethrow();
 }
 

@@ -20,8 +20,6 @@ LONG_FILES = {
     "Testing/Algorithms/Readers/TestSparseMatrixParser.cxx": "case after case, all error messages among them",
     "Testing/Readers/TestVerneySparseMatrixReader.cxx": "case after case for one class",
 }
-# The one file of the methods that may know of VTK: it spreads loops over threads.
-VTK_ALLOWED = "Common/Parallel.h"
 
 
 def read_table(page):
@@ -64,7 +62,7 @@ def check_file(tree, path, rooms):
         other = find_room(tree, path, name)
         if other and other != room and other not in rooms[room]:
             wrong.append("%s:%d: %s may not use %s" % (where, number, room, other))
-        if not other and name.startswith("vtk") and "VTK" not in rooms[room] and where != VTK_ALLOWED:
+        if not other and name.startswith("vtk") and "VTK" not in rooms[room]:
             wrong.append("%s:%d: %s may not use VTK" % (where, number, room))
     return wrong
 
