@@ -18,7 +18,7 @@ namespace
 // Most faces are small and have no column inside. To walk such a one again takes less time than to remember its hops.
 constexpr std::size_t SmallestWalkToRemember = 16;
 
-constexpr std::size_t Batch = 4096; // points from one report of progress to the next
+constexpr std::size_t Batch = 256; // points from one report of progress to the next
 
 /// Walks the faces of the graph: first the outlines of all components, then the holes.
 class FaceFinder

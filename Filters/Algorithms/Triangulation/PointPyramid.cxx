@@ -22,17 +22,21 @@ void PointPyramid::MakeRuns()
 {
   const PointId count = this->Points.EndOf(this->Points.Voxels().Size() - 1);
   this->Runs.emplace_back(std::size_t((count - 1) / RunSize + 1));
-  for (PointId point = 0; point < count; ++point)
+  PlaneBox* run = this->Runs.back().data();
+  for (PointId first = 0; first < count; first += RunSize, ++run)
   {
-    this->Runs.back()[std::size_t(point / RunSize)].Add(this->Points.At(point));
+    for (PointId point = first; point < std::min(first + RunSize, count); ++point)
+    {
+      run->Add(this->Points.At(point));
+    }
   }
   while (this->Runs.back().size() > 1)
   {
     const std::vector<PlaneBox>& below = this->Runs.back();
     std::vector<PlaneBox> runs(((below.size() - 1) >> RunShift) + 1);
-    for (std::size_t run = 0; run < below.size(); ++run)
+    for (std::size_t n = 0; n < below.size(); ++n)
     {
-      runs[run >> RunShift].Add(below[run]);
+      runs[n >> RunShift].Add(below[n]);
     }
     this->Runs.push_back(std::move(runs));
   }
@@ -44,14 +48,17 @@ void PointPyramid::MakeLowest()
   const CellGrid& voxels = this->Points.Voxels();
   Level level{ (voxels.SizeX() - 1) / BaseSize + 1, (voxels.SizeY() - 1) / BaseSize + 1, {} };
   level.Boxes.resize(std::size_t(level.SizeX * level.SizeY));
-  const auto any = [](const PlaneBox&) { return true; };
-  for (std::int64_t y = 0; y < level.SizeY; ++y)
+  for (std::int64_t y = 0; y < voxels.SizeY(); ++y)
   {
-    for (std::int64_t x = 0; x < level.SizeX; ++x)
+    PlaneBox* box = level.Boxes.data() + y / BaseSize * level.SizeX;
+    for (std::int64_t x = 0; x < voxels.SizeX(); x += BaseSize, ++box)
     {
-      PlaneBox& box = level.Boxes[std::size_t(y * level.SizeX + x)];
-      const auto include = [&](PointId point) { box.Add(this->Points.At(point)); };
-      this->VisitVoxels({ 0, x, y }, any, include);
+      const std::int64_t last = std::min(x + BaseSize, voxels.SizeX()) - 1;
+      const PointId end = this->Points.EndOf(voxels.Index(last, y));
+      for (PointId point = this->Points.FirstIn(voxels.Index(x, y)); point < end; ++point)
+      {
+        box->Add(this->Points.At(point));
+      }
     }
   }
   this->Levels.push_back(std::move(level));
