@@ -6,7 +6,9 @@
 #include "Common/Monitor.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/Ranks.h"
 #include "Marshalling/HorizonTree.h"
+#include "Marshalling/RankedHorizons.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -30,13 +32,6 @@ vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 }
 
 //------------------------------------------------------------------------------
-int vtkHorizonAlgorithm::FillInputPortInformation(int, vtkInformation* info)
-{
-  AcceptHorizons(info);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -52,23 +47,29 @@ int vtkHorizonAlgorithm::RequestDataObject(
 // goes on after an error or a request to stop, and leaves in the output what was done by then; here the whole output
 // has to be empty. Nor does it put the partitions of a horizon together.
 int vtkHorizonAlgorithm::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0], 0);
   const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
-  return RunRequest(this, outputs, NotEnoughMemory,
-    [this, input, &outputs](std::string& subject, const Monitor& monitor)
+  const Ranks ranks(this->GetController(), request, outputVector);
+  const auto work = [this, input, &outputs, &ranks](std::string& subject, const Monitor& monitor)
+  {
+    std::vector<HorizonLeaf> horizons;
+    ranks.Together([&]() { horizons = ListHorizons(input, outputs); });
+    ListOnRanks(horizons, ranks); // throws when one is on several
+    const double size = double(horizons.size());
+    for (std::size_t n = 0; n < horizons.size(); ++n)
     {
-      const std::vector<HorizonLeaf> horizons = ListHorizons(input, outputs);
-      const double size = double(horizons.size());
-      for (std::size_t n = 0; n < horizons.size(); ++n)
+      const HorizonLeaf& horizon = horizons[n];
+      subject = NameBySurfaceId(horizon.Input);
+      if (horizon.Input->GetNumberOfPoints() > 0)
       {
-        const HorizonLeaf& horizon = horizons[n];
-        subject = NameBySurfaceId(horizon.Input);
-        if (horizon.Input->GetNumberOfPoints() > 0)
-        {
-          this->ProcessHorizon(horizon.Input, horizon.Outputs, monitor.Step(double(n) / size, double(n + 1) / size));
-        }
+        const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
+        RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
+          { horizon.Outputs.begin(), horizon.Outputs.end() },
+          [&]() { this->ProcessHorizon(horizon.Input, horizon.Outputs, step); });
       }
-    });
+    }
+  };
+  return RunRequest(this, outputs, NotEnoughMemory, work, ranks);
 }

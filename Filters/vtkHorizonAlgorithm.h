@@ -10,7 +10,11 @@
  *
  * A horizon without points gives an empty one. When a horizon can not be processed, one error names it, and says what
  * was found and what was expected. The whole output is empty then, even if other horizons were processed before;
- * likewise when the user asks to stop. Progress goes from 0 to 1 over all horizons.
+ * likewise when the user asks to stop. With InvalidHorizons set to LeaveOut, such a horizon only is empty, and a
+ * warning tells of it. Progress goes from 0 to 1 over all horizons.
+ *
+ * In a program of several processes each of them works on the horizons it has, and a horizon must have all its points
+ * on one of them. An error on one empties the output of all.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonCellSimplification vtkHorizonTriangulation
  * vtkHorizonSurfaceDistance
@@ -19,7 +23,7 @@
 #ifndef vtkHorizonAlgorithm_h
 #define vtkHorizonAlgorithm_h
 
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <vector> // for the outputs
@@ -30,10 +34,10 @@ class Monitor;
 }
 class vtkPolyData;
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonAlgorithm : public vtkDataObjectAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonAlgorithm : public vtkHorizonStage
 {
 public:
-  vtkTypeMacro(vtkHorizonAlgorithm, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkHorizonAlgorithm, vtkHorizonStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Output 0 as a single horizon; null when it is a composite dataset.
@@ -50,7 +54,6 @@ protected:
   /// SeismicHorizons::InputError on input that breaks the contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/Ranks.h"
 #include "Marshalling/DistanceReport.h"
 #include "Marshalling/HorizonPairs.h"
 #include "Marshalling/HorizonTree.h"
@@ -62,13 +63,6 @@ void vtkHorizonSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-int vtkHorizonSurfaceDistance::FillInputPortInformation(int, vtkInformation* info)
-{
-  AcceptHorizons(info);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == TablePort ? "vtkTable" : "vtkDataObject");
@@ -88,32 +82,42 @@ int vtkHorizonSurfaceDistance::RequestDataObject(
 
 //------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const reference = vtkDataObject::GetData(inputVector[ReferencePort], 0);
   vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeshPort], 0);
   const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
-  return RunRequest(this, outputs, NotEnoughMemory,
-    [&](std::string& subject, const Monitor& monitor)
+  const Ranks ranks(this->GetController(), request, outputVector);
+  const auto work = [&](std::string& subject, const Monitor& monitor)
+  {
+    auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
+    MakeColumns(table);
+    HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeshPort], ranks);
+    const std::vector<HorizonPair>& own = pairs.OwnPairs();
+    const auto measure = [&]()
     {
-      auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
-      MakeColumns(table);
-      const std::vector<HorizonPair> pairs = MatchHorizons(reference, mesh, outputs[ReferencePort], outputs[MeshPort]);
-      const double size = double(pairs.size());
-      for (std::size_t n = 0; n < pairs.size(); ++n)
+      const double size = double(own.size());
+      for (std::size_t n = 0; n < own.size(); ++n)
       {
-        subject = pairs[n].Name;
-        if (pairs[n].Reference->GetNumberOfPoints() + pairs[n].Mesh->GetNumberOfPoints() > 0)
-        {
-          this->MeasurePair(pairs[n], table, monitor.Step(double(n) / size, double(n + 1) / size));
-        }
+        subject = own[n].Name;
+        const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
+        RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, { own[n].ReferenceOutput, own[n].MeshOutput },
+          [&]() { this->MeasurePair(own[n], step); });
       }
-    });
+    };
+    ranks.Together(measure);
+    pairs.Deliver(table);
+  };
+  return RunRequest(this, outputs, NotEnoughMemory, work, ranks);
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, vtkTable* table, const Monitor& monitor) const
+void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monitor& monitor) const
 {
+  if (pair.Reference->GetNumberOfPoints() + pair.Mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
   WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
   pair.MeshOutput->ShallowCopy(pair.Mesh);
   SurfaceDistanceOptions options;
@@ -124,5 +128,6 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, vtkTable* t
   AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
   WriteFieldData(measured.Report, measured.Report.Surfaces[0], pair.ReferenceOutput);
   WriteFieldData(measured.Report, measured.Report.Surfaces[1], pair.MeshOutput);
-  AppendRows(measured.Report, pair.Name, table);
+  MakeColumns(pair.Rows);
+  AppendRows(measured.Report, pair.Name, pair.Rows);
 }

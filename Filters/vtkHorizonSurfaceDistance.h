@@ -37,6 +37,11 @@
  * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, all else is exact for
  * the samples.
  *
+ * In a program of several processes each of them measures the references it has; meshes that are elsewhere are sent to
+ * it, and back. The table is on the first one, and a horizon must have all its points on one of them.
+ *
+ * With InvalidHorizons set to LeaveOut, a pair that can not be measured has empty surfaces and no rows.
+ *
  * Errors: 2^30 points or triangles, no triangles or no area in a mesh, other cells than triangles, a horizon without
  * counterpart, points that are not finite, a reference without triangles that is no horizon on a lattice.
  *
@@ -46,7 +51,7 @@
 #ifndef vtkHorizonSurfaceDistance_h
 #define vtkHorizonSurfaceDistance_h
 
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 namespace SeismicHorizons
@@ -56,11 +61,11 @@ struct HorizonPair;
 }
 class vtkTable;
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurfaceDistance : public vtkDataObjectAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurfaceDistance : public vtkHorizonStage
 {
 public:
   static vtkHorizonSurfaceDistance* New();
-  vtkTypeMacro(vtkHorizonSurfaceDistance, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkHorizonSurfaceDistance, vtkHorizonStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The unit of the point arrays.
@@ -112,7 +117,6 @@ protected:
   vtkHorizonSurfaceDistance();
   ~vtkHorizonSurfaceDistance() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -121,8 +125,7 @@ private:
   vtkHorizonSurfaceDistance(const vtkHorizonSurfaceDistance&) = delete;
   void operator=(const vtkHorizonSurfaceDistance&) = delete;
 
-  void MeasurePair(
-    const SeismicHorizons::HorizonPair& pair, vtkTable* table, const SeismicHorizons::Monitor& monitor) const;
+  void MeasurePair(const SeismicHorizons::HorizonPair& pair, const SeismicHorizons::Monitor& monitor) const;
 
   int DistanceUnit = Lattice;
   double SamplesPerPoint = 2.0;

@@ -12,16 +12,31 @@
 
 namespace SeismicHorizons
 {
+namespace
+{
+void Empty(const std::vector<vtkDataObject*>& outputs)
+{
+  for (vtkDataObject* output : outputs)
+  {
+    if (output)
+    {
+      output->Initialize();
+    }
+  }
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
-  const RequestWork& work)
+  const RequestWork& work, const Ranks& ranks)
 {
   std::string subject;
   std::string problem;
+  bool isDone = false;
   try
   {
     work(subject, MakeMonitor(algorithm));
-    return 1;
+    isDone = true;
   }
   catch (const Aborted&)
   {
@@ -38,12 +53,9 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
   {
     problem = noMemory;
   }
-  for (vtkDataObject* output : outputs)
+  if (ranks.Any(!isDone))
   {
-    if (output)
-    {
-      output->Initialize();
-    }
+    Empty(outputs);
   }
   if (problem.empty())
   {
@@ -51,5 +63,25 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
   }
   vtkErrorWithObjectMacro(algorithm, << subject << (subject.empty() ? "" : ": ") << problem);
   return 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RunPart(vtkAlgorithm* algorithm, bool mayLeaveOut, const std::string& subject,
+  const std::vector<vtkDataObject*>& outputs, const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const InputError& error)
+  {
+    if (!mayLeaveOut)
+    {
+      throw;
+    }
+    Empty(outputs);
+    vtkWarningWithObjectMacro(
+      algorithm, << (subject.empty() ? "a horizon" : subject) << " is left out: " << error.what());
+  }
 }
 }

@@ -7,6 +7,7 @@
 #define SeismicHorizonsPipelineRequest_h
 
 #include "Common/Monitor.h"
+#include "Ranks.h"
 
 #include <functional>
 #include <string>
@@ -23,9 +24,15 @@ using RequestWork = std::function<void(std::string& subject, const Monitor& moni
 
 /// Runs the work and gives what the request has to return: 1, or 0 after an error. An InputError that the work throws
 /// becomes one error of `algorithm`; so does a lack of memory, with the text `noMemory`. Both leave all outputs empty,
-/// and so does a request to stop, which is no error. Outputs may be null.
+/// and so does a request to stop, which is no error. What empties the outputs of one rank empties those of all. Outputs
+/// may be null. Collective.
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
-  const RequestWork& work);
+  const RequestWork& work, const Ranks& ranks = Ranks());
+
+/// Runs the part of the work that concerns `subject`. With `mayLeaveOut` an InputError that it throws becomes a warning
+/// of `algorithm` and leaves the outputs of this part empty, and the work goes on.
+void RunPart(vtkAlgorithm* algorithm, bool mayLeaveOut, const std::string& subject,
+  const std::vector<vtkDataObject*>& outputs, const std::function<void()>& work);
 }
 
 #endif

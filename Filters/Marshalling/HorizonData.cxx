@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -137,6 +138,49 @@ std::vector<Number> CopyValues(vtkDataArray* array)
   }
   return values;
 }
+
+/// How many lattice units points rise for each vertical index, by a line through some of them; 1 when they are too
+/// level to tell, or there are no vertical indices.
+double MeasureStretch(vtkPolyData* horizon, const std::vector<double>& height)
+{
+  vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
+  if (!index || index->GetNumberOfTuples() != vtkIdType(height.size()))
+  {
+    return 1.0;
+  }
+  constexpr std::size_t Enough = 1000;
+  std::vector<Eigen::Vector2d> pairs;
+  for (std::size_t point = 0; point < height.size(); point += height.size() / Enough + 1)
+  {
+    pairs.emplace_back(index->GetComponent(vtkIdType(point), 0), height[point]);
+  }
+  const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
+  const Eigen::Vector2d mean = sum / double(pairs.size());
+  double square = 0.0;
+  double product = 0.0;
+  for (const Eigen::Vector2d& pair : pairs)
+  {
+    square += (pair.x() - mean.x()) * (pair.x() - mean.x());
+    product += (pair.x() - mean.x()) * (pair.y() - mean.y());
+  }
+  constexpr double LeastDeviation = 2.0; // vertical indices: with less, rounding and real z could decide
+  return square > LeastDeviation * LeastDeviation * double(pairs.size()) ? product / square : 1.0;
+}
+
+/// Transform moves points, and leaves the lattice in the field data as it is.
+void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
+{
+  // Real z is not a multiple of the vertical index, but in a survey about as long everywhere.
+  constexpr double MostStretch = 2.0;
+  const double stretch = MeasureStretch(horizon, height);
+  if (stretch < 1.0 / MostStretch || stretch > MostStretch)
+  {
+    throw InputError("points rise by " + Text(stretch) +
+      " lattice units for each vertical index, expected 1: where points were moved or scaled, as by Transform, the "
+      "lattice "
+      "in LatticeToWorld is no longer theirs");
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -193,6 +237,7 @@ LatticePoints ReadPoints(vtkPolyData* horizon)
         points.Height[std::size_t(point)] = place.z();
       }
     });
+  CheckHeights(horizon, points.Height);
   return points;
 }
 

@@ -3,9 +3,11 @@
 
 #include "HorizonPairs.h"
 
-#include "Common/Errors.h"
+#include "Common/VTK/Ranks.h"
 
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 
@@ -13,49 +15,142 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::string List(const std::vector<HorizonLeaf>& leaves)
+std::string List(const std::vector<RankedHorizon>& horizons)
 {
   std::string text;
-  for (const HorizonLeaf& leaf : leaves)
+  for (const RankedHorizon& horizon : horizons)
   {
-    text += (text.empty() ? "" : ", ") + (leaf.Name.empty() ? "one without a name" : leaf.Name);
+    text += (text.empty() ? "" : ", ") + (horizon.Name.empty() ? "one without a name" : horizon.Name);
   }
   return text.empty() ? "no horizon" : text;
 }
 
-[[noreturn]] void RefuseMissing(
-  const char* missing, const HorizonLeaf& leaf, const char* side, const std::vector<HorizonLeaf>& others)
+std::string Missing(
+  const char* missing, const RankedHorizon& horizon, const char* side, const std::vector<RankedHorizon>& others)
 {
-  throw InputError(std::string("no ") + missing + " for " +
-    (leaf.Name.empty() ? "a horizon without a name" : leaf.Name) + " of the " + side +
-    ", expected one of that name; there is " + List(others));
+  return std::string("no ") + missing + " for " + (horizon.Name.empty() ? "a horizon without a name" : horizon.Name) +
+    " of the " + side + ", expected one of that name; there is " + List(others);
+}
+
+void AppendRows(vtkTable* rows, vtkTable* table)
+{
+  for (vtkIdType row = 0; row < rows->GetNumberOfRows(); ++row)
+  {
+    table->InsertNextRow(rows->GetRow(row));
+  }
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<HorizonPair> MatchHorizons(
-  vtkDataObject* reference, vtkDataObject* mesh, vtkDataObject* referenceOutput, vtkDataObject* meshOutput)
+HorizonPairs::HorizonPairs(vtkDataObject* reference, vtkDataObject* mesh, vtkDataObject* referenceOutput,
+  vtkDataObject* meshOutput, const Ranks& ranks)
+  : Group(ranks)
 {
-  const std::vector<HorizonLeaf> references = ListHorizons(reference, { referenceOutput });
-  std::vector<HorizonLeaf> meshes = ListHorizons(mesh, { meshOutput });
+  std::vector<HorizonLeaf> references;
+  std::vector<HorizonLeaf> meshes;
+  ranks.Together(
+    [&]()
+    {
+      references = ListHorizons(reference, { referenceOutput });
+      meshes = ListHorizons(mesh, { meshOutput });
+    });
+  this->MatchNames(ListOnRanks(references, ranks), ListOnRanks(meshes, ranks));
+  for (const Match& match : this->Matches)
+  {
+    this->Take(match, references, meshes);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonPairs::MatchNames(const std::vector<RankedHorizon>& references, std::vector<RankedHorizon> meshes)
+{
   const bool single = references.size() == 1 && meshes.size() == 1;
-  const std::vector<HorizonLeaf> all = meshes;
-  std::vector<HorizonPair> pairs;
-  for (const HorizonLeaf& leaf : references)
+  const std::vector<RankedHorizon> all = meshes;
+  for (const RankedHorizon& horizon : references)
   {
     const auto match = std::find_if(meshes.begin(), meshes.end(),
-      [&](const HorizonLeaf& other) { return single || (!leaf.Name.empty() && other.Name == leaf.Name); });
+      [&](const RankedHorizon& other) { return single || (!horizon.Name.empty() && other.Name == horizon.Name); });
     if (match == meshes.end())
     {
-      RefuseMissing("mesh", leaf, "reference", all);
+      this->Group.Refuse(Missing("mesh", horizon, "reference", all));
     }
-    pairs.push_back({ leaf.Name, leaf.Input, match->Input, leaf.Outputs.front(), match->Outputs.front() });
+    this->Matches.push_back({ horizon, *match });
     meshes.erase(match);
   }
   if (!meshes.empty())
   {
-    RefuseMissing("reference", meshes.front(), "mesh", references);
+    this->Group.Refuse(Missing("reference", meshes.front(), "mesh", references));
   }
-  return pairs;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// All ranks go through all pairs in one order, so that each message finds its receiver waiting.
+void HorizonPairs::Take(
+  const Match& match, const std::vector<HorizonLeaf>& references, const std::vector<HorizonLeaf>& meshes)
+{
+  const int own = this->Group.Own();
+  const bool hasMesh = match.Mesh.Rank == own;
+  if (match.Reference.Rank == own)
+  {
+    const HorizonLeaf& reference = references[match.Reference.Leaf];
+    HorizonPair pair{ reference.Name, reference.Input, nullptr, reference.Outputs.front(), nullptr,
+      vtkSmartPointer<vtkTable>::New() };
+    if (hasMesh)
+    {
+      pair.Mesh = meshes[match.Mesh.Leaf].Input;
+      pair.MeshOutput = meshes[match.Mesh.Leaf].Outputs.front();
+    }
+    else
+    {
+      pair.Mesh = vtkSmartPointer<vtkPolyData>::New();
+      pair.MeshOutput = vtkSmartPointer<vtkPolyData>::New();
+      this->Group.Receive(pair.Mesh, match.Mesh.Rank);
+    }
+    this->Own.push_back(pair);
+  }
+  else if (hasMesh)
+  {
+    this->Group.Send(meshes[match.Mesh.Leaf].Input, match.Reference.Rank);
+    this->Away.push_back(meshes[match.Mesh.Leaf].Outputs.front());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonPairs::Deliver(vtkTable* table) const
+{
+  const int own = this->Group.Own();
+  auto pair = this->Own.begin();
+  auto away = this->Away.begin();
+  for (const Match& match : this->Matches)
+  {
+    const int working = match.Reference.Rank;
+    if (working == own)
+    {
+      if (match.Mesh.Rank != own)
+      {
+        this->Group.Send(pair->MeshOutput, match.Mesh.Rank);
+      }
+      if (own == 0)
+      {
+        AppendRows(pair->Rows, table);
+      }
+      else
+      {
+        this->Group.Send(pair->Rows, 0);
+      }
+      ++pair;
+      continue;
+    }
+    if (match.Mesh.Rank == own)
+    {
+      this->Group.Receive(*away++, working);
+    }
+    if (own == 0)
+    {
+      vtkNew<vtkTable> rows;
+      this->Group.Receive(rows, working);
+      AppendRows(rows, table);
+    }
+  }
 }
 }

@@ -92,10 +92,13 @@ public:
 
   void Add(vtkPolyData* horizon, std::vector<vtkPolyData*> outputs, const std::string& name)
   {
-    this->Leaves.push_back({ name.empty() ? NameBySurfaceId(horizon) : name, horizon, std::move(outputs) });
+    this->Leaves.push_back(
+      { name.empty() ? NameBySurfaceId(horizon) : name, this->Position, horizon, std::move(outputs) });
   }
 
 private:
+  int Position = -1; // of the block that is being looked at
+
   template <typename Type, typename Part>
   static std::vector<vtkDataObject*> At(const std::vector<vtkDataObject*>& outputs, Part&& part)
   {
@@ -110,6 +113,7 @@ private:
   void CollectPartitions(
     vtkPartitionedDataSet* partitions, const std::vector<vtkDataObject*>& outputs, const std::string& name)
   {
+    ++this->Position;
     std::vector<vtkPolyData*> found;
     unsigned int first = 0;
     for (unsigned int n = 0; partitions && n < partitions->GetNumberOfPartitions(); ++n)
@@ -146,8 +150,10 @@ private:
     if (vtkDataObjectTree::SafeDownCast(block))
     {
       this->Collect(block, At<vtkMultiBlockDataSet>(outputs, [n](auto* output) { return output->GetBlock(n); }), name);
+      return;
     }
-    else if (block)
+    ++this->Position;
+    if (block)
     {
       std::vector<vtkPolyData*> made;
       for (vtkDataObject* output : outputs)

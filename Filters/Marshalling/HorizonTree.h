@@ -35,6 +35,9 @@ struct HorizonLeaf
 {
   /// That of the block or of the dataset above it; else by the surface ID of its points; empty when there is none.
   std::string Name;
+  /// Its number among the blocks of the dataset, those included that are empty here: the same on all ranks of a
+  /// program.
+  int Position;
   vtkSmartPointer<vtkPolyData> Input;
   std::vector<vtkPolyData*> Outputs; // by port; empty but for the field data of the input
 };

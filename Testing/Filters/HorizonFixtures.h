@@ -112,12 +112,12 @@ inline vtkSmartPointer<vtkPolyData> FromPicture(
 class Errors
 {
 public:
-  explicit Errors(vtkAlgorithm* algorithm)
+  explicit Errors(vtkAlgorithm* algorithm, unsigned long event = vtkCommand::ErrorEvent)
   {
     this->Collect->SetCallback(OnError);
     this->Collect->SetClientData(&this->Messages);
     this->Ignore->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Collect);
+    algorithm->AddObserver(event, this->Collect);
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Ignore);
   }
   ~Errors() { this->Collect->SetClientData(nullptr); }

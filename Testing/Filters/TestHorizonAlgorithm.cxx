@@ -127,6 +127,47 @@ void TestOneBadHorizonLeavesNoHalfResult()
   CHECK_EQUAL(pipeline.Boundary->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
 }
 
+void TestOneBadHorizonLeftOut()
+{
+  auto horizons = TwoHorizons();
+  auto* const second = vtkPolyData::SafeDownCast(horizons->GetPartitionAsDataObject(1, 0));
+  second->GetPoints()->SetPoint(3, second->GetPoint(2));
+  Pipeline pipeline(horizons);
+  for (vtkHorizonAlgorithm* stage : pipeline.Stages())
+  {
+    stage->SetInvalidHorizonsToLeaveOut();
+  }
+  const Errors warnings(pipeline.Boundary, vtkCommand::WarningEvent);
+  const Errors errors(pipeline.Mesh);
+  pipeline.Mesh->Update();
+  CHECK_EQUAL(errors.Count(), 0u);
+  CHECK_EQUAL(warnings.Count(), 1u);
+  CHECK(warnings.FirstContains("Horizon 9 is left out: points 2 and 3 both in column"));
+  auto* const output = vtkPartitionedDataSetCollection::SafeDownCast(pipeline.Mesh->GetOutputDataObject(0));
+  CHECK(vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(0, 0))->GetNumberOfPolys() > 0);
+  CHECK_EQUAL(vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(1, 0))->GetNumberOfPoints(), 0);
+}
+
+/// Scaled and mirrored as by Transform: the lattice in the field data does not fit any more.
+void TestMovedPoints()
+{
+  for (const double scale : { 10.0, 0.1, -1.0, 1.0 })
+  {
+    auto horizon =
+      FromPicture(Rectangle(12, 10), 4, UnitSurvey(), [](int i, int j) { return double((i * i + j) % 40); });
+    for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+    {
+      const double* const place = horizon->GetPoint(point);
+      horizon->GetPoints()->SetPoint(point, place[0], place[1], scale * place[2]);
+    }
+    Pipeline pipeline(horizon);
+    Errors errors(pipeline.Boundary);
+    pipeline.Boundary->Update();
+    CHECK_EQUAL(errors.Count(), scale == 1.0 ? 0u : 1u);
+    CHECK(scale == 1.0 || errors.FirstContains("lattice units for each vertical index, expected 1: where points were"));
+  }
+}
+
 /// Runs a stage on an input and checks its one error and that its output is empty.
 void CheckRefused(vtkHorizonAlgorithm* stage, vtkDataObject* input, const std::string& message)
 {
@@ -293,6 +334,8 @@ int TestHorizonAlgorithm(int, char*[])
   TestEmptyInputGivesEmptyOutput();
   TestInputMayChangeItsKind();
   TestOneBadHorizonLeavesNoHalfResult();
+  TestOneBadHorizonLeftOut();
+  TestMovedPoints();
   TestWrongInput();
   TestNotEnoughMemory();
   TestMissingBoundary();

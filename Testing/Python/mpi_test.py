@@ -50,9 +50,12 @@ def main():
         shares = ranks_with_points(proxy, ranks)
         print("%s: points per rank %s" % (proxy.GetXMLName(), shares))
         assert all(shares) and sum(shares) == sum(h.GetNumberOfPoints() for h in expected.values()), shares
-    # Each rank measures its own horizons; the last `expected` are the meshes.
+    # Each rank measures its own horizons, and the figures of all are in one table; the last `expected` are the meshes.
     distance = simple.HorizonSurfaceDistance(Reference=proxies[0], Mesh=proxies[-1])
     simple.SaveData(str(folder / "distance.vtpc"), simple.OutputPort(distance, 1), DataMode="Binary")
+    table = servermanager.Fetch(distance, idx=2)
+    measured = [table.GetValueByName(row, "Horizon").ToString() for row in range(0, table.GetNumberOfRows(), 9)]
+    assert measured == sorted(expected), measured
     for name, mesh in read(folder / "distance.vtpc").items():
         assert len(mesh_checks.array(mesh, "Distance")) == expected.pop(name).GetNumberOfPoints()
     assert not expected, expected.keys()

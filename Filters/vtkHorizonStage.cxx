@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonStage.h"
+
+#include "Marshalling/HorizonTree.h"
+
+#include "vtkMultiProcessController.h"
+
+//------------------------------------------------------------------------------
+vtkHorizonStage::vtkHorizonStage()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHorizonStage::~vtkHorizonStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkHorizonStage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InvalidHorizons: " << (this->InvalidHorizons == LeaveOut ? "LeaveOut" : "Stop") << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonStage::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkHorizonStage::GetController()
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonStage::FillInputPortInformation(int, vtkInformation* info)
+{
+  SeismicHorizons::AcceptHorizons(info);
+  return 1;
+}

@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvbatch on two ranks, the same on each (--symmetric): stages when horizons lie on ranks in unusual ways.
+
+Arguments: the folder of the data.
+"""
+
+import pathlib
+import sys
+
+import seismichorizons as sh
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkExtractCells
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+import mesh_checks
+
+RANKS = vtkMultiProcessController.GetGlobalController()
+OWN = RANKS.GetLocalProcessId()
+
+
+def alone(name, *inputs, port=0):
+    """The output of a stage that this process runs without the others."""
+    stage = getattr(sh, "vtk" + name)()
+    for number, data in enumerate(inputs):
+        stage.SetInputDataObject(number, data)
+    stage.Update()
+    return stage.GetOutputDataObject(port)
+
+
+def run(name, *inputs, port=0, **properties):
+    """The output of a stage that all run, and the numbers of its errors and warnings here."""
+    stage = getattr(sh, "vtk" + name)()
+    for key, value in properties.items():
+        getattr(stage, "Set" + key)(value)
+    for number, data in enumerate(inputs):
+        stage.SetInputDataObject(number, data)
+    texts = {"ErrorEvent": [], "WarningEvent": []}
+    for event, found in texts.items():
+        stage.AddObserver(event, lambda *_, found=found: found.append(event))
+    stage.UpdatePiece(OWN, RANKS.GetNumberOfProcesses(), 0)
+    return stage.GetOutputDataObject(port), len(texts["ErrorEvent"]), len(texts["WarningEvent"])
+
+
+def deal(horizons, rank_of):
+    """A collection with all names, and those horizons that this rank is to have."""
+    collection = vtkPartitionedDataSetCollection()
+    collection.SetNumberOfPartitionedDataSets(len(horizons))
+    for n, (name, horizon) in enumerate(horizons.items()):
+        collection.GetMetaData(n).Set(vtkCompositeDataSet.NAME(), name)
+        if rank_of(n) == OWN:
+            collection.SetPartition(n, 0, horizon)
+    return collection
+
+
+def rows(table):
+    return [[str(table.GetValue(row, column)) for column in range(table.GetNumberOfColumns())]
+            for row in range(table.GetNumberOfRows())]
+
+
+def points(data):
+    return data.GetNumberOfPoints()
+
+
+def check_pairs(horizons, meshes):
+    """Meshes on other ranks than their horizons: the same figures in one table, and colours on each mesh."""
+    everything = alone("HorizonSurfaceDistance", deal(horizons, lambda n: OWN), deal(meshes, lambda n: OWN), port=2)
+    reference = deal(horizons, lambda n: n % 2)
+    for shift in (0, 1):
+        mesh = deal(meshes, lambda n, shift=shift: (n + shift) % 2)
+        table, errors, _ = run("HorizonSurfaceDistance", reference, mesh, port=2)
+        assert errors == 0
+        assert rows(table) == (rows(everything) if OWN == 0 else []), (shift, rows(table), rows(everything))
+        measured, _, _ = run("HorizonSurfaceDistance", reference, mesh, port=1)
+        found = mesh_checks.blocks(measured)
+        assert len(found) == len(mesh_checks.blocks(mesh)) > 0, (shift, found)
+        for name, block in found.items():
+            assert points(block) == points(meshes[name])
+            assert len(mesh_checks.array(block, "Distance")) == points(block)
+
+
+def check_missing(horizons, meshes):
+    """A horizon without a mesh on any rank: nobody has a result, and the first rank says why."""
+    fewer = dict(list(meshes.items())[:1])
+    for port in (0, 1, 2):
+        data, errors, _ = run("HorizonSurfaceDistance", deal(horizons, lambda n: n % 2), deal(fewer, lambda n: 1),
+                              port=port)
+        assert errors >= 1 if OWN == 0 else errors == 0, errors
+        assert (data.GetNumberOfRows() if port == 2 else points(data)) == 0
+
+
+def check_split(horizon):
+    """A horizon of which each rank has a part is refused; one that only one rank has is not."""
+    half = vtkExtractCells()
+    half.SetInputData(horizon)
+    half.AddCellRange(*((0, 999) if OWN == 0 else (1000, 1999)))
+    surface = vtkGeometryFilter()
+    surface.SetInputConnection(half.GetOutputPort())
+    surface.Update()
+    part = surface.GetOutput()
+    part.GetFieldData().PassData(horizon.GetFieldData())
+    assert points(part) == 1000
+    for data in (part, deal({"Horizon 1": part}, lambda n: OWN)):
+        output, errors, _ = run("HorizonExteriorBoundary", data)
+        assert points(output) == 0
+        assert errors == (1 if OWN == 0 else 0), errors
+    output, errors, _ = run("HorizonExteriorBoundary", horizon if OWN == 1 else vtkPolyData())
+    assert errors == 0
+    assert points(output) == (points(horizon) if OWN == 1 else 0)
+
+
+def check_invalid(horizons):
+    """A horizon on one rank that has no lattice stops all, or is left out."""
+    broken = {name: vtkPolyData() for name in horizons}
+    for name, horizon in broken.items():
+        horizon.DeepCopy(horizons[name])
+    last = list(broken)[-1]
+    broken[last].GetFieldData().Initialize()
+    data = deal(broken, lambda n: 0 if list(broken)[n] != last else 1)
+    output, errors, warnings = run("HorizonExteriorBoundary", data)
+    assert points(output) == 0
+    assert (errors, warnings) == ((1, 0) if OWN == 1 else (0, 0)), (errors, warnings)
+    output, errors, warnings = run("HorizonExteriorBoundary", data, InvalidHorizons=1)
+    assert (errors, warnings) == ((0, 1) if OWN == 1 else (0, 0)), (errors, warnings)
+    kept = {name: points(block) for name, block in mesh_checks.blocks(output).items()}
+    assert sorted(kept) == ([] if OWN == 1 else sorted(set(horizons) - {last})), kept
+
+
+def main():
+    assert RANKS.GetNumberOfProcesses() == 2, RANKS.GetNumberOfProcesses()
+    reader = sh.vtkVerneySparseMatrixReader()
+    reader.SetFileName(str(pathlib.Path(sys.argv[1]) / "sample.vsm"))
+    reader.Update()
+    boundary = alone("HorizonExteriorBoundary", reader.GetOutputDataObject(0))
+    horizons = mesh_checks.blocks(boundary)
+    meshes = mesh_checks.blocks(alone("HorizonTriangulation", alone("HorizonRoughSimplification", boundary)))
+    check_pairs(horizons, meshes)
+    check_missing(horizons, meshes)
+    check_split(next(iter(horizons.values())))
+    check_invalid(horizons)
+    print("rank %d: done" % OWN)
+
+
+main()
