@@ -7,6 +7,7 @@
 #define SeismicHorizonsClosestPoint_h
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -21,15 +22,39 @@ inline double SquaredDistanceToSegment(const Eigen::Vector3d& p, const Eigen::Ve
   return (p - a - part * along).squaredNorm();
 }
 
-/// A triangle is a needle when the square of the sine of its angle at `a` is at most this. With 16 digits, the place on
-/// its face that is nearest to a point is then no better than to 1e-16 / 1e-10 = 1e-6 of its size, while no place on
-/// its face is more than about 1e-5 of its size away from a side.
-constexpr double SquaredSineOfNeedle = 1e-10;
+/// A triangle is a needle when twice its area is at most the square root of this part of the square of a long side at
+/// `a`: it is a hundred times as long as it is wide. Differences of products of four lengths then lose 4 of 16 digits.
+constexpr double SquaredWidthOfNeedle = 1e-4;
+
+/// The squared distance from `p` to the triangle `a`, `b`, `c` when no corner is nearest, by cross products: of a
+/// needle they lose half as many digits as the differences of scalar products do. For a triangle without an area all
+/// sides are tried.
+inline double SquaredDistanceToNeedle(
+  const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  // The cross product is wrong by a part of the product of two long sides, and its distance to p by that times the
+  // length unless it is at right angles to the longest side.
+  const Eigen::Vector3d sides[3] = { b - a, c - b, a - c };
+  const Eigen::Vector3d& longest = *std::max_element(
+    sides, sides + 3, [](const auto& one, const auto& other) { return one.squaredNorm() < other.squaredNorm(); });
+  Eigen::Vector3d normal = sides[0].cross(-sides[2]);
+  normal -= longest.squaredNorm() > 0.0 ? Eigen::Vector3d(normal.dot(longest) / longest.squaredNorm() * longest)
+                                        : Eigen::Vector3d::Zero();
+  const double square = normal.squaredNorm();
+  const auto isLeft = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+  { return normal.dot((to - from).cross(p - from)) > 0.0; };
+  if (square > 0.0 && isLeft(a, b) && isLeft(b, c) && isLeft(c, a))
+  {
+    const double distance = normal.dot(p - a);
+    return distance * distance / square;
+  }
+  return std::min(
+    { SquaredDistanceToSegment(p, a, b), SquaredDistanceToSegment(p, b, c), SquaredDistanceToSegment(p, c, a) });
+}
 
 /// The squared distance from `p` to the triangle `a`, `b`, `c`, which may be without an area. The signs of scalar
 /// products tell whether a corner, an edge or the face is nearest (Ericson 2005, "Real-Time Collision Detection",
-/// 5.1.5). The result is always the distance to a point of the triangle, so that rounding can make it too large, but
-/// never too small.
+/// 5.1.5).
 inline double SquaredDistanceToTriangle(
   const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -57,34 +82,29 @@ inline double SquaredDistanceToTriangle(
     return cp.squaredNorm();
   }
   // With q for p projected onto the plane of the triangle: the signed area of a, b, q, times that of a, b, c, times 4;
-  // likewise below.
+  // likewise below. The sum is the square of the cross product of ab and ac, whose squares are d1 - d3 and d2 - d6.
   const double onC = d1 * d4 - d3 * d2;
+  const double onB = d5 * d2 - d1 * d6;
+  const double onA = d3 * d6 - d5 * d4;
+  const double sum = onA + onB + onC;
+  const double longer = std::max(d1 - d3, d2 - d6);
+  if (!(sum > SquaredWidthOfNeedle * longer * longer))
+  {
+    return SquaredDistanceToNeedle(p, a, b, c);
+  }
   if (onC <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
   {
     return SquaredDistanceToSegment(p, a, b);
   }
-  const double onB = d5 * d2 - d1 * d6;
   if (onB <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
   {
     return SquaredDistanceToSegment(p, a, c);
   }
-  const double onA = d3 * d6 - d5 * d4;
   if (onA <= 0.0 && d4 >= d3 && d5 >= d6)
   {
     return SquaredDistanceToSegment(p, b, c);
   }
-  const double sum = onA + onB + onC;
-  const bool onFace = onA > 0.0 && onB > 0.0 && onC > 0.0;
-  const double face = onFace ? (ap - onB / sum * ab - onC / sum * ac).squaredNorm() : 0.0;
-  // On a needle q is rounded too much, but there a side is about as near. The sum is the square of the cross product of
-  // ab and ac.
-  if (onFace && sum > SquaredSineOfNeedle * ab.squaredNorm() * ac.squaredNorm())
-  {
-    return face;
-  }
-  const double side = std::min(
-    { SquaredDistanceToSegment(p, a, b), SquaredDistanceToSegment(p, b, c), SquaredDistanceToSegment(p, c, a) });
-  return onFace ? std::min(face, side) : side;
+  return (ap - onB / sum * ab - onC / sum * ac).squaredNorm();
 }
 }
 

@@ -308,6 +308,22 @@ void TestNeedle()
     CHECK(largest <= 4.0 * std::numeric_limits<double>::epsilon() * length);
   }
 }
+
+/// A rough field, pulled ever higher: all its triangles become needles that point up, in all directions of the plan.
+void TestSteepSurface()
+{
+  for (const double scale : { 1e3, 1e5, 1e6, 1e7 })
+  {
+    Patches::Random random(3);
+    const TriangleSurface steep = MakeField(14, 1.0, [&](double, double) { return scale * random.Fraction(); });
+    const double largest = MeasureSurfaceDistance(steep, steep, SurfaceDistanceOptions()).TwoSided.Largest;
+    // A place on a face is right to some units in the last place of its height.
+    if (!CHECK(largest <= 1e-9 + 10.0 * std::numeric_limits<double>::epsilon() * scale))
+    {
+      std::cerr << "height scale " << scale << ": " << largest << '\n';
+    }
+  }
+}
 }
 
 int TestSurfaceDistance(int, char*[])
@@ -324,5 +340,6 @@ int TestSurfaceDistance(int, char*[])
   TestErrors();
   TestStop();
   TestNeedle();
+  TestSteepSurface();
   return Check::Result();
 }
