@@ -139,17 +139,6 @@ void PeelHull(const BoundedHorizon& horizon, StageInput& input)
   Require(!triangles || again.Triangles.size() == *triangles, "peeling: the mesh is not that of its boundary");
 }
 
-// Triangles that stand on end have long edges and little area, to which the spacing of samples on edges is fitted: with
-// higher cliffs these samples are too many for a fuzzer.
-constexpr double HighestCliffToMeasure = 1e4;
-
-/// From the lowest point to the highest.
-double HeightRange(const BoundedHorizon& horizon)
-{
-  const auto [low, high] = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
-  return *high - *low;
-}
-
 TriangleSurface MakeSurface(const BoundedHorizon& horizon)
 {
   TriangleSurface surface;
@@ -199,7 +188,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   PeelHull(horizon, input);
   // At least ten thousand samples are taken, so that not every input can have them.
-  if (input.TakeBelow(16) == 1 && HeightRange(*taken) <= HighestCliffToMeasure)
+  if (input.TakeBelow(16) == 1)
   {
     Measure(*taken, horizon, input);
   }

@@ -7,6 +7,7 @@
 #include "LeafWriter.h"
 
 #include "Common/Parallel.h"
+#include "NearestPoint.h"
 #include "StandIns.h"
 
 #include <cstring>
@@ -157,12 +158,12 @@ void LeafWriter::WriteBoundaryPoints(const PointId* first, const PointId* last, 
 //----------------------------------------------------------------------------------------------------------------------
 void LeafWriter::MergeIntoBoundary(const PointId* first, const PointId* last, std::vector<PointId>& kept)
 {
-  this->StandIns.SortByPlace(kept);
+  const NearestPoint nearestKept(this->Leaves.Horizon().Plane, kept);
   for (const PointId* point = first; point != last; ++point)
   {
     if (!this->Leaves.IsOnBoundary(*point))
     {
-      const PointId nearest = this->StandIns.FindNearest(this->Leaves.Plane(*point), kept);
+      const PointId nearest = nearestKept.Find(this->Leaves.Plane(*point));
       this->Result.Target[std::size_t(*point)] = this->Result.Target[std::size_t(nearest)];
     }
   }

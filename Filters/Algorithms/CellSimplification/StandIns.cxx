@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 namespace SeismicHorizons
 {
@@ -152,45 +151,5 @@ void StandInFinder::UseNearest(StandIn& standIn) const
   standIn.Averaged = false;
   standIn.Plane = this->Leaves.Plane(standIn.Nearest);
   standIn.Height = this->Leaves.Height(standIn.Nearest);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void StandInFinder::SortByPlace(std::vector<PointId>& points) const
-{
-  std::sort(points.begin(), points.end(),
-    [this](PointId a, PointId b) { return this->Leaves.Plane(a) < this->Leaves.Plane(b); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// Looks from the place to both sides, until points are too far away in x alone.
-PointId StandInFinder::FindNearest(const PlanePoint& place, const std::vector<PointId>& points) const
-{
-  const auto middle = std::lower_bound(points.begin(), points.end(), place,
-    [this](PointId point, const PlanePoint& p) { return this->Leaves.Plane(point) < p; });
-  PointId best = NoPoint;
-  std::int64_t bestDistance = 0;
-  // False when this point and all beyond it are too far away.
-  const auto consider = [&](PointId point)
-  {
-    const std::int64_t x = std::int64_t(this->Leaves.Plane(point).X) - place.X;
-    if (best != NoPoint && x * x > bestDistance)
-    {
-      return false;
-    }
-    const std::int64_t distance = SquaredDistance(this->Leaves.Plane(point), place);
-    if (best == NoPoint || std::make_tuple(distance, point) < std::make_tuple(bestDistance, best))
-    {
-      best = point;
-      bestDistance = distance;
-    }
-    return true;
-  };
-  for (auto point = middle; point != points.end() && consider(*point); ++point)
-  {
-  }
-  for (auto point = middle; point != points.begin() && consider(*(point - 1)); --point)
-  {
-  }
-  return best;
 }
 }

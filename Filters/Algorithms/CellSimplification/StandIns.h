@@ -46,11 +46,6 @@ public:
   /// Gives each of the stand-ins of a cell a place of its own. `places` is memory to work with.
   void SeparatePlaces(std::vector<StandIn>& standIns, std::vector<PlanePoint>& places) const;
 
-  /// Which of some points is nearest to a place in plan; of several the one of least number. The points are sorted by
-  /// SortByPlace, and there is at least one.
-  PointId FindNearest(const PlanePoint& place, const std::vector<PointId>& points) const;
-  void SortByPlace(std::vector<PointId>& points) const;
-
 private:
   StandIn FindBarycentre(const PointId* first, const PointId* last) const;
   bool IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const;

@@ -34,7 +34,7 @@ struct TriangleSurface
 };
 
 /// Squares of larger coordinates would leave the range of single precision, which searches use.
-constexpr double LargestCoordinate = 1e15;
+constexpr double LargestCoordinate = 1e16;
 
 /// Throws InputError on a surface without triangles, without any area, with a corner that is no point of it, and on
 /// coordinates that are not finite or larger than LargestCoordinate. Messages begin with `name`.
