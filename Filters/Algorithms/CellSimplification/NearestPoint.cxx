@@ -3,11 +3,10 @@
 
 #include "NearestPoint.h"
 
-#include "Common/PlaneGeometry.h"
-
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -16,64 +15,81 @@ NearestPoint::NearestPoint(const std::vector<PlanePoint>& plane, std::vector<Poi
   : Plane(plane)
   , Points(points)
 {
-  this->Divide(0, points.size(), &PlanePoint::X);
+  if (points.size() > Few)
+  {
+    this->Divide({ 0, 0, points.size() });
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void NearestPoint::Divide(std::size_t first, std::size_t last, Axis axis)
+void NearestPoint::Divide(const Range& range)
 {
-  if (last - first <= Few)
+  PlaneBox box;
+  const auto at = [this](std::size_t n) { return this->Points.begin() + std::ptrdiff_t(n); };
+  std::for_each(at(range.First), at(range.Last), [&](PointId point) { box.Add(this->Plane[std::size_t(point)]); });
+  this->Boxes.resize(std::max(this->Boxes.size(), range.Node + 1));
+  this->Boxes[range.Node] = box;
+  if (range.IsLeaf())
   {
     return;
   }
-  const std::size_t middle = first + (last - first) / 2;
-  const auto at = [this](std::size_t n) { return this->Points.begin() + std::ptrdiff_t(n); };
-  std::nth_element(at(first), at(middle), at(last),
+  const bool isWide = std::int64_t(box.Greatest.X) - box.Least.X >= std::int64_t(box.Greatest.Y) - box.Least.Y;
+  const auto axis = isWide ? &PlanePoint::X : &PlanePoint::Y;
+  std::nth_element(at(range.First), at(range.Middle()), at(range.Last),
     [&](PointId a, PointId b) { return this->Plane[std::size_t(a)].*axis < this->Plane[std::size_t(b)].*axis; });
-  this->Divide(first, middle, Other(axis));
-  this->Divide(middle + 1, last, Other(axis));
+  this->Divide(range.Low());
+  this->Divide(range.High());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 PointId NearestPoint::Find(const PlanePoint& place) const
 {
   Best best{ NoPoint, std::numeric_limits<std::int64_t>::max() };
-  this->Search(0, this->Points.size(), &PlanePoint::X, place, best);
+  this->Search({ 0, 0, this->Points.size() }, place, best);
   return best.Point;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void NearestPoint::Search(std::size_t first, std::size_t last, Axis axis, const PlanePoint& place, Best& best) const
+void NearestPoint::Search(const Range& range, const PlanePoint& place, Best& best) const
 {
-  if (last - first <= Few)
+  if (range.IsLeaf())
   {
-    for (std::size_t n = first; n < last; ++n)
+    for (std::size_t n = range.First; n < range.Last; ++n)
     {
-      this->Consider(n, place, best);
+      const PointId point = this->Points[n];
+      const std::int64_t distance = SquaredDistance(this->Plane[std::size_t(point)], place);
+      if (std::tie(distance, point) < std::tie(best.SquaredDistance, best.Point))
+      {
+        best = { point, distance };
+      }
     }
     return;
   }
-  const std::size_t middle = first + (last - first) / 2;
-  this->Consider(middle, place, best);
-  const std::int64_t beyond = std::int64_t(place.*axis) - this->PlaceOf(middle).*axis;
-  const auto low = [&]() { this->Search(first, middle, Other(axis), place, best); };
-  const auto high = [&]() { this->Search(middle + 1, last, Other(axis), place, best); };
-  beyond <= 0 ? low() : high();
-  // Not less: a point as near as the best may have a lesser number.
-  if (beyond * beyond <= best.SquaredDistance)
+  Range nearer = range.Low();
+  Range farther = range.High();
+  std::int64_t near = this->SquaredDistanceToBox(nearer, place);
+  std::int64_t far = this->SquaredDistanceToBox(farther, place);
+  if (far < near)
   {
-    beyond <= 0 ? high() : low();
+    std::swap(nearer, farther);
+    std::swap(near, far);
+  }
+  // Not less: a point as near as the best may have a lesser number.
+  if (near <= best.SquaredDistance)
+  {
+    this->Search(nearer, place, best);
+  }
+  if (far <= best.SquaredDistance)
+  {
+    this->Search(farther, place, best);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void NearestPoint::Consider(std::size_t n, const PlanePoint& place, Best& best) const
+std::int64_t NearestPoint::SquaredDistanceToBox(const Range& range, const PlanePoint& place) const
 {
-  const PointId point = this->Points[n];
-  const std::int64_t distance = SquaredDistance(this->PlaceOf(n), place);
-  if (std::tie(distance, point) < std::tie(best.SquaredDistance, best.Point))
-  {
-    best = { point, distance };
-  }
+  const PlaneBox& box = this->Boxes[range.Node];
+  return SquaredDistance(
+    place, { std::clamp(place.X, box.Least.X, box.Greatest.X), std::clamp(place.Y, box.Least.Y, box.Greatest.Y) });
 }
 }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds the nearest of some points in plan (a k-d tree, Bentley 1975).
+// Finds the nearest of some points in plan: by a tree of boxes, each halved across its longer side.
 
 #ifndef SeismicHorizonsNearestPoint_h
 #define SeismicHorizonsNearestPoint_h
 
+#include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
 
 #include <cstddef>
@@ -17,9 +18,8 @@ namespace SeismicHorizons
 class NearestPoint
 {
 public:
-  /// Brings `points`, at least one, into the order of the tree: the middle one divides the others by x, the middle one
-  /// of each half these by y, and so on. Takes about n log n steps. Keeps references; `plane` holds the place of each
-  /// point by its number.
+  /// Brings `points`, at least one, into the order of the tree. Takes about n log n steps. Keeps references; `plane`
+  /// holds the place of each point by its number.
   NearestPoint(const std::vector<PlanePoint>& plane, std::vector<PointId>& points);
 
   /// The point nearest to a place; of several that of least number. Takes about log n steps, except where very many are
@@ -27,23 +27,34 @@ public:
   PointId Find(const PlanePoint& place) const;
 
 private:
-  using Axis = std::int32_t PlanePoint::*;
+  /// Points that follow each other, and their box: node n is halved into 2 n + 1 and 2 n + 2.
+  struct Range
+  {
+    std::size_t Node;
+    std::size_t First;
+    std::size_t Last; // one beyond
+
+    bool IsLeaf() const { return this->Last - this->First <= Few; }
+    std::size_t Middle() const { return this->First + (this->Last - this->First) / 2; }
+    Range Low() const { return { 2 * this->Node + 1, this->First, this->Middle() }; }
+    Range High() const { return { 2 * this->Node + 2, this->Middle(), this->Last }; }
+  };
+
   struct Best
   {
     PointId Point;
     std::int64_t SquaredDistance;
   };
 
-  static Axis Other(Axis axis) { return axis == &PlanePoint::X ? &PlanePoint::Y : &PlanePoint::X; }
-  void Divide(std::size_t first, std::size_t last, Axis axis);
-  void Search(std::size_t first, std::size_t last, Axis axis, const PlanePoint& place, Best& best) const;
-  void Consider(std::size_t n, const PlanePoint& place, Best& best) const;
-  const PlanePoint& PlaceOf(std::size_t n) const { return this->Plane[std::size_t(this->Points[n])]; }
+  void Divide(const Range& range);
+  void Search(const Range& range, const PlanePoint& place, Best& best) const;
+  std::int64_t SquaredDistanceToBox(const Range& range, const PlanePoint& place) const;
 
   static constexpr std::size_t Few = 8; // points that are not divided
 
   const std::vector<PlanePoint>& Plane;
   std::vector<PointId>& Points;
+  std::vector<PlaneBox> Boxes; // by node; none when there are few points
 };
 }
 
