@@ -275,8 +275,8 @@ void TestErrors()
   bad = good;
   bad.Points[4].y() = std::nan("");
   CHECK_THROWS_WITH(MeasureSurfaceDistance(bad, good), "reference: point 4 at (1, nan, 0), expected finite");
-  bad.Points[4].y() = 1e16;
-  CHECK_THROWS_WITH(MeasureSurfaceDistance(good, bad), "mesh: point 4 at (1, 1e+16, 0), expected finite coordinates");
+  bad.Points[4].y() = 1e17;
+  CHECK_THROWS_WITH(MeasureSurfaceDistance(good, bad), "mesh: point 4 at (1, 1e+17, 0), expected finite coordinates");
   bad = good;
   bad.Triangles[2][1] = 9;
   CHECK_THROWS_WITH(
