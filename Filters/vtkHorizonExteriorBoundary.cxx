@@ -6,6 +6,7 @@
 #include "Boundary/BoundaryMarks.h"
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
+#include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/VertexCells.h"
@@ -76,6 +77,8 @@ void vtkHorizonExteriorBoundary::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea) const
 {
+  CheckAtLeast("smallest hole size", this->SmallestHoleSize, 1, " column");
+  CheckAtLeast("smallest hole area", this->SmallestHoleArea, 0.0, " square units of the world");
   // Areas are often whole multiples of the column's. The quotient may then come out a few roundings (1e-16 each) above
   // the whole number, which must not ask for one more column.
   constexpr double rounding = 1e-12;

@@ -109,7 +109,7 @@ public:
    * Holes with fewer columns strictly inside their loop, those of islands included, have no loop. At least 1, which
    * keeps all holes. Default: 1.
    */
-  vtkSetClampMacro(SmallestHoleSize, int, 1, VTK_INT_MAX);
+  vtkSetMacro(SmallestHoleSize, int);
   vtkGetMacro(SmallestHoleSize, int);
   ///@}
 
@@ -118,7 +118,7 @@ public:
    * The same as an area: columns strictly inside times the area of a column, in square units of the world. Holes that
    * are below either limit have no loop. At least 0, which sets no limit. Default: 0.
    */
-  vtkSetClampMacro(SmallestHoleArea, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(SmallestHoleArea, double);
   vtkGetMacro(SmallestHoleArea, double);
   ///@}
 
@@ -127,7 +127,7 @@ public:
    * Patches of fewer points are dropped as specks, and their points leave the horizon. At least 1, which keeps all.
    * Default: 1.
    */
-  vtkSetClampMacro(MinimumPatchSize, int, 1, VTK_INT_MAX);
+  vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);
   ///@}
 

@@ -4,7 +4,8 @@
  * @class   vtkHorizonStage
  * @brief   what all stages have in common
  *
- * Inputs are horizons (vtkPolyData, see Documentation/DataModel.md) or composite datasets of them (vtkDataObjectTree).
+ * Inputs are horizons (vtkPolyData, see Documentation/DataModel.md; also vtkUnstructuredGrid of vertices, lines and
+ * polygons, as Threshold gives it) or composite datasets of them (vtkDataObjectTree).
  *
  * @sa vtkHorizonAlgorithm vtkHorizonSurfaceDistance
  */

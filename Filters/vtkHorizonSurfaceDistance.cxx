@@ -4,6 +4,7 @@
 #include "vtkHorizonSurfaceDistance.h"
 
 #include "Common/DataModel.h"
+#include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
@@ -118,6 +119,7 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   {
     return;
   }
+  CheckAtLeast("seed", this->Seed, 0, "");
   WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
   pair.MeshOutput->ShallowCopy(pair.Mesh);
   SurfaceDistanceOptions options;

@@ -92,7 +92,7 @@ public:
    * are at least 10,000 on each surface, and at least one on each triangle. Edges are sampled at the same spacing. From
    * 0.01 to 1000. Default: 2, about one on each triangle at full resolution.
    */
-  vtkSetClampMacro(SamplesPerPoint, double, 0.01, 1000.0);
+  vtkSetMacro(SamplesPerPoint, double);
   vtkGetMacro(SamplesPerPoint, double);
   ///@}
 
@@ -100,7 +100,7 @@ public:
   /**
    * The seed of the random places of the samples: with another one they are elsewhere. At least 0. Default: 1.
    */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 

@@ -4,6 +4,7 @@
 #include "vtkHorizonTriangulation.h"
 
 #include "Common/DataModel.h"
+#include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
@@ -112,6 +113,7 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& 
   BoundedHorizon horizon = this->ConvexHull ? MakeHull(std::move(points.Plane), grid)
                                             : ReadPatchesAndBoundary(input, std::move(points.Plane), grid);
   monitor.Progress(0.1);
+  CheckAtLeast("maximum number of triangles", this->MaximumNumberOfTriangles, 0, " (all)");
   TriangulationOptions options;
   options.Strategy = static_cast<SeismicHorizons::SearchStrategy>(this->SearchStrategy);
   options.MostTriangles = std::size_t(this->MaximumNumberOfTriangles);

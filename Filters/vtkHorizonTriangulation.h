@@ -113,7 +113,7 @@ public:
    * For inspection: stop each patch after so many triangles, and show in output 1 how the last one was found. Full
    * lattices are searched as well then. At least 0, and 0 makes all triangles. Default: 0.
    */
-  vtkSetClampMacro(MaximumNumberOfTriangles, int, 0, VTK_INT_MAX);
+  vtkSetMacro(MaximumNumberOfTriangles, int);
   vtkGetMacro(MaximumNumberOfTriangles, int);
   ///@}
 

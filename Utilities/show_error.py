@@ -55,11 +55,11 @@ def open_reference(path, horizon):
         sys.exit("show_error: %s can not be read" % path)
     if path.endswith(".vsm"):
         reader.UpdatePipelineInformation()
-        names = list(reader.Horizons.Available)
+        names = list(reader.HorizonStatus.Available)
         name = names[0] if horizon is None else "Horizon %d" % horizon
         if name not in names:
             sys.exit("show_error: %s has no %s, but %s" % (path, name, ", ".join(names)))
-        reader.Horizons = [name]
+        reader.HorizonStatus = [name]
     return reader
 
 

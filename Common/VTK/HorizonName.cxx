@@ -9,6 +9,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
@@ -21,7 +23,8 @@ std::string HorizonName(std::int64_t surfaceId)
 std::string NameBySurfaceId(vtkPolyData* horizon)
 {
   vtkDataArray* const ids = horizon->GetPointData()->GetArray(PointArray::SurfaceId);
-  return ids && ids->GetNumberOfTuples() > 0 ? HorizonName(static_cast<std::int64_t>(ids->GetComponent(0, 0)))
-                                             : std::string();
+  const double id = ids && ids->GetNumberOfTuples() > 0 ? ids->GetComponent(0, 0) : std::nan("");
+  constexpr double Greatest = 1LL << 53; // beyond, doubles are no longer exact
+  return std::abs(id) <= Greatest ? HorizonName(static_cast<std::int64_t>(id)) : std::string();
 }
 }

@@ -5,6 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/VTK/HorizonName.h"
+#include "GridHorizon.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
@@ -18,6 +19,7 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace SeismicHorizons
 {
@@ -29,22 +31,25 @@ std::string NameOf(vtkInformation* block, const std::string& above)
   return name ? name : above;
 }
 
-vtkPolyData* ToHorizon(vtkDataObject* data)
+vtkSmartPointer<vtkPolyData> ToHorizon(vtkDataObject* data)
 {
-  auto* const horizon = vtkPolyData::SafeDownCast(data);
-  if (!horizon)
+  if (auto* const horizon = vtkPolyData::SafeDownCast(data))
   {
-    throw InputError(std::string("a ") + data->GetClassName() +
-      " in the composite dataset, expected only vtkPolyData, as Extract Surface makes them");
+    return horizon;
   }
-  return horizon;
+  if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return ToPolyData(grid);
+  }
+  throw InputError(std::string("a ") + data->GetClassName() +
+    " in the composite dataset, expected only vtkPolyData, as Extract Surface makes them");
 }
 
 /// One horizon out of the points of several partitions. The field data are those of the first one.
-vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkPolyData*>& partitions, const std::string& name)
+vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& partitions, const std::string& name)
 {
   vtkNew<vtkAppendPolyData> append;
-  for (vtkPolyData* partition : partitions)
+  for (const vtkSmartPointer<vtkPolyData>& partition : partitions)
   {
     if (partition->GetNumberOfLines() + partition->GetNumberOfPolys() + partition->GetNumberOfStrips() > 0)
     {
@@ -114,7 +119,7 @@ private:
     vtkPartitionedDataSet* partitions, const std::vector<vtkDataObject*>& outputs, const std::string& name)
   {
     ++this->Position;
-    std::vector<vtkPolyData*> found;
+    std::vector<vtkSmartPointer<vtkPolyData>> found;
     unsigned int first = 0;
     for (unsigned int n = 0; partitions && n < partitions->GetNumberOfPartitions(); ++n)
     {
@@ -173,6 +178,7 @@ void AcceptHorizons(vtkInformation* port)
 {
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
 }
 
@@ -180,9 +186,10 @@ void AcceptHorizons(vtkInformation* port)
 void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
 {
   vtkDataObject* const output = vtkDataObject::GetData(outputPort);
-  if (input && (!output || !output->IsA(input->GetClassName())))
+  const bool isTree = vtkDataObjectTree::SafeDownCast(input) != nullptr;
+  if (input && (!output || !output->IsA(isTree ? input->GetClassName() : "vtkPolyData")))
   {
-    auto made = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    auto made = vtkSmartPointer<vtkDataObject>::Take(isTree ? input->NewInstance() : vtkPolyData::New());
     outputPort->Set(vtkDataObject::DATA_OBJECT(), made);
   }
 }

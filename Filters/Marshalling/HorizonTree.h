@@ -21,10 +21,11 @@ namespace SeismicHorizons
 /// The error of a stage whose memory runs out.
 constexpr const char* NotEnoughMemory = "not enough memory, expected a horizon whose bounding box has fewer columns";
 
-/// Lets an input port take a vtkPolyData or a composite dataset.
+/// Lets an input port take a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset.
 void AcceptHorizons(vtkInformation* port);
 
-/// Gives an output port a data object of the class of `input`, unless it has one. Does nothing without an input.
+/// Gives an output port a composite dataset of the class of `input`, or a vtkPolyData for any other input, unless it
+/// has one. Does nothing without an input.
 void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort);
 
 /// The data objects of all output ports.
@@ -42,9 +43,9 @@ struct HorizonLeaf
   std::vector<vtkPolyData*> Outputs; // by port; empty but for the field data of the input
 };
 
-/// The horizons of `input`, a vtkPolyData or a composite dataset of them. Gives each of `outputs`, which are of the
-/// same class, the structure of the input with an empty vtkPolyData for each horizon, and the field data of the whole
-/// input.
+/// The horizons of `input`, a vtkPolyData or vtkUnstructuredGrid or a composite dataset of them. Gives each of
+/// `outputs`, which are of the same class, the structure of the input with an empty vtkPolyData for each horizon, and
+/// the field data of the whole input.
 ///
 /// Several partitions of one vtkPartitionedDataSet are one horizon: their points are put together, and the output takes
 /// the place of the first of them. Throws InputError when such partitions have lines or polygons, and when a dataset is

@@ -6,6 +6,7 @@
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonElaborateSimplification.h"
@@ -16,6 +17,7 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace
 {
@@ -90,6 +92,34 @@ void TestMultiBlock()
     CHECK(output->GetBlock(1) == nullptr);
     CHECK_EQUAL(vtkPolyData::SafeDownCast(output->GetBlock(2))->GetNumberOfLines(), 1);
   }
+}
+
+/// As Threshold, Clip and Merge Blocks make them: grids that are turned back.
+void TestUnstructuredGrids()
+{
+  auto horizon = FromPicture(Rectangle(5, 5), 1, UnitSurvey());
+  vtkNew<vtkAppendFilter> toGrid;
+  toGrid->SetInputData(horizon);
+  toGrid->Update();
+  vtkUnstructuredGrid* const grid = toGrid->GetOutput();
+  grid->GetFieldData()->PassData(horizon->GetFieldData());
+  Pipeline alone(grid);
+  alone.Mesh->Update();
+  CHECK(alone.Mesh->GetPolyDataOutput() && alone.Mesh->GetPolyDataOutput()->GetNumberOfLines() == 1);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, grid);
+  Pipeline among(blocks);
+  among.Mesh->Update();
+  auto* const output = vtkMultiBlockDataSet::SafeDownCast(among.Mesh->GetOutputDataObject(0));
+  CHECK(output && vtkPolyData::SafeDownCast(output->GetBlock(0))->GetNumberOfLines() == 1);
+
+  const vtkIdType corners[4] = { 0, 1, 9, 2 };
+  grid->InsertNextCell(VTK_TETRA, 4, corners);
+  Pipeline wrong(grid);
+  Errors errors(wrong.Boundary);
+  wrong.Boundary->Update();
+  CHECK(errors.FirstContains("of an unstructured grid is a vtkTetra, expected vertices, lines and polygons"));
+  CHECK_EQUAL(wrong.Boundary->GetPolyDataOutput()->GetNumberOfPoints(), 0);
 }
 
 void TestEmptyInputGivesEmptyOutput()
@@ -331,6 +361,7 @@ int TestHorizonAlgorithm(int, char*[])
 {
   TestCompositeKeepsStructureAndNames();
   TestMultiBlock();
+  TestUnstructuredGrids();
   TestEmptyInputGivesEmptyOutput();
   TestInputMayChangeItsKind();
   TestOneBadHorizonLeavesNoHalfResult();

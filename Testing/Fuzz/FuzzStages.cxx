@@ -27,7 +27,8 @@ bool IsLength(double value)
 
 bool IsValid(const BoundaryOptions& options)
 {
-  return options.Radius >= 1 && options.Radius <= LargestRadius;
+  return options.Radius >= 1 && options.Radius <= LargestRadius && options.SmallestHoleSize >= 1 &&
+    options.MinimumPatchSize >= 1;
 }
 
 bool IsValid(const BoundarySimplificationOptions& options)
@@ -42,8 +43,9 @@ bool IsValid(const CellOptions& options)
 
 bool IsValid(const ElaborateOptions& options)
 {
-  return options.CellSize >= 1 && options.FlatnessThreshold >= 0.0 && options.BoundaryDensityThreshold >= 0.0 &&
-    options.BoundaryExtentThreshold >= 0.0 && options.BoundaryCellSizeThreshold >= 0.0 && options.GrowthPerRing >= 1.0;
+  return options.CellSize >= 1 && IsLength(options.FlatnessThreshold) && IsLength(options.BoundaryDensityThreshold) &&
+    IsLength(options.BoundaryExtentThreshold) && IsLength(options.BoundaryCellSizeThreshold) &&
+    IsLength(options.GrowthPerRing) && options.GrowthPerRing >= 1.0;
 }
 
 bool IsValid(const BoundaryLimits& limits)

@@ -39,10 +39,10 @@ def check_counts(stages):
 
 def check_selection(reader, names):
     """Only the horizons that are switched on are loaded."""
-    reader.Horizons = [names[0]]
+    reader.HorizonStatus = [names[0]]
     reader.UpdatePipeline()
     assert list(fetch(reader)) == [names[0]]
-    reader.Horizons = names
+    reader.HorizonStatus = names
     reader.UpdatePipeline()
     assert list(fetch(reader)) == names
 

@@ -5,7 +5,7 @@
 
 #include "BorderScan.h"
 #include "ClockwiseBoundary.h"
-#include "Common/Errors.h"
+#include "Common/Parameters.h"
 #include "EmptyBands.h"
 #include "PatchBridges.h"
 
@@ -84,11 +84,9 @@ ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimum
 ExteriorBoundary FindExteriorBoundary(
   const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
 {
-  if (options.Radius < 1 || options.Radius > LargestRadius)
-  {
-    throw InputError(
-      "radius " + std::to_string(options.Radius) + ", expected 1 to " + std::to_string(LargestRadius) + " columns");
-  }
+  CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
+  CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
+  CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
   const ExteriorBoundary result = WithoutWideBands(
     columns, options.Radius, [&](const std::vector<PlanePoint>& near) { return Find(near, options, monitor); });
   return options.MinimumPatchSize > 1 ? WithoutSpecks(result, options.MinimumPatchSize) : result;

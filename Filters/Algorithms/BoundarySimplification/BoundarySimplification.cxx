@@ -3,6 +3,7 @@
 
 #include "BoundarySimplification.h"
 
+#include "Common/Parameters.h"
 #include "LoopGuard.h"
 
 #include <Eigen/Geometry>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 namespace SeismicHorizons
 {
@@ -304,24 +304,14 @@ private:
   std::vector<std::size_t> Kept; // the positions that are left of the loop
   std::size_t Corners = 0; // how many points the loop still has
 };
-
-void CheckIsLength(const char* name, double value, const char* unit)
-{
-  if (!(value >= 0.0) || !std::isfinite(value))
-  {
-    std::ostringstream text;
-    text << name << ' ' << value << ", expected a number of " << unit << " that is at least 0";
-    throw InputError(text.str());
-  }
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor)
 {
-  CheckIsLength("distance threshold", options.DistanceThreshold, "lattice units");
-  CheckIsLength("outline tolerance", options.OutlineTolerance, "columns");
+  CheckAtLeast("distance threshold", options.DistanceThreshold, 0.0, " lattice units");
+  CheckAtLeast("outline tolerance", options.OutlineTolerance, 0.0, " columns");
   BoundarySimplification result;
   LoopSimplifier simplifier(points, boundary, options, result);
   for (std::size_t loop = 0; loop < boundary.Size(); ++loop)

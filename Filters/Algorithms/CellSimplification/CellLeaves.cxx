@@ -5,9 +5,9 @@
 
 #include "CellSorter.h"
 #include "Common/Errors.h"
+#include "Common/Parameters.h"
 
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace SeismicHorizons
@@ -16,12 +16,7 @@ namespace
 {
 std::int64_t CheckedCellSize(const BoundedHorizon& horizon, int columns)
 {
-  if (columns < 1)
-  {
-    std::ostringstream text;
-    text << "cell size " << columns << ", expected at least 1 column";
-    throw InputError(text.str());
-  }
+  CheckAtLeast("cell size", columns, 1, " column");
   return std::int64_t(columns) * horizon.SubVoxelsPerColumn;
 }
 }

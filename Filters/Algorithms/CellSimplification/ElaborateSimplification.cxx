@@ -8,14 +8,13 @@
 #include "ElaborateSimplification.h"
 
 #include "CellLeaves.h"
-#include "Common/Errors.h"
+#include "Common/Parameters.h"
 #include "LeafWriter.h"
 #include "OctreeCutter.h"
 #include "PatchCubes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace SeismicHorizons
 {
@@ -27,16 +26,6 @@ constexpr std::int64_t GrainOfCopying = 256;
 
 // From a size to the middle, by ratio, between it and the next one: sizes of levels differ by a factor of 2.
 constexpr double HalfALevel = 1.4142135623730951;
-
-void CheckAtLeast(const char* name, double value, double least, const char* unit)
-{
-  if (!(value >= least))
-  {
-    std::ostringstream text;
-    text << name << ' ' << value << ", expected at least " << least << unit;
-    throw InputError(text.str());
-  }
-}
 
 void CheckOptions(const ElaborateOptions& options)
 {

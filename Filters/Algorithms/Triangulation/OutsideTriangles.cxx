@@ -4,7 +4,7 @@
 #include "OutsideTriangles.h"
 
 #include "Common/CountingSort.h"
-#include "Common/Errors.h"
+#include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <sstream>
 #include <tuple>
 
 namespace SeismicHorizons
@@ -21,17 +20,8 @@ namespace
 {
 void CheckLimits(const BoundaryLimits& limits)
 {
-  std::ostringstream text;
-  if (!(limits.LargestAngle >= 0.0 && limits.LargestAngle <= 180.0))
-  {
-    text << "boundary angle " << limits.LargestAngle << ", expected a number of degrees from 0 to 180";
-    throw InputError(text.str());
-  }
-  if (!(limits.LongestEdge >= 0.0) || !std::isfinite(limits.LongestEdge))
-  {
-    text << "boundary edge length " << limits.LongestEdge << ", expected a number of lattice units that is at least 0";
-    throw InputError(text.str());
-  }
+  CheckWithin("boundary angle", limits.LargestAngle, 0.0, 180.0, " degrees");
+  CheckAtLeast("boundary edge length", limits.LongestEdge, 0.0, " lattice units");
 }
 
 // The length of the vector, in whole numbers, that stands for an angle. So angles are cut to 2^-30 in radians, which is

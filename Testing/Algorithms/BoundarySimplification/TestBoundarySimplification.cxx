@@ -337,12 +337,12 @@ void TestErrors()
 {
   const BoundedHorizon horizon = Strip({ 0, 0, 0 });
   CHECK_THROWS_WITH(
-    Simplify(horizon, -0.5), "distance threshold -0.5, expected a number of lattice units that is at least 0");
+    Simplify(horizon, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
   CHECK_THROWS_WITH(Simplify(horizon, std::numeric_limits<double>::quiet_NaN()), "distance threshold nan");
   BoundarySimplificationOptions options;
   options.OutlineTolerance = -1.0;
   CHECK_THROWS_WITH(SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options),
-    "outline tolerance -1, expected a number of columns that is at least 0");
+    "outline tolerance -1, expected at least 0 columns");
 }
 
 /// Each of many loops can be the last.

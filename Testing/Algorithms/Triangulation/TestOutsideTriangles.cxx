@@ -334,11 +334,11 @@ void TestOrderOfPointsIsNoMatter()
 void TestErrors()
 {
   const auto peel = [](double angle, double length) { FromPicture({ "##", "##" }).Peel({ angle, length }); };
-  CHECK_THROWS_WITH(peel(-1.0, 0.0), "boundary angle -1, expected a number of degrees from 0 to 180");
+  CHECK_THROWS_WITH(peel(-1.0, 0.0), "boundary angle -1, expected 0 to 180 degrees");
   CHECK_THROWS_WITH(peel(181.0, 0.0), "boundary angle 181, expected");
   CHECK_THROWS_WITH(peel(std::nan(""), 0.0), "boundary angle nan, expected");
   CHECK_THROWS_WITH(
-    peel(180.0, -2.0), "boundary edge length -2, expected a number of lattice units that is at least 0");
+    peel(180.0, -2.0), "boundary edge length -2, expected at least 0 lattice units");
   CHECK_THROWS_WITH(peel(180.0, std::nan("")), "boundary edge length nan, expected");
   CHECK_THROWS_WITH(peel(180.0, HUGE_VAL), "boundary edge length inf, expected");
 }
