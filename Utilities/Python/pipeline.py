@@ -50,7 +50,7 @@ def read(path, horizons=None, **properties):
     path = pathlib.Path(path)
     reader = make("vtkVerneySparseMatrixReader", FileName=str(path), **properties)
     if horizons is not None:
-        _select(reader, horizons, path.name)
+        _select(reader, horizons, path)
     seconds = update(reader, "%s: reading" % path.name)
     output = reader.GetOutputDataObject(0)
     found = []
@@ -69,7 +69,7 @@ def read_first(path, **properties):
     return read(path, **properties)[0][0][1]
 
 
-def _select(reader, horizons, file_name):
+def _select(reader, horizons, path):
     """Leaves only some horizons switched on."""
     with watched(reader):
         reader.UpdateInformation()
@@ -79,7 +79,7 @@ def _select(reader, horizons, file_name):
         name = "Horizon %d" % horizon
         if name not in known:
             raise HorizonError("%s: there is no horizon %d; the file has %s" % (
-                file_name, horizon, ", ".join(k.split()[-1] for k in known) or "none"))
+                path, horizon, ", ".join(k.split()[-1] for k in known) or "none"))
         reader.SetHorizonStatus(name, 1)
 
 

@@ -15,6 +15,8 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
+from . import interrupt
+
 LONG_WORK = 1.0  # seconds after which a stage starts to report its progress
 
 
@@ -67,7 +69,8 @@ def apply(algorithm, *inputs, **properties):
 
 @contextlib.contextmanager
 def watched(algorithm, label=""):
-    """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError."""
+    """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError.
+    Stops the algorithm, and raises SystemExit, when the program is to end."""
     errors = []
     progress = _Progress(label)
 
@@ -78,15 +81,15 @@ def watched(algorithm, label=""):
     executive = algorithm.GetExecutive()
     # Only the algorithm says what is wrong; its executive repeats that something is.
     observers = [(algorithm, algorithm.AddObserver("ErrorEvent", on_error)),
-                 (executive, executive.AddObserver("ErrorEvent", on_error))]
-    if label:
-        observers.append((algorithm, algorithm.AddObserver("ProgressEvent", progress.report)))
+                 (executive, executive.AddObserver("ErrorEvent", on_error)),
+                 (algorithm, algorithm.AddObserver("ProgressEvent", progress.report))]
     try:
         yield
     finally:
         for observed, tag in observers:
             observed.RemoveObserver(tag)
         progress.end()
+    interrupt.check()
     if errors:
         raise HorizonError(_one_line(errors[0]))
 
@@ -98,7 +101,7 @@ def _one_line(message):
 
 
 class _Progress:
-    """Tells once a second how far an algorithm is."""
+    """Tells once a second how far an algorithm is, and stops it when the program is to end."""
 
     def __init__(self, label):
         self._label = label
@@ -107,7 +110,9 @@ class _Progress:
 
     def report(self, algorithm, _event):
         now = time.monotonic()
-        if now - self._last_report < LONG_WORK:
+        if interrupt.is_asked():
+            algorithm.AbortExecuteOn()
+        if not self._label or now - self._last_report < LONG_WORK:
             return
         self._last_report = now
         self._reported = True
