@@ -11,15 +11,16 @@ import io
 import os
 import pathlib
 import shutil
+import signal
 import sys
 import unittest
 from unittest import mock
 
 import seismichorizons as sh
-from seismichorizons import batch, overview, pipeline, stage, tables, writing
+from seismichorizons import batch, interrupt, overview, pictures, pipeline, stage, tables, writing
 from seismichorizons.stage import HorizonError
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
 PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 
@@ -98,6 +99,37 @@ class StageTest(unittest.TestCase):
                 self.assertGreaterEqual(stage.update(boundary, label), 0.0)
             self.assertEqual(log.getvalue().endswith("a label: 100 %\n"), told, log.getvalue())
             self.assertEqual(bool(log.getvalue()), told, log.getvalue())
+
+
+def listen(test):
+    """Has signals noted as long as a test runs."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        test.addCleanup(signal.signal, number, signal.getsignal(number))
+    patch = mock.patch.object(interrupt, "_noted", None)
+    patch.start()
+    test.addCleanup(patch.stop)
+    interrupt.listen()
+
+
+class InterruptTest(unittest.TestCase):
+    def test_stage_stops(self):
+        """At the next report of its progress, without a result."""
+        boundary = sh.vtkHorizonExteriorBoundary()
+        boundary.SetInputDataObject(0, plane())
+        listen(self)
+        boundary.AddObserver("ProgressEvent", lambda *_: os.kill(os.getpid(), signal.SIGTERM))
+        with self.assertRaises(SystemExit):
+            stage.update(boundary)
+        self.assertEqual(boundary.GetOutputDataObject(0).GetNumberOfPoints(), 0)
+
+    def test_exit_code(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            listen(self)
+            interrupt.check()
+            os.kill(os.getpid(), number)
+            with self.assertRaises(SystemExit) as raised:
+                interrupt.check()
+            self.assertEqual(raised.exception.code, 128 + number)
 
 
 class PipelineTest(unittest.TestCase):
@@ -185,9 +217,15 @@ class ResultTest(unittest.TestCase):
         self.assertEqual(lines[1:10], lines[10:])
         self.assertEqual(lines[0].split(",")[0], self.result.figures.GetColumnName(0))
 
-    def test_mesh_can_not_be_written(self):
-        with self.assertRaisesRegex(HorizonError, "^cannot write mesh.vtp"):
-            writing.write_mesh(self.result.data["mesh"], FOLDER / "no-such-folder" / "mesh.vtp")
+    def test_disk_is_full(self):
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 1)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
+        for write_result, data in ((writing.write_mesh, self.result.data["mesh"]),
+                                   (writing.write_figures, [self.result]), (pictures.write, image)):
+            with self.assertRaises(HorizonError) as raised:
+                write_result(data, pathlib.Path("/dev/full"))
+            self.assertEqual(str(raised.exception), "full can not be written: No space left on device")
 
     def test_panels(self):
         self.assertEqual([(panel.title, panel.caption) for panel in overview.panels(self.result)], [
@@ -218,11 +256,23 @@ class BatchTest(unittest.TestCase):
             path.touch()
         elsewhere = pathlib.Path("elsewhere.vsm")
         self.assertEqual(batch.find_files([elsewhere, self.folder]), [elsewhere, paths[1], paths[0]])
-        with self.assertRaisesRegex(HorizonError, "would write the same results"):
-            batch.find_files([self.folder, pathlib.Path("a.vsm")])
         self.output.mkdir()
         with self.assertRaisesRegex(HorizonError, "there is no .vsm file"):
             batch.find_files([self.output])
+
+    def test_labels(self):
+        """As short as they can be; results of all files have different names."""
+        for paths, labels in ((["s/x.vsm", "s/y.vsm"], ["x.vsm", "y.vsm"]),
+                              (["a/x.vsm", "b/x.vsm", "y.vsm"], ["a/x.vsm", "b/x.vsm", "y.vsm"]),
+                              (["/1/a/x.vsm", "/2/a/x.vsm", "/1/b/x.vsm"], ["1/a/x.vsm", "2/a/x.vsm", "b/x.vsm"]),
+                              (["/x.vsm", "/a/x.vsm"], ["x.vsm", "a/x.vsm"]),
+                              (["/a/../x.vsm", "/b/x.vsm"], ["x.vsm", "b/x.vsm"]),
+                              (["/a/x.vsm", "/b/x.vsm", "/c/a_x.vsm"], ["a/x.vsm", "b/x.vsm", "c/a_x.vsm"])):
+            made = batch.make_labels([pathlib.Path(path) for path in paths])
+            self.assertEqual([str(label) for label in made], labels)
+        for paths in (["x.vsm", "./x.vsm"], ["a/x.vsm", "a/x.txt"]):
+            with self.assertRaisesRegex(HorizonError, "would write the same results"):
+                batch.make_labels([pathlib.Path(path) for path in paths])
 
     def test_all_files_are_done(self):
         (self.folder / "bad.vsm").write_bytes(b"5 4\n")
@@ -255,6 +305,21 @@ class BatchTest(unittest.TestCase):
         with mock.patch.object(writing, "write_mesh", fail_at_the_second):
             self.assertEqual(self.run_batch([path])[:2], (1, ["disk full"]))
         self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_signal_while_results_are_written(self):
+        """None of them appear, and the folders made for them go."""
+        listen(self)
+        self.output = self.output / "below"
+        really_write = writing.write_mesh
+
+        def write_mesh(mesh, path):
+            really_write(mesh, path)
+            os.kill(os.getpid(), signal.SIGINT)
+
+        with mock.patch.object(writing, "write_mesh", write_mesh), self.assertRaises(SystemExit) as raised:
+            self.run_batch([write("plane.vsm", PLANE)])
+        self.assertEqual(raised.exception.code, 130)
+        self.assertFalse(self.output.parent.exists())
 
     def test_no_display(self):
         with mock.patch.dict(os.environ, DISPLAY=":4711"), self.assertRaisesRegex(HorizonError, "--no-pictures"):
