@@ -24,10 +24,10 @@ INTERPRETER = sys.argv[4:]
 SAMPLE = DATA / "sample.vsm"
 
 
-def run(*arguments, prepare=None, **environment):
+def run(*arguments, prepare=None, stdout=subprocess.PIPE, **environment):
     command = [*INTERPRETER, str(PROGRAM), *(str(a) for a in arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=100, env={**os.environ, **environment},
-                          preexec_fn=prepare)
+    done = subprocess.run(command, stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=100,
+                          env={**os.environ, **environment}, preexec_fn=prepare)
     # Some versions of OpenMPI remark on the machine they run on.
     errors = [line for line in done.stderr.splitlines() if line.startswith("horizon_mesh: ")]
     return done, errors
@@ -60,7 +60,7 @@ class BatchTest(unittest.TestCase):
         self.assertNotIn("Traceback", done.stderr)
         return done
 
-    def fail(self, *arguments, output=None, **others):
+    def refused(self, *arguments, output=None, **others):
         """Runs the program with a wrong input and returns its one message."""
         done, errors = run("--output-folder", output or self.output, *arguments, **others)
         self.assertEqual(done.returncode, 1, done.stderr)
@@ -167,7 +167,7 @@ class BatchTest(unittest.TestCase):
         folder.mkdir(parents=True, exist_ok=True)
         shutil.copy(SAMPLE, folder / "good.vsm")
         (folder / "bad.vsm").write_bytes(b"1 1\n")
-        message = self.fail(folder, "--no-pictures", "--horizons", "1")
+        message = self.refused(folder, "--no-pictures", "--horizons", "1")
         self.assertIn("bad.vsm", message)
         self.assertEqual(files(self.output), ["good_horizon_1.vtp"])
 
@@ -176,18 +176,18 @@ class BatchTest(unittest.TestCase):
             if path.is_dir():
                 parts = [path.name]
             with self.subTest(path.name):
-                message = self.fail(path)
+                message = self.refused(path)
                 for part in parts:
                     self.assertIn(part, message)
                 self.assertEqual(files(self.output), [])
 
     def test_no_such_horizon(self):
-        message = self.fail(SAMPLE, "--horizons", "4711")
+        message = self.refused(SAMPLE, "--horizons", "4711")
         self.assertIn("4711", message)
         self.assertEqual(files(self.output), [])
 
     def test_no_display(self):
-        message = self.fail(SAMPLE, DISPLAY=":4711")
+        message = self.refused(SAMPLE, DISPLAY=":4711")
         self.assertIn("--no-pictures", message)
         self.assertEqual(files(self.output), [])
 
@@ -201,14 +201,14 @@ class BatchTest(unittest.TestCase):
         for folder in (self.output, self.output / "below", "/proc/self"):
             with self.subTest(folder):
                 self.assertIn("there can be no results in %s: " % folder,
-                              self.fail(wrong, "--no-pictures", output=folder))
+                              self.refused(wrong, "--no-pictures", output=folder))
         self.assertEqual(self.output.read_text(), "in the way")
         self.output.unlink()
 
     def test_folder_in_the_way(self):
         """Of one of the results: then there are no others, either."""
         (self.output / "sample_horizon_2.vtp").mkdir(parents=True)
-        self.assertIn("sample_horizon_2.vtp", self.fail(SAMPLE, "--no-pictures"))
+        self.assertIn("sample_horizon_2.vtp", self.refused(SAMPLE, "--no-pictures"))
         self.assertEqual(files(self.output), ["sample_horizon_2.vtp"])
 
     @unittest.skipIf(INTERPRETER[0].endswith("pvbatch"), "the limit would stop OpenMPI, which has files of its own")
@@ -222,10 +222,21 @@ class BatchTest(unittest.TestCase):
                                       ((mesh + picture) // 2, "sample.png", [])):
             with self.subTest(size):
                 shutil.rmtree(self.output, ignore_errors=True)
-                message = self.fail(SAMPLE, *arguments, output=self.output / "below",
+                message = self.refused(SAMPLE, *arguments, output=self.output / "below",
                                     prepare=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
                 self.assertIn(name + " can not be written: File too large", message)
                 self.assertFalse(self.output.exists())
+
+    @unittest.skipIf(pathlib.Path(INTERPRETER[0]).name.startswith("pv"), "ParaView does not look whether it can print")
+    def test_full_output(self):
+        """All files are done all the same, and the table that could not be printed is told of once."""
+        other = self.output.with_name("other.vsm")
+        other.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(SAMPLE, other)
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            message = self.refused(SAMPLE, other, "--no-pictures", "--horizons", "1", stdout=full)
+        self.assertIn("the table can not be printed: No space left on device", message)
+        self.assertEqual(files(self.output), ["other_horizon_1.vtp", "sample_horizon_1.vtp"])
 
     def test_signals(self):
         """At different moments of the work: an end without a word, and nothing is left."""
@@ -253,11 +264,11 @@ class BatchTest(unittest.TestCase):
                           ["--flatness-threshold", "-1"], ["--representative", "Any"], ["--no-such-option"],
                           ["--column-step", "1"], ["--column-step", "0", "1"]):
             with self.subTest(arguments):
-                self.fail(SAMPLE, *arguments)
+                self.refused(SAMPLE, *arguments)
                 self.assertEqual(files(self.output), [])
 
     def test_files_among_horizons(self):
-        message = self.fail("--no-pictures", "--horizons", "1", "2", SAMPLE)
+        message = self.refused("--no-pictures", "--horizons", "1", "2", SAMPLE)
         self.assertIn("%s is no ID; put -- between" % SAMPLE, message)
         self.succeed("--no-pictures", "--horizons", "1", "2", "--", SAMPLE)
         self.assertEqual(files(self.output), ["sample_horizon_1.vtp", "sample_horizon_2.vtp"])
@@ -271,7 +282,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(files(self.output), ["a_sample_horizon_1.vtp", "b_sample_horizon_1.vtp"])
         for label in ("a/sample.vsm", "b/sample.vsm"):
             self.assertIn("\n%s: read in " % label, "\n" + done.stdout)
-        self.assertIn("same results", self.fail(folders[0], folders[0] / SAMPLE.name))
+        self.assertIn("same results", self.refused(folders[0], folders[0] / SAMPLE.name))
 
     def test_help(self):
         done, errors = run("--help")
