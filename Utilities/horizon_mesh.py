@@ -81,6 +81,9 @@ def make_parser():
     _add_error_options(parser.add_argument_group("error"))
     running = parser.add_argument_group("running")
     running.add_argument("--no-pictures", action="store_true", help="write no pictures (then no X server is needed)")
+    running.add_argument("--leave-out-invalid", action="store_true",
+                         help="leave out horizons that can not be processed, with a warning, and do the others of "
+                         "their file; otherwise such a file is not done")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
                          help="number of threads; 0 uses all processors")
     return parser
@@ -155,7 +158,7 @@ def make_settings(options):
     """What the options mean for each stage."""
     from seismichorizons.pipeline import Settings
 
-    settings = Settings(horizons=getattr(options, "horizons", None))
+    settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.reader = {
         "Elevation": options.elevation, "DuplicatePolicy": options.duplicate_policy, "Origin": options.origin,
         "ColumnStep": options.column_step, "RowStep": options.row_step, "VerticalStep": options.vertical_step,
@@ -177,10 +180,15 @@ def make_settings(options):
     return settings
 
 
+def report(kind, text):
+    """Tells of an error, or of a warning."""
+    sys.stderr.write("%s: %s: %s\n" % (PROGRAM, kind, text))
+    sys.stderr.flush()
+
+
 def fail(error):
     """Says what is wrong, and returns the exit code."""
-    sys.stderr.write("%s: error: %s\n" % (PROGRAM, error))
-    sys.stderr.flush()
+    report("error", error)
     return 1
 
 
@@ -202,7 +210,7 @@ def main(arguments):
     set_threads(options.threads)
     settings = make_settings(options)
     try:
-        failures = batch.run(options.inputs, options.output_folder, settings, not options.no_pictures, fail)
+        failures = batch.run(options.inputs, options.output_folder, settings, not options.no_pictures, report)
     except (HorizonError, OSError) as error:
         return fail(error)
     return 1 if failures else 0

@@ -21,6 +21,7 @@ import wrong_files
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
+IS_PARAVIEW = pathlib.Path(INTERPRETER[0]).name.startswith("pv")
 SAMPLE = DATA / "sample.vsm"
 
 
@@ -211,7 +212,7 @@ class BatchTest(unittest.TestCase):
         self.assertIn("sample_horizon_2.vtp", self.refused(SAMPLE, "--no-pictures"))
         self.assertEqual(files(self.output), ["sample_horizon_2.vtp"])
 
-    @unittest.skipIf(INTERPRETER[0].endswith("pvbatch"), "the limit would stop OpenMPI, which has files of its own")
+    @unittest.skipIf(IS_PARAVIEW, "the limit would stop OpenMPI, which has files of its own")
     def test_full_disk(self):
         """A limit on the size of files does what a full disk does: of a mesh, and of the picture, which is larger."""
         self.succeed(SAMPLE)
@@ -227,7 +228,7 @@ class BatchTest(unittest.TestCase):
                 self.assertIn(name + " can not be written: File too large", message)
                 self.assertFalse(self.output.exists())
 
-    @unittest.skipIf(pathlib.Path(INTERPRETER[0]).name.startswith("pv"), "ParaView does not look whether it can print")
+    @unittest.skipIf(IS_PARAVIEW, "ParaView does not look whether it can print")
     def test_full_output(self):
         """All files are done all the same, and the table that could not be printed is told of once."""
         other = self.output.with_name("other.vsm")
@@ -294,7 +295,7 @@ class BatchTest(unittest.TestCase):
                        "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
                        "--representative", "--measure-error", "--distance-unit", "--samples-per-point",
-                       "--no-pictures", "--threads"):
+                       "--no-pictures", "--leave-out-invalid", "--threads"):
             self.assertIn(option, done.stdout)
 
 

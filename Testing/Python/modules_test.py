@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The modules of the package, function by function, on a horizon whose results can be counted by hand.
 
-Arguments: the program horizon_mesh.py, a folder for files.
+Argument: a folder for files.
 """
 
 import contextlib
-import importlib.util
 import io
 import os
 import pathlib
@@ -22,7 +21,7 @@ from seismichorizons.stage import HorizonError
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
-PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+FOLDER = pathlib.Path(sys.argv[1]).resolve()
 
 # A plane of 5 x 4 columns: 14 points around 6. Its outline is straight but for 4 corners.
 PLANE = b"5 4 9\n" + b"3 1 1 0.5 4.0\n" * 20
@@ -247,7 +246,8 @@ class BatchTest(unittest.TestCase):
         """The number of failures, the messages, and what was printed."""
         messages, printed = [], io.StringIO()
         with contextlib.redirect_stdout(printed):
-            failures = batch.run(inputs, self.output, settings, False, lambda error: messages.append(str(error)))
+            failures = batch.run(inputs, self.output, settings, False,
+                                 lambda kind, text: messages.append("%s: %s" % (kind, text)))
         return failures, messages, printed.getvalue()
 
     def test_files(self):
@@ -259,6 +259,22 @@ class BatchTest(unittest.TestCase):
         self.output.mkdir()
         with self.assertRaisesRegex(HorizonError, "there is no .vsm file"):
             batch.find_files([self.output])
+
+    def test_invalid_horizons(self):
+        """The second horizon has no triangles, and so no error that could be measured."""
+        path = write("two.vsm", TWO_HORIZONS)
+        problem = "two.vsm: Horizon 2%s: reference: 2 points and no triangles, expected a triangle mesh"
+        settings = pipeline.Settings(rough=None, error={})
+        self.assertEqual(self.run_batch([path], settings)[:2], (1, ["error: " + problem % ""]))
+        self.assertFalse(self.output.exists())
+        settings.leave_out_invalid = True
+        failures, messages, printed = self.run_batch([path], settings)
+        self.assertEqual((failures, messages), (0, ["warning: " + problem % " is left out"]))
+        self.assertEqual(sorted(p.name for p in self.output.iterdir()), ["two_error.csv", "two_horizon_1.vtp"])
+        self.assertEqual(len(printed.splitlines()), 4)
+        settings.horizons = [2]
+        self.assertEqual(self.run_batch([path], settings)[:2], (
+            1, ["warning: " + problem % " is left out", "error: two.vsm: all horizons are left out"]))
 
     def test_labels(self):
         """As short as they can be; results of all files have different names."""
@@ -303,7 +319,7 @@ class BatchTest(unittest.TestCase):
 
         path = write("two.vsm", TWO_HORIZONS)
         with mock.patch.object(writing, "write_mesh", fail_at_the_second):
-            self.assertEqual(self.run_batch([path])[:2], (1, ["disk full"]))
+            self.assertEqual(self.run_batch([path])[:2], (1, ["error: disk full"]))
         self.assertEqual(list(self.output.iterdir()), [])
 
     def test_signal_while_results_are_written(self):
@@ -324,41 +340,6 @@ class BatchTest(unittest.TestCase):
     def test_no_display(self):
         with mock.patch.dict(os.environ, DISPLAY=":4711"), self.assertRaisesRegex(HorizonError, "--no-pictures"):
             batch.check_display()
-
-
-class ProgramTest(unittest.TestCase):
-    """The options, and the properties that they become."""
-
-    def settings(self, *arguments):
-        specification = importlib.util.spec_from_file_location("horizon_mesh", PROGRAM)
-        program = importlib.util.module_from_spec(specification)
-        specification.loader.exec_module(program)
-        return program.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
-
-    def test_defaults(self):
-        """Without options every property has the default of its class."""
-        settings = self.settings("--elaborate", "--measure-error")
-        classes = {"reader": "vtkVerneySparseMatrixReader", "error": "vtkHorizonSurfaceDistance", **pipeline.STAGES}
-        for name, class_name in classes.items():
-            properties = getattr(settings, name)
-            given, usual = stage.make(class_name, **properties), stage.make(class_name)
-            for key in properties:
-                values = [getattr(algorithm, "Get" + key)() for algorithm in (given, usual)]
-                self.assertEqual(*values, "%s of %s" % (key, class_name))
-        self.assertIsNone(settings.horizons)
-
-    def test_left_out(self):
-        settings = self.settings("--skip-rough", "--horizons", "3", "1")
-        self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))
-        self.assertEqual(settings.horizons, [3, 1])
-        self.assertIsNotNone(self.settings().rough)
-
-    def test_given(self):
-        settings = self.settings("--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
-                                 "--elaborate-cell-size", "6", "--representative", "NearestPoint")
-        self.assertEqual((settings.boundary["Radius"], settings.boundary["GrowthStrategy"]), (2, "Distance"))
-        self.assertEqual(settings.rough, {"CellSize": 5, "Representative": "NearestPoint"})
-        self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
 
 
 if __name__ == "__main__":

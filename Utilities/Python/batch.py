@@ -16,8 +16,9 @@ from .stage import HorizonError
 
 
 def run(inputs, output_folder, settings, with_pictures, report):
-    """Does all files, and those of folders; returns how many failed. What is wrong with one goes to `report`, and the
-    others are done all the same. Raises HorizonError or OSError when none can be done."""
+    """Does all files, and those of folders; returns how many failed. What is wrong with one goes to `report`, as
+    "error" or "warning" and the text, and the others are done all the same. Raises HorizonError or OSError when none
+    can be done."""
     files = find_files(inputs)
     labels = make_labels(files)
     if with_pictures:
@@ -26,10 +27,10 @@ def run(inputs, output_folder, settings, with_pictures, report):
     with _workspace(output_folder) as workspace:
         for path, label in zip(files, labels):
             try:
-                process(path, label, workspace, settings, with_pictures)
+                process(path, label, workspace, settings, with_pictures, report)
             except (HorizonError, OSError) as error:
                 failures += 1
-                report(error)
+                report("error", error)
     return failures
 
 
@@ -93,42 +94,53 @@ def _workspace(output_folder):
                 folder.rmdir()
 
 
-def process(path, label, workspace, settings, with_pictures):
+def process(path, label, workspace, settings, with_pictures, report):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Raises
     HorizonError or OSError."""
     horizons, read_seconds = pipeline.read(path, settings.horizons, **settings.reader)
     names = _Names(_stem(label), horizons, settings, with_pictures)
     names.check(workspace.parent)
-    results = [pipeline.run(label, horizon_id, points, settings) for horizon_id, points in horizons]
+    results = _run_stages(label, horizons, settings, report)
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
         _write(results, names, pathlib.Path(folder))
         interrupt.check()
-        for name in names.all():
+        for name in sorted(os.listdir(folder)):
             os.replace(os.path.join(folder, name), workspace.parent / name)
     _print(["%s: read in %.2f s" % (label, read_seconds), *("  " + line for line in tables.table(results))])
+
+
+def _run_stages(label, horizons, settings, report):
+    """The results of all horizons but those left out."""
+    results = []
+    for horizon_id, points in horizons:
+        result = pipeline.run(label, horizon_id, points, settings)
+        for warning in result.warnings:
+            report("warning", "%s: %s" % (label, warning))
+        if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
+            results.append(result)
+    if not results:
+        raise HorizonError("%s: all horizons are left out" % label)
+    return results
 
 
 class _Names:
     """The names of the files of results."""
 
     def __init__(self, stem, horizons, settings, with_pictures):
-        self.meshes = ["%s_horizon_%d.vtp" % (stem, horizon_id) for horizon_id, _ in horizons]
+        self.meshes = {horizon_id: "%s_horizon_%d.vtp" % (stem, horizon_id) for horizon_id, _ in horizons}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
 
-    def all(self):
-        return self.meshes + self.figures + self.pictures
-
     def check(self, folder):
         """Files there will be replaced, folders can not be. Raises HorizonError."""
-        for name in self.all():
+        for name in [*self.meshes.values(), *self.figures, *self.pictures]:
             if (folder / name).is_dir():
                 raise HorizonError("%s can not be written: it is a folder" % (folder / name))
 
 
 def _write(results, names, folder):
-    for result, name in zip(results, names.meshes):
-        writing.write_mesh(result.data["mesh"], folder / name)
+    for result in results:
+        writing.write_mesh(result.data["mesh"], folder / names.meshes[result.id])
     for name in names.figures:
         writing.write_figures(results, folder / name)
     for name in names.pictures:
