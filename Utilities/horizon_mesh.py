@@ -8,7 +8,9 @@ The work is done by the modules of that package; here is the command line.
 """
 
 import argparse
+import os
 import pathlib
+import signal
 import sys
 
 PROGRAM = "horizon_mesh"
@@ -50,6 +52,13 @@ def _vertical_step(text):
 _vertical_step.__name__ = "number other than 0:"
 
 
+def _horizon(text):
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError("%s is no ID; put -- between IDs and files that follow" % text) from None
+
+
 def make_parser():
     parser = _Parser(
         prog=PROGRAM + ".py",
@@ -58,8 +67,11 @@ def make_parser():
         "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Writes one "
         ".vtp file per horizon and one picture per file, and prints a table; on request, measures the error. Files "
         "that already exist are replaced.",
-        epilog="Distances are in lattice units: 1 is one column step sideways and one vertical index up or down. The "
-        "exit code is 1 when a file could not be done; the other files are done all the same.")
+        epilog="Results are named after their file: x_horizon_1.vtp, x.png and x_error.csv for x.vsm. Where files have "
+        "the same name, the names of their folders come first, as many as it takes: a_x.png for a/x.vsm, and b_x.png "
+        "for b/x.vsm. Results of a file appear all together, or not at all. Distances are in lattice units: 1 is one "
+        "column step sideways and one vertical index up or down. The exit code is 1 when a file could not be done; the "
+        "other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path,
                         help=".vsm files, or folders of them")
     parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
@@ -69,14 +81,17 @@ def make_parser():
     _add_error_options(parser.add_argument_group("error"))
     running = parser.add_argument_group("running")
     running.add_argument("--no-pictures", action="store_true", help="write no pictures (then no X server is needed)")
+    running.add_argument("--leave-out-invalid", action="store_true",
+                         help="leave out horizons that can not be processed, with a warning, and do the others of "
+                         "their file; otherwise such a file is not done")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
                          help="number of threads; 0 uses all processors")
     return parser
 
 
 def _add_reader_options(group):
-    group.add_argument("--horizons", nargs="+", type=int, metavar="ID", help="only these horizons (default: all)",
-                       default=argparse.SUPPRESS)
+    group.add_argument("--horizons", nargs="+", type=_horizon, metavar="ID", default=argparse.SUPPRESS,
+                       help="only these horizons (default: all); put -- between them and files that follow")
     group.add_argument("--elevation", choices=ELEVATIONS, default=ELEVATIONS[0],
                        help="what the world z of a point is made from")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=DUPLICATE_POLICIES[0],
@@ -143,7 +158,7 @@ def make_settings(options):
     """What the options mean for each stage."""
     from seismichorizons.pipeline import Settings
 
-    settings = Settings(horizons=getattr(options, "horizons", None))
+    settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.reader = {
         "Elevation": options.elevation, "DuplicatePolicy": options.duplicate_policy, "Origin": options.origin,
         "ColumnStep": options.column_step, "RowStep": options.row_step, "VerticalStep": options.vertical_step,
@@ -165,25 +180,37 @@ def make_settings(options):
     return settings
 
 
+def report(kind, text):
+    """Tells of an error, or of a warning."""
+    sys.stderr.write("%s: %s: %s\n" % (PROGRAM, kind, text))
+    sys.stderr.flush()
+
+
 def fail(error):
     """Says what is wrong, and returns the exit code."""
-    sys.stdout.flush()
-    sys.stderr.write("%s: error: %s\n" % (PROGRAM, error))
-    sys.stderr.flush()
+    report("error", error)
     return 1
 
 
+def _end_at_once(signal_number, _frame):
+    os._exit(128 + signal_number)
+
+
 def main(arguments):
+    # As long as nothing is done there is nothing to leave in order.
+    signal.signal(signal.SIGINT, _end_at_once)
+    signal.signal(signal.SIGTERM, _end_at_once)
     options = make_parser().parse_args(arguments)
     try:
-        from seismichorizons import batch
+        from seismichorizons import batch, interrupt
         from seismichorizons.stage import HorizonError, set_threads
     except ImportError as error:
         return fail("the Python package seismichorizons can not be loaded; is its folder in PYTHONPATH? (%s)" % error)
+    interrupt.listen()
     set_threads(options.threads)
     settings = make_settings(options)
     try:
-        failures = batch.run(options.inputs, options.output_folder, settings, not options.no_pictures, fail)
+        failures = batch.run(options.inputs, options.output_folder, settings, not options.no_pictures, report)
     except (HorizonError, OSError) as error:
         return fail(error)
     return 1 if failures else 0

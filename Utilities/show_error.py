@@ -17,7 +17,7 @@ import sys
 from paraview import servermanager, simple
 
 COLORS = pathlib.Path(__file__).resolve().with_name("DistanceColors.json")
-PLUGIN = COLORS.parents[1] / "build/release/lib/paraview-5.11/plugins/SeismicHorizons/SeismicHorizons.so"
+PLUGIN = "build/release/lib/paraview-*/plugins/SeismicHorizons/SeismicHorizons.so"
 PRESETS = {"Distance": "Horizon Distance", "VerticalDistance": "Horizon Vertical Distance"}
 PANEL = (900, 780)
 TEXT = (0.13, 0.16, 0.20)
@@ -43,8 +43,9 @@ def make_parser():
 
 
 def load_plugin():
-    if not hasattr(simple, "HorizonSurfaceDistance") and PLUGIN.is_file():
-        simple.LoadPlugin(str(PLUGIN), remote=False, ns=vars(simple))
+    plugin = next(COLORS.parents[1].glob(PLUGIN), None)
+    if not hasattr(simple, "HorizonSurfaceDistance") and plugin:
+        simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
     if not hasattr(simple, "HorizonSurfaceDistance"):
         sys.exit("show_error: the plugin SeismicHorizons is not loaded; is its folder in PV_PLUGIN_PATH?")
 

@@ -21,9 +21,10 @@ trap cleanup EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
-# The server picks a free display, and writes its number into the pipe when it is ready.
+# The server picks a free display, and writes its number into the pipe when it is ready. It has a session of its own:
+# Ctrl-C ends the command, which may need the server until it has put things in order.
 mkfifo "$folder/display"
-Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp -noreset 3>"$folder/display" >/dev/null 2>"$folder/log" &
+setsid Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp -noreset 3>"$folder/display" >/dev/null 2>"$folder/log" &
 server=$!
 read -r display <"$folder/display" || true
 if [ -z "${display:-}" ]; then

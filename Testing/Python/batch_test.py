@@ -5,9 +5,12 @@
 import csv
 import os
 import pathlib
+import resource
 import shutil
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -18,12 +21,14 @@ import wrong_files
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
+IS_PARAVIEW = pathlib.Path(INTERPRETER[0]).name.startswith("pv")
 SAMPLE = DATA / "sample.vsm"
 
 
-def run(*arguments, **environment):
+def run(*arguments, prepare=None, stdout=subprocess.PIPE, **environment):
     command = [*INTERPRETER, str(PROGRAM), *(str(a) for a in arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=100, env={**os.environ, **environment})
+    done = subprocess.run(command, stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=100,
+                          env={**os.environ, **environment}, preexec_fn=prepare)
     # Some versions of OpenMPI remark on the machine they run on.
     errors = [line for line in done.stderr.splitlines() if line.startswith("horizon_mesh: ")]
     return done, errors
@@ -56,9 +61,9 @@ class BatchTest(unittest.TestCase):
         self.assertNotIn("Traceback", done.stderr)
         return done
 
-    def fail(self, *arguments, **environment):
+    def refused(self, *arguments, output=None, **others):
         """Runs the program with a wrong input and returns its one message."""
-        done, errors = run("--output-folder", self.output, *arguments, **environment)
+        done, errors = run("--output-folder", output or self.output, *arguments, **others)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertEqual(len(errors), 1, done.stderr)
         self.assertTrue(errors[0].startswith("horizon_mesh: error: "), done.stderr)
@@ -163,7 +168,7 @@ class BatchTest(unittest.TestCase):
         folder.mkdir(parents=True, exist_ok=True)
         shutil.copy(SAMPLE, folder / "good.vsm")
         (folder / "bad.vsm").write_bytes(b"1 1\n")
-        message = self.fail(folder, "--no-pictures", "--horizons", "1")
+        message = self.refused(folder, "--no-pictures", "--horizons", "1")
         self.assertIn("bad.vsm", message)
         self.assertEqual(files(self.output), ["good_horizon_1.vtp"])
 
@@ -172,26 +177,87 @@ class BatchTest(unittest.TestCase):
             if path.is_dir():
                 parts = [path.name]
             with self.subTest(path.name):
-                message = self.fail(path)
+                message = self.refused(path)
                 for part in parts:
                     self.assertIn(part, message)
                 self.assertEqual(files(self.output), [])
 
     def test_no_such_horizon(self):
-        message = self.fail(SAMPLE, "--horizons", "4711")
+        message = self.refused(SAMPLE, "--horizons", "4711")
         self.assertIn("4711", message)
         self.assertEqual(files(self.output), [])
 
     def test_no_display(self):
-        message = self.fail(SAMPLE, DISPLAY=":4711")
+        message = self.refused(SAMPLE, DISPLAY=":4711")
         self.assertIn("--no-pictures", message)
         self.assertEqual(files(self.output), [])
 
-    def test_output_folder_is_a_file(self):
-        self.output.parent.mkdir(parents=True, exist_ok=True)
+    def test_no_such_output_folder(self):
+        """Noticed before the work starts, which would find that the file is wrong."""
+        wrong = self.output.with_name("wrong.vsm")
+        wrong.parent.mkdir(parents=True, exist_ok=True)
+        wrong.write_text("wrong")
         self.output.write_text("in the way")
-        self.assertIn(self.output.name, self.fail(SAMPLE))
+        # Nobody can write into the last one.
+        for folder in (self.output, self.output / "below", "/proc/self"):
+            with self.subTest(folder):
+                self.assertIn("there can be no results in %s: " % folder,
+                              self.refused(wrong, "--no-pictures", output=folder))
+        self.assertEqual(self.output.read_text(), "in the way")
         self.output.unlink()
+
+    def test_folder_in_the_way(self):
+        """Of one of the results: then there are no others, either."""
+        (self.output / "sample_horizon_2.vtp").mkdir(parents=True)
+        self.assertIn("sample_horizon_2.vtp", self.refused(SAMPLE, "--no-pictures"))
+        self.assertEqual(files(self.output), ["sample_horizon_2.vtp"])
+
+    @unittest.skipIf(IS_PARAVIEW, "the limit would stop OpenMPI, which has files of its own")
+    def test_full_disk(self):
+        """A limit on the size of files does what a full disk does: of a mesh, and of the picture, which is larger."""
+        self.succeed(SAMPLE)
+        mesh, picture = ((self.output / name).stat().st_size for name in ("sample_horizon_1.vtp", "sample.png"))
+        self.assertGreater(picture, 2 * mesh)
+        for size, name, arguments in ((8192, "sample_horizon_1.vtp", ["--no-pictures"]),
+                                      (mesh // 2, "sample_horizon_1.vtp", ["--no-pictures"]),
+                                      ((mesh + picture) // 2, "sample.png", [])):
+            with self.subTest(size):
+                shutil.rmtree(self.output, ignore_errors=True)
+                message = self.refused(SAMPLE, *arguments, output=self.output / "below",
+                                    prepare=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+                self.assertIn(name + " can not be written: File too large", message)
+                self.assertFalse(self.output.exists())
+
+    @unittest.skipIf(IS_PARAVIEW, "ParaView does not look whether it can print")
+    def test_full_output(self):
+        """All files are done all the same, and the table that could not be printed is told of once."""
+        other = self.output.with_name("other.vsm")
+        other.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(SAMPLE, other)
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            message = self.refused(SAMPLE, other, "--no-pictures", "--horizons", "1", stdout=full)
+        self.assertIn("the table can not be printed: No space left on device", message)
+        self.assertEqual(files(self.output), ["other_horizon_1.vtp", "sample_horizon_1.vtp"])
+
+    def test_signals(self):
+        """At different moments of the work: an end without a word, and nothing is left."""
+        large = self.output.with_name("large.vsm")
+        large.parent.mkdir(parents=True, exist_ok=True)
+        large.write_bytes(b"1000 1000 9\n" + b"3 1 1 0.5 4.0\n" * 1000000)
+        command = [*INTERPRETER, str(PROGRAM), "--no-pictures", "--skip-rough", "--output-folder",
+                   str(self.output / "below"), str(large)]
+        for number, delay in ((signal.SIGINT, 0.0), (signal.SIGTERM, 0.2), (signal.SIGINT, 0.6)):
+            with self.subTest(number=number, delay=delay), subprocess.Popen(
+                    command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                while not files(self.output / "below") and process.poll() is None:
+                    time.sleep(0.01)
+                time.sleep(delay)
+                process.send_signal(number)
+                output, errors = process.communicate(timeout=100)
+                self.assertEqual((process.returncode, output), (128 + number, ""), errors)
+                for word in ("Traceback", "ERR|", "Interrupt", "Loguru", "horizon_mesh: "):
+                    self.assertNotIn(word, errors)
+                self.assertFalse(self.output.exists())
 
     def test_wrong_options(self):
         for arguments in (["--cell-size", "0"], ["--cell-size", "two"], ["--distance-threshold", "-1"],
@@ -199,14 +265,25 @@ class BatchTest(unittest.TestCase):
                           ["--flatness-threshold", "-1"], ["--representative", "Any"], ["--no-such-option"],
                           ["--column-step", "1"], ["--column-step", "0", "1"]):
             with self.subTest(arguments):
-                self.fail(SAMPLE, *arguments)
+                self.refused(SAMPLE, *arguments)
                 self.assertEqual(files(self.output), [])
 
-    def test_same_results_twice(self):
-        other = self.output.with_name("other")
-        other.mkdir(parents=True, exist_ok=True)
-        shutil.copy(SAMPLE, other)
-        self.assertIn("same results", self.fail(SAMPLE, other))
+    def test_files_among_horizons(self):
+        message = self.refused("--no-pictures", "--horizons", "1", "2", SAMPLE)
+        self.assertIn("%s is no ID; put -- between" % SAMPLE, message)
+        self.succeed("--no-pictures", "--horizons", "1", "2", "--", SAMPLE)
+        self.assertEqual(files(self.output), ["sample_horizon_1.vtp", "sample_horizon_2.vtp"])
+
+    def test_files_of_one_name(self):
+        folders = [self.output.with_name("one-name") / name for name in "ab"]
+        for folder in folders:
+            folder.mkdir(parents=True, exist_ok=True)
+            shutil.copy(SAMPLE, folder)
+        done = self.succeed("--no-pictures", *folders, "--horizons", "1")
+        self.assertEqual(files(self.output), ["a_sample_horizon_1.vtp", "b_sample_horizon_1.vtp"])
+        for label in ("a/sample.vsm", "b/sample.vsm"):
+            self.assertIn("\n%s: read in " % label, "\n" + done.stdout)
+        self.assertIn("same results", self.refused(folders[0], folders[0] / SAMPLE.name))
 
     def test_help(self):
         done, errors = run("--help")
@@ -218,7 +295,7 @@ class BatchTest(unittest.TestCase):
                        "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
                        "--representative", "--measure-error", "--distance-unit", "--samples-per-point",
-                       "--no-pictures", "--threads"):
+                       "--no-pictures", "--leave-out-invalid", "--threads"):
             self.assertIn(option, done.stdout)
 
 

@@ -2,26 +2,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The modules of the package, function by function, on a horizon whose results can be counted by hand.
 
-Arguments: the program horizon_mesh.py, a folder for files.
+Argument: a folder for files.
 """
 
 import contextlib
-import importlib.util
 import io
 import os
 import pathlib
 import shutil
+import signal
 import sys
 import unittest
 from unittest import mock
 
 import seismichorizons as sh
-from seismichorizons import batch, overview, pipeline, stage, tables, writing
+from seismichorizons import batch, interrupt, overview, pictures, pipeline, stage, tables, writing
 from seismichorizons.stage import HorizonError
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
-PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+FOLDER = pathlib.Path(sys.argv[1]).resolve()
 
 # A plane of 5 x 4 columns: 14 points around 6. Its outline is straight but for 4 corners.
 PLANE = b"5 4 9\n" + b"3 1 1 0.5 4.0\n" * 20
@@ -98,6 +98,37 @@ class StageTest(unittest.TestCase):
                 self.assertGreaterEqual(stage.update(boundary, label), 0.0)
             self.assertEqual(log.getvalue().endswith("a label: 100 %\n"), told, log.getvalue())
             self.assertEqual(bool(log.getvalue()), told, log.getvalue())
+
+
+def listen(test):
+    """Has signals noted as long as a test runs."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        test.addCleanup(signal.signal, number, signal.getsignal(number))
+    patch = mock.patch.object(interrupt, "_noted", None)
+    patch.start()
+    test.addCleanup(patch.stop)
+    interrupt.listen()
+
+
+class InterruptTest(unittest.TestCase):
+    def test_stage_stops(self):
+        """At the next report of its progress, without a result."""
+        boundary = sh.vtkHorizonExteriorBoundary()
+        boundary.SetInputDataObject(0, plane())
+        listen(self)
+        boundary.AddObserver("ProgressEvent", lambda *_: os.kill(os.getpid(), signal.SIGTERM))
+        with self.assertRaises(SystemExit):
+            stage.update(boundary)
+        self.assertEqual(boundary.GetOutputDataObject(0).GetNumberOfPoints(), 0)
+
+    def test_exit_code(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            listen(self)
+            interrupt.check()
+            os.kill(os.getpid(), number)
+            with self.assertRaises(SystemExit) as raised:
+                interrupt.check()
+            self.assertEqual(raised.exception.code, 128 + number)
 
 
 class PipelineTest(unittest.TestCase):
@@ -185,9 +216,15 @@ class ResultTest(unittest.TestCase):
         self.assertEqual(lines[1:10], lines[10:])
         self.assertEqual(lines[0].split(",")[0], self.result.figures.GetColumnName(0))
 
-    def test_mesh_can_not_be_written(self):
-        with self.assertRaisesRegex(HorizonError, "^cannot write mesh.vtp"):
-            writing.write_mesh(self.result.data["mesh"], FOLDER / "no-such-folder" / "mesh.vtp")
+    def test_disk_is_full(self):
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 1)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
+        for write_result, data in ((writing.write_mesh, self.result.data["mesh"]),
+                                   (writing.write_figures, [self.result]), (pictures.write, image)):
+            with self.assertRaises(HorizonError) as raised:
+                write_result(data, pathlib.Path("/dev/full"))
+            self.assertEqual(str(raised.exception), "full can not be written: No space left on device")
 
     def test_panels(self):
         self.assertEqual([(panel.title, panel.caption) for panel in overview.panels(self.result)], [
@@ -209,7 +246,8 @@ class BatchTest(unittest.TestCase):
         """The number of failures, the messages, and what was printed."""
         messages, printed = [], io.StringIO()
         with contextlib.redirect_stdout(printed):
-            failures = batch.run(inputs, self.output, settings, False, lambda error: messages.append(str(error)))
+            failures = batch.run(inputs, self.output, settings, False,
+                                 lambda kind, text: messages.append("%s: %s" % (kind, text)))
         return failures, messages, printed.getvalue()
 
     def test_files(self):
@@ -218,11 +256,39 @@ class BatchTest(unittest.TestCase):
             path.touch()
         elsewhere = pathlib.Path("elsewhere.vsm")
         self.assertEqual(batch.find_files([elsewhere, self.folder]), [elsewhere, paths[1], paths[0]])
-        with self.assertRaisesRegex(HorizonError, "would write the same results"):
-            batch.find_files([self.folder, pathlib.Path("a.vsm")])
         self.output.mkdir()
         with self.assertRaisesRegex(HorizonError, "there is no .vsm file"):
             batch.find_files([self.output])
+
+    def test_invalid_horizons(self):
+        """The second horizon has no triangles, and so no error that could be measured."""
+        path = write("two.vsm", TWO_HORIZONS)
+        problem = "two.vsm: Horizon 2%s: reference: 2 points and no triangles, expected a triangle mesh"
+        settings = pipeline.Settings(rough=None, error={})
+        self.assertEqual(self.run_batch([path], settings)[:2], (1, ["error: " + problem % ""]))
+        self.assertFalse(self.output.exists())
+        settings.leave_out_invalid = True
+        failures, messages, printed = self.run_batch([path], settings)
+        self.assertEqual((failures, messages), (0, ["warning: " + problem % " is left out"]))
+        self.assertEqual(sorted(p.name for p in self.output.iterdir()), ["two_error.csv", "two_horizon_1.vtp"])
+        self.assertEqual(len(printed.splitlines()), 4)
+        settings.horizons = [2]
+        self.assertEqual(self.run_batch([path], settings)[:2], (
+            1, ["warning: " + problem % " is left out", "error: two.vsm: all horizons are left out"]))
+
+    def test_labels(self):
+        """As short as they can be; results of all files have different names."""
+        for paths, labels in ((["s/x.vsm", "s/y.vsm"], ["x.vsm", "y.vsm"]),
+                              (["a/x.vsm", "b/x.vsm", "y.vsm"], ["a/x.vsm", "b/x.vsm", "y.vsm"]),
+                              (["/1/a/x.vsm", "/2/a/x.vsm", "/1/b/x.vsm"], ["1/a/x.vsm", "2/a/x.vsm", "b/x.vsm"]),
+                              (["/x.vsm", "/a/x.vsm"], ["x.vsm", "a/x.vsm"]),
+                              (["/a/../x.vsm", "/b/x.vsm"], ["x.vsm", "b/x.vsm"]),
+                              (["/a/x.vsm", "/b/x.vsm", "/c/a_x.vsm"], ["a/x.vsm", "b/x.vsm", "c/a_x.vsm"])):
+            made = batch.make_labels([pathlib.Path(path) for path in paths])
+            self.assertEqual([str(label) for label in made], labels)
+        for paths in (["x.vsm", "./x.vsm"], ["a/x.vsm", "a/x.txt"]):
+            with self.assertRaisesRegex(HorizonError, "would write the same results"):
+                batch.make_labels([pathlib.Path(path) for path in paths])
 
     def test_all_files_are_done(self):
         (self.folder / "bad.vsm").write_bytes(b"5 4\n")
@@ -253,47 +319,27 @@ class BatchTest(unittest.TestCase):
 
         path = write("two.vsm", TWO_HORIZONS)
         with mock.patch.object(writing, "write_mesh", fail_at_the_second):
-            self.assertEqual(self.run_batch([path])[:2], (1, ["disk full"]))
+            self.assertEqual(self.run_batch([path])[:2], (1, ["error: disk full"]))
         self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_signal_while_results_are_written(self):
+        """None of them appear, and the folders made for them go."""
+        listen(self)
+        self.output = self.output / "below"
+        really_write = writing.write_mesh
+
+        def write_mesh(mesh, path):
+            really_write(mesh, path)
+            os.kill(os.getpid(), signal.SIGINT)
+
+        with mock.patch.object(writing, "write_mesh", write_mesh), self.assertRaises(SystemExit) as raised:
+            self.run_batch([write("plane.vsm", PLANE)])
+        self.assertEqual(raised.exception.code, 130)
+        self.assertFalse(self.output.parent.exists())
 
     def test_no_display(self):
         with mock.patch.dict(os.environ, DISPLAY=":4711"), self.assertRaisesRegex(HorizonError, "--no-pictures"):
             batch.check_display()
-
-
-class ProgramTest(unittest.TestCase):
-    """The options, and the properties that they become."""
-
-    def settings(self, *arguments):
-        specification = importlib.util.spec_from_file_location("horizon_mesh", PROGRAM)
-        program = importlib.util.module_from_spec(specification)
-        specification.loader.exec_module(program)
-        return program.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
-
-    def test_defaults(self):
-        """Without options every property has the default of its class."""
-        settings = self.settings("--elaborate", "--measure-error")
-        classes = {"reader": "vtkVerneySparseMatrixReader", "error": "vtkHorizonSurfaceDistance", **pipeline.STAGES}
-        for name, class_name in classes.items():
-            properties = getattr(settings, name)
-            given, usual = stage.make(class_name, **properties), stage.make(class_name)
-            for key in properties:
-                values = [getattr(algorithm, "Get" + key)() for algorithm in (given, usual)]
-                self.assertEqual(*values, "%s of %s" % (key, class_name))
-        self.assertIsNone(settings.horizons)
-
-    def test_left_out(self):
-        settings = self.settings("--skip-rough", "--horizons", "3", "1")
-        self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))
-        self.assertEqual(settings.horizons, [3, 1])
-        self.assertIsNotNone(self.settings().rough)
-
-    def test_given(self):
-        settings = self.settings("--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
-                                 "--elaborate-cell-size", "6", "--representative", "NearestPoint")
-        self.assertEqual((settings.boundary["Radius"], settings.boundary["GrowthStrategy"]), (2, "Distance"))
-        self.assertEqual(settings.rough, {"CellSize": 5, "Representative": "NearestPoint"})
-        self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
 
 
 if __name__ == "__main__":

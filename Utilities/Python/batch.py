@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of horizons, one after the other: each into a mesh for every horizon, a picture and a table."""
 
+import collections
+import contextlib
 import ctypes
 import ctypes.util
 import os
@@ -9,78 +11,155 @@ import pathlib
 import sys
 import tempfile
 
-from . import pipeline, tables, writing
+from . import interrupt, pipeline, tables, writing
 from .stage import HorizonError
 
 
 def run(inputs, output_folder, settings, with_pictures, report):
-    """Does all files, and those of folders; returns how many failed. What is wrong with one goes to `report`, and the
-    others are done all the same. Raises HorizonError or OSError when none can be done."""
+    """Does all files, and those of folders; returns how many failed. What is wrong with one goes to `report`, as
+    "error" or "warning" and the text, and the others are done all the same. Raises HorizonError or OSError when none
+    can be done."""
     files = find_files(inputs)
+    labels = make_labels(files)
     if with_pictures:
         check_display()
-    made_folder = not output_folder.exists()
-    output_folder.mkdir(parents=True, exist_ok=True)
     failures = 0
-    for path in files:
-        try:
-            process(path, output_folder, settings, with_pictures)
-        except (HorizonError, OSError) as error:
-            failures += 1
-            report(error)
-    if made_folder and not any(output_folder.iterdir()):
-        output_folder.rmdir()
+    with _workspace(output_folder) as workspace:
+        for path, label in zip(files, labels):
+            try:
+                process(path, label, workspace, settings, with_pictures, report)
+            except (HorizonError, OSError) as error:
+                failures += 1
+                report("error", error)
     return failures
 
 
 def find_files(inputs):
-    """The files among the inputs, and those of the folders among them. Raises HorizonError."""
+    """The files among the inputs, and those of the folders among them. Raises HorizonError or OSError."""
     files = []
     for path in inputs:
         if path.is_dir():
-            found = sorted(path.glob("*.vsm"))
+            found = sorted(file for file in path.iterdir() if file.suffix == ".vsm")
             if not found:
                 raise HorizonError("%s: there is no .vsm file in this folder" % path)
             files.extend(found)
         else:
             files.append(path)
-    taken = {}
-    for path in files:
-        if path.stem in taken:
-            raise HorizonError("%s and %s would write the same results" % (taken[path.stem], path))
-        taken[path.stem] = path
     return files
 
 
-def process(path, output_folder, settings, with_pictures):
-    """Does one file. Results appear in the output folder all together at the end, or not at all. Raises HorizonError or
-    OSError."""
+def make_labels(files):
+    """What files are called: by their names, with as many of their folders in front as it takes to tell them and their
+    results apart (`a/x.vsm`). Raises HorizonError where nothing does."""
+    # Links are not followed: users know files by the names that they gave.
+    places = [pathlib.PurePath(os.path.abspath(path)).parts[1:] for path in files]
+    lengths = [1] * len(files)
+    labels = None
+    while True:
+        before, labels = labels, [pathlib.PurePath(*place[-length:]) for place, length in zip(places, lengths)]
+        users = collections.defaultdict(list)
+        for number, label in enumerate(labels):
+            users[_stem(label)].append(number)
+        twins = [numbers for numbers in users.values() if len(numbers) > 1]
+        if not twins:
+            return labels
+        if labels == before:
+            raise HorizonError("%s and %s would write the same results" % tuple(files[i] for i in twins[0][:2]))
+        for number in sum(twins, []):
+            lengths[number] += 1
+
+
+def _stem(label):
+    """What the names of results start with: `a_x` for `a/x.vsm`."""
+    return "_".join(label.with_suffix("").parts)
+
+
+@contextlib.contextmanager
+def _workspace(output_folder):
+    """A folder for results that are not complete. It is in the output folder, so that files can be moved into place.
+    The output folder is made when it is missing, and taken away when no result came into it. Raises HorizonError."""
+    missing = [folder for folder in (output_folder, *output_folder.parents) if not folder.exists()]
+    try:
+        try:
+            if missing:
+                output_folder.mkdir(parents=True, exist_ok=True)
+            workspace = tempfile.TemporaryDirectory(prefix=".horizon_mesh-", dir=output_folder)
+        except OSError as error:
+            raise HorizonError("there can be no results in %s: %s" % (output_folder, error.strerror)) from None
+        with workspace as path:
+            yield pathlib.Path(path)
+    finally:
+        for folder in missing:
+            with contextlib.suppress(OSError):  # there is something in it
+                folder.rmdir()
+
+
+def process(path, label, workspace, settings, with_pictures, report):
+    """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Raises
+    HorizonError or OSError."""
     horizons, read_seconds = pipeline.read(path, settings.horizons, **settings.reader)
-    results = [pipeline.run(path.name, horizon_id, points, settings) for horizon_id, points in horizons]
-    # In the same folder, so that files can be moved into place.
-    with tempfile.TemporaryDirectory(prefix=".horizon_mesh-", dir=output_folder) as folder:
-        folder = pathlib.Path(folder)
-        _write(results, path.stem, folder, with_pictures)
-        for file in sorted(folder.iterdir()):
-            os.replace(file, output_folder / file.name)
-    print("%s: read in %.2f s" % (path.name, read_seconds))
-    for line in tables.table(results):
-        print("  " + line)
-    sys.stdout.flush()
+    names = _Names(_stem(label), horizons, settings, with_pictures)
+    names.check(workspace.parent)
+    results = _run_stages(label, horizons, settings, report)
+    with tempfile.TemporaryDirectory(dir=workspace) as folder:
+        _write(results, names, pathlib.Path(folder))
+        interrupt.check()
+        for name in sorted(os.listdir(folder)):
+            os.replace(os.path.join(folder, name), workspace.parent / name)
+    _print(["%s: read in %.2f s" % (label, read_seconds), *("  " + line for line in tables.table(results))])
 
 
-def _write(results, stem, folder, with_pictures):
+def _run_stages(label, horizons, settings, report):
+    """The results of all horizons but those left out."""
+    results = []
+    for horizon_id, points in horizons:
+        result = pipeline.run(label, horizon_id, points, settings)
+        for warning in result.warnings:
+            report("warning", "%s: %s" % (label, warning))
+        if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
+            results.append(result)
+    if not results:
+        raise HorizonError("%s: all horizons are left out" % label)
+    return results
+
+
+class _Names:
+    """The names of the files of results."""
+
+    def __init__(self, stem, horizons, settings, with_pictures):
+        self.meshes = {horizon_id: "%s_horizon_%d.vtp" % (stem, horizon_id) for horizon_id, _ in horizons}
+        self.figures = ["%s_error.csv" % stem] if settings.error is not None else []
+        self.pictures = ["%s.png" % stem] if with_pictures else []
+
+    def check(self, folder):
+        """Files there will be replaced, folders can not be. Raises HorizonError."""
+        for name in [*self.meshes.values(), *self.figures, *self.pictures]:
+            if (folder / name).is_dir():
+                raise HorizonError("%s can not be written: it is a folder" % (folder / name))
+
+
+def _write(results, names, folder):
     for result in results:
-        writing.write_mesh(result.data["mesh"], folder / ("%s_horizon_%d.vtp" % (stem, result.id)))
-    if results[0].figures is not None:
-        writing.write_figures(results, folder / ("%s_error.csv" % stem))
-    if with_pictures:
+        writing.write_mesh(result.data["mesh"], folder / names.meshes[result.id])
+    for name in names.figures:
+        writing.write_figures(results, folder / name)
+    for name in names.pictures:
         # Loads the libraries that draw, which are not needed otherwise.
         from . import overview
 
         if len(results) > overview.MOST_ROWS:
-            print("  the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results)))
-        overview.write(results, folder / ("%s.png" % stem))
+            _print(["  the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results))])
+        overview.write(results, folder / name)
+
+
+def _print(lines):
+    """Raises HorizonError, and prints nothing any more then."""
+    try:
+        print("\n".join(lines), flush=True)
+    except OSError as error:
+        # What did not get through must not be tried again when the program ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise HorizonError("the table can not be printed: %s" % error.strerror) from None
 
 
 def check_display():

@@ -10,7 +10,7 @@ MOST_ROWS = 8
 
 
 def write(results, path):
-    """Writes the picture as PNG. Raises OSError when that fails."""
+    """Writes the picture as PNG. Raises HorizonError when that fails."""
     pictures.write(pictures.draw([panels(result) for result in results[:MOST_ROWS]]), path)
 
 

@@ -22,6 +22,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkWindowToImageFilter)
 
+from .writing import write_file
+
 POINTS = "points"
 OUTLINE = "outline"
 MESH = "mesh"
@@ -82,13 +84,12 @@ def render(renderers, size):
 
 
 def write(image, path):
-    """Writes a picture as PNG. Raises OSError when that fails."""
+    """Writes a picture as PNG. Raises HorizonError."""
     writer = vtkPNGWriter()
-    writer.SetFileName(str(path))
+    writer.WriteToMemoryOn()
     writer.SetInputData(image)
     writer.Write()
-    if writer.GetErrorCode():
-        raise OSError("cannot write the picture %s" % path)
+    write_file(writer.GetResult(), path)
 
 
 def rgb(color):

@@ -25,7 +25,8 @@ STAGES = {
 @dataclass
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
-    defaults. None leaves a stage out. `horizons` are the IDs of those to read, None for all."""
+    defaults. None leaves a stage out. `horizons` are the IDs of those to read, None for all. A horizon that can not be
+    processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning."""
 
     reader: dict = field(default_factory=dict)
     boundary: dict = field(default_factory=dict)
@@ -35,11 +36,19 @@ class Settings:
     mesh: dict = field(default_factory=dict)
     error: Optional[dict] = None
     horizons: Optional[list] = None
+    leave_out_invalid: bool = False
 
     def make_stages(self):
         """The stages from points to mesh in their order, as (name, algorithm)."""
         properties = [(name, getattr(self, name)) for name in STAGES]
-        return [(name, make(STAGES[name], **given)) for name, given in properties if given is not None]
+        return [(name, self.make(STAGES[name], given)) for name, given in properties if given is not None]
+
+    def make(self, class_name, properties):
+        """A stage, or the measure."""
+        stage = make(class_name, **properties)
+        if self.leave_out_invalid:
+            stage.SetInvalidHorizonsToLeaveOut()
+        return stage
 
 
 def read(path, horizons=None, **properties):
@@ -50,7 +59,7 @@ def read(path, horizons=None, **properties):
     path = pathlib.Path(path)
     reader = make("vtkVerneySparseMatrixReader", FileName=str(path), **properties)
     if horizons is not None:
-        _select(reader, horizons, path.name)
+        _select(reader, horizons, path)
     seconds = update(reader, "%s: reading" % path.name)
     output = reader.GetOutputDataObject(0)
     found = []
@@ -69,7 +78,7 @@ def read_first(path, **properties):
     return read(path, **properties)[0][0][1]
 
 
-def _select(reader, horizons, file_name):
+def _select(reader, horizons, path):
     """Leaves only some horizons switched on."""
     with watched(reader):
         reader.UpdateInformation()
@@ -79,13 +88,13 @@ def _select(reader, horizons, file_name):
         name = "Horizon %d" % horizon
         if name not in known:
             raise HorizonError("%s: there is no horizon %d; the file has %s" % (
-                file_name, horizon, ", ".join(k.split()[-1] for k in known) or "none"))
+                path, horizon, ", ".join(k.split()[-1] for k in known) or "none"))
         reader.SetHorizonStatus(name, 1)
 
 
 class Result:
     """All stages of one horizon: the data by stage ("points" are what was read), the seconds each took, and the figures
-    of the error as a table, or None. The source is what errors and progress name: the file."""
+    of the error as a table, or None; warnings as texts. The source is what errors and progress name: the file."""
 
     def __init__(self, source, horizon_id, points):
         self.source = source
@@ -93,10 +102,11 @@ class Result:
         self.data = {"points": points}
         self.seconds = {}
         self.figures = None
+        self.warnings = []
 
     def run_stage(self, name, algorithm):
         try:
-            self.seconds[name] = update(algorithm, "%s: horizon %d: %s" % (self.source, self.id, name))
+            self.seconds[name] = update(algorithm, "%s: horizon %d: %s" % (self.source, self.id, name), self.warnings)
         except HorizonError as error:  # names the horizon, but not the file
             raise HorizonError("%s: %s" % (self.source, error)) from None
 
@@ -110,13 +120,13 @@ def run(source, horizon_id, points, settings):
         result.run_stage(name, algorithm)
         data = result.data[name] = algorithm.GetOutputDataObject(0)
     if settings.error is not None:
-        _measure(result, settings.error)
+        _measure(result, settings)
     return result
 
 
-def _measure(result, properties):
+def _measure(result, settings):
     """The reference is the horizon within its outlines, as they were before they were simplified."""
-    meter = make("vtkHorizonSurfaceDistance", **properties)
+    meter = settings.make("vtkHorizonSurfaceDistance", settings.error)
     meter.SetInputDataObject(0, result.data["boundary"])
     meter.SetInputDataObject(1, result.data["mesh"])
     result.run_stage("error", meter)

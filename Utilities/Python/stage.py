@@ -15,6 +15,8 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
+from . import interrupt
+
 LONG_WORK = 1.0  # seconds after which a stage starts to report its progress
 
 
@@ -45,13 +47,14 @@ def make(class_name, **properties):
     return algorithm
 
 
-def update(algorithm, label=""):
+def update(algorithm, label="", warnings=None):
     """Runs an algorithm and returns the seconds it took. Raises HorizonError with what the algorithm says is wrong.
 
-    With a label, progress is reported on the error output when the algorithm takes long.
+    With a label, progress is reported on the error output when the algorithm takes long. With a list for warnings,
+    those go there; else VTK prints them.
     """
     start = time.monotonic()
-    with watched(algorithm, label):
+    with watched(algorithm, label, warnings):
         algorithm.Update()
         return time.monotonic() - start
 
@@ -66,39 +69,48 @@ def apply(algorithm, *inputs, **properties):
 
 
 @contextlib.contextmanager
-def watched(algorithm, label=""):
-    """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError."""
+def watched(algorithm, label="", warnings=None):
+    """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError.
+    Stops the algorithm, and raises SystemExit, when the program is to end."""
     errors = []
     progress = _Progress(label)
-
-    @calldata_type(VTK_STRING)
-    def on_error(_caller, _event, message):
-        errors.append(message)
-
+    on_error = _collect(errors)
     executive = algorithm.GetExecutive()
     # Only the algorithm says what is wrong; its executive repeats that something is.
     observers = [(algorithm, algorithm.AddObserver("ErrorEvent", on_error)),
-                 (executive, executive.AddObserver("ErrorEvent", on_error))]
-    if label:
-        observers.append((algorithm, algorithm.AddObserver("ProgressEvent", progress.report)))
+                 (executive, executive.AddObserver("ErrorEvent", on_error)),
+                 (algorithm, algorithm.AddObserver("ProgressEvent", progress.report))]
+    if warnings is not None:
+        observers.append((algorithm, algorithm.AddObserver("WarningEvent", _collect(warnings))))
     try:
         yield
     finally:
         for observed, tag in observers:
             observed.RemoveObserver(tag)
         progress.end()
+    interrupt.check()
     if errors:
-        raise HorizonError(_one_line(errors[0]))
+        raise HorizonError(errors[0])
+
+
+def _collect(messages):
+    """An observer of errors or warnings."""
+
+    @calldata_type(VTK_STRING)
+    def on_message(_caller, _event, message):
+        messages.append(_one_line(message))
+
+    return on_message
 
 
 def _one_line(message):
-    """The text of a VTK error without the place in the source that it comes from."""
+    """The text of a VTK message without the place in the source that it comes from."""
     _, _, text = message.partition("): ")
     return " ".join((text or message).split())
 
 
 class _Progress:
-    """Tells once a second how far an algorithm is."""
+    """Tells once a second how far an algorithm is, and stops it when the program is to end."""
 
     def __init__(self, label):
         self._label = label
@@ -107,7 +119,9 @@ class _Progress:
 
     def report(self, algorithm, _event):
         now = time.monotonic()
-        if now - self._last_report < LONG_WORK:
+        if interrupt.is_asked():
+            algorithm.AbortExecuteOn()
+        if not self._label or now - self._last_report < LONG_WORK:
             return
         self._last_report = now
         self._reported = True

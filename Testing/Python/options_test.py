@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of the batch program, the properties that it becomes, and what the documentation says of it.
+
+Argument: the program horizon_mesh.py.
+"""
+
+import importlib.util
+import pathlib
+import re
+import sys
+import unittest
+
+import seismichorizons as sh
+from seismichorizons import pipeline, stage
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+
+
+def load_program():
+    specification = importlib.util.spec_from_file_location("horizon_mesh", PROGRAM)
+    program = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(program)
+    return program
+
+
+class OptionsTest(unittest.TestCase):
+    def settings(self, *arguments):
+        program = load_program()
+        return program.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
+
+    def test_defaults(self):
+        """Without options every property has the default of its class."""
+        settings = self.settings("--elaborate", "--measure-error")
+        classes = {"reader": "vtkVerneySparseMatrixReader", "error": "vtkHorizonSurfaceDistance", **pipeline.STAGES}
+        for name, class_name in classes.items():
+            properties = getattr(settings, name)
+            given, usual = stage.make(class_name, **properties), stage.make(class_name)
+            for key in properties:
+                values = [getattr(algorithm, "Get" + key)() for algorithm in (given, usual)]
+                self.assertEqual(*values, "%s of %s" % (key, class_name))
+        self.assertIsNone(settings.horizons)
+
+    def test_left_out(self):
+        settings = self.settings("--skip-rough", "--horizons", "3", "1")
+        self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))
+        self.assertEqual(settings.horizons, [3, 1])
+        self.assertIsNotNone(self.settings().rough)
+        self.assertFalse(self.settings().leave_out_invalid)
+
+    def test_given(self):
+        settings = self.settings("--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
+                                 "--elaborate-cell-size", "6", "--representative", "NearestPoint")
+        self.assertEqual((settings.boundary["Radius"], settings.boundary["GrowthStrategy"]), (2, "Distance"))
+        for _, algorithm in self.settings("--leave-out-invalid").make_stages():
+            self.assertEqual(algorithm.GetInvalidHorizons(), sh.vtkHorizonStage.LeaveOut)
+        self.assertEqual(settings.rough, {"CellSize": 5, "Representative": "NearestPoint"})
+        self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
+
+    def test_documentation(self):
+        """Names no options but those that there are; what the read-me tells of names and exit codes, the help does."""
+        root = PROGRAM.parents[1]
+        help_text = " ".join(load_program().make_parser().format_help().split())
+        read_me = (root / "README.md").read_text(encoding="utf-8")
+        pages = [read_me, *(path.read_text(encoding="utf-8") for path in (root / "Documentation").glob("*.md"))]
+        lines = [line for page in pages for line in page.splitlines() if "horizon_mesh.py" in line]
+        options = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
+        self.assertIn("--measure-error", options)
+        for word in {*options, "--leave-out-invalid"}:
+            self.assertIn(word, help_text)
+        for word in ("x_horizon_1.vtp", "x_error.csv", "a_x.png", "b_x.png", "130", "143", "--leave-out-invalid"):
+            self.assertTrue(word in help_text and word in read_me, word)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["options_test"], verbosity=2)
