@@ -119,6 +119,7 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   {
     return;
   }
+  CheckWithin("samples per point", this->SamplesPerPoint, 0.01, 1000.0, "");
   CheckAtLeast("seed", this->Seed, 0, "");
   WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
   pair.MeshOutput->ShallowCopy(pair.Mesh);

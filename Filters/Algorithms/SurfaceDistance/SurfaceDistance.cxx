@@ -4,7 +4,6 @@
 #include "SurfaceDistance.h"
 
 #include "Common/FixedChunks.h"
-#include "Common/Parameters.h"
 #include "SurfaceEdges.h"
 #include "SurfaceSamples.h"
 #include "TriangleTree.h"
@@ -355,7 +354,6 @@ DistanceFigures Combine(
 SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const TriangleSurface& mesh,
   const SurfaceDistanceOptions& options, const Monitor& monitor)
 {
-  CheckWithin("samples per point", options.SamplesPerPoint, 0.01, 1000.0, "");
   CheckSurface(reference, "reference");
   CheckSurface(mesh, "mesh");
   const MeasuredSurface measuredReference(reference, monitor.Step(0.0, 0.1));
