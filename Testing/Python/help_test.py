@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The collection of help pages that the "?" button opens has a page for each proxy.
+
+Arguments: the folder of the XML files and the compiled collection (.qch, a database of SQLite).
+"""
+
+import pathlib
+import sqlite3
+import sys
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+
+def read_pages(path):
+    """The pages by name, as text."""
+    rows = sqlite3.connect(path).execute("SELECT N.Name, D.Data FROM FileNameTable N JOIN FileDataTable D "
+                                         "ON N.FileId = D.Id")
+    # Qt writes the length, in four bytes, before what it compresses.
+    return {name: zlib.decompress(data[4:]).decode() for name, data in rows if name.endswith(".html")}
+
+
+def main():
+    pages = read_pages(sys.argv[2])
+    proxies = 0
+    for path in pathlib.Path(sys.argv[1]).glob("*.xml"):
+        for group in ElementTree.parse(path).iter("ProxyGroup"):
+            for proxy in group.findall("SourceProxy"):
+                page = pages["%s.%s.html" % (group.get("name"), proxy.get("name"))]
+                assert proxy.get("label") in page, proxy.get("name")
+                assert proxy.find("Documentation").get("long_help") in page, proxy.get("name")
+                proxies += 1
+    assert proxies == len(list(pathlib.Path(sys.argv[1]).glob("*.xml"))) > 0, proxies
+    print("%d pages" % proxies)
+
+
+main()
