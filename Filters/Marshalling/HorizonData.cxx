@@ -10,6 +10,7 @@
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkFieldData.h"
@@ -220,6 +221,10 @@ LatticePoints ReadPoints(vtkPolyData* horizon)
   {
     throw InputError(std::to_string(hidden) +
       " hidden points by the array vtkGhostType, expected none: only Horizon Exterior Boundary leaves them out");
+  }
+  if (horizon->GetCellData()->HasArray(CellArray::CellSize))
+  {
+    throw InputError("the cells of a simplification, as ShowCells gives them to look at, expected its points");
   }
   LatticePoints points;
   points.Grid = ReadLattice(horizon);

@@ -9,6 +9,7 @@
 #include "vtkHorizonElaborateSimplification.h"
 #include "vtkHorizonExteriorBoundary.h"
 #include "vtkHorizonRoughSimplification.h"
+#include "vtkHorizonTriangulation.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -148,6 +149,12 @@ void TestShowCells()
   }
   std::sort(edges.begin(), edges.end());
   CHECK_EQUAL(std::unique(edges.begin(), edges.end()) - edges.begin(), 12);
+
+  vtkNew<vtkHorizonTriangulation> mesh;
+  mesh->SetInputData(boxes);
+  HorizonFixtures::Errors errors(mesh);
+  mesh->Update();
+  CHECK(errors.FirstContains("the cells of a simplification, as ShowCells gives them to look at, expected its points"));
 
   vtkNew<vtkHorizonRoughSimplification> rough;
   rough->SetInputDataObject(Bounded(9, HorizonFixtures::UnitSurvey(), Slope));
