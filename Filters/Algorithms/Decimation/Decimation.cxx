@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Decimation.h"
+
+#include "Common/Parallel.h"
+#include "Common/Parameters.h"
+#include "MeshRefiner.h"
+#include "Selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// How many triangles a thread measures at a time.
+constexpr std::int64_t Grain = 64;
+
+std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
+{
+  std::vector<PlanePoint> columns;
+  columns.reserve(horizon.Plane.size());
+  for (const PlanePoint& place : horizon.Plane)
+  {
+    if (place.X % horizon.SubVoxelsPerColumn != 0 || place.Y % horizon.SubVoxelsPerColumn != 0)
+    {
+      throw InputError("point " + std::to_string(columns.size()) +
+        " stands beside its column, expected whole columns: horizons are decimated before points are merged");
+    }
+    columns.push_back({ place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn });
+  }
+  return columns;
+}
+
+/// What a refined mesh is as a result.
+class Collector
+{
+public:
+  Collector(const BoundedHorizon& horizon, const MeshRefiner& refiner)
+    : Horizon(horizon)
+    , Refiner(refiner)
+    , Mesh(refiner.Mesh())
+  {
+  }
+
+  Decimation Run(const Monitor& monitor)
+  {
+    this->WritePoints();
+    this->WriteTriangles();
+    this->AssignPoints(monitor);
+    this->CheckAllAssigned();
+    this->MeasureSides();
+    return std::move(this->Result);
+  }
+
+private:
+  void WritePoints()
+  {
+    Selection kept(this->Refiner.VertexMarks());
+    Reduction& points = this->Result.Points;
+    for (const PointId point : kept.Points)
+    {
+      points.Plane.push_back(this->Horizon.Plane[std::size_t(point)]);
+      points.Height.push_back(this->Horizon.Height[std::size_t(point)]);
+    }
+    points.Averaged.assign(kept.Points.size(), 0);
+    points.Boundary = this->Horizon.Boundary.Renumbered(kept.Numbers);
+    points.Source = std::move(kept.Points);
+    points.Target = std::move(kept.Numbers);
+  }
+
+  void WriteTriangles()
+  {
+    this->Result.Triangles.reserve(3 * std::size_t(this->Mesh.Size()));
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const std::size_t point = std::size_t(this->Mesh.Corner(triangle, corner));
+        this->Result.Triangles.push_back(this->Result.Points.Target[point]);
+      }
+    }
+  }
+
+  /// Measures every triangle, and gives each dropped point to a vertex.
+  void AssignPoints(const Monitor& monitor)
+  {
+    this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
+    std::vector<double> sums(this->Result.Errors.size(), 0.0);
+    ParallelFor(this->Mesh.Size(), Grain, monitor,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+        {
+          sums[std::size_t(triangle)] = this->AssignPointsOf(triangle);
+        }
+      });
+    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    this->Result.MeanError = this->Horizon.Plane.empty() ? 0.0 : sum / double(this->Horizon.Plane.size());
+    const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
+    this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
+  }
+
+  /// The sum of the errors of the points that are given to its corners.
+  double AssignPointsOf(TriangleId triangle)
+  {
+    double sum = 0.0;
+    double& largest = this->Result.Errors[std::size_t(triangle)];
+    this->Refiner.RasterOf(triangle).ForEachColumn(this->Refiner.Raised(triangle),
+      [&](PointId point, double error, const std::array<double, 3>& weights)
+      {
+        largest = std::max(largest, std::abs(error));
+        if (this->Refiner.VertexMarks()[std::size_t(point)] == 0 && this->Owns(triangle, weights))
+        {
+          const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+          this->Result.Points.Target[std::size_t(point)] = this->Result.Triangles[std::size_t(3 * triangle + nearest)];
+          sum += std::abs(error);
+        }
+      });
+    return sum;
+  }
+
+  /// Of two triangles the first one owns the columns on their common side, which is opposite to a corner without
+  /// weight.
+  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const TriangleId beyond = this->Mesh.Neighbour(triangle, corner == 2 ? 0 : corner + 1);
+      if (weights[std::size_t(corner)] == 0.0 && beyond != NoTriangle && beyond < triangle)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void CheckAllAssigned() const
+  {
+    const std::vector<PointId>& target = this->Result.Points.Target;
+    const auto outside = std::find(target.begin(), target.end(), NoPoint);
+    if (outside != target.end())
+    {
+      throw InputError("point " + std::to_string(outside - target.begin()) +
+        " lies outside the boundary of its patch, expected loops around all points");
+    }
+  }
+
+  void MeasureSides()
+  {
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+        double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
+        largest = std::max(largest, this->Refiner.MeasureSide(triangle, side).Largest);
+      }
+    }
+  }
+
+  const BoundedHorizon& Horizon;
+  const MeshRefiner& Refiner;
+  const DelaunayMesh& Mesh;
+  Decimation Result;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& options, const Monitor& monitor)
+{
+  CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
+  const std::vector<PlanePoint> columns = ToColumns(horizon);
+  MeshRefiner refiner(horizon, columns, options, monitor.Step(0.0, 0.1));
+  refiner.Run(monitor.Step(0.1, 0.9));
+  return Collector(horizon, refiner).Run(monitor.Step(0.9, 1.0));
+}
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mesh of few vertices that is nowhere farther from the horizon than a bound.
+//
+// The first mesh has the points of the loops alone. Then points are inserted where it is farthest from the horizon,
+// until it is near enough or has as many vertices as it may have (Garland and Heckbert 1995, "Fast polygonal
+// approximation of terrains and height fields"). This is done in rounds: in each, all triangles whose error is above a
+// limit get their worst point, from the largest error down, but for those that an insertion of the round has changed.
+// When none is above the limit, it falls to a part of the largest error. So all that costs time, the measuring of the
+// triangles that are new, is done by all threads at once, and the vertices are about as few as one by one.
+//
+// The mesh is at all times the constrained Delaunay triangulation of its vertices: that of Triangulation.h.
+
+#ifndef SeismicHorizonsDecimation_h
+#define SeismicHorizonsDecimation_h
+
+#include "Common/BoundedHorizon.h"
+#include "Common/Monitor.h"
+#include "Common/RawVector.h"
+#include "Common/Types.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct DecimationOptions
+{
+  /// The largest vertical distance of a point from the mesh, and of a side of the mesh from the line between two
+  /// neighbouring columns that it crosses, in lattice units: at least 0. Heights that are rounded to whole voxels are
+  /// half a voxel off; three quarters bring the mesh nearest to what was rounded.
+  double MaximumError = 0.75;
+  /// No more points than this, at least those of the loops; 0 for as many as the error takes.
+  std::size_t MaximumNumberOfPoints = 0;
+};
+
+struct Decimation
+{
+  /// The vertices: all points of loops, and the inner points that are left. A dropped point counts for the vertex of
+  /// its triangle with the largest barycentric coordinate.
+  Reduction Points;
+  /// Three vertices per triangle, counter-clockwise seen from +z on the lattice.
+  RawVector<PointId> Triangles;
+  /// For each triangle the largest vertical distance of a point inside it or on its sides.
+  std::vector<double> Errors;
+  /// Of these the largest, and the mean over all points, vertices included.
+  double LargestError = 0.0;
+  double MeanError = 0.0;
+  /// The same for sides of the mesh where they cross lines between columns: inner sides, and those of loops, which are
+  /// kept as they are whatever their error.
+  double LargestSideError = 0.0;
+  double LargestLoopError = 0.0;
+};
+
+/// The points stand on whole columns, one at most in each, inside the loops of their patch; heights are finite. Throws
+/// InputError otherwise, and when triangulating the loops does. Takes about 40 bytes per point beside the result.
+Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& options = DecimationOptions(),
+  const Monitor& monitor = Monitor());
+}
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The heights of one patch by column, and how far triangles and their sides are from them.
+
+#ifndef SeismicHorizonsHeightRaster_h
+#define SeismicHorizonsHeightRaster_h
+
+#include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
+#include "Common/Types.h"
+#include "TriangleRows.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A corner of a triangle, or an end of its sides: the column, and the height there.
+struct RaisedPoint
+{
+  PlanePoint Column;
+  double Height = 0.0;
+};
+
+using RaisedTriangle = std::array<RaisedPoint, 3>; // counter-clockwise in plan
+
+/// The largest vertical distance from the points of a patch, and the point where it is; of several the first, row by
+/// row. NoPoint where there is nothing to measure, or no distance.
+struct HeightError
+{
+  double Largest = 0.0;
+  PointId Point = NoPoint;
+};
+
+class HeightRaster
+{
+public:
+  /// For these points of a horizon, at least one. `columns` and `heights`, which are finite, are those of all its
+  /// points. Takes 12 bytes per column of the bounding box. Throws InputError when two stand in the same column.
+  HeightRaster(
+    const std::vector<PointId>& points, const std::vector<PlanePoint>& columns, const std::vector<double>& heights);
+
+  /// At the columns inside a triangle and on its sides.
+  HeightError Measure(const RaisedTriangle& triangle) const;
+
+  /// Where a side crosses the line between two neighbouring columns that both have points, its distance from the
+  /// straight line between these. Gives the nearer of the two points that is not marked, and nothing for crossings
+  /// between two marked ones.
+  HeightError MeasureSide(
+    const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
+
+  /// Calls visit(point, error, weights) for the columns with a point inside a triangle and on its sides: the triangle's
+  /// height less that of the point, and the weights of the three corners, whose sum is twice the triangle's area.
+  template <typename Visitor>
+  void ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const;
+
+private:
+  std::int64_t Place(std::int64_t x, std::int64_t y) const
+  {
+    return (y - this->Box.Least.Y) * this->Width + (x - this->Box.Least.X);
+  }
+
+  PlaneBox Box;
+  std::int64_t Width = 0;
+  std::vector<PointId> Points; // by place
+  std::vector<double> Heights; // by place; nan where there is no point
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Visitor>
+void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const
+{
+  const auto& [a, b, c] = triangle;
+  const double area = double(SignedArea(a.Column, b.Column, c.Column));
+  ForEachRow({ a.Column, b.Column, c.Column },
+    [&](std::int32_t y, std::int32_t first, std::int32_t last)
+    {
+      for (std::int32_t x = first; x <= last; ++x)
+      {
+        const std::size_t place = std::size_t(this->Place(x, y));
+        if (this->Points[place] != NoPoint)
+        {
+          const PlanePoint column{ x, y };
+          const std::array<double, 3> weights = { double(SignedArea(b.Column, c.Column, column)),
+            double(SignedArea(c.Column, a.Column, column)), double(SignedArea(a.Column, b.Column, column)) };
+          const double height = (weights[0] * a.Height + weights[1] * b.Height + weights[2] * c.Height) / area;
+          visit(this->Points[place], height - this->Heights[place], weights);
+        }
+      }
+    });
+}
+}
+
+#endif
