@@ -30,6 +30,7 @@ constexpr const char* CellSize = "CellSize";
 constexpr const char* Compactness = "Compactness";
 constexpr const char* Quality = "Quality";
 constexpr const char* Dilatation = "Dilatation";
+constexpr const char* Error = "Error";
 }
 
 namespace FieldArray
@@ -47,6 +48,9 @@ constexpr const char* TriangleCount = "TriangleCount";
 constexpr const char* BoundaryEdgeCount = "BoundaryEdgeCount";
 constexpr const char* NonDelaunayEdgeCount = "NonDelaunayEdgeCount";
 constexpr const char* SmallestAngle = "SmallestAngle";
+constexpr const char* LargestError = "LargestError";
+constexpr const char* MeanError = "MeanError";
+constexpr const char* LargestLoopError = "LargestLoopError";
 constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* MeanDistance = "MeanDistance";
 constexpr const char* RmsDistance = "RmsDistance";

@@ -28,7 +28,6 @@
 #include "vtkPolyData.h"
 
 #include <array>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -44,15 +43,6 @@ BoundedHorizon MakeHull(std::vector<PlanePoint> plane, const Lattice& grid)
   horizon.Boundary = FindConvexHull(plane);
   horizon.Plane = std::move(plane);
   return horizon;
-}
-
-void AddQuality(const char* name, const RawVector<float>& values, vtkPolyData* output)
-{
-  auto array = NewArray<vtkFloatArray>(name, output->GetNumberOfCells());
-  float* const triangles = array->GetPointer(output->GetNumberOfLines());
-  std::fill(array->GetPointer(0), triangles, std::numeric_limits<float>::quiet_NaN());
-  std::copy(values.begin(), values.end(), triangles);
-  output->GetCellData()->AddArray(array);
 }
 
 /// The voxels as squares at the height of the horizon's first point.
@@ -134,8 +124,8 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& 
   output->SetLines(MakePolylines(horizon.Boundary));
   output->SetPolys(MakeTriangles(mesh.Triangles));
   mesh.Triangles = RawVector<PointId>();
-  AddQuality(CellArray::Compactness, quality.Compactness, output);
-  AddQuality(CellArray::Quality, quality.Shape, output);
+  AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, output);
+  AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkIdTypeArray>(figures, FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges));

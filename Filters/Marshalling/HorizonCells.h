@@ -9,8 +9,14 @@
 #include "Common/Lattice.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
+#include "Common/VTK/DataArrays.h"
 
+#include "vtkCellData.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <limits>
 
 class vtkCellArray;
 
@@ -19,6 +25,17 @@ namespace SeismicHorizons
 /// One closed polyline for each loop: its last point is its first one again.
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
 vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
+
+/// Adds an array with a value for each triangle of a mesh, whose polylines come first and have nan.
+template <typename Array, typename Values>
+void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
+{
+  auto array = NewArray<Array>(name, mesh->GetNumberOfCells());
+  auto* const triangles = array->GetPointer(mesh->GetNumberOfLines());
+  std::fill(array->GetPointer(0), triangles, std::numeric_limits<typename Array::ValueType>::quiet_NaN());
+  std::copy(values.begin(), values.end(), triangles);
+  mesh->GetCellData()->AddArray(array);
+}
 
 /// Turns triangles that are counter-clockwise on a lattice so that they are in the world.
 void FaceUp(const Lattice& grid, RawVector<PointId>& triangles);

@@ -220,7 +220,7 @@ double HeightOf(int kind, const PlanePoint& column, Patches::Random& random)
 void TestRandomPatches()
 {
   Patches::Random random(41);
-  for (int n = 0; n < 400; ++n)
+  for (int n = 0; n < 10000; ++n)
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
     std::vector<double> heights;

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonDecimation.h"
+
+#include "Common/DataModel.h"
+#include "Common/Parameters.h"
+#include "Common/PlaneGeometry.h"
+#include "Common/VTK/DataArrays.h"
+#include "Decimation/Decimation.h"
+#include "Marshalling/HorizonCells.h"
+#include "Marshalling/HorizonData.h"
+#include "Marshalling/HorizonPoints.h"
+#include "Marshalling/ReducedHorizon.h"
+#include "Triangulation/TriangleQuality.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+std::size_t CountLoopPoints(const BoundedHorizon& horizon)
+{
+  std::vector<unsigned char> marks(horizon.Plane.size(), 0);
+  horizon.Boundary.ForEachPoint([&marks](PointId point) { marks[std::size_t(point)] = 1; });
+  return std::size_t(std::count(marks.begin(), marks.end(), 1));
+}
+
+void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
+{
+  const TriangleQuality quality = MeasureQuality(decimation.Points.Plane, decimation.Triangles);
+  FaceUp(grid, decimation.Triangles);
+  output->SetVerts(nullptr);
+  output->SetPolys(MakeTriangles(decimation.Triangles));
+  AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, output);
+  AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, output);
+  AddTriangleArray<vtkDoubleArray>(CellArray::Error, decimation.Errors, output);
+  vtkFieldData* const figures = output->GetFieldData();
+  AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, decimation.LargestError);
+  AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, decimation.MeanError);
+  AddValue<vtkDoubleArray>(figures, FieldArray::LargestLoopError, decimation.LargestLoopError);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
+  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, quality.SmallestAngle);
+}
+}
+
+vtkStandardNewMacro(vtkHorizonDecimation);
+
+//------------------------------------------------------------------------------
+void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const targets[] = { "LargestError", "NumberOfPoints", "Reduction" };
+  const char* const units[] = { "Lattice", "World", "Diagonal" };
+  os << indent << "Target: " << targets[this->Target] << "\n";
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "ErrorUnit: " << units[this->ErrorUnit] << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
+  os << indent << "TargetReduction: " << this->TargetReduction << "\n";
+}
+
+//------------------------------------------------------------------------------
+double vtkHorizonDecimation::FindError(const BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const
+{
+  CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
+  if (this->ErrorUnit == World)
+  {
+    const Eigen::Vector3d up(0.0, 0.0, 1.0);
+    return this->MaximumError / std::abs((grid.ToWorld(up) - grid.ToWorld(Eigen::Vector3d::Zero())).z());
+  }
+  if (this->ErrorUnit == Diagonal)
+  {
+    const PlaneBox box(horizon.Plane);
+    const auto ends = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
+    const Eigen::Vector3d diagonal(grid.ToLatticeUnits(box.Greatest.X) - grid.ToLatticeUnits(box.Least.X),
+      grid.ToLatticeUnits(box.Greatest.Y) - grid.ToLatticeUnits(box.Least.Y), *ends.second - *ends.first);
+    return this->MaximumError * diagonal.norm();
+  }
+  return this->MaximumError;
+}
+
+//------------------------------------------------------------------------------
+DecimationOptions vtkHorizonDecimation::MakeOptions(
+  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const
+{
+  DecimationOptions options;
+  options.MaximumError = 0.0;
+  if (this->Target == LargestError)
+  {
+    options.MaximumError = this->FindError(horizon, grid);
+  }
+  else if (this->Target == NumberOfPoints)
+  {
+    CheckAtLeast("maximum number of points", this->MaximumNumberOfPoints, 1, "");
+    options.MaximumNumberOfPoints = std::size_t(this->MaximumNumberOfPoints);
+  }
+  else
+  {
+    CheckWithin("target reduction", this->TargetReduction, 0.0, 1.0, " of the points");
+    const double points = std::ceil((1.0 - this->TargetReduction) * double(horizon.Plane.size()));
+    options.MaximumNumberOfPoints = std::max({ std::size_t(points), std::size_t(1), CountLoopPoints(horizon) });
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
+{
+  vtkPolyData* const output = outputs.front();
+  LatticePoints points = ReadPoints(input);
+  const SeismicHorizons::Lattice grid = points.Grid;
+  const BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
+  monitor.Progress(0.1);
+  Decimation decimation = Decimate(horizon, this->MakeOptions(horizon, grid), monitor.Step(0.1, 0.9));
+  WriteReduction(input, grid, decimation.Points, Merging::AveragesPoints, output);
+  ActivateHeight(output);
+  WriteMesh(decimation, grid, output);
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonDecimation
+ * @brief   a mesh of few triangles that is nowhere farther from the horizon than an error you choose
+ *
+ * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives, with its points on whole columns.
+ *
+ * Output: the vertices that are left, with the point arrays of the input, the boundary loops as they came, as
+ * polylines, and triangles, all facing +z in the world. Every vertex is a point of the input; PointCount says for how
+ * many points it stands. New cell data, nan for the polylines:
+ *  - Compactness, Quality (float): as vtkHorizonTriangulation
+ *  - Error (double): the largest vertical distance of a point inside a triangle, or on its sides, in lattice units
+ * New field data, one value each, in lattice units:
+ *  - LargestError, MeanError (double): vertical distances of points from the mesh; the mean is over all points
+ *  - LargestLoopError (double): the largest distance of loops, which are kept as they are, from the lines between
+ *    neighbouring columns that they cross
+ *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees)
+ *
+ * With the Target LargestError no point is farther from the mesh than that, vertically, and no inner side of the mesh
+ * is farther from the line between two neighbouring columns where it crosses that line. The mesh is the constrained
+ * Delaunay triangulation of its vertices, seen from above, which are found by greedy insertion in rounds
+ * (Decimation.h; Garland and Heckbert 1995).
+ *
+ * On several threads, with the same result on any number of them. Near linear; about 40 bytes per point beyond input
+ * and output.
+ *
+ * Errors: those of vtkHorizonTriangulation on loops; points beside their columns or outside the loops; an error that is
+ * negative or not finite; fewer points than the loops have; a reduction that is not from 0 to 1.
+ *
+ * @sa vtkHorizonBoundarySimplification vtkHorizonTriangulation vtkHorizonSurfaceDistance
+ */
+
+#ifndef vtkHorizonDecimation_h
+#define vtkHorizonDecimation_h
+
+#include "vtkHorizonAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+namespace SeismicHorizons
+{
+class Lattice;
+struct BoundedHorizon;
+struct DecimationOptions;
+}
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonDecimation : public vtkHorizonAlgorithm
+{
+public:
+  static vtkHorizonDecimation* New();
+  vtkTypeMacro(vtkHorizonDecimation, vtkHorizonAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What decides how many points are left.
+  enum Targets
+  {
+    LargestError = 0,
+    NumberOfPoints = 1,
+    Reduction = 2
+  };
+
+  ///@{
+  /**
+   * What decides how many points are left: LargestError (MaximumError), NumberOfPoints (MaximumNumberOfPoints) or
+   * Reduction (TargetReduction). Default: LargestError.
+   */
+  vtkSetClampMacro(Target, int, LargestError, Reduction);
+  vtkGetMacro(Target, int);
+  void SetTargetToLargestError() { this->SetTarget(LargestError); }
+  void SetTargetToNumberOfPoints() { this->SetTarget(NumberOfPoints); }
+  void SetTargetToReduction() { this->SetTarget(Reduction); }
+  ///@}
+
+  ///@{
+  /**
+   * The largest vertical distance of a point from the mesh, in ErrorUnit; at least 0. For horizons of whole voxels,
+   * whose heights are rounded by up to half a voxel, 0.75 brings the mesh nearest to what was rounded. Default: 0.75.
+   */
+  vtkSetMacro(MaximumError, double);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  /// The unit of MaximumError.
+  enum ErrorUnits
+  {
+    Lattice = 0,
+    World = 1,
+    Diagonal = 2
+  };
+
+  ///@{
+  /**
+   * The unit of MaximumError: Lattice (1 is one vertical index), World (that of z), or Diagonal (1 is the diagonal of
+   * the bounding box of the horizon, in lattice units). Default: Lattice.
+   */
+  vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
+  vtkGetMacro(ErrorUnit, int);
+  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
+  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
+  void SetErrorUnitToDiagonal() { this->SetErrorUnit(Diagonal); }
+  ///@}
+
+  ///@{
+  /**
+   * How many points each horizon has at most, those of its loops included, of which there can be no fewer. Default:
+   * 10000.
+   */
+  vtkSetMacro(MaximumNumberOfPoints, int);
+  vtkGetMacro(MaximumNumberOfPoints, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which part of the points of each horizon is dropped, from 0 to 1; loops are kept whatever it is. Default: 0.95.
+   */
+  vtkSetMacro(TargetReduction, double);
+  vtkGetMacro(TargetReduction, double);
+  ///@}
+
+protected:
+  vtkHorizonDecimation() = default;
+  ~vtkHorizonDecimation() override = default;
+
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonDecimation(const vtkHorizonDecimation&) = delete;
+  void operator=(const vtkHorizonDecimation&) = delete;
+
+  double FindError(const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const;
+  SeismicHorizons::DecimationOptions MakeOptions(
+    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const;
+
+  int Target = LargestError;
+  double MaximumError = 0.75;
+  int ErrorUnit = Lattice;
+  int MaximumNumberOfPoints = 10000;
+  double TargetReduction = 0.95;
+};
+
+#endif

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The filter around the decimation: targets and their units, what comes out, errors. Meshes are checked in
+// TestDecimation.
+
+#include "HorizonFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkCellData.h"
+#include "vtkHorizonBoundarySimplification.h"
+#include "vtkHorizonDecimation.h"
+#include "vtkHorizonExteriorBoundary.h"
+#include "vtkHorizonRoughSimplification.h"
+#include "vtkHorizonSurfaceDistance.h"
+#include "vtkHorizonTriangulation.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+using HorizonFixtures::Errors;
+
+double Wavy(int i, int j)
+{
+  return std::round(20.0 + 6.0 * std::sin(0.35 * i) * std::cos(0.3 * j));
+}
+
+/// A horizon of 30 by 24 columns, straightened, then decimated.
+struct Pipeline
+{
+  vtkNew<vtkHorizonExteriorBoundary> Boundary;
+  vtkNew<vtkHorizonBoundarySimplification> Straight;
+  vtkNew<vtkHorizonDecimation> Mesh;
+
+  explicit Pipeline(vtkMatrix4x4* survey)
+  {
+    this->Boundary->SetInputData(HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(30, 24), 7, survey, Wavy));
+    this->Straight->SetInputConnection(this->Boundary->GetOutputPort());
+    this->Mesh->SetInputConnection(this->Straight->GetOutputPort());
+  }
+
+  vtkPolyData* Update()
+  {
+    this->Mesh->Update();
+    return this->Mesh->GetPolyDataOutput();
+  }
+};
+
+double Figure(vtkPolyData* mesh, const char* name)
+{
+  return mesh->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+void TestOutput()
+{
+  Pipeline pipeline(HorizonFixtures::RotatedSurvey());
+  vtkPolyData* const mesh = pipeline.Update();
+  const vtkIdType triangles = mesh->GetNumberOfPolys();
+  CHECK(triangles > 50 && triangles < 700);
+  CHECK_EQUAL(mesh->GetNumberOfVerts(), 0);
+  CHECK_EQUAL(mesh->GetNumberOfLines(), 1);
+  CHECK_EQUAL(Figure(mesh, "TriangleCount"), double(triangles));
+  CHECK(Figure(mesh, "LargestError") <= 0.75 + 1e-9);
+  CHECK(Figure(mesh, "MeanError") > 0.0 && Figure(mesh, "MeanError") < Figure(mesh, "LargestError"));
+  CHECK(Figure(mesh, "SmallestAngle") > 0.0);
+  CHECK(std::isnan(mesh->GetCellData()->GetArray("Error")->GetTuple1(0)));
+  double range[2];
+  mesh->GetCellData()->GetArray("Error")->GetRange(range);
+  CHECK_EQUAL(range[1], Figure(mesh, "LargestError"));
+  CHECK_EQUAL(mesh->GetCellData()->GetArray("Quality")->GetNumberOfTuples(), triangles + 1);
+  // Every point stands for some of the input; facing up in a world with depth downwards.
+  double count = 0.0;
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    count += mesh->GetPointData()->GetArray("PointCount")->GetTuple1(point);
+  }
+  CHECK_EQUAL(count, 30.0 * 24.0);
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  mesh->GetPolys()->GetCellAtId(0, size, corners);
+  double a[3];
+  double b[3];
+  double c[3];
+  mesh->GetPoint(corners[0], a);
+  mesh->GetPoint(corners[1], b);
+  mesh->GetPoint(corners[2], c);
+  CHECK((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0);
+}
+
+/// The distance, which shares no code with the decimation, finds no vertex of the input farther away.
+void TestBoundByDistance()
+{
+  Pipeline pipeline(HorizonFixtures::UnitSurvey());
+  pipeline.Mesh->SetMaximumError(1.5);
+  vtkPolyData* const mesh = pipeline.Update();
+  vtkNew<vtkHorizonSurfaceDistance> distance;
+  distance->SetInputConnection(0, pipeline.Straight->GetOutputPort());
+  distance->SetInputData(1, mesh);
+  distance->Update();
+  double range[2];
+  vtkPolyData::SafeDownCast(distance->GetOutputDataObject(0))
+    ->GetPointData()
+    ->GetArray("VerticalDistance")
+    ->GetRange(range);
+  CHECK(range[0] >= -1.5 - 1e-9 && range[1] <= 1.5 + 1e-9);
+  CHECK(std::max(-range[0], range[1]) > 1.0);
+}
+
+void TestTargets()
+{
+  // Steps of 4 world units downwards.
+  Pipeline pipeline(HorizonFixtures::RotatedSurvey());
+  pipeline.Mesh->SetMaximumError(1.25);
+  const vtkIdType points = pipeline.Update()->GetNumberOfPoints();
+  pipeline.Mesh->SetErrorUnitToWorld();
+  pipeline.Mesh->SetMaximumError(5.0);
+  CHECK_EQUAL(pipeline.Update()->GetNumberOfPoints(), points);
+  pipeline.Mesh->SetErrorUnitToDiagonal();
+  pipeline.Mesh->SetMaximumError(1.25 / std::sqrt(29.0 * 29.0 + 23.0 * 23.0 + 12.0 * 12.0));
+  CHECK_EQUAL(pipeline.Update()->GetNumberOfPoints(), points);
+  pipeline.Mesh->SetTargetToNumberOfPoints();
+  pipeline.Mesh->SetMaximumNumberOfPoints(150);
+  CHECK_EQUAL(pipeline.Update()->GetNumberOfPoints(), 150);
+  pipeline.Mesh->SetTargetToReduction();
+  pipeline.Mesh->SetTargetReduction(0.5);
+  const vtkIdType input = pipeline.Straight->GetPolyDataOutput()->GetNumberOfPoints();
+  CHECK_EQUAL(pipeline.Update()->GetNumberOfPoints(), (input + 1) / 2);
+  // Loops are kept.
+  pipeline.Mesh->SetTargetReduction(1.0);
+  CHECK_EQUAL(
+    pipeline.Update()->GetNumberOfPoints(), pipeline.Straight->GetPolyDataOutput()->GetLines()->GetCellSize(0) - 1);
+}
+
+void CheckRefused(Pipeline& pipeline, const std::string& message)
+{
+  Errors errors(pipeline.Mesh);
+  pipeline.Mesh->Modified();
+  CHECK_EQUAL(pipeline.Update()->GetNumberOfPoints(), 0);
+  CHECK_EQUAL(errors.Count(), 1u);
+  if (!CHECK(errors.FirstContains("Horizon 7: " + message)))
+  {
+    std::cerr << "expected \"" << message << "\", found: " << errors.First();
+  }
+}
+
+void TestErrors()
+{
+  Pipeline pipeline(HorizonFixtures::UnitSurvey());
+  pipeline.Mesh->SetMaximumError(-1.0);
+  CheckRefused(pipeline, "maximum error -1, expected at least 0");
+  pipeline.Mesh->SetTargetToNumberOfPoints();
+  pipeline.Mesh->SetMaximumNumberOfPoints(0);
+  CheckRefused(pipeline, "maximum number of points 0, expected at least 1");
+  pipeline.Mesh->SetMaximumNumberOfPoints(5);
+  CheckRefused(pipeline, "maximum number of points 5, expected at least the ");
+  pipeline.Mesh->SetTargetToReduction();
+  pipeline.Mesh->SetTargetReduction(1.5);
+  CheckRefused(pipeline, "target reduction 1.5, expected 0 to 1 of the points");
+  pipeline.Mesh->SetTargetReduction(0.5);
+  vtkNew<vtkHorizonRoughSimplification> rough;
+  rough->SetInputConnection(pipeline.Straight->GetOutputPort());
+  pipeline.Mesh->SetInputConnection(rough->GetOutputPort());
+  CheckRefused(pipeline, "point ");
+}
+
+void TestPrint()
+{
+  vtkNew<vtkHorizonDecimation> mesh;
+  std::ostringstream text;
+  mesh->Print(text);
+  for (const char* const line : { "Target: LargestError", "MaximumError: 0.75", "ErrorUnit: Lattice",
+         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "InvalidHorizons: Stop" })
+  {
+    CHECK(text.str().find(line) != std::string::npos);
+  }
+}
+}
+
+int TestHorizonDecimation(int, char*[])
+{
+  TestOutput();
+  TestBoundByDistance();
+  TestTargets();
+  TestErrors();
+  TestPrint();
+  return Check::Result();
+}
