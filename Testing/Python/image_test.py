@@ -22,6 +22,7 @@ class Parameters:
         self.distance_threshold = 0.45 if changed else 0.4
         self.cell_size = 4 if changed else 3
         self.flatness_threshold = 0.0 if changed else 0.12
+        self.maximum_error = 0.9 if changed else 0.75
 
 
 def simplified_boundary(data, parameters):
@@ -54,6 +55,11 @@ def panel(scene, sample, changed):
         return pictures.Panel("", "", rough(data, own), pictures.POINTS)
     if scene == "ElaborateSimplification":
         return pictures.Panel("", "", elaborate(data, own), pictures.LEVELS)
+    if scene == "Decimation":
+        straight = apply(sh.vtkHorizonBoundarySimplification(), apply(sh.vtkHorizonExteriorBoundary(), data),
+                         DistanceThreshold=0.75, OutlineTolerance=0.75)
+        mesh = apply(sh.vtkHorizonDecimation(), straight, MaximumError=own.maximum_error)
+        return pictures.Panel("", "", mesh, pictures.MESH)
     mesh = apply(sh.vtkHorizonTriangulation(), rough(data, own))
     if scene == "SurfaceDistance":
         meter = sh.vtkHorizonSurfaceDistance()
