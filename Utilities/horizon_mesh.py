@@ -128,6 +128,10 @@ def _add_stage_options(group):
     group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=0.4, metavar="T",
                        help="an outline point closer than this to the line through its neighbours is dropped; "
                        "lattice units")
+    group.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
+                       help="decimate: few triangles, with no point farther from the mesh than this, vertically, "
+                       "in place of the simplification of the inside; also for --outline-tolerance and "
+                       "--distance-threshold, where these are not given; lattice units (default: no decimation)")
     group.add_argument("--cell-size", type=_number_at_least(int, 1), default=3, metavar="S",
                        help="side of the cells that the rough simplification merges; lattice units")
     group.add_argument("--skip-rough", action="store_true",
@@ -154,6 +158,17 @@ def _add_error_options(group):
                        help="how densely the faces are sampled: places on each surface for each point of the horizon")
 
 
+def _decimate(settings, options):
+    """One error for all stages: that of the mesh, and those of the outline that are not given."""
+    error = options.largest_error
+    usual = make_parser()
+    settings.decimation = {"MaximumError": error}
+    for name, option in (("OutlineTolerance", "outline_tolerance"), ("DistanceThreshold", "distance_threshold")):
+        if getattr(options, option) == usual.get_default(option):
+            settings.simplified[name] = error
+    settings.simplified["BoundDeviation"] = True
+
+
 def make_settings(options):
     """What the options mean for each stage."""
     from seismichorizons.pipeline import Settings
@@ -175,6 +190,8 @@ def make_settings(options):
     settings.elaborate = None if not options.elaborate else {
         "CellSize": options.elaborate_cell_size, "FlatnessThreshold": options.flatness_threshold,
         "Representative": options.representative}
+    if hasattr(options, "largest_error"):
+        _decimate(settings, options)
     settings.error = None if not options.measure_error else {
         "DistanceUnit": options.distance_unit, "SamplesPerPoint": options.samples_per_point}
     return settings
@@ -200,7 +217,10 @@ def main(arguments):
     # As long as nothing is done there is nothing to leave in order.
     signal.signal(signal.SIGINT, _end_at_once)
     signal.signal(signal.SIGTERM, _end_at_once)
-    options = make_parser().parse_args(arguments)
+    parser = make_parser()
+    options = parser.parse_args(arguments)
+    if hasattr(options, "largest_error") and (options.elaborate or options.skip_rough):
+        parser.error("--largest-error takes the place of --elaborate and --skip-rough")
     try:
         from seismichorizons import batch, interrupt
         from seismichorizons.stage import HorizonError, set_threads

@@ -123,6 +123,22 @@ class BatchTest(unittest.TestCase):
         self.assertLess(points[1], points[0])
         self.assertLess(points[2], points[3])
 
+    def test_largest_error(self):
+        """A smaller error takes more triangles, and is kept as the measure of the error sees it."""
+        triangles = []
+        for error in ("0.75", "2"):
+            done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--largest-error", error, "--measure-error")
+            mesh = read(self.output / "sample_horizon_1.vtp")
+            self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+            self.assertLessEqual(mesh.GetFieldData().GetArray("LargestError").GetValue(0), float(error) + 1e-9)
+            row = printed_row(done, "1")
+            self.assertEqual(int(row[1]), mesh_checks.array(mesh, "PointCount").sum())
+            # Outlines move sideways, too.
+            self.assertLess(float(row[-4]), 1.5 * float(error))
+            triangles.append(mesh.GetNumberOfPolys())
+        self.assertGreater(triangles[0], 2 * triangles[1])
+        self.assertIn("takes the place of", self.refused(SAMPLE, "--largest-error", "1", "--elaborate"))
+
     def test_outlines(self):
         """A larger radius takes fewer outline points, and a tolerance leaves fewer still."""
         after = []

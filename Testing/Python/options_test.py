@@ -57,6 +57,18 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(settings.rough, {"CellSize": 5, "Representative": "NearestPoint"})
         self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
 
+    def test_largest_error(self):
+        """One error for mesh and outline, where that has none of its own."""
+        settings = self.settings("--largest-error", "1.5")
+        names = [algorithm.GetClassName() for _, algorithm in settings.make_stages()]
+        self.assertEqual(names, ["vtkHorizonExteriorBoundary", "vtkHorizonBoundarySimplification",
+                                 "vtkHorizonDecimation"])
+        self.assertEqual(settings.decimation, {"MaximumError": 1.5})
+        self.assertEqual(settings.simplified, {"OutlineTolerance": 1.5, "DistanceThreshold": 1.5, "BoundDeviation": True})
+        own = self.settings("--largest-error", "1.5", "--outline-tolerance", "2")
+        self.assertEqual(own.simplified["OutlineTolerance"], 2.0)
+        self.assertIsNone(self.settings().decimation)
+
     def test_documentation(self):
         """Names no options but those that there are; what the read-me tells of names and exit codes, the help does."""
         root = PROGRAM.parents[1]

@@ -20,12 +20,15 @@ STAGES = {
     "rough": "vtkHorizonRoughSimplification",
     "elaborate": "vtkHorizonElaborateSimplification",
     "mesh": "vtkHorizonTriangulation"}
+# In place of the last three.
+DECIMATION = "vtkHorizonDecimation"
 
 
 @dataclass
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
-    defaults. None leaves a stage out. `horizons` are the IDs of those to read, None for all. A horizon that can not be
+    defaults. None leaves a stage out. With `decimation` that stage makes the mesh, in place of the simplification of the
+    inside and the triangulation. `horizons` are the IDs of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning."""
 
     reader: dict = field(default_factory=dict)
@@ -34,14 +37,19 @@ class Settings:
     rough: Optional[dict] = field(default_factory=dict)
     elaborate: Optional[dict] = None
     mesh: dict = field(default_factory=dict)
+    decimation: Optional[dict] = None
     error: Optional[dict] = None
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
 
     def make_stages(self):
         """The stages from points to mesh in their order, as (name, algorithm)."""
-        properties = [(name, getattr(self, name)) for name in STAGES]
-        return [(name, self.make(STAGES[name], given)) for name, given in properties if given is not None]
+        if self.decimation is not None:
+            kept = [(name, STAGES[name], getattr(self, name)) for name in ("boundary", "simplified")]
+            stages = kept + [("mesh", DECIMATION, self.decimation)]
+        else:
+            stages = [(name, STAGES[name], getattr(self, name)) for name in STAGES]
+        return [(name, self.make(class_name, given)) for name, class_name, given in stages if given is not None]
 
     def make(self, class_name, properties):
         """A stage, or the measure."""
