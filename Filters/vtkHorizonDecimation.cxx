@@ -69,6 +69,7 @@ void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorUnit: " << units[this->ErrorUnit] << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "TargetReduction: " << this->TargetReduction << "\n";
+  os << indent << "FitHeights: " << (this->FitHeights ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -97,6 +98,7 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
 {
   DecimationOptions options;
   options.MaximumError = 0.0;
+  options.FitHeights = this->FitHeights;
   if (this->Target == LargestError)
   {
     options.MaximumError = this->FindError(horizon, grid);

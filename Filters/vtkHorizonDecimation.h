@@ -7,8 +7,8 @@
  * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives, with its points on whole columns.
  *
  * Output: the vertices that are left, with the point arrays of the input, the boundary loops as they came, as
- * polylines, and triangles, all facing +z in the world. Every vertex is a point of the input; PointCount says for how
- * many points it stands. New cell data, nan for the polylines:
+ * polylines, and triangles, all facing +z in the world. Every vertex is in the column of a point of the input;
+ * PointCount says for how many points it stands. New cell data, nan for the polylines:
  *  - Compactness, Quality (float): as vtkHorizonTriangulation
  *  - Error (double): the largest vertical distance of a point inside a triangle, or on its sides, in lattice units
  * New field data, one value each, in lattice units:
@@ -117,6 +117,16 @@ public:
   vtkGetMacro(TargetReduction, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether heights of vertices inside are fitted to the points around them, which takes fewer vertices for the same
+   * error; attributes are then averaged. Off: every vertex is a point of the input with its attributes. Default: on.
+   */
+  vtkSetMacro(FitHeights, bool);
+  vtkGetMacro(FitHeights, bool);
+  vtkBooleanMacro(FitHeights, bool);
+  ///@}
+
 protected:
   vtkHorizonDecimation() = default;
   ~vtkHorizonDecimation() override = default;
@@ -136,6 +146,7 @@ private:
   int ErrorUnit = Lattice;
   int MaximumNumberOfPoints = 10000;
   double TargetReduction = 0.95;
+  bool FitHeights = true;
 };
 
 #endif

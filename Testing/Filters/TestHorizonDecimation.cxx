@@ -171,7 +171,7 @@ void TestPrint()
   std::ostringstream text;
   mesh->Print(text);
   for (const char* const line : { "Target: LargestError", "MaximumError: 0.75", "ErrorUnit: Lattice",
-         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "InvalidHorizons: Stop" })
+         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: On", "InvalidHorizons: Stop" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

@@ -5,6 +5,7 @@
 
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "HeightFit.h"
 #include "MeshRefiner.h"
 #include "Selection.h"
 
@@ -37,6 +38,25 @@ std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
   return columns;
 }
 
+// With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
+// error itself. What was not fitted again then needs some room: heights move less than the error.
+constexpr double ErrorBeforeFit = 1.3;
+constexpr double ReachOfFit = 0.9;
+
+void Refine(
+  const BoundedHorizon& horizon, const DecimationOptions& options, MeshRefiner& refiner, const Monitor& monitor)
+{
+  const double error = options.MaximumError;
+  if (options.FitHeights)
+  {
+    refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.6));
+    const double reach = ReachOfFit * (error > 0.0 ? error : refiner.FindLargest());
+    refiner.SetHeights(FitHeights(horizon, refiner, reach, monitor.Step(0.6, 0.7)));
+  }
+  refiner.InsertWhereFar(error, monitor.Step(options.FitHeights ? 0.7 : 0.0, 0.8));
+  refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
+}
+
 /// What a refined mesh is as a result.
 class Collector
 {
@@ -66,9 +86,9 @@ private:
     for (const PointId point : kept.Points)
     {
       points.Plane.push_back(this->Horizon.Plane[std::size_t(point)]);
-      points.Height.push_back(this->Horizon.Height[std::size_t(point)]);
+      points.Height.push_back(this->Refiner.Heights()[std::size_t(point)]);
+      points.Averaged.push_back(points.Height.back() != this->Horizon.Height[std::size_t(point)] ? 1 : 0);
     }
-    points.Averaged.assign(kept.Points.size(), 0);
     points.Boundary = this->Horizon.Boundary.Renumbered(kept.Numbers);
     points.Source = std::move(kept.Points);
     points.Target = std::move(kept.Numbers);
@@ -115,11 +135,14 @@ private:
       [&](PointId point, double error, const std::array<double, 3>& weights)
       {
         largest = std::max(largest, std::abs(error));
+        if (this->Owns(triangle, weights))
+        {
+          sum += std::abs(error);
+        }
         if (this->Refiner.VertexMarks()[std::size_t(point)] == 0 && this->Owns(triangle, weights))
         {
           const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
           this->Result.Points.Target[std::size_t(point)] = this->Result.Triangles[std::size_t(3 * triangle + nearest)];
-          sum += std::abs(error);
         }
       });
     return sum;
@@ -177,7 +200,7 @@ Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& opti
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
   const std::vector<PlanePoint> columns = ToColumns(horizon);
   MeshRefiner refiner(horizon, columns, options, monitor.Step(0.0, 0.1));
-  refiner.Run(monitor.Step(0.1, 0.9));
+  Refine(horizon, options, refiner, monitor.Step(0.1, 0.9));
   return Collector(horizon, refiner).Run(monitor.Step(0.9, 1.0));
 }
 }

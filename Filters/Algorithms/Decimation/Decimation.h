@@ -33,6 +33,9 @@ struct DecimationOptions
   double MaximumError = 0.75;
   /// No more points than this, at least those of the loops; 0 for as many as the error takes.
   std::size_t MaximumNumberOfPoints = 0;
+  /// Whether heights of inner vertices are fitted to the points around them (HeightFit.h), which takes fewer vertices;
+  /// else every vertex is a point of the horizon.
+  bool FitHeights = true;
 };
 
 struct Decimation

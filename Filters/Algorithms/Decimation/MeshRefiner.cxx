@@ -55,10 +55,10 @@ RawVector<PointId> MeshLoops(
   return triangles;
 }
 
-double FindBound(double error, const std::vector<double>& heights)
+double FindRounding(const std::vector<double>& heights)
 {
   const auto ends = std::minmax_element(heights.begin(), heights.end());
-  return heights.empty() ? error : error + UnitsOfRounding * std::max(std::abs(*ends.first), std::abs(*ends.second));
+  return heights.empty() ? 0.0 : UnitsOfRounding * std::max(std::abs(*ends.first), std::abs(*ends.second));
 }
 }
 
@@ -71,7 +71,8 @@ MeshRefiner::MeshRefiner(const BoundedHorizon& horizon, const std::vector<PlaneP
   , IsVertex(MarkLoopPoints(horizon))
   , Vertices(std::size_t(std::count(this->IsVertex.begin(), this->IsVertex.end(), 1)))
   , Triangles(columns, MeshLoops(horizon, this->IsVertex, monitor))
-  , Bound(FindBound(options.MaximumError, horizon.Height))
+  , VertexHeights(horizon.Height)
+  , Rounding(FindRounding(horizon.Height))
 {
   this->CheckNumberOfPoints();
   this->MakeRasters();
@@ -110,22 +111,16 @@ void MeshRefiner::MakeRasters()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::Run(const Monitor& monitor)
+void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
-  this->InsertWhereFar(monitor.Step(0.0, 0.9));
-  this->InsertAtSides(monitor.Step(0.9, 1.0));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertWhereFar(const Monitor& monitor)
-{
+  const double bound = error + this->Rounding;
   const auto measure = [this](TriangleId triangle) { return this->RasterOf(triangle).Measure(this->Raised(triangle)); };
   this->AddAllAsNew();
   this->MeasureNew(monitor.Step(0.0, 0.1), measure);
   const double first = this->FindLargest();
-  for (double largest = first; largest > this->Bound && !this->IsFull(); largest = this->FindLargest())
+  for (double largest = first; largest > bound && !this->IsFull(); largest = this->FindLargest())
   {
-    const double limit = std::max(this->Bound, LimitPart * largest);
+    const double limit = std::max(bound, LimitPart * largest);
     while (!this->IsFull() && this->InsertRound(this->FindAbove(limit)))
     {
       this->MeasureNew(Monitor(), measure);
@@ -136,13 +131,12 @@ void MeshRefiner::InsertWhereFar(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// With all columns near enough, points beside sides that are not.
-void MeshRefiner::InsertAtSides(const Monitor& monitor)
+void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
 {
   const auto measure = [this](TriangleId triangle) { return this->MeasureAll(triangle); };
   this->AddAllAsNew();
   this->MeasureNew(monitor, measure);
-  while (!this->IsFull() && this->InsertRound(this->FindAbove(this->Bound)))
+  while (!this->IsFull() && this->InsertRound(this->FindAbove(error + this->Rounding)))
   {
     this->MeasureNew(Monitor(), measure);
   }

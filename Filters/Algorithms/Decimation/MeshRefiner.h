@@ -13,6 +13,7 @@
 #include "HeightRaster.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -24,10 +25,17 @@ public:
   MeshRefiner(const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const DecimationOptions& options,
     const Monitor& monitor);
 
-  /// Inserts points.
-  void Run(const Monitor& monitor);
+  /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
+  void InsertWhereFar(double error, const Monitor& monitor);
+  /// The largest error of a triangle.
+  double FindLargest() const;
+  /// Then the same where inner sides of the mesh cross lines between columns.
+  void InsertAtSides(double error, const Monitor& monitor);
 
   const DelaunayMesh& Mesh() const { return this->Triangles; }
+  /// By point, for vertices of the mesh those of the mesh: at first those of their columns.
+  const std::vector<double>& Heights() const { return this->VertexHeights; }
+  void SetHeights(std::vector<double> heights) { this->VertexHeights = std::move(heights); }
   /// By point, 1 for the vertices of the mesh and all points of loops.
   const std::vector<unsigned char>& VertexMarks() const { return this->IsVertex; }
   /// The heights of the patch that a triangle belongs to.
@@ -50,7 +58,7 @@ private:
   RaisedPoint Raised(TriangleId triangle, int corner) const
   {
     const std::size_t point = std::size_t(this->Triangles.Corner(triangle, corner));
-    return { this->Columns[point], this->Horizon.Height[point] };
+    return { this->Columns[point], this->VertexHeights[point] };
   }
   bool IsFull() const
   {
@@ -59,8 +67,6 @@ private:
 
   void CheckNumberOfPoints() const;
   void MakeRasters();
-  void InsertWhereFar(const Monitor& monitor);
-  void InsertAtSides(const Monitor& monitor);
   bool InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
   void AddNew(TriangleId triangle);
@@ -69,7 +75,6 @@ private:
   void MeasureNew(const Monitor& monitor, Measure&& measure);
   HeightError MeasureAll(TriangleId triangle) const;
   std::vector<TriangleId> FindAbove(double limit) const;
-  double FindLargest() const;
 
   const BoundedHorizon& Horizon;
   const std::vector<PlanePoint>& Columns;
@@ -78,7 +83,8 @@ private:
   std::size_t Vertices;
   DelaunayMesh Triangles;
   std::vector<std::unique_ptr<HeightRaster>> Rasters; // by patch
-  double Bound; // the largest error, and what rounding may add
+  std::vector<double> VertexHeights; // by point
+  double Rounding; // how far rounding may put a triangle from a point
   std::vector<HeightError> Errors; // by triangle
   std::vector<TriangleId> New; // triangles that are still to be measured
   std::vector<unsigned char> IsNew; // by triangle

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HeightFit.h"
+
+#include "Common/Parallel.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// The power of each step.
+constexpr std::array<int, 4> Powers = { 3, 3, 4, 4 };
+
+// The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
+constexpr double LeastError = 1e-2;
+
+// Heights need not be exact, as each step goes a part of the way.
+constexpr double Precision = 1e-3;
+constexpr int MostIterations = 100;
+
+constexpr std::int64_t Grain = 64;
+
+/// The part of one triangle in the equations: what its corners weigh together, and with the errors of its points.
+struct Element
+{
+  Eigen::Matrix3d Matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d Right = Eigen::Vector3d::Zero();
+};
+
+class HeightFitter
+{
+public:
+  HeightFitter(const BoundedHorizon& horizon, const MeshRefiner& refiner, double reach)
+    : Horizon(horizon)
+    , Refiner(refiner)
+    , Mesh(refiner.Mesh())
+    , Reach(reach)
+    , Heights(refiner.Heights())
+    , Unknown(horizon.Plane.size(), -1)
+  {
+    std::vector<unsigned char> isFree = refiner.VertexMarks();
+    horizon.Boundary.ForEachPoint([&isFree](PointId point) { isFree[std::size_t(point)] = 0; });
+    for (std::size_t point = 0; point < isFree.size(); ++point)
+    {
+      if (isFree[point] != 0)
+      {
+        this->Unknown[point] = int(this->Free.size());
+        this->Free.push_back(PointId(point));
+      }
+    }
+  }
+
+  std::vector<double> Run(const Monitor& monitor)
+  {
+    for (std::size_t step = 0; step < Powers.size() && !this->Free.empty(); ++step)
+    {
+      monitor.Progress(double(step) / double(Powers.size()));
+      this->Improve(Powers[step]);
+    }
+    return std::move(this->Heights);
+  }
+
+private:
+  /// Solves for how far heights have to move, and moves them a part of it.
+  void Improve(int power)
+  {
+    const auto unknowns = Eigen::Index(this->Free.size());
+    Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+    this->Assemble(this->MakeElements(power), matrix, right);
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+    solver.setTolerance(Precision);
+    solver.setMaxIterations(MostIterations);
+    const Eigen::VectorXd moves = solver.compute(matrix).solve(right) / double(power - 1);
+    for (Eigen::Index n = 0; n < unknowns; ++n)
+    {
+      const std::size_t point = std::size_t(this->Free[std::size_t(n)]);
+      const double column = this->Horizon.Height[point];
+      this->Heights[point] = std::clamp(this->Heights[point] + moves[n], column - this->Reach, column + this->Reach);
+    }
+  }
+
+  std::vector<Element> MakeElements(int power) const
+  {
+    std::vector<Element> elements(std::size_t(this->Mesh.Size()));
+    ParallelFor(this->Mesh.Size(), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+        {
+          elements[std::size_t(triangle)] = this->MakeElement(triangle, power);
+        }
+      });
+    return elements;
+  }
+
+  /// Points on sides count for both triangles.
+  Element MakeElement(TriangleId triangle, int power) const
+  {
+    RaisedTriangle raised = this->Refiner.Raised(triangle);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      raised[std::size_t(corner)].Height = this->Heights[std::size_t(this->Mesh.Corner(triangle, corner))];
+    }
+    Element element;
+    this->Refiner.RasterOf(triangle).ForEachColumn(raised,
+      [&](PointId, double error, const std::array<double, 3>& weights)
+      {
+        const Eigen::Vector3d parts =
+          Eigen::Map<const Eigen::Vector3d>(weights.data()) / (weights[0] + weights[1] + weights[2]);
+        const double weight = std::pow(std::max(std::abs(error), LeastError * this->Reach), power - 2);
+        element.Matrix += weight * parts * parts.transpose();
+        element.Right -= weight * error * parts;
+      });
+    return element;
+  }
+
+  void Assemble(const std::vector<Element>& elements, Eigen::SparseMatrix<double>& matrix, Eigen::VectorXd& right) const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(9 * elements.size());
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      const Element& element = elements[std::size_t(triangle)];
+      for (int row = 0; row < 3; ++row)
+      {
+        const int unknown = this->UnknownAt(triangle, row);
+        if (unknown >= 0)
+        {
+          right[unknown] += element.Right[row];
+        }
+        for (int column = 0; column < 3 && unknown >= 0; ++column)
+        {
+          const int other = this->UnknownAt(triangle, column);
+          if (other >= 0)
+          {
+            entries.emplace_back(unknown, other, element.Matrix(row, column));
+          }
+        }
+      }
+    }
+    matrix.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  /// The number of a corner among those that can move, or -1.
+  int UnknownAt(TriangleId triangle, int corner) const
+  {
+    return this->Unknown[std::size_t(this->Mesh.Corner(triangle, corner))];
+  }
+
+  const BoundedHorizon& Horizon;
+  const MeshRefiner& Refiner;
+  const DelaunayMesh& Mesh;
+  const double Reach;
+  std::vector<double> Heights; // by point
+  std::vector<int> Unknown; // by point
+  std::vector<PointId> Free; // the points whose heights can move
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<double> FitHeights(
+  const BoundedHorizon& horizon, const MeshRefiner& refiner, double reach, const Monitor& monitor)
+{
+  return HeightFitter(horizon, refiner, reach).Run(monitor);
+}
+}

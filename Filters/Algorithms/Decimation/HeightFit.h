@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Heights of the vertices of a mesh for which it is nearer to the horizon than with those of their columns.
+//
+// The sum of the p-th powers of all errors is made small, p being 3 and then 4: squares would let the largest errors
+// grow. Each step is one of least squares, in which a point weighs as much as the (p - 2)-th power of its error so far
+// (iteratively reweighted least squares; Lawson 1961), and goes a (p - 1)-th part of the way.
+
+#ifndef SeismicHorizonsHeightFit_h
+#define SeismicHorizonsHeightFit_h
+
+#include "Common/Monitor.h"
+#include "MeshRefiner.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// By point, the heights of the vertices of the mesh; those on loops stay, and no other moves farther than `reach` from
+/// that of its column. All other points keep their heights.
+std::vector<double> FitHeights(
+  const BoundedHorizon& horizon, const MeshRefiner& refiner, double reach, const Monitor& monitor);
+}
+
+#endif
