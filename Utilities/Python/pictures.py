@@ -47,7 +47,11 @@ EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
 TEXT_COLOR = (0.13, 0.16, 0.20)
-OUTLINE_OFFSET = -800.0  # steps of the depth buffer
+# How far lines are brought before the surface they lie on, in steps of the depth buffer. A hundred are a few pixels of
+# a slope of 45 degrees. (VTK can also take the slope into account, but knows it only roughly where it draws lines:
+# edges have gaps then, and not the same ones in all versions.)
+EDGE_OFFSET = -100.0
+OUTLINE_OFFSET = -800.0  # before the edges as well
 
 
 def draw(rows, text=True, panel_size=PANEL_SIZE):
@@ -331,15 +335,15 @@ def _outline(horizon, dots=False):
         actors.append(dot_actor)
     for actor in actors:
         actor.GetProperty().LightingOff()
-        _bring_forward(actor.GetMapper())
+        _bring_forward(actor.GetMapper(), OUTLINE_OFFSET)
     return actors
 
 
-def _bring_forward(mapper):
+def _bring_forward(mapper, offset):
     """Before what lies at the same place, but still behind what is clearly nearer."""
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, OUTLINE_OFFSET)
-    mapper.SetRelativeCoincidentTopologyPointOffsetParameter(OUTLINE_OFFSET)
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, offset)
+    mapper.SetRelativeCoincidentTopologyPointOffsetParameter(offset)
 
 
 def _vertices(cells):
@@ -379,7 +383,5 @@ def _mesh(frame, horizon, by_distance=False):
     edges.GetProperty().SetColor(0.05, 0.07, 0.10)
     edges.GetProperty().LightingOff()
     edges.GetProperty().SetOpacity(max(0.05, min(0.4, 1500.0 / max(1, triangles.GetNumberOfCells()))))
-    mapper = edges.GetMapper()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -2.0)
+    _bring_forward(edges.GetMapper(), EDGE_OFFSET)
     return [shaded, edges, *_outline(horizon)]
