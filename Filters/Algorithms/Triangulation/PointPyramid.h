@@ -30,12 +30,12 @@ public:
   /// Keeps a reference.
   explicit PointPyramid(const SearchGrid& points);
 
-  /// Calls visit(point) for the points in boxes for which mayHold(box) is true, those with a small rank(box) first.
+  /// Calls visit(point) for the points in boxes for which mayHold(box) is true, those with a small distance(box) first.
   /// Both are called when the search reaches a box, so that mayHold can depend on the points that were visited so far.
-  template <typename MayHold, typename Rank, typename Visitor>
-  void Visit(MayHold&& mayHold, Rank&& rank, Visitor&& visit) const
+  template <typename MayHold, typename Distance, typename Visitor>
+  void Visit(MayHold&& mayHold, Distance&& distance, Visitor&& visit) const
   {
-    this->VisitSquare({ this->Levels.size() - 1, 0, 0 }, mayHold, rank, visit);
+    this->VisitSquare({ this->Levels.size() - 1, 0, 0 }, mayHold, distance, visit);
   }
 
 private:
@@ -65,10 +65,11 @@ private:
   void MakeLowest();
   void MakeNext();
 
-  template <typename MayHold, typename Rank, typename Visitor>
-  void VisitSquare(const Square& square, MayHold& mayHold, Rank& rank, Visitor& visit) const
+  template <typename MayHold, typename Distance, typename Visitor>
+  void VisitSquare(const Square& square, MayHold& mayHold, Distance& distance, Visitor& visit) const
   {
-    if (!mayHold(this->BoxOf(square)))
+    const PlaneBox& box = this->BoxOf(square);
+    if (box.IsEmpty() || !mayHold(box))
     {
       return;
     }
@@ -78,29 +79,25 @@ private:
       return;
     }
     const Level& below = this->Levels[square.Level - 1];
-    std::array<std::pair<double, Square>, 4> parts; // by rank
+    std::array<std::pair<double, Square>, 4> parts; // from near to far
     std::size_t count = 0;
     for (std::int64_t y = 2 * square.Y; y < std::min(2 * square.Y + 2, below.SizeY); ++y)
     {
       for (std::int64_t x = 2 * square.X; x < std::min(2 * square.X + 2, below.SizeX); ++x)
       {
         const Square part{ square.Level - 1, x, y };
-        if (this->BoxOf(part).IsEmpty())
-        {
-          continue;
-        }
-        const double partRank = rank(this->BoxOf(part));
+        const double partDistance = distance(this->BoxOf(part));
         std::size_t n = count++;
-        for (; n > 0 && parts[n - 1].first > partRank; --n)
+        for (; n > 0 && parts[n - 1].first > partDistance; --n)
         {
           parts[n] = parts[n - 1];
         }
-        parts[n] = { partRank, part };
+        parts[n] = { partDistance, part };
       }
     }
     for (std::size_t n = 0; n < count; ++n)
     {
-      this->VisitSquare(parts[n].second, mayHold, rank, visit);
+      this->VisitSquare(parts[n].second, mayHold, distance, visit);
     }
   }
 

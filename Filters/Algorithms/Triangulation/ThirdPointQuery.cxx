@@ -5,8 +5,6 @@
 
 #include "Common/Predicates.h"
 
-#include <limits>
-
 namespace SeismicHorizons
 {
 namespace
@@ -52,15 +50,6 @@ void ThirdPointQuery::Take(PointId point, std::int64_t area)
 double ThirdPointQuery::CotangentOf(const PlanePoint& place, std::int64_t area) const
 {
   return double(ScalarProduct(place, this->A, this->B)) / double(area);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double ThirdPointQuery::CotangentOfMiddle(const PlaneBox& box) const
-{
-  const PlanePoint middle{ box.Least.X + (box.Greatest.X - box.Least.X) / 2,
-    box.Least.Y + (box.Greatest.Y - box.Least.Y) / 2 };
-  const std::int64_t area = SignedArea(this->A, this->B, middle);
-  return area > 0 ? this->CotangentOf(middle, area) : std::numeric_limits<double>::infinity();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -69,9 +69,6 @@ struct ThirdPointQuery
   /// Takes a point to the left of the edge as the best; `area` is twice that of its triangle with the edge.
   void Take(PointId point, std::int64_t area);
 
-  /// The cotangent of the angle at which the middle of a box sees the edge; infinite where it is not to the left.
-  double CotangentOfMiddle(const PlaneBox& box) const;
-
   /// Whether the segment from the middle of the edge to a point crosses no boundary edge.
   bool IsVisible(PointId point) const;
 

@@ -196,8 +196,7 @@ void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox
 
 //----------------------------------------------------------------------------------------------------------------------
 // A box can hold a better point when a corner of it is to the left of the edge, and it reaches into the circle of the
-// best one. Every better point makes that circle smaller, which is why the boxes come first whose middle would be the
-// best point.
+// best one. Every better point makes that circle smaller, which is why near boxes come first.
 void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
 {
   if (!this->Pyramid)
@@ -205,6 +204,7 @@ void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
     this->Pyramid = std::make_unique<PointPyramid>(this->Points);
   }
   std::optional<EdgeCircle> circle;
+  const SegmentEnd middle = query.Middle();
   const auto isLeft = [&](std::int32_t x, std::int32_t y) { return SignedArea(query.A, query.B, { x, y }) > 0; };
   const auto mayHold = [&](const PlaneBox& box)
   {
@@ -213,7 +213,7 @@ void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
       (!circle || circle->MayReach(box));
   };
   this->Pyramid->Visit(
-    mayHold, [&](const PlaneBox& box) { return query.CotangentOfMiddle(box); },
+    mayHold, [&](const PlaneBox& box) { return SquaredDistanceToBox(middle, box); },
     [&](PointId point)
     {
       const PointId before = query.Best;
