@@ -181,8 +181,11 @@ private:
       for (int side = 0; side < 3; ++side)
       {
         const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-        double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
-        largest = std::max(largest, this->Refiner.MeasureSide(triangle, side).Largest);
+        if (beyond == NoTriangle || beyond > triangle) // each side once
+        {
+          double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
+          largest = std::max(largest, this->Refiner.MeasureSide(triangle, side).Largest);
+        }
       }
     }
   }

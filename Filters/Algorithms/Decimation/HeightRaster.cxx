@@ -16,6 +16,8 @@ namespace
 /// A row of columns, and a straight line over it.
 struct Row
 {
+  using Four = Eigen::Array4d;
+
   const double* Heights; // nan where there is no point
   std::int32_t Size;
   double Start; // the height of the line at the first column
@@ -26,28 +28,31 @@ struct Row
   /// The larger of two, and the first where the second is nan.
   static double Larger(double a, double b) { return a < b ? b : a; }
 
-  /// Vertically, at any column with a point; 0 when there is none. Four columns at a time.
+  /// Vertically, at any column with a point; 0 when there is none. Four columns at a time, some of the last ones twice.
   double LargestDistance() const
   {
-    using Four = Eigen::Array4d;
-    std::int32_t n = 0;
-    double largest = 0.0;
-    if (this->Size >= 4)
+    if (this->Size < 4)
     {
-      // Eigen's maximum is that of std::max: nan on the right is never larger.
-      Four most = Four::Zero();
-      Four columns(0.0, 1.0, 2.0, 3.0);
-      for (; n + 4 <= this->Size; n += 4, columns += 4.0)
+      double largest = 0.0;
+      for (std::int32_t n = 0; n < this->Size; ++n)
       {
-        most = most.max((this->Start + columns * this->Slope - Eigen::Map<const Four>(this->Heights + n)).abs());
+        largest = Larger(largest, this->Distance(n));
       }
-      largest = Larger(Larger(most[0], most[1]), Larger(most[2], most[3]));
+      return largest;
     }
-    for (; n < this->Size; ++n)
+    // Eigen's maximum is that of std::max: nan on the right is never larger.
+    Four most = Four::Zero().max(this->DistancesFrom(this->Size - 4));
+    for (std::int32_t n = 0; n + 4 < this->Size; n += 4)
     {
-      largest = Larger(largest, this->Distance(n));
+      most = most.max(this->DistancesFrom(n));
     }
-    return largest;
+    return Larger(Larger(most[0], most[1]), Larger(most[2], most[3]));
+  }
+
+  Four DistancesFrom(std::int32_t n) const
+  {
+    const Four columns = Four(0.0, 1.0, 2.0, 3.0) + double(n);
+    return (this->Start + columns * this->Slope - Eigen::Map<const Four>(this->Heights + n)).abs();
   }
 
   /// The first column at that distance.

@@ -75,20 +75,28 @@ template <typename Visitor>
 void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const
 {
   const auto& [a, b, c] = triangle;
-  const double area = double(SignedArea(a.Column, b.Column, c.Column));
+  const double perArea = 1.0 / double(SignedArea(a.Column, b.Column, c.Column));
+  // By how much weights change from column to column. They are whole numbers: sums are exact.
+  const std::array<double, 3> steps = { double(b.Column.Y) - c.Column.Y, double(c.Column.Y) - a.Column.Y,
+    double(a.Column.Y) - b.Column.Y };
   ForEachRow({ a.Column, b.Column, c.Column },
     [&](std::int32_t y, std::int32_t first, std::int32_t last)
     {
-      for (std::int32_t x = first; x <= last; ++x)
+      const PlanePoint start{ first, y };
+      std::array<double, 3> weights = { double(SignedArea(b.Column, c.Column, start)),
+        double(SignedArea(c.Column, a.Column, start)), double(SignedArea(a.Column, b.Column, start)) };
+      const std::int64_t end = this->Place(last, y);
+      for (std::int64_t place = this->Place(first, y); place <= end; ++place)
       {
-        const std::size_t place = std::size_t(this->Place(x, y));
-        if (this->Points[place] != NoPoint)
+        const PointId point = this->Points[std::size_t(place)];
+        if (point != NoPoint)
         {
-          const PlanePoint column{ x, y };
-          const std::array<double, 3> weights = { double(SignedArea(b.Column, c.Column, column)),
-            double(SignedArea(c.Column, a.Column, column)), double(SignedArea(a.Column, b.Column, column)) };
-          const double height = (weights[0] * a.Height + weights[1] * b.Height + weights[2] * c.Height) / area;
-          visit(this->Points[place], height - this->Heights[place], weights);
+          const double height = (weights[0] * a.Height + weights[1] * b.Height + weights[2] * c.Height) * perArea;
+          visit(point, height - this->Heights[std::size_t(place)], weights);
+        }
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+          weights[corner] += steps[corner];
         }
       }
     });

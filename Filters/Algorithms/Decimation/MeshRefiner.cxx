@@ -133,6 +133,10 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
 {
+  if (this->IsFull())
+  {
+    return;
+  }
   const auto measure = [this](TriangleId triangle) { return this->MeasureAll(triangle); };
   this->AddAllAsNew();
   this->MeasureNew(monitor, measure);
