@@ -16,7 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The power of each step.
+// The power of each step: 3 or 4.
 constexpr std::array<int, 4> Powers = { 3, 3, 4, 4 };
 
 // The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
@@ -110,15 +110,17 @@ private:
     {
       raised[std::size_t(corner)].Height = this->Heights[std::size_t(this->Mesh.Corner(triangle, corner))];
     }
+    const double perArea = 1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column));
     Element element;
     this->Refiner.RasterOf(triangle).ForEachColumn(raised,
       [&](PointId, double error, const std::array<double, 3>& weights)
       {
-        const Eigen::Vector3d parts =
-          Eigen::Map<const Eigen::Vector3d>(weights.data()) / (weights[0] + weights[1] + weights[2]);
-        const double weight = std::pow(std::max(std::abs(error), LeastError * this->Reach), power - 2);
-        element.Matrix += weight * parts * parts.transpose();
-        element.Right -= weight * error * parts;
+        const Eigen::Vector3d parts = perArea * Eigen::Map<const Eigen::Vector3d>(weights.data());
+        const double size = std::max(std::abs(error), LeastError * this->Reach);
+        const double weight = power == 3 ? size : size * size;
+        const Eigen::Vector3d weighted = weight * parts;
+        element.Matrix += weighted * parts.transpose();
+        element.Right -= error * weighted;
       });
     return element;
   }
