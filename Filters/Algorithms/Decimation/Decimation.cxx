@@ -43,17 +43,37 @@ std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
 constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
 
+void RefineToError(const BoundedHorizon& horizon, double error, MeshRefiner& refiner, const Monitor& monitor)
+{
+  refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.8));
+  refiner.SetHeights(FitHeights(horizon, refiner, FitTarget::LargestError, ReachOfFit * error, monitor.Step(0.8, 1.0)));
+}
+
+/// Heights that are whole numbers can fit best as they are: many points then lie right on the mesh.
+void RefineToNumber(const BoundedHorizon& horizon, MeshRefiner& refiner, const Monitor& monitor)
+{
+  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.8));
+  const double before = refiner.SumOfErrors();
+  refiner.SetHeights(FitHeights(horizon, refiner, FitTarget::MeanError, refiner.FindLargest(), monitor.Step(0.8, 1.0)));
+  if (refiner.SumOfErrors() > before)
+  {
+    refiner.SetHeights(horizon.Height);
+  }
+}
+
 void Refine(
   const BoundedHorizon& horizon, const DecimationOptions& options, MeshRefiner& refiner, const Monitor& monitor)
 {
   const double error = options.MaximumError;
-  if (options.FitHeights)
+  if (options.FitHeights && error > 0.0)
   {
-    refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.6));
-    const double reach = ReachOfFit * (error > 0.0 ? error : refiner.FindLargest());
-    refiner.SetHeights(FitHeights(horizon, refiner, reach, monitor.Step(0.6, 0.7)));
+    RefineToError(horizon, error, refiner, monitor.Step(0.0, 0.6));
   }
-  refiner.InsertWhereFar(error, monitor.Step(options.FitHeights ? 0.7 : 0.0, 0.8));
+  else if (options.FitHeights)
+  {
+    RefineToNumber(horizon, refiner, monitor.Step(0.0, 0.6));
+  }
+  refiner.InsertWhereFar(error, monitor.Step(options.FitHeights ? 0.6 : 0.0, 0.8));
   refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
 }
 

@@ -11,13 +11,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// The power of each step: 3 or 4.
-constexpr std::array<int, 4> Powers = { 3, 3, 4, 4 };
+/// The power of each step: 2 to 4.
+std::vector<int> Powers(FitTarget target)
+{
+  return target == FitTarget::MeanError ? std::vector<int>{ 2 } : std::vector<int>{ 3, 3, 4, 4 };
+}
 
 // The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
 constexpr double LeastError = 1e-2;
@@ -58,12 +62,12 @@ public:
     }
   }
 
-  std::vector<double> Run(const Monitor& monitor)
+  std::vector<double> Run(const std::vector<int>& powers, const Monitor& monitor)
   {
-    for (std::size_t step = 0; step < Powers.size() && !this->Free.empty(); ++step)
+    for (std::size_t step = 0; step < powers.size() && !this->Free.empty(); ++step)
     {
-      monitor.Progress(double(step) / double(Powers.size()));
-      this->Improve(Powers[step]);
+      monitor.Progress(double(step) / double(powers.size()));
+      this->Improve(powers[step]);
     }
     return std::move(this->Heights);
   }
@@ -117,7 +121,7 @@ private:
       {
         const Eigen::Vector3d parts = perArea * Eigen::Map<const Eigen::Vector3d>(weights.data());
         const double size = std::max(std::abs(error), LeastError * this->Reach);
-        const double weight = power == 3 ? size : size * size;
+        const double weight = power == 2 ? 1.0 : power == 3 ? size : size * size;
         const Eigen::Vector3d weighted = weight * parts;
         element.Matrix += weighted * parts.transpose();
         element.Right -= error * weighted;
@@ -170,8 +174,8 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<double> FitHeights(
-  const BoundedHorizon& horizon, const MeshRefiner& refiner, double reach, const Monitor& monitor)
+  const BoundedHorizon& horizon, const MeshRefiner& refiner, FitTarget target, double reach, const Monitor& monitor)
 {
-  return HeightFitter(horizon, refiner, reach).Run(monitor);
+  return HeightFitter(horizon, refiner, reach).Run(Powers(target), monitor);
 }
 }

@@ -3,9 +3,10 @@
 //
 // Heights of the vertices of a mesh for which it is nearer to the horizon than with those of their columns.
 //
-// The sum of the p-th powers of all errors is made small, p being 3 and then 4: squares would let the largest errors
-// grow. Each step is one of least squares, in which a point weighs as much as the (p - 2)-th power of its error so far
-// (iteratively reweighted least squares; Lawson 1961), and goes a (p - 1)-th part of the way.
+// For a small mean error the sum of the squares of all errors is made least. For a small largest error the sum of their
+// p-th powers is made small, p being 3 and then 4. Each step is one of least squares, in which a point weighs as much
+// as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and goes a (p -
+// 1)-th part of the way.
 
 #ifndef SeismicHorizonsHeightFit_h
 #define SeismicHorizonsHeightFit_h
@@ -17,10 +18,17 @@
 
 namespace SeismicHorizons
 {
+/// Which error is made small.
+enum class FitTarget
+{
+  MeanError,
+  LargestError
+};
+
 /// By point, the heights of the vertices of the mesh; those on loops stay, and no other moves farther than `reach` from
 /// that of its column. All other points keep their heights.
 std::vector<double> FitHeights(
-  const BoundedHorizon& horizon, const MeshRefiner& refiner, double reach, const Monitor& monitor);
+  const BoundedHorizon& horizon, const MeshRefiner& refiner, FitTarget target, double reach, const Monitor& monitor);
 }
 
 #endif

@@ -262,4 +262,19 @@ double MeshRefiner::FindLargest() const
   }
   return largest;
 }
+//----------------------------------------------------------------------------------------------------------------------
+double MeshRefiner::SumOfErrors() const
+{
+  std::vector<double> sums(std::size_t(this->Triangles.Size()), 0.0);
+  ParallelFor(this->Triangles.Size(), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+      {
+        this->RasterOf(triangle).ForEachColumn(this->Raised(triangle),
+          [&](PointId, double error, const std::array<double, 3>&) { sums[std::size_t(triangle)] += std::abs(error); });
+      }
+    });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
 }

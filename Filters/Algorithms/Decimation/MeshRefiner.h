@@ -27,8 +27,10 @@ public:
 
   /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
   void InsertWhereFar(double error, const Monitor& monitor);
-  /// The largest error of a triangle.
+  /// The largest error of a triangle when it was made, and the sum of all errors of points, with the heights as they
+  /// are; points on sides count twice.
   double FindLargest() const;
+  double SumOfErrors() const;
   /// Then the same where inner sides of the mesh cross lines between columns.
   void InsertAtSides(double error, const Monitor& monitor);
 
