@@ -14,6 +14,9 @@ namespace
 {
 constexpr int MostSteps = 100;
 
+// The side of a triangle that is opposite to its third corner.
+constexpr int Opposite = 0;
+
 constexpr int Next(int corner)
 {
   return corner == 2 ? 0 : corner + 1;
@@ -121,10 +124,10 @@ const std::vector<TriangleId>& DelaunayMesh::Insert(PointId point, TriangleId tr
   {
     // The triangle between the side and the point has no area. Its third corner is the point.
     const TriangleId flat = this->Changed[std::size_t(onSide)];
-    this->Changed.push_back(this->Neighbour(flat, 0));
-    this->Flip(flat, 0);
+    this->Changed.push_back(this->Neighbour(flat, Opposite));
+    this->Flip(flat, Opposite);
   }
-  this->Legalize(point);
+  this->Legalize();
   return this->Changed;
 }
 
@@ -198,26 +201,18 @@ bool DelaunayMesh::MustFlip(TriangleId triangle, int side) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int DelaunayMesh::CornerOf(TriangleId triangle, PointId point) const
-{
-  const auto& corners = this->Triangles[std::size_t(triangle)].Corners;
-  return corners[0] == point ? 0 : corners[1] == point ? 1 : 2;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// Flips the sides opposite to the point until all triangles around it are Delaunay.
-void DelaunayMesh::Legalize(PointId point)
+/// Flips the sides opposite to the point until all triangles around it are Delaunay. It is the third corner of all of
+/// them, and remains so.
+void DelaunayMesh::Legalize()
 {
   // A flip adds one triangle to those around the point, and changes another one. Both are looked at again.
   for (std::size_t n = 0; n < this->Changed.size(); ++n)
   {
     const TriangleId triangle = this->Changed[n];
-    int opposite = Next(this->CornerOf(triangle, point));
-    while (this->MustFlip(triangle, opposite))
+    while (this->MustFlip(triangle, Opposite))
     {
-      this->Changed.push_back(this->Neighbour(triangle, opposite));
-      this->Flip(triangle, opposite);
-      opposite = Next(this->CornerOf(triangle, point));
+      this->Changed.push_back(this->Neighbour(triangle, Opposite));
+      this->Flip(triangle, Opposite);
     }
   }
 }

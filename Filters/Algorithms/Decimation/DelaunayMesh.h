@@ -69,9 +69,8 @@ private:
   void Split(PointId point, TriangleId triangle);
   void Flip(TriangleId triangle, int side);
   bool MustFlip(TriangleId triangle, int side) const;
-  void Legalize(PointId point);
+  void Legalize();
   std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int side) const;
-  int CornerOf(TriangleId triangle, PointId point) const;
 
   const std::vector<PlanePoint>& Plane;
   std::vector<Triangle> Triangles;
