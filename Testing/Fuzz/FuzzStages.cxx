@@ -123,6 +123,36 @@ BoundedHorizon SimplifyInside(const BoundedHorizon& horizon, StageInput& input)
   return reduced;
 }
 
+/// From 0 to the highest or lowest point.
+double HeightRange(const BoundedHorizon& horizon)
+{
+  double range = 0.0;
+  for (const double height : horizon.Height)
+  {
+    range = std::max(range, std::abs(height));
+  }
+  return range;
+}
+
+/// A mesh within an error, or of so many points.
+void DecimateWhole(const BoundedHorizon& horizon, StageInput& input)
+{
+  const DecimationOptions options = input.TakeDecimationOptions();
+  const auto isSame = [](const Decimation& a, const Decimation& b)
+  { return a.Triangles == b.Triangles && a.Points.Height == b.Points.Height && a.Errors == b.Errors; };
+  const auto decimate = [&]() { return Decimate(horizon, options); };
+  const bool isValid = IsLength(options.MaximumError);
+  const auto result = RunOn(isValid, "decimation", [&]() { return OnAnyThreads(decimate, isSame, "decimation"); });
+  if (!result)
+  {
+    return;
+  }
+  const double rounding = 1e-12 * HeightRange(horizon);
+  const bool isKept = result->LargestError <= options.MaximumError + rounding;
+  Require(isKept || options.MaximumNumberOfPoints > 0, "decimation: the error is larger than asked for");
+  CheckedMesh(Reduce(horizon, result->Points), "mesh of the decimation");
+}
+
 /// The hull of all points, and what is left of it when triangles outside are taken off.
 void PeelHull(const BoundedHorizon& horizon, StageInput& input)
 {
@@ -183,6 +213,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   CheckedMesh(*taken, "mesh of the boundary");
+  DecimateWhole(*taken, input);
   BoundedHorizon horizon = SimplifyLoops(*taken, input);
   for (int simplifications = input.TakeBelow(3); simplifications >= 0; --simplifications)
   {

@@ -184,6 +184,15 @@ BoundaryLimits StageInput::TakeBoundaryLimits()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+DecimationOptions StageInput::TakeDecimationOptions()
+{
+  DecimationOptions options;
+  options.MaximumError = this->TakeBool() ? 0.0 : this->TakeNumber(0.0, 10.0);
+  options.FitHeights = this->TakeBool();
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 SurfaceDistanceOptions StageInput::TakeSurfaceDistanceOptions()
 {
   SurfaceDistanceOptions options;

@@ -9,6 +9,7 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "CellSimplification/ElaborateSimplification.h"
+#include "Decimation/Decimation.h"
 #include "SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Patches.h"
 #include "Triangulation/OutsideTriangles.h"
@@ -35,6 +36,7 @@ public:
   SeismicHorizons::BoundarySimplificationOptions TakeBoundarySimplificationOptions();
   SeismicHorizons::ElaborateOptions TakeCellOptions();
   SeismicHorizons::BoundaryLimits TakeBoundaryLimits();
+  SeismicHorizons::DecimationOptions TakeDecimationOptions();
   SeismicHorizons::SurfaceDistanceOptions TakeSurfaceDistanceOptions();
   bool TakeBool() { return this->Bytes.ConsumeBool(); }
   /// From 0 to below `bound`.

@@ -120,7 +120,9 @@ HeightRaster::HeightRaster(
 // lost to rounding is some units in the last place of the heights.
 HeightError HeightRaster::Measure(const RaisedTriangle& triangle) const
 {
-  const auto& [a, b, c] = triangle;
+  const RaisedPoint& a = triangle[0];
+  const RaisedPoint& b = triangle[1];
+  const RaisedPoint& c = triangle[2];
   const double bRise = b.Height - a.Height;
   const double cRise = c.Height - a.Height;
   const double perArea = 1.0 / double(SignedArea(a.Column, b.Column, c.Column));

@@ -74,7 +74,9 @@ private:
 template <typename Visitor>
 void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const
 {
-  const auto& [a, b, c] = triangle;
+  const RaisedPoint& a = triangle[0];
+  const RaisedPoint& b = triangle[1];
+  const RaisedPoint& c = triangle[2];
   const double perArea = 1.0 / double(SignedArea(a.Column, b.Column, c.Column));
   // By how much weights change from column to column. They are whole numbers: sums are exact.
   const std::array<double, 3> steps = { double(b.Column.Y) - c.Column.Y, double(c.Column.Y) - a.Column.Y,
