@@ -91,6 +91,14 @@ public:
     }
   }
 
+  /// For each of `points` points 1 when a loop visits it, else 0.
+  std::vector<unsigned char> MarkPoints(std::size_t points) const
+  {
+    std::vector<unsigned char> marks(points, 0);
+    this->ForEachPoint([&marks](PointId point) { marks[std::size_t(point)] = 1; });
+    return marks;
+  }
+
   /// Calls visit(from, to) for each edge, the closing one included. A loop of one point has none.
   template <typename Visitor>
   void ForEachEdge(Visitor&& visit) const

@@ -12,13 +12,9 @@
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/ReducedHorizon.h"
-#include "Triangulation/TriangleQuality.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -26,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 using namespace SeismicHorizons;
 
@@ -33,26 +30,21 @@ namespace
 {
 std::size_t CountLoopPoints(const BoundedHorizon& horizon)
 {
-  std::vector<unsigned char> marks(horizon.Plane.size(), 0);
-  horizon.Boundary.ForEachPoint([&marks](PointId point) { marks[std::size_t(point)] = 1; });
+  const std::vector<unsigned char> marks = horizon.Boundary.MarkPoints(horizon.Plane.size());
   return std::size_t(std::count(marks.begin(), marks.end(), 1));
 }
 
 void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
 {
-  const TriangleQuality quality = MeasureQuality(decimation.Points.Plane, decimation.Triangles);
-  FaceUp(grid, decimation.Triangles);
   output->SetVerts(nullptr);
-  output->SetPolys(MakeTriangles(decimation.Triangles));
-  AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, output);
-  AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, output);
+  const double smallestAngle = WriteTriangles(decimation.Points.Plane, grid, std::move(decimation.Triangles), output);
   AddTriangleArray<vtkDoubleArray>(CellArray::Error, decimation.Errors, output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, decimation.LargestError);
   AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, decimation.MeanError);
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestLoopError, decimation.LargestLoopError);
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
-  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, quality.SmallestAngle);
+  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
 }
 }
 

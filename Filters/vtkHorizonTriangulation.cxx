@@ -11,14 +11,12 @@
 #include "Marshalling/HorizonPoints.h"
 #include "Triangulation/ConvexHull.h"
 #include "Triangulation/OutsideTriangles.h"
-#include "Triangulation/TriangleQuality.h"
 #include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -113,23 +111,18 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& 
     RemoveOutsideTriangles(
       horizon, mesh, { this->MaximumBoundaryAngle, this->MaximumBoundaryEdgeLength }, monitor.Step(0.8, 0.85));
   }
-  const TriangleQuality quality = MeasureQuality(horizon.Plane, mesh.Triangles);
   monitor.Progress(0.9);
-  FaceUp(grid, mesh.Triangles);
 
   vtkPolyData* const output = outputs.front();
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
   ActivateHeight(output);
   output->SetLines(MakePolylines(horizon.Boundary));
-  output->SetPolys(MakeTriangles(mesh.Triangles));
-  mesh.Triangles = RawVector<PointId>();
-  AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, output);
-  AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, output);
+  const double smallestAngle = WriteTriangles(horizon.Plane, grid, std::move(mesh.Triangles), output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkIdTypeArray>(figures, FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges));
   AddValue<vtkIdTypeArray>(figures, FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges));
-  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, quality.SmallestAngle);
+  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
   WriteWalk(mesh.Walk, grid, height, outputs[1]);
 }

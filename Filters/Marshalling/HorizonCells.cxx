@@ -3,9 +3,12 @@
 
 #include "HorizonCells.h"
 
+#include "Common/DataModel.h"
 #include "Common/Parallel.h"
+#include "Triangulation/TriangleQuality.h"
 
 #include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
@@ -83,5 +86,18 @@ void FaceUp(const Lattice& grid, RawVector<PointId>& triangles)
   {
     std::swap(triangles[corner + 1], triangles[corner + 2]);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double WriteTriangles(
+  const std::vector<PlanePoint>& plane, const Lattice& grid, RawVector<PointId> triangles, vtkPolyData* mesh)
+{
+  const TriangleQuality quality = MeasureQuality(plane, triangles);
+  FaceUp(grid, triangles);
+  mesh->SetPolys(MakeTriangles(triangles));
+  triangles = RawVector<PointId>(); // before the arrays are made, which take as much
+  AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, mesh);
+  AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, mesh);
+  return quality.SmallestAngle;
 }
 }

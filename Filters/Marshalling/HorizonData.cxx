@@ -177,9 +177,8 @@ void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
   if (stretch < 1.0 / MostStretch || stretch > MostStretch)
   {
     throw InputError("points rise by " + Text(stretch) +
-      " lattice units for each vertical index, expected 1: where points were moved or scaled, as by Transform, the "
-      "lattice "
-      "in LatticeToWorld is no longer theirs");
+      " lattice units for each vertical index, expected 1: where points were moved or scaled, as by Transform, "
+      "the lattice in LatticeToWorld is no longer theirs");
   }
 }
 }

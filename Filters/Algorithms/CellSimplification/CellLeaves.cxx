@@ -26,7 +26,7 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
   : Input(horizon)
   , Side(CheckedCellSize(horizon, columns))
   , Cells(horizon.Plane, horizon.SubVoxelsPerColumn, this->Side)
-  , OnBoundary(horizon.Plane.size(), 0)
+  , OnBoundary(horizon.Boundary.MarkPoints(horizon.Plane.size()))
   , Marks(horizon.Plane.size(), 0)
 {
   if (this->Cells.Size() >= std::numeric_limits<std::uint32_t>::max())
@@ -35,7 +35,6 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
       ", expected one that gives less than 2^32 cells: there are " + std::to_string(this->Cells.Size()));
   }
   monitor.Progress(0.0);
-  horizon.Boundary.ForEachPoint([this](PointId point) { this->OnBoundary[std::size_t(point)] = 1; });
   this->SortPoints(monitor);
 }
 

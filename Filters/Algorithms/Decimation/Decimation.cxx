@@ -174,7 +174,7 @@ private:
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const TriangleId beyond = this->Mesh.Neighbour(triangle, corner == 2 ? 0 : corner + 1);
+      const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
       if (weights[std::size_t(corner)] == 0.0 && beyond != NoTriangle && beyond < triangle)
       {
         return false;

@@ -17,11 +17,6 @@ constexpr int MostSteps = 100;
 // The side of a triangle that is opposite to its third corner.
 constexpr int Opposite = 0;
 
-constexpr int Next(int corner)
-{
-  return corner == 2 ? 0 : corner + 1;
-}
-
 constexpr int Previous(int corner)
 {
   return corner == 0 ? 2 : corner - 1;
@@ -51,7 +46,7 @@ void DelaunayMesh::Connect()
   {
     for (int side = 0; side < 3; ++side)
     {
-      const auto ends = std::minmax({ this->Corner(triangle, side), this->Corner(triangle, Next(side)) });
+      const auto ends = std::minmax({ this->Corner(triangle, side), this->Corner(triangle, NextCorner(side)) });
       sides.emplace_back(ends.first, ends.second, triangle, side);
     }
   }
@@ -72,7 +67,8 @@ void DelaunayMesh::Connect()
 /// Twice the signed area of a place and a side: positive to the left, where the triangle is.
 std::int64_t DelaunayMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int side) const
 {
-  return SignedArea(this->Place(this->Corner(triangle, side)), this->Place(this->Corner(triangle, Next(side))), place);
+  return SignedArea(
+    this->Place(this->Corner(triangle, side)), this->Place(this->Corner(triangle, NextCorner(side))), place);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -141,8 +137,8 @@ void DelaunayMesh::Split(PointId point, TriangleId triangle)
   this->Triangles.resize(this->Triangles.size() + 2);
   for (int side = 0; side < 3; ++side)
   {
-    this->Triangles[std::size_t(parts[side])] = { { old.Corners[side], old.Corners[Next(side)], point },
-      { old.Neighbours[side], parts[Next(side)], parts[Previous(side)] } };
+    this->Triangles[std::size_t(parts[side])] = { { old.Corners[side], old.Corners[NextCorner(side)], point },
+      { old.Neighbours[side], parts[NextCorner(side)], parts[Previous(side)] } };
     this->Replace(old.Neighbours[side], triangle, parts[side]);
     this->Changed.push_back(parts[side]);
   }
@@ -173,12 +169,12 @@ void DelaunayMesh::Flip(TriangleId triangle, int side)
   const Triangle two = this->Triangles[std::size_t(other)];
   const int back = this->SideTo(other, triangle);
   const PointId a = one.Corners[side];
-  const PointId b = one.Corners[Next(side)];
+  const PointId b = one.Corners[NextCorner(side)];
   const PointId c = one.Corners[Previous(side)];
   const PointId d = two.Corners[Previous(back)];
-  const TriangleId beyondBc = one.Neighbours[Next(side)];
+  const TriangleId beyondBc = one.Neighbours[NextCorner(side)];
   const TriangleId beyondCa = one.Neighbours[Previous(side)];
-  const TriangleId beyondAd = two.Neighbours[Next(back)];
+  const TriangleId beyondAd = two.Neighbours[NextCorner(back)];
   const TriangleId beyondDb = two.Neighbours[Previous(back)];
   this->Triangles[std::size_t(triangle)] = { { a, d, c }, { beyondAd, other, beyondCa } };
   this->Triangles[std::size_t(other)] = { { d, b, c }, { beyondDb, beyondBc, triangle } };

@@ -30,6 +30,13 @@ using TriangleId = std::int32_t;
 
 constexpr TriangleId NoTriangle = -1;
 
+/// Around a triangle, counter-clockwise. Sides have the numbers of the corners they begin at, so that the side opposite
+/// to a corner is its next one.
+constexpr int NextCorner(int corner)
+{
+  return corner == 2 ? 0 : corner + 1;
+}
+
 class DelaunayMesh
 {
 public:

@@ -50,11 +50,10 @@ public:
     , Heights(refiner.Heights())
     , Unknown(horizon.Plane.size(), -1)
   {
-    std::vector<unsigned char> isFree = refiner.VertexMarks();
-    horizon.Boundary.ForEachPoint([&isFree](PointId point) { isFree[std::size_t(point)] = 0; });
-    for (std::size_t point = 0; point < isFree.size(); ++point)
+    const std::vector<unsigned char> isOnLoop = horizon.Boundary.MarkPoints(horizon.Plane.size());
+    for (std::size_t point = 0; point < isOnLoop.size(); ++point)
     {
-      if (isFree[point] != 0)
+      if (refiner.VertexMarks()[point] != 0 && isOnLoop[point] == 0)
       {
         this->Unknown[point] = int(this->Free.size());
         this->Free.push_back(PointId(point));

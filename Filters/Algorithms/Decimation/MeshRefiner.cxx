@@ -27,13 +27,6 @@ constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon()
 // How many triangles a thread measures at a time.
 constexpr std::int64_t Grain = 64;
 
-std::vector<unsigned char> MarkLoopPoints(const BoundedHorizon& horizon)
-{
-  std::vector<unsigned char> marks(horizon.Plane.size(), 0);
-  horizon.Boundary.ForEachPoint([&marks](PointId point) { marks[std::size_t(point)] = 1; });
-  return marks;
-}
-
 /// The mesh of the loops alone, over the points of the whole horizon.
 RawVector<PointId> MeshLoops(
   const BoundedHorizon& horizon, const std::vector<unsigned char>& isOnLoop, const Monitor& monitor)
@@ -68,7 +61,7 @@ MeshRefiner::MeshRefiner(const BoundedHorizon& horizon, const std::vector<PlaneP
   : Horizon(horizon)
   , Columns(columns)
   , Options(options)
-  , IsVertex(MarkLoopPoints(horizon))
+  , IsVertex(horizon.Boundary.MarkPoints(horizon.Plane.size()))
   , Vertices(std::size_t(std::count(this->IsVertex.begin(), this->IsVertex.end(), 1)))
   , Triangles(columns, MeshLoops(horizon, this->IsVertex, monitor))
   , VertexHeights(horizon.Height)
@@ -113,6 +106,10 @@ void MeshRefiner::MakeRasters()
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
+  if (this->IsFull())
+  {
+    return;
+  }
   const double bound = error + this->Rounding;
   const auto measure = [this](TriangleId triangle) { return this->RasterOf(triangle).Measure(this->Raised(triangle)); };
   this->AddAllAsNew();

@@ -27,12 +27,12 @@ public:
 
   /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
   void InsertWhereFar(double error, const Monitor& monitor);
-  /// The largest error of a triangle when it was made, and the sum of all errors of points, with the heights as they
-  /// are; points on sides count twice.
-  double FindLargest() const;
-  double SumOfErrors() const;
   /// Then the same where inner sides of the mesh cross lines between columns.
   void InsertAtSides(double error, const Monitor& monitor);
+  /// The largest error of a triangle when it was made.
+  double FindLargest() const;
+  /// The sum of the errors of all points with the heights as they are; points on sides count twice.
+  double SumOfErrors() const;
 
   const DelaunayMesh& Mesh() const { return this->Triangles; }
   /// By point, for vertices of the mesh those of the mesh: at first those of their columns.
@@ -53,7 +53,7 @@ public:
   HeightError MeasureSide(TriangleId triangle, int side) const
   {
     return this->RasterOf(triangle).MeasureSide(
-      this->Raised(triangle, side), this->Raised(triangle, side == 2 ? 0 : side + 1), this->IsVertex);
+      this->Raised(triangle, side), this->Raised(triangle, NextCorner(side)), this->IsVertex);
   }
 
 private:

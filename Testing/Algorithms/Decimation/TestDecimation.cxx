@@ -11,20 +11,21 @@
 #include "Tools/MonitorChecker.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"
+#include "Tools/TriangleSets.h"
 #include "Triangulation/Triangulation.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <sstream>
 
 using namespace SeismicHorizons;
 
 namespace
 {
-using Triangle = std::array<PointId, 3>;
+using TriangleSets::Canonical;
+using TriangleSets::Triangle;
 
 DecimationOptions Within(double error, std::size_t points = 0, bool fitHeights = false)
 {
@@ -35,23 +36,6 @@ DecimationOptions Within(double error, std::size_t points = 0, bool fitHeights =
   return options;
 }
 
-/// Triangles over the points of the horizon that was decimated, from their least corner.
-std::set<Triangle> ListTriangles(const RawVector<PointId>& triangles, const std::vector<PointId>& source)
-{
-  std::set<Triangle> list;
-  for (std::size_t first = 0; first < triangles.size(); first += 3)
-  {
-    Triangle triangle{};
-    for (std::size_t n = 0; n < 3; ++n)
-    {
-      triangle[n] = source[std::size_t(triangles[first + n])];
-    }
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    list.insert(triangle);
-  }
-  return list;
-}
-
 /// The result beside the horizon it was made of, both in whole columns.
 class Checker
 {
@@ -59,7 +43,8 @@ public:
   Checker(const BoundedHorizon& horizon, const Decimation& decimation)
     : Horizon(horizon)
     , Result(decimation)
-    , Triangles(ListTriangles(decimation.Triangles, decimation.Points.Source))
+    , Triangles(Canonical(
+        decimation.Triangles, [&decimation](PointId vertex) { return decimation.Points.Source[std::size_t(vertex)]; }))
     , Heights(horizon.Height)
   {
     for (std::size_t vertex = 0; vertex < decimation.Points.Source.size(); ++vertex)
@@ -83,9 +68,7 @@ public:
     {
       return mesh;
     }
-    std::vector<PointId> same(reduced.Plane.size());
-    std::iota(same.begin(), same.end(), 0);
-    if (ListTriangles(this->Result.Triangles, same) != ListTriangles(Triangulate(reduced).Triangles, same))
+    if (Canonical(this->Result.Triangles) != Canonical(Triangulate(reduced).Triangles))
     {
       return "not the mesh of the triangulation";
     }
@@ -195,7 +178,7 @@ private:
 
   const BoundedHorizon& Horizon;
   const Decimation& Result;
-  const std::set<Triangle> Triangles;
+  const TriangleSets::Triangles Triangles;
   std::vector<double> Heights; // by point, for vertices those of the mesh
   Patches::Columns Columns;
   std::map<PlanePoint, PointId> PointAt;
