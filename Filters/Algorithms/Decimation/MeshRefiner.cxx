@@ -96,10 +96,14 @@ void MeshRefiner::MakeRasters()
         add(patch[point], PointId(point));
       }
     });
+  this->Rasters.resize(std::size_t(patches));
   for (std::int32_t number = 0; number < patches; ++number)
   {
-    this->Rasters.push_back(std::make_unique<HeightRaster>(
-      std::vector<PointId>(points.begin(number), points.end(number)), this->Columns, this->Horizon.Height));
+    if (!points.IsEmpty(number))
+    {
+      this->Rasters[std::size_t(number)] = std::make_unique<HeightRaster>(
+        std::vector<PointId>(points.begin(number), points.end(number)), this->Columns, this->Horizon.Height);
+    }
   }
 }
 

@@ -84,7 +84,7 @@ private:
   std::vector<unsigned char> IsVertex; // by point
   std::size_t Vertices;
   DelaunayMesh Triangles;
-  std::vector<std::unique_ptr<HeightRaster>> Rasters; // by patch
+  std::vector<std::unique_ptr<HeightRaster>> Rasters; // by patch; null for numbers without points
   std::vector<double> VertexHeights; // by point
   double Rounding; // how far rounding may put a triangle from a point
   std::vector<HeightError> Errors; // by triangle
