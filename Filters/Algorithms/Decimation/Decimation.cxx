@@ -3,25 +3,23 @@
 
 #include "Decimation.h"
 
-#include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "EdgeFlips.h"
 #include "HeightFit.h"
 #include "MeshRefiner.h"
-#include "Selection.h"
+#include "MeshResult.h"
+#include "VertexRemoval.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdlib>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// How many triangles a thread measures at a time.
-constexpr std::int64_t Grain = 64;
-
 std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
 {
   std::vector<PlanePoint> columns;
@@ -43,177 +41,155 @@ std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
 constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
 
-void RefineToError(const BoundedHorizon& horizon, double error, MeshRefiner& refiner, const Monitor& monitor)
-{
-  refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.8));
-  refiner.SetHeights(FitHeights(horizon, refiner, FitTarget::LargestError, ReachOfFit * error, monitor.Step(0.8, 1.0)));
-}
-
-/// Heights that are whole numbers can fit best as they are: many points then lie right on the mesh.
-void RefineToNumber(const BoundedHorizon& horizon, MeshRefiner& refiner, const Monitor& monitor)
-{
-  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.8));
-  const double before = refiner.SumOfErrors();
-  refiner.SetHeights(FitHeights(horizon, refiner, FitTarget::MeanError, refiner.FindLargest(), monitor.Step(0.8, 1.0)));
-  if (refiner.SumOfErrors() > before)
-  {
-    refiner.SetHeights(horizon.Height);
-  }
-}
-
-void Refine(
-  const BoundedHorizon& horizon, const DecimationOptions& options, MeshRefiner& refiner, const Monitor& monitor)
-{
-  const double error = options.MaximumError;
-  if (options.FitHeights && error > 0.0)
-  {
-    RefineToError(horizon, error, refiner, monitor.Step(0.0, 0.6));
-  }
-  else if (options.FitHeights)
-  {
-    RefineToNumber(horizon, refiner, monitor.Step(0.0, 0.6));
-  }
-  refiner.InsertWhereFar(error, monitor.Step(options.FitHeights ? 0.6 : 0.0, 0.8));
-  refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
-}
-
-/// What a refined mesh is as a result.
-class Collector
+class Decimator
 {
 public:
-  Collector(const BoundedHorizon& horizon, const MeshRefiner& refiner)
-    : Horizon(horizon)
-    , Refiner(refiner)
-    , Mesh(refiner.Mesh())
+  Decimator(HeightMesh& mesh, const DecimationOptions& options)
+    : Mesh(mesh)
+    , Options(options)
   {
   }
 
-  Decimation Run(const Monitor& monitor)
+  void Run(const Monitor& monitor)
   {
-    this->WritePoints();
-    this->WriteTriangles();
-    this->AssignPoints(monitor);
-    this->CheckAllAssigned();
-    this->MeasureSides();
-    return std::move(this->Result);
+    if (this->Options.Effort == DecimationEffort::Fast)
+    {
+      this->RunFast(monitor);
+    }
+    else if (this->Options.MaximumError > 0.0)
+    {
+      this->RunBestToError(monitor);
+    }
+    else
+    {
+      this->RunBestToNumber(monitor);
+    }
   }
 
 private:
-  void WritePoints()
+  void RunFast(const Monitor& monitor)
   {
-    Selection kept(this->Refiner.VertexMarks());
-    Reduction& points = this->Result.Points;
-    for (const PointId point : kept.Points)
+    const double error = this->Options.MaximumError;
+    MeshRefiner refiner(this->Mesh, this->Options.MaximumNumberOfPoints);
+    if (this->Options.FitHeights && error > 0.0)
     {
-      points.Plane.push_back(this->Horizon.Plane[std::size_t(point)]);
-      points.Height.push_back(this->Refiner.Heights()[std::size_t(point)]);
-      points.Averaged.push_back(points.Height.back() != this->Horizon.Height[std::size_t(point)] ? 1 : 0);
+      refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.48));
+      this->Fit(FitTarget::LargestError, error, monitor.Step(0.48, 0.6));
     }
-    points.Boundary = this->Horizon.Boundary.Renumbered(kept.Numbers);
-    points.Source = std::move(kept.Points);
-    points.Target = std::move(kept.Numbers);
+    else if (this->Options.FitHeights)
+    {
+      refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.48));
+      this->FitMean(refiner.FindLargest(), monitor.Step(0.48, 0.6));
+    }
+    refiner.InsertWhereFar(error, monitor.Step(this->Options.FitHeights ? 0.6 : 0.0, 0.8));
+    refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
   }
 
-  void WriteTriangles()
+  void Fit(FitTarget target, double error, const Monitor& monitor)
   {
-    this->Result.Triangles.reserve(3 * std::size_t(this->Mesh.Size()));
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    if (this->Options.FitHeights)
     {
-      for (int corner = 0; corner < 3; ++corner)
+      this->Mesh.SetHeights(FitHeights(this->Mesh, target, ReachOfFit * error, monitor));
+    }
+  }
+
+  /// Heights that are whole numbers can fit best as they are: many points then lie right on the mesh.
+  void FitMean(double reach, const Monitor& monitor)
+  {
+    const double before = this->Mesh.SumOfErrors();
+    this->Mesh.SetHeights(FitHeights(this->Mesh, FitTarget::MeanError, reach, monitor));
+    if (this->Mesh.SumOfErrors() > before)
+    {
+      this->Mesh.SetHeights(this->Mesh.Input().Height);
+    }
+  }
+
+  void RunBestToError(const Monitor& monitor)
+  {
+    const double error = this->Options.MaximumError;
+    const auto env=[](const char*n,double d){ const char*v=getenv(n); return v?atof(v):d; };
+    const bool v = getenv("VERB");
+    MeshCost cost;
+    cost.Power.Unit = error;
+    cost.Power.Power = int(env("POW",4));
+    cost.SmallestSine = std::sin(this->Options.SmallestAngle * M_PI / 180.0);
+    cost.LargestError = error*env("FE",1.0);
+    MeshCost rcost = cost; rcost.SmallestSine = std::sin(env("RANG",this->Options.SmallestAngle) * M_PI / 180.0); rcost.LargestError = error*env("RE",1.0);
+    MeshRefiner r0(this->Mesh, 0);
+    r0.InsertWhereFar(env("EBF",1.3) * error, monitor.Step(0.0, 0.2));
+    EdgeFlips flips(this->Mesh, cost);
+    if(env("START",0)>0) {
+      this->Fit(FitTarget::LargestError, error, Monitor());
+      r0.InsertWhereFar(error, Monitor());
+      r0.InsertAtSides(error, Monitor());
+    } else {
+    flips.Run(Monitor());
+    this->Fit(FitTarget::LargestError, error, Monitor());
+    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
+    MeshRefiner refiner(this->Mesh, 0, &flips, cost.Power);
+    refiner.InsertWhereFar(error, Monitor());
+    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
+    refiner.InsertAtSides(error, Monitor());
+    }
+    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
+    const int rounds = int(env("ROUNDS",2));
+    for (int round = 0; round < rounds; ++round)
+    {
+      flips.Run(Monitor());
+      if (this->Options.FitHeights)
       {
-        const std::size_t point = std::size_t(this->Mesh.Corner(triangle, corner));
-        this->Result.Triangles.push_back(this->Result.Points.Target[point]);
+        const std::vector<double> before = this->Mesh.Heights();
+        this->Fit(FitTarget::LargestError, error, Monitor());
+        LimitMoves(this->Mesh, before, error);
       }
+      VertexRemoval(this->Mesh, rcost).Run(0, Monitor());
+      if(v) printf("  removed to %zu\n", this->Mesh.NumberOfVertices());
     }
-  }
-
-  /// Measures every triangle, and gives each dropped point to a vertex.
-  void AssignPoints(const Monitor& monitor)
-  {
-    this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
-    std::vector<double> sums(this->Result.Errors.size(), 0.0);
-    ParallelFor(this->Mesh.Size(), Grain, monitor,
-      [&](std::int64_t first, std::int64_t last)
+    flips.Run(Monitor());
+      if (this->Options.FitHeights)
       {
-        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
-        {
-          sums[std::size_t(triangle)] = this->AssignPointsOf(triangle);
-        }
-      });
-    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    this->Result.MeanError = this->Horizon.Plane.empty() ? 0.0 : sum / double(this->Horizon.Plane.size());
-    const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
-    this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
-  }
-
-  /// The sum of the errors of the points that are given to its corners.
-  double AssignPointsOf(TriangleId triangle)
-  {
-    double sum = 0.0;
-    double& largest = this->Result.Errors[std::size_t(triangle)];
-    this->Refiner.RasterOf(triangle).ForEachColumn(this->Refiner.Raised(triangle),
-      [&](PointId point, double error, const std::array<double, 3>& weights)
-      {
-        largest = std::max(largest, std::abs(error));
-        if (this->Owns(triangle, weights))
-        {
-          sum += std::abs(error);
-        }
-        if (this->Refiner.VertexMarks()[std::size_t(point)] == 0 && this->Owns(triangle, weights))
-        {
-          const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-          this->Result.Points.Target[std::size_t(point)] = this->Result.Triangles[std::size_t(3 * triangle + nearest)];
-        }
-      });
-    return sum;
-  }
-
-  /// Of two triangles the first one owns the columns on their common side, which is opposite to a corner without
-  /// weight.
-  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
-      if (weights[std::size_t(corner)] == 0.0 && beyond != NoTriangle && beyond < triangle)
-      {
-        return false;
+        const std::vector<double> before = this->Mesh.Heights();
+        this->Fit(FitTarget::LargestError, error, Monitor());
+        LimitMoves(this->Mesh, before, error);
       }
-    }
-    return true;
+    MeshRefiner refiner(this->Mesh, 0, &flips, cost.Power);
+    refiner.InsertWhereFar(error, Monitor());
+    refiner.InsertAtSides(error, Monitor());
+    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
   }
 
-  void CheckAllAssigned() const
+  void RunBestToNumber(const Monitor& monitor)
   {
-    const std::vector<PointId>& target = this->Result.Points.Target;
-    const auto outside = std::find(target.begin(), target.end(), NoPoint);
-    if (outside != target.end())
+    const std::size_t number = this->Options.MaximumNumberOfPoints;
+    const auto env=[](const char*n,double d){ const char*v=getenv(n); return v?atof(v):d; };
+    const std::size_t loops = this->Mesh.NumberOfVertices();
+    const auto part = [&](double f) { return loops + std::size_t(f * double(number - loops)); };
+    const bool v = getenv("VERB");
+    MeshRefiner first(this->Mesh, part(env("OVER",1.3)));
+    first.InsertWhereFar(0.0, monitor.Step(0.0, 0.2));
+    MeshCost cost;
+    cost.Power.Power = int(env("POW",4));
+    cost.Power.Unit = std::max(first.FindLargest(), 1e-300);
+    cost.SmallestSine = std::sin(this->Options.SmallestAngle * M_PI / 180.0);
+    EdgeFlips flips(this->Mesh, cost);
+    const int rounds = int(env("ROUNDS",2));
+    for (int round = 0; round < rounds; ++round)
     {
-      throw InputError("point " + std::to_string(outside - target.begin()) +
-        " lies outside the boundary of its patch, expected loops around all points");
+      flips.Run(Monitor());
+      this->Fit(cost.Power.Power==4?FitTarget::LargestError:FitTarget::MeanError, env("REACH",1)*cost.Power.Unit, Monitor());
+      const double f = env("DOWN",0.95);
+      VertexRemoval(this->Mesh, cost).Run(part(round+1<rounds ? env("MID",1.1) : f), Monitor());
     }
+    flips.Run(Monitor());
+    this->Fit(cost.Power.Power==4?FitTarget::LargestError:FitTarget::MeanError, env("REACH",1)*cost.Power.Unit, Monitor());
+    if(v) printf("  removed to %zu of %zu\n", this->Mesh.NumberOfVertices(), number);
+    MeshRefiner refiner(this->Mesh, number, &flips, cost.Power);
+    refiner.InsertWhereFar(0.0, Monitor());
+    refiner.InsertAtSides(0.0, Monitor());
   }
 
-  void MeasureSides()
-  {
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
-    {
-      for (int side = 0; side < 3; ++side)
-      {
-        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-        if (beyond == NoTriangle || beyond > triangle) // each side once
-        {
-          double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
-          largest = std::max(largest, this->Refiner.MeasureSide(triangle, side).Largest);
-        }
-      }
-    }
-  }
-
-  const BoundedHorizon& Horizon;
-  const MeshRefiner& Refiner;
-  const DelaunayMesh& Mesh;
-  Decimation Result;
+  HeightMesh& Mesh;
+  const DecimationOptions& Options;
 };
 }
 
@@ -222,8 +198,13 @@ Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& opti
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
   const std::vector<PlanePoint> columns = ToColumns(horizon);
-  MeshRefiner refiner(horizon, columns, options, monitor.Step(0.0, 0.1));
-  Refine(horizon, options, refiner, monitor.Step(0.1, 0.9));
-  return Collector(horizon, refiner).Run(monitor.Step(0.9, 1.0));
+  HeightMesh mesh(horizon, columns, monitor.Step(0.0, 0.1));
+  if (options.MaximumNumberOfPoints > 0 && options.MaximumNumberOfPoints < mesh.NumberOfVertices())
+  {
+    throw InputError("maximum number of points " + std::to_string(options.MaximumNumberOfPoints) +
+      ", expected at least the " + std::to_string(mesh.NumberOfVertices()) + " of the loops, which are kept");
+  }
+  Decimator(mesh, options).Run(monitor.Step(0.1, 0.9));
+  return MakeResult(mesh, monitor.Step(0.9, 1.0));
 }
 }

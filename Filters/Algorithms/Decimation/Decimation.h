@@ -25,8 +25,18 @@
 
 namespace SeismicHorizons
 {
+enum class DecimationEffort
+{
+  Fast, // insertion alone
+  Best // sides are flipped and vertices removed, too
+};
+
 struct DecimationOptions
 {
+  DecimationEffort Effort = DecimationEffort::Fast;
+  /// With the best effort, in degrees, in plan, 0 to 60: no flip or removal makes a smaller angle, but where there was
+  /// a smaller one.
+  double SmallestAngle = 10.0;
   /// The largest vertical distance of a point from the mesh, and of a side of the mesh from the line between two
   /// neighbouring columns that it crosses, in lattice units: at least 0. Heights that are rounded to whole voxels are
   /// half a voxel off; three quarters bring the mesh nearest to what was rounded.

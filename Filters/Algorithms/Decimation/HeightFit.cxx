@@ -42,21 +42,19 @@ struct Element
 class HeightFitter
 {
 public:
-  HeightFitter(const BoundedHorizon& horizon, const MeshRefiner& refiner, double reach)
-    : Horizon(horizon)
-    , Refiner(refiner)
-    , Mesh(refiner.Mesh())
+  HeightFitter(const HeightMesh& mesh, double reach)
+    : Surface(mesh)
+    , Mesh(mesh.Triangles())
     , Reach(reach)
-    , Heights(refiner.Heights())
-    , Unknown(horizon.Plane.size(), -1)
+    , Heights(mesh.Heights())
+    , Unknown(this->Heights.size(), -1)
   {
-    const std::vector<unsigned char> isOnLoop = horizon.Boundary.MarkPoints(horizon.Plane.size());
-    for (std::size_t point = 0; point < isOnLoop.size(); ++point)
+    for (PointId point = 0; std::size_t(point) < this->Heights.size(); ++point)
     {
-      if (refiner.VertexMarks()[point] != 0 && isOnLoop[point] == 0)
+      if (mesh.IsVertex(point) && !mesh.IsOnLoop(point))
       {
-        this->Unknown[point] = int(this->Free.size());
-        this->Free.push_back(PointId(point));
+        this->Unknown[std::size_t(point)] = int(this->Free.size());
+        this->Free.push_back(point);
       }
     }
   }
@@ -86,7 +84,7 @@ private:
     for (Eigen::Index n = 0; n < unknowns; ++n)
     {
       const std::size_t point = std::size_t(this->Free[std::size_t(n)]);
-      const double column = this->Horizon.Height[point];
+      const double column = this->Surface.Input().Height[point];
       this->Heights[point] = std::clamp(this->Heights[point] + moves[n], column - this->Reach, column + this->Reach);
     }
   }
@@ -108,24 +106,45 @@ private:
   /// Points on sides count for both triangles.
   Element MakeElement(TriangleId triangle, int power) const
   {
-    RaisedTriangle raised = this->Refiner.Raised(triangle);
+    RaisedTriangle raised = this->Surface.RaisedCorners(triangle);
     for (int corner = 0; corner < 3; ++corner)
     {
       raised[std::size_t(corner)].Height = this->Heights[std::size_t(this->Mesh.Corner(triangle, corner))];
     }
     const double perArea = 1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column));
     Element element;
-    this->Refiner.RasterOf(triangle).ForEachColumn(raised,
+    this->Surface.RasterOf(triangle).ForEachColumn(raised,
       [&](PointId, double error, const std::array<double, 3>& weights)
       {
         const Eigen::Vector3d parts = perArea * Eigen::Map<const Eigen::Vector3d>(weights.data());
-        const double size = std::max(std::abs(error), LeastError * this->Reach);
-        const double weight = power == 2 ? 1.0 : power == 3 ? size : size * size;
-        const Eigen::Vector3d weighted = weight * parts;
-        element.Matrix += weighted * parts.transpose();
-        element.Right -= error * weighted;
+        this->Add(parts, error, power, element);
       });
+    for (int side = 0; side < 3; ++side)
+    {
+      if (this->Mesh.Neighbour(triangle, side) > triangle) // each inner side once
+      {
+        const int next = NextCorner(side);
+        this->Surface.RasterOf(triangle).ForEachCrossing(raised[std::size_t(side)], raised[std::size_t(next)],
+          [&](const Crossing& crossing)
+          {
+            Eigen::Vector3d parts = Eigen::Vector3d::Zero();
+            parts[side] = 1.0 - crossing.PartOfSide;
+            parts[next] = crossing.PartOfSide;
+            this->Add(parts, crossing.Error, power, element);
+          });
+      }
+    }
     return element;
+  }
+
+  /// Of an error, with the parts that the corners have in it.
+  void Add(const Eigen::Vector3d& parts, double error, int power, Element& element) const
+  {
+    const double size = std::max(std::abs(error), LeastError * this->Reach);
+    const double weight = power == 2 ? 1.0 : power == 3 ? size : size * size;
+    const Eigen::Vector3d weighted = weight * parts;
+    element.Matrix += weighted * parts.transpose();
+    element.Right -= error * weighted;
   }
 
   void Assemble(const std::vector<Element>& elements, Eigen::SparseMatrix<double>& matrix, Eigen::VectorXd& right) const
@@ -161,9 +180,8 @@ private:
     return this->Unknown[std::size_t(this->Mesh.Corner(triangle, corner))];
   }
 
-  const BoundedHorizon& Horizon;
-  const MeshRefiner& Refiner;
-  const DelaunayMesh& Mesh;
+  const HeightMesh& Surface;
+  const PlaneMesh& Mesh;
   const double Reach;
   std::vector<double> Heights; // by point
   std::vector<int> Unknown; // by point
@@ -172,9 +190,54 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<double> FitHeights(
-  const BoundedHorizon& horizon, const MeshRefiner& refiner, FitTarget target, double reach, const Monitor& monitor)
+std::vector<double> FitHeights(const HeightMesh& mesh, FitTarget target, double reach, const Monitor& monitor)
 {
-  return HeightFitter(horizon, refiner, reach).Run(Powers(target), monitor);
+  return HeightFitter(mesh, reach).Run(Powers(target), monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void LimitMoves(HeightMesh& mesh, const std::vector<double>& before, double error)
+{
+  const std::vector<double> after = mesh.Heights();
+  std::vector<double> parts(after.size(), 1.0);
+  const PlaneMesh& triangles = mesh.Triangles();
+  std::vector<unsigned char> isFar(std::size_t(triangles.Size()), 1);
+  std::vector<double> heights = after;
+  for (bool isDone = false; !isDone;)
+  {
+    ParallelFor(triangles.Size(), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+        {
+          HeightError e = mesh.Measure(triangle);
+          const RaisedTriangle raised = mesh.RaisedCorners(triangle);
+          for (int side = 0; side < 3; ++side)
+          {
+            if (triangles.Neighbour(triangle, side) != NoTriangle)
+            {
+              e.Largest = std::max(e.Largest, mesh.RasterOf(triangle).MeasureCrossings(raised[side], raised[NextCorner(side)], ErrorPower()).Largest);
+            }
+          }
+          isFar[triangle] = e.Largest > error;
+        }
+      });
+    isDone = true;
+    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3 && isFar[std::size_t(triangle)]; ++corner)
+      {
+        const std::size_t point = std::size_t(triangles.Corner(triangle, corner));
+        double& part = parts[point];
+        if (part > 0.0 && after[point] != before[point])
+        {
+          part = part > 0.2 ? 0.5 * part : 0.0;
+          heights[point] = part == 0.0 ? before[point] : before[point] + part * (after[point] - before[point]);
+          isDone = false;
+        }
+      }
+    }
+    mesh.SetHeights(heights);
+  }
 }
 }

@@ -12,7 +12,7 @@
 #define SeismicHorizonsHeightFit_h
 
 #include "Common/Monitor.h"
-#include "MeshRefiner.h"
+#include "HeightMesh.h"
 
 #include <vector>
 
@@ -27,8 +27,10 @@ enum class FitTarget
 
 /// By point, the heights of the vertices of the mesh; those on loops stay, and no other moves farther than `reach` from
 /// that of its column. All other points keep their heights.
-std::vector<double> FitHeights(
-  const BoundedHorizon& horizon, const MeshRefiner& refiner, FitTarget target, double reach, const Monitor& monitor);
+std::vector<double> FitHeights(const HeightMesh& mesh, FitTarget target, double reach, const Monitor& monitor);
+
+/// Moves heights back as far as an error asks for, at most to those before.
+void LimitMoves(HeightMesh& mesh, const std::vector<double>& before, double error);
 }
 
 #endif

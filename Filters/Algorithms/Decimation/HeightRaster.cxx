@@ -46,8 +46,42 @@ struct Row
     {
       most = most.max(this->DistancesFrom(n));
     }
-    return Larger(Larger(most[0], most[1]), Larger(most[2], most[3]));
+    return LargestOf(most);
   }
+
+  /// Adds powers of the distances as well, each column once.
+  template <int Power>
+  double LargestDistance(double perUnit, double& sum) const
+  {
+    Four most = Four::Zero();
+    Four sums = Four::Zero();
+    std::int32_t n = 0;
+    for (; n + 4 <= this->Size; n += 4)
+    {
+      const Four distances = Four::Zero().max(this->DistancesFrom(n));
+      most = most.max(distances);
+      sums += Raised<Power, Four>(distances * perUnit);
+    }
+    double largest = LargestOf(most);
+    double rest = 0.0;
+    for (; n < this->Size; ++n)
+    {
+      const double distance = Larger(0.0, this->Distance(n));
+      largest = Larger(largest, distance);
+      rest += Raised<Power, double>(distance * perUnit);
+    }
+    sum += (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest;
+    return largest;
+  }
+
+  template <int Power, typename Number>
+  static Number Raised(const Number& number)
+  {
+    const Number square = number * number;
+    return Power == 2 ? square : Number(square * square);
+  }
+
+  static double LargestOf(const Four& four) { return Larger(Larger(four[0], four[1]), Larger(four[2], four[3])); }
 
   Four DistancesFrom(std::int32_t n) const
   {
@@ -66,28 +100,6 @@ struct Row
     return n;
   }
 };
-
-/// Calls visit(x, y, part, height) where a segment crosses the rows between its ends at no column: between x and x + 1,
-/// that part of the way.
-template <typename Visitor>
-void ForEachCrossing(const PlanePoint& from, const PlanePoint& to, double fromHeight, double toHeight, Visitor&& visit)
-{
-  if (from.Y > to.Y)
-  {
-    ForEachCrossing(to, from, toHeight, fromHeight, visit);
-    return;
-  }
-  SideWalk walk(from, to);
-  for (std::int32_t y = from.Y + 1; y < to.Y; ++y)
-  {
-    walk.GoUp();
-    if (!walk.IsAtColumn())
-    {
-      const double height = fromHeight + (toHeight - fromHeight) * (double(y) - from.Y) / (double(to.Y) - from.Y);
-      visit(walk.AtOrLeft(), y, walk.PartOfColumn(), height);
-    }
-  }
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -118,7 +130,8 @@ HeightRaster::HeightRaster(
 //----------------------------------------------------------------------------------------------------------------------
 // Along a row the weights of b and c change by the same amount from column to column, and are whole numbers: what is
 // lost to rounding is some units in the last place of the heights.
-HeightError HeightRaster::Measure(const RaisedTriangle& triangle) const
+template <typename RowMeasure>
+HeightError HeightRaster::MeasureRows(const RaisedTriangle& triangle, RowMeasure&& measure) const
 {
   const RaisedPoint& a = triangle[0];
   const RaisedPoint& b = triangle[1];
@@ -138,7 +151,7 @@ HeightError HeightRaster::Measure(const RaisedTriangle& triangle) const
         bRise * double(SignedArea(c.Column, a.Column, start)) + cRise * double(SignedArea(a.Column, b.Column, start));
       const std::int64_t place = this->Place(first, y);
       const Row row{ this->Heights.data() + place, last - first + 1, a.Height + rise * perArea, slope };
-      const double largest = row.LargestDistance();
+      const double largest = measure(row, error.Sum);
       if (largest > error.Largest)
       {
         error.Largest = largest;
@@ -150,31 +163,55 @@ HeightError HeightRaster::Measure(const RaisedTriangle& triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+HeightError HeightRaster::Measure(const RaisedTriangle& triangle, const ErrorPower& power) const
+{
+  const double perUnit = 1.0 / power.Unit;
+  switch (power.Power)
+  {
+    case 2:
+      return this->MeasureRows(
+        triangle, [perUnit](const Row& row, double& sum) { return row.LargestDistance<2>(perUnit, sum); });
+    case 4:
+      return this->MeasureRows(
+        triangle, [perUnit](const Row& row, double& sum) { return row.LargestDistance<4>(perUnit, sum); });
+    default:
+      return this->MeasureRows(triangle, [](const Row& row, double&) { return row.LargestDistance(); });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 HeightError HeightRaster::MeasureSide(
   const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const
 {
   HeightError error;
-  // `part` is how far the crossing is from the first of two places to the second.
-  const auto compare = [&](std::int64_t place, std::int64_t other, double part, double height)
-  {
-    const double line = this->Heights[std::size_t(place)] +
-      part * (this->Heights[std::size_t(other)] - this->Heights[std::size_t(place)]);
-    const double distance = std::abs(height - line); // nan where a column is empty, and then not larger
-    if (distance > error.Largest)
+  this->ForEachCrossing(from, to,
+    [&](const Crossing& crossing)
     {
-      const PointId near = this->Points[std::size_t(part < 0.5 ? place : other)];
-      const PointId far = this->Points[std::size_t(part < 0.5 ? other : place)];
-      const PointId point = marks[std::size_t(near)] == 0 ? near : far;
-      error = marks[std::size_t(point)] == 0 ? HeightError{ distance, point } : error;
-    }
-  };
-  const auto turn = [](const PlanePoint& column) { return PlanePoint{ column.Y, column.X }; };
-  ForEachCrossing(from.Column, to.Column, from.Height, to.Height,
-    [&](std::int32_t x, std::int32_t y, double part, double height)
-    { compare(this->Place(x, y), this->Place(x + 1, y), part, height); });
-  ForEachCrossing(turn(from.Column), turn(to.Column), from.Height, to.Height,
-    [&](std::int32_t y, std::int32_t x, double part, double height)
-    { compare(this->Place(x, y), this->Place(x, y + 1), part, height); });
+      const double distance = std::abs(crossing.Error);
+      if (distance > error.Largest)
+      {
+        const bool isFirstNear = crossing.PartOfColumn < 0.5;
+        const PointId near = this->Points[std::size_t(isFirstNear ? crossing.Place : crossing.Beyond)];
+        const PointId far = this->Points[std::size_t(isFirstNear ? crossing.Beyond : crossing.Place)];
+        const PointId point = marks[std::size_t(near)] == 0 ? near : far;
+        error = marks[std::size_t(point)] == 0 ? HeightError{ distance, point } : error;
+      }
+    });
+  return error;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightError HeightRaster::MeasureCrossings(
+  const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const
+{
+  HeightError error;
+  this->ForEachCrossing(from, to,
+    [&](const Crossing& crossing)
+    {
+      const double distance = std::abs(crossing.Error);
+      error.Largest = std::max(error.Largest, distance);
+      error.Sum += power.Raise(distance);
+    });
   return error;
 }
 }

@@ -34,6 +34,31 @@ struct HeightError
 {
   double Largest = 0.0;
   PointId Point = NoPoint;
+  double Sum = 0.0; // of the powers of all distances, where asked for
+};
+
+/// Which powers of distances are summed: each is divided by the unit first, so that high powers stay within what
+/// numbers can hold.
+struct ErrorPower
+{
+  int Power = 0; // 2 or 4; 0 for no sum
+  double Unit = 1.0;
+
+  double Raise(double distance) const
+  {
+    const double square = (distance / this->Unit) * (distance / this->Unit);
+    return this->Power == 2 ? square : square * square;
+  }
+};
+
+/// Where a side crosses the line between two neighbouring columns that both have points.
+struct Crossing
+{
+  std::int64_t Place = 0; // of the first column
+  std::int64_t Beyond = 0; // and of the second one
+  double PartOfColumn = 0.0; // how far from the first to the second
+  double PartOfSide = 0.0; // and from the side's beginning to its end
+  double Error = 0.0; // the side's height less that of the line
 };
 
 class HeightRaster
@@ -45,7 +70,7 @@ public:
     const std::vector<PointId>& points, const std::vector<PlanePoint>& columns, const std::vector<double>& heights);
 
   /// At the columns inside a triangle and on its sides.
-  HeightError Measure(const RaisedTriangle& triangle) const;
+  HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
 
   /// Where a side crosses the line between two neighbouring columns that both have points, its distance from the
   /// straight line between these. Gives the nearer of the two points that is not marked, and nothing for crossings
@@ -53,12 +78,22 @@ public:
   HeightError MeasureSide(
     const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
 
+  /// The same without a point, of all crossings, with the sum.
+  HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
+
   /// Calls visit(point, error, weights) for the columns with a point inside a triangle and on its sides: the triangle's
   /// height less that of the point, and the weights of the three corners, whose sum is twice the triangle's area.
   template <typename Visitor>
   void ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const;
 
+  /// Calls visit(crossing) for those of a side.
+  template <typename Visitor>
+  void ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const;
+
 private:
+  template <typename RowMeasure>
+  HeightError MeasureRows(const RaisedTriangle& triangle, RowMeasure&& measure) const;
+
   std::int64_t Place(std::int64_t x, std::int64_t y) const
   {
     return (y - this->Box.Least.Y) * this->Width + (x - this->Box.Least.X);
@@ -102,6 +137,46 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
         }
       }
     });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Visitor>
+void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const
+{
+  // First the rows between the ends, then, with rows and columns exchanged, the columns.
+  for (const bool isTurned : { false, true })
+  {
+    const auto turn = [isTurned](const PlanePoint& column)
+    { return isTurned ? PlanePoint{ column.Y, column.X } : column; };
+    const bool isUp = turn(from.Column).Y < turn(to.Column).Y;
+    const PlanePoint low = turn(isUp ? from.Column : to.Column);
+    const PlanePoint high = turn(isUp ? to.Column : from.Column);
+    SideWalk walk(low, high);
+    for (std::int32_t line = low.Y + 1; line < high.Y; ++line)
+    {
+      walk.GoUp();
+      if (walk.IsAtColumn())
+      {
+        continue;
+      }
+      Crossing crossing;
+      const std::int32_t x = isTurned ? line : walk.AtOrLeft();
+      const std::int32_t y = isTurned ? walk.AtOrLeft() : line;
+      crossing.Place = this->Place(x, y);
+      crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
+      const double first = this->Heights[std::size_t(crossing.Place)];
+      const double second = this->Heights[std::size_t(crossing.Beyond)];
+      crossing.PartOfColumn = walk.PartOfColumn();
+      const double up = (double(line) - low.Y) / (double(high.Y) - low.Y);
+      crossing.PartOfSide = isUp ? up : 1.0 - up;
+      crossing.Error = from.Height + crossing.PartOfSide * (to.Height - from.Height) -
+        (first + crossing.PartOfColumn * (second - first));
+      if (!std::isnan(crossing.Error)) // a column without a point
+      {
+        visit(crossing);
+      }
+    }
+  }
 }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "DelaunayMesh.h"
+#include "PlaneMesh.h"
 
 #include "Common/Predicates.h"
 
@@ -16,15 +16,10 @@ constexpr int MostSteps = 100;
 
 // The side of a triangle that is opposite to its third corner.
 constexpr int Opposite = 0;
-
-constexpr int Previous(int corner)
-{
-  return corner == 0 ? 2 : corner - 1;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-DelaunayMesh::DelaunayMesh(const std::vector<PlanePoint>& plane, const RawVector<PointId>& triangles)
+PlaneMesh::PlaneMesh(const std::vector<PlanePoint>& plane, const RawVector<PointId>& triangles)
   : Plane(plane)
 {
   this->Triangles.reserve(triangles.size() / 3);
@@ -37,7 +32,7 @@ DelaunayMesh::DelaunayMesh(const std::vector<PlanePoint>& plane, const RawVector
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void DelaunayMesh::Connect()
+void PlaneMesh::Connect()
 {
   // Sides by their lesser and greater point, so that those of two triangles follow each other.
   std::vector<std::tuple<PointId, PointId, TriangleId, int>> sides;
@@ -65,14 +60,14 @@ void DelaunayMesh::Connect()
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Twice the signed area of a place and a side: positive to the left, where the triangle is.
-std::int64_t DelaunayMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int side) const
+std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int side) const
 {
   return SignedArea(
     this->Place(this->Corner(triangle, side)), this->Place(this->Corner(triangle, NextCorner(side))), place);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TriangleId DelaunayMesh::Locate(PointId point, TriangleId near) const
+TriangleId PlaneMesh::Locate(PointId point, TriangleId near) const
 {
   const PlanePoint& place = this->Place(point);
   TriangleId triangle = near;
@@ -97,9 +92,9 @@ TriangleId DelaunayMesh::Locate(PointId point, TriangleId near) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-const std::vector<TriangleId>& DelaunayMesh::Insert(PointId point, TriangleId triangle)
+void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
 {
-  this->Changed.clear();
+  around.clear();
   int onSide = -1;
   int sidesOn = 0;
   for (int side = 0; side < 3; ++side)
@@ -113,23 +108,21 @@ const std::vector<TriangleId>& DelaunayMesh::Insert(PointId point, TriangleId tr
   const bool isOnBoundary = sidesOn == 1 && this->Neighbour(triangle, onSide) == NoTriangle;
   if (sidesOn > 1 || isOnBoundary)
   {
-    return this->Changed;
+    return;
   }
-  this->Split(point, triangle);
+  this->Split(point, triangle, around);
   if (onSide >= 0)
   {
     // The triangle between the side and the point has no area. Its third corner is the point.
-    const TriangleId flat = this->Changed[std::size_t(onSide)];
-    this->Changed.push_back(this->Neighbour(flat, Opposite));
+    const TriangleId flat = around[std::size_t(onSide)];
+    around.push_back(this->Neighbour(flat, Opposite));
     this->Flip(flat, Opposite);
   }
-  this->Legalize();
-  return this->Changed;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Makes three triangles of one: number n has the side n of the old one first, and the point as its third corner.
-void DelaunayMesh::Split(PointId point, TriangleId triangle)
+void PlaneMesh::Split(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
 {
   const Triangle old = this->Triangles[std::size_t(triangle)];
   const TriangleId size = this->Size();
@@ -138,21 +131,21 @@ void DelaunayMesh::Split(PointId point, TriangleId triangle)
   for (int side = 0; side < 3; ++side)
   {
     this->Triangles[std::size_t(parts[side])] = { { old.Corners[side], old.Corners[NextCorner(side)], point },
-      { old.Neighbours[side], parts[NextCorner(side)], parts[Previous(side)] } };
+      { old.Neighbours[side], parts[NextCorner(side)], parts[PreviousCorner(side)] } };
     this->Replace(old.Neighbours[side], triangle, parts[side]);
-    this->Changed.push_back(parts[side]);
+    around.push_back(parts[side]);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int DelaunayMesh::SideTo(TriangleId triangle, TriangleId neighbour) const
+int PlaneMesh::SideTo(TriangleId triangle, TriangleId neighbour) const
 {
   const auto& neighbours = this->Triangles[std::size_t(triangle)].Neighbours;
   return neighbours[0] == neighbour ? 0 : neighbours[1] == neighbour ? 1 : 2;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void DelaunayMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId by)
+void PlaneMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId by)
 {
   if (triangle != NoTriangle)
   {
@@ -161,8 +154,7 @@ void DelaunayMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Two triangles a, b, c and b, a, d become d, b, c and a, d, c, so that their common side is from d to c.
-void DelaunayMesh::Flip(TriangleId triangle, int side)
+void PlaneMesh::Flip(TriangleId triangle, int side)
 {
   const TriangleId other = this->Neighbour(triangle, side);
   const Triangle one = this->Triangles[std::size_t(triangle)];
@@ -170,12 +162,12 @@ void DelaunayMesh::Flip(TriangleId triangle, int side)
   const int back = this->SideTo(other, triangle);
   const PointId a = one.Corners[side];
   const PointId b = one.Corners[NextCorner(side)];
-  const PointId c = one.Corners[Previous(side)];
-  const PointId d = two.Corners[Previous(back)];
+  const PointId c = one.Corners[PreviousCorner(side)];
+  const PointId d = two.Corners[PreviousCorner(back)];
   const TriangleId beyondBc = one.Neighbours[NextCorner(side)];
-  const TriangleId beyondCa = one.Neighbours[Previous(side)];
+  const TriangleId beyondCa = one.Neighbours[PreviousCorner(side)];
   const TriangleId beyondAd = two.Neighbours[NextCorner(back)];
-  const TriangleId beyondDb = two.Neighbours[Previous(back)];
+  const TriangleId beyondDb = two.Neighbours[PreviousCorner(back)];
   this->Triangles[std::size_t(triangle)] = { { a, d, c }, { beyondAd, other, beyondCa } };
   this->Triangles[std::size_t(other)] = { { d, b, c }, { beyondDb, beyondBc, triangle } };
   this->Replace(beyondAd, other, triangle);
@@ -183,33 +175,104 @@ void DelaunayMesh::Flip(TriangleId triangle, int side)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether the corner beyond a side lies in the circle of the triangle.
-bool DelaunayMesh::MustFlip(TriangleId triangle, int side) const
+PointId PlaneMesh::Beyond(TriangleId triangle, int side) const
 {
   const TriangleId other = this->Neighbour(triangle, side);
-  if (other == NoTriangle)
-  {
-    return false;
-  }
-  const PointId beyond = this->Corner(other, Previous(this->SideTo(other, triangle)));
-  return InCircle(this->Place(this->Corner(triangle, 0)), this->Place(this->Corner(triangle, 1)),
-           this->Place(this->Corner(triangle, 2)), this->Place(beyond)) > 0;
+  return this->Corner(other, PreviousCorner(this->SideTo(other, triangle)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Flips the sides opposite to the point until all triangles around it are Delaunay. It is the third corner of all of
-/// them, and remains so.
-void DelaunayMesh::Legalize()
+int PlaneMesh::CornerAt(TriangleId triangle, PointId point) const
+{
+  const auto& corners = this->Triangles[std::size_t(triangle)].Corners;
+  return corners[0] == point ? 0 : corners[1] == point ? 1 : 2;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool PlaneMesh::IsDelaunay(TriangleId triangle, int side) const
+{
+  return this->Neighbour(triangle, side) == NoTriangle ||
+    InCircle(this->Place(this->Corner(triangle, 0)), this->Place(this->Corner(triangle, 1)),
+      this->Place(this->Corner(triangle, 2)), this->Place(this->Beyond(triangle, side))) <= 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::Legalize(std::vector<TriangleId>& around)
 {
   // A flip adds one triangle to those around the point, and changes another one. Both are looked at again.
-  for (std::size_t n = 0; n < this->Changed.size(); ++n)
+  for (std::size_t n = 0; n < around.size(); ++n)
   {
-    const TriangleId triangle = this->Changed[n];
-    while (this->MustFlip(triangle, Opposite))
+    const TriangleId triangle = around[n];
+    while (!this->IsDelaunay(triangle, Opposite))
     {
-      this->Changed.push_back(this->Neighbour(triangle, Opposite));
+      around.push_back(this->Neighbour(triangle, Opposite));
       this->Flip(triangle, Opposite);
     }
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::FindRing(PointId point, TriangleId first, std::vector<TriangleId>& ring) const
+{
+  ring.clear();
+  TriangleId triangle = first;
+  do
+  {
+    ring.push_back(triangle);
+    triangle = this->Neighbour(triangle, PreviousCorner(this->CornerAt(triangle, point)));
+    if (triangle == NoTriangle)
+    {
+      ring.clear();
+      return;
+    }
+  } while (triangle != first);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::Collapse(PointId point, const std::vector<TriangleId>& ring, std::size_t n)
+{
+  const std::array<TriangleId, 2> gone = { ring[n], ring[(n + 1) % ring.size()] };
+  const TriangleId before = ring[(n + ring.size() - 1) % ring.size()];
+  const TriangleId after = ring[(n + 2) % ring.size()];
+  const PointId target = this->Corner(gone[0], PreviousCorner(this->CornerAt(gone[0], point)));
+  const std::array<TriangleId, 2> outside = { this->Neighbour(gone[0], NextCorner(this->CornerAt(gone[0], point))),
+    this->Neighbour(gone[1], NextCorner(this->CornerAt(gone[1], point))) };
+  for (const TriangleId triangle : ring)
+  {
+    this->Triangles[std::size_t(triangle)].Corners[std::size_t(this->CornerAt(triangle, point))] = target;
+  }
+  this->Replace(before, gone[0], outside[0]);
+  this->Replace(outside[0], gone[0], before);
+  this->Replace(after, gone[1], outside[1]);
+  this->Replace(outside[1], gone[1], after);
+  for (const TriangleId triangle : gone)
+  {
+    this->Triangles[std::size_t(triangle)] = { { NoPoint, NoPoint, NoPoint }, { NoTriangle, NoTriangle, NoTriangle } };
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TriangleId> PlaneMesh::Compact()
+{
+  std::vector<TriangleId> left;
+  std::vector<TriangleId> numbers(this->Triangles.size(), NoTriangle);
+  for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
+  {
+    if (!this->IsGone(triangle))
+    {
+      numbers[std::size_t(triangle)] = TriangleId(left.size());
+      this->Triangles[left.size()] = this->Triangles[std::size_t(triangle)];
+      left.push_back(triangle);
+    }
+  }
+  this->Triangles.resize(left.size());
+  for (Triangle& triangle : this->Triangles)
+  {
+    for (TriangleId& neighbour : triangle.Neighbours)
+    {
+      neighbour = neighbour == NoTriangle ? NoTriangle : numbers[std::size_t(neighbour)];
+    }
+  }
+  return left;
 }
 }

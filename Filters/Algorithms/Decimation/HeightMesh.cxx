@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HeightMesh.h"
+
+#include "Common/CountingSort.h"
+#include "Common/Parallel.h"
+#include "Selection.h"
+#include "Triangulation/Triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Heights of a triangle are right to some units in the last place of those of its corners.
+constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
+
+// How many triangles a thread measures at a time.
+constexpr std::int64_t Grain = 64;
+
+/// The mesh of the loops alone, over the points of the whole horizon.
+RawVector<PointId> MeshLoops(
+  const BoundedHorizon& horizon, const std::vector<unsigned char>& isOnLoop, const Monitor& monitor)
+{
+  const Selection loops(isOnLoop);
+  BoundedHorizon outline;
+  outline.SubVoxelsPerColumn = horizon.SubVoxelsPerColumn;
+  for (const PointId point : loops.Points)
+  {
+    outline.Plane.push_back(horizon.Plane[std::size_t(point)]);
+    outline.Patch.push_back(horizon.Patch[std::size_t(point)]);
+  }
+  outline.Boundary = horizon.Boundary.Renumbered(loops.Numbers);
+  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
+  for (PointId& point : triangles)
+  {
+    point = loops.Points[std::size_t(point)];
+  }
+  return triangles;
+}
+
+double FindRounding(const std::vector<double>& heights)
+{
+  const auto ends = std::minmax_element(heights.begin(), heights.end());
+  return heights.empty() ? 0.0 : UnitsOfRounding * std::max(std::abs(*ends.first), std::abs(*ends.second));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightMesh::HeightMesh(
+  const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const Monitor& monitor)
+  : Horizon(horizon)
+  , Columns(columns)
+  , LoopMarks(horizon.Boundary.MarkPoints(horizon.Plane.size()))
+  , Marks(this->LoopMarks)
+  , Vertices(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
+  , Mesh(columns, MeshLoops(horizon, this->LoopMarks, monitor))
+  , VertexHeights(horizon.Height)
+  , RoundingError(FindRounding(horizon.Height))
+{
+  this->MakeRasters();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// One for each patch: they can be far apart, and one can lie in a hole of another one.
+void HeightMesh::MakeRasters()
+{
+  const std::vector<std::int32_t>& patch = this->Horizon.Patch;
+  const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
+  const ItemLists<PointId> points(patches,
+    [&patch](auto&& add)
+    {
+      for (std::size_t point = 0; point < patch.size(); ++point)
+      {
+        add(patch[point], PointId(point));
+      }
+    });
+  this->Rasters.resize(std::size_t(patches));
+  for (std::int32_t number = 0; number < patches; ++number)
+  {
+    if (!points.IsEmpty(number))
+    {
+      this->Rasters[std::size_t(number)] = std::make_unique<HeightRaster>(
+        std::vector<PointId>(points.begin(number), points.end(number)), this->Columns, this->Horizon.Height);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::MarkVertex(PointId point, bool isVertex)
+{
+  this->Marks[std::size_t(point)] = isVertex ? 1 : 0;
+  this->Vertices += isVertex ? 1 : -1;
+  this->VertexHeights[std::size_t(point)] = this->Horizon.Height[std::size_t(point)];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Compact()
+{
+  const std::vector<TriangleId> left = this->Mesh.Compact();
+  for (std::size_t n = 0; n < left.size(); ++n)
+  {
+    this->Errors[n] = this->Errors[std::size_t(left[n])];
+  }
+  this->Errors.resize(left.size());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor)
+{
+  this->Errors.resize(std::size_t(this->Mesh.Size()));
+  ParallelFor(std::int64_t(triangles.size()), Grain, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const TriangleId triangle = triangles[std::size_t(n)];
+        this->Errors[std::size_t(triangle)] = this->Measure(triangle, power);
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::MeasureAll(const ErrorPower& power, const Monitor& monitor)
+{
+  std::vector<TriangleId> all(std::size_t(this->Mesh.Size()));
+  std::iota(all.begin(), all.end(), 0);
+  this->Measure(all, power, monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightError HeightMesh::MeasureWithSides(TriangleId triangle, const ErrorPower& power) const
+{
+  HeightError error = this->Measure(triangle, power);
+  for (int side = 0; side < 3; ++side)
+  {
+    if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
+    {
+      const HeightError ofSide = this->MeasureSide(triangle, side);
+      if (ofSide.Largest > error.Largest)
+      {
+        error.Largest = ofSide.Largest;
+        error.Point = ofSide.Point;
+      }
+    }
+  }
+  return error;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double HeightMesh::SumOfErrors() const
+{
+  std::vector<double> sums(std::size_t(this->Mesh.Size()), 0.0);
+  ParallelFor(this->Mesh.Size(), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+      {
+        this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
+          [&](PointId, double error, const std::array<double, 3>&) { sums[std::size_t(triangle)] += std::abs(error); });
+      }
+    });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mesh over a horizon: its triangles in plan, the heights of its vertices, and how far it is from the horizon.
+
+#ifndef SeismicHorizonsHeightMesh_h
+#define SeismicHorizonsHeightMesh_h
+
+#include "Common/BoundedHorizon.h"
+#include "Common/Monitor.h"
+#include "HeightRaster.h"
+#include "PlaneMesh.h"
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+class HeightMesh
+{
+public:
+  /// Meshes the loops. `columns` are those of all points. Keeps references.
+  HeightMesh(const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const Monitor& monitor);
+
+  const BoundedHorizon& Input() const { return this->Horizon; }
+  const PlaneMesh& Triangles() const { return this->Mesh; }
+  PlaneMesh& Triangles() { return this->Mesh; }
+
+  /// How many points are vertices of the mesh or on loops.
+  std::size_t NumberOfVertices() const { return this->Vertices; }
+  bool IsVertex(PointId point) const { return this->Marks[std::size_t(point)] != 0; }
+  /// By point, 1 for vertices and points of loops.
+  const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
+  bool IsOnLoop(PointId point) const { return this->LoopMarks[std::size_t(point)] != 0; }
+  /// A point that is no vertex has the height of its column.
+  void MarkVertex(PointId point, bool isVertex);
+  /// Numbers triangles anew after some went.
+  void Compact();
+
+  /// By point, for vertices of the mesh those of the mesh: at first those of their columns.
+  const std::vector<double>& Heights() const { return this->VertexHeights; }
+  void SetHeights(std::vector<double> heights) { this->VertexHeights = std::move(heights); }
+
+  RaisedPoint Raised(PointId point) const
+  {
+    return { this->Columns[std::size_t(point)], this->VertexHeights[std::size_t(point)] };
+  }
+  RaisedTriangle RaisedCorners(TriangleId triangle) const
+  {
+    return { this->Raised(this->Mesh.Corner(triangle, 0)), this->Raised(this->Mesh.Corner(triangle, 1)),
+      this->Raised(this->Mesh.Corner(triangle, 2)) };
+  }
+  /// The heights of the patch that a triangle belongs to.
+  const HeightRaster& RasterOf(TriangleId triangle) const
+  {
+    return *this->Rasters[std::size_t(this->Horizon.Patch[std::size_t(this->Mesh.Corner(triangle, 0))])];
+  }
+
+  /// At the columns of a triangle.
+  HeightError Measure(TriangleId triangle, const ErrorPower& power = ErrorPower()) const
+  {
+    return this->RasterOf(triangle).Measure(this->RaisedCorners(triangle), power);
+  }
+  /// Measures triangles, and keeps their errors.
+  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor);
+  void MeasureAll(const ErrorPower& power, const Monitor& monitor);
+  void ResizeErrors() { this->Errors.resize(std::size_t(this->Mesh.Size())); }
+  const HeightError& Error(TriangleId triangle) const { return this->Errors[std::size_t(triangle)]; }
+  void SetError(TriangleId triangle, const HeightError& error) { this->Errors[std::size_t(triangle)] = error; }
+  /// Of a side of a triangle, where it crosses lines between columns that are not both vertices.
+  HeightError MeasureSide(TriangleId triangle, int side) const
+  {
+    return this->RasterOf(triangle).MeasureSide(this->Raised(this->Mesh.Corner(triangle, side)),
+      this->Raised(this->Mesh.Corner(triangle, NextCorner(side))), this->Marks);
+  }
+  /// Both, of inner sides.
+  HeightError MeasureWithSides(TriangleId triangle, const ErrorPower& power) const;
+  /// The sum of the errors of all points; points on sides count twice.
+  double SumOfErrors() const;
+  /// How far rounding may put a triangle from a point.
+  double Rounding() const { return this->RoundingError; }
+
+private:
+  void MakeRasters();
+
+  const BoundedHorizon& Horizon;
+  const std::vector<PlanePoint>& Columns;
+  std::vector<unsigned char> LoopMarks; // by point
+  std::vector<unsigned char> Marks; // by point
+  std::size_t Vertices;
+  PlaneMesh Mesh;
+  std::vector<std::unique_ptr<HeightRaster>> Rasters; // by patch; null for numbers without points
+  std::vector<double> VertexHeights; // by point
+  double RoundingError;
+  std::vector<HeightError> Errors; // by triangle
+};
+}
+
+#endif

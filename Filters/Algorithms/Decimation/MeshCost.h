@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a change to a mesh may cost: the sum of powers of its errors, at columns and where inner sides cross the lines
+// between columns, which slivers between columns do too.
+
+#ifndef SeismicHorizonsMeshCost_h
+#define SeismicHorizonsMeshCost_h
+
+#include "Common/Predicates.h"
+#include "HeightMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace SeismicHorizons
+{
+struct MeshCost
+{
+  ErrorPower Power = { 4, 1.0 };
+  /// No change may make an error larger than this, but where it was larger before.
+  double LargestError = std::numeric_limits<double>::infinity();
+  /// The sine of an angle in plan. No change may make a smaller one, but where there was a smaller one before.
+  double SmallestSine = 0.0;
+
+  /// Of the smallest angle of a triangle in plan, which is between its two longer sides; at most 0 when it is flat or
+  /// turned over.
+  static double SmallestSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+  {
+    const double ab = SquaredLength(a, b);
+    const double bc = SquaredLength(b, c);
+    const double ca = SquaredLength(c, a);
+    const double longer = std::max({ ab * bc, bc * ca, ca * ab });
+    return longer > 0.0 ? double(SignedArea(a, b, c)) / std::sqrt(longer) : 0.0;
+  }
+
+private:
+  static double SquaredLength(const PlanePoint& a, const PlanePoint& b)
+  {
+    const double x = double(b.X) - a.X;
+    const double y = double(b.Y) - a.Y;
+    return x * x + y * y;
+  }
+};
+}
+
+#endif

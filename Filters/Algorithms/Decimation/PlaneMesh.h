@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mesh in plan that is changed step by step. Its sides without a triangle beyond, the boundary, stay.
+//
+// Insert: a point makes three triangles out of the one it lies in, and is the third corner of each. Flip: of two
+// triangles the side between them becomes the one between the corners opposite to it. Collapse: a point goes to the
+// other end of a side, which takes two triangles away.
+//
+//          c                   c             c-----e        c-----e           e-----d            e-----d
+//         / \                 /|\            |\    |        |    /|          / \   / \          /     / \
+//        / p \       ->      / p \           |  \  |   ->   |  /  |         f---p---c     ->   f    /    c
+//       /     \            / /   \ \         |    \|        |/    |          \ / \ /            \  /  / /
+//      a-------b          a---------b        a-----b        a-----b           a---b              a-----b
+
+#ifndef SeismicHorizonsPlaneMesh_h
+#define SeismicHorizonsPlaneMesh_h
+
+#include "Common/RawVector.h"
+#include "Common/Types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+using TriangleId = std::int32_t;
+
+constexpr TriangleId NoTriangle = -1;
+
+/// Around a triangle, counter-clockwise. Sides have the numbers of the corners they begin at, so that the side opposite
+/// to a corner is its next one.
+constexpr int NextCorner(int corner)
+{
+  return corner == 2 ? 0 : corner + 1;
+}
+constexpr int PreviousCorner(int corner)
+{
+  return corner == 0 ? 2 : corner - 1;
+}
+
+class PlaneMesh
+{
+public:
+  /// Three points per triangle, counter-clockwise; sides fit together. Keeps a reference to the places.
+  PlaneMesh(const std::vector<PlanePoint>& plane, const RawVector<PointId>& triangles);
+
+  TriangleId Size() const { return TriangleId(this->Triangles.size()); }
+  PointId Corner(TriangleId triangle, int corner) const
+  {
+    return this->Triangles[std::size_t(triangle)].Corners[std::size_t(corner)];
+  }
+  /// Across the side from a corner to the next one; NoTriangle at the boundary.
+  TriangleId Neighbour(TriangleId triangle, int side) const
+  {
+    return this->Triangles[std::size_t(triangle)].Neighbours[std::size_t(side)];
+  }
+  /// The side of a triangle to a neighbour.
+  int SideTo(TriangleId triangle, TriangleId neighbour) const;
+  /// The corner beyond a side that is not at the boundary.
+  PointId Beyond(TriangleId triangle, int side) const;
+  int CornerAt(TriangleId triangle, PointId point) const;
+  const PlanePoint& Place(PointId point) const { return this->Plane[std::size_t(point)]; }
+
+  /// The triangle that a point is in or on, looked for from one near by, across at most a hundred sides; NoTriangle
+  /// when it is not found or the boundary is in the way.
+  TriangleId Locate(PointId point, TriangleId near) const;
+
+  /// Inserts a point that lies in a triangle or on its sides, and gives the three or four triangles around it; none
+  /// when it lies on the boundary or in the place of a corner, where it can not be inserted.
+  void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
+
+  /// Of two triangles a, b, c and b, a, d, the first with its side a b, makes a, d, c in place of the first and d, b, c
+  /// in place of the other one. The four points are the corners of a convex quadrilateral.
+  void Flip(TriangleId triangle, int side);
+
+  /// Flips sides opposite to a point that was inserted, and then those of the new triangles, until all triangles around
+  /// it are Delaunay: none has the corner of a neighbour in its circle (Lawson 1977, "Software for C1 surface
+  /// interpolation"). `around` are the triangles around the point, which is their third corner; new ones are added.
+  void Legalize(std::vector<TriangleId>& around);
+
+  /// The triangles around a point inside, counter-clockwise, from one of them; nothing when the boundary is met.
+  void FindRing(PointId point, TriangleId first, std::vector<TriangleId>& ring) const;
+
+  /// Moves a point inside to the far end of a side of its ring: the second corner after it of ring[n]. The triangles on
+  /// both sides of the side, ring[n] and the next one, go: they lose their corners.
+  void Collapse(PointId point, const std::vector<TriangleId>& ring, std::size_t n);
+  bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoPoint; }
+  /// Numbers the triangles that are left anew, in their order; gives their numbers so far.
+  std::vector<TriangleId> Compact();
+
+private:
+  struct Triangle
+  {
+    std::array<PointId, 3> Corners;
+    std::array<TriangleId, 3> Neighbours;
+  };
+
+  void Connect();
+  void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);
+  void Split(PointId point, TriangleId triangle, std::vector<TriangleId>& parts);
+  bool IsDelaunay(TriangleId triangle, int side) const;
+  std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int side) const;
+
+  const std::vector<PlanePoint>& Plane;
+  std::vector<Triangle> Triangles;
+};
+}
+
+#endif
