@@ -62,6 +62,9 @@ void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "TargetReduction: " << this->TargetReduction << "\n";
   os << indent << "FitHeights: " << (this->FitHeights ? "On" : "Off") << "\n";
+  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
+  os << indent << "Priority: " << (this->Priority == LargestErrors ? "LargestErrors" : "SumOfSquares") << "\n";
+  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -91,6 +94,10 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
   DecimationOptions options;
   options.MaximumError = 0.0;
   options.FitHeights = this->FitHeights;
+  options.Effort = this->Effort == Fast ? DecimationEffort::Fast : DecimationEffort::Best;
+  options.Priority =
+    this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
+  options.SmallestAngle = this->SmallestAngle;
   if (this->Target == LargestError)
   {
     options.MaximumError = this->FindError(horizon, grid);

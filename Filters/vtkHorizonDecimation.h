@@ -18,15 +18,17 @@
  *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees)
  *
  * With the Target LargestError no point is farther from the mesh than that, vertically, and no inner side of the mesh
- * is farther from the line between two neighbouring columns where it crosses that line. The mesh is the constrained
- * Delaunay triangulation of its vertices, seen from above, which are found by greedy insertion in rounds
- * (Decimation.h; Garland and Heckbert 1995).
+ * is farther from the line between two neighbouring columns where it crosses that line. With the Effort Fast, vertices
+ * are found by greedy insertion in rounds (Garland and Heckbert 1995), and the mesh is their constrained Delaunay
+ * triangulation, seen from above. With Best, edges are then flipped and vertices removed again, as long as the error is
+ * kept (Decimation.h).
  *
  * On several threads, with the same result on any number of them. Near linear; about 40 bytes per point beyond input
  * and output.
  *
  * Errors: those of vtkHorizonTriangulation on loops; points beside their columns or outside the loops; an error that is
- * negative or not finite; fewer points than the loops have; a reduction that is not from 0 to 1.
+ * negative or not finite; fewer points than the loops have; a reduction that is not from 0 to 1; an angle that is not
+ * from 0 to 60 degrees.
  *
  * @sa vtkHorizonBoundarySimplification vtkHorizonTriangulation vtkHorizonSurfaceDistance
  */
@@ -127,6 +129,52 @@ public:
   vtkBooleanMacro(FitHeights, bool);
   ///@}
 
+  /// How much is done for few points.
+  enum Efforts
+  {
+    Fast = 0,
+    Best = 1
+  };
+
+  ///@{
+  /**
+   * How much is done for few points. Fast: points are inserted where the mesh is farthest from the horizon. Best: then
+   * edges are flipped, heights fitted and vertices removed, which takes some times as long and a quarter to a half
+   * fewer points for an error, or a smaller mean error for a number of points. Default: Best.
+   */
+  vtkSetClampMacro(Effort, int, Fast, Best);
+  vtkGetMacro(Effort, int);
+  void SetEffortToFast() { this->SetEffort(Fast); }
+  void SetEffortToBest() { this->SetEffort(Best); }
+  ///@}
+
+  /// Which error becomes small for a number of points.
+  enum Priorities
+  {
+    LargestErrors = 0,
+    SumOfSquares = 1
+  };
+
+  ///@{
+  /**
+   * With NumberOfPoints or Reduction as the target, which error becomes small: the largest one (LargestErrors), or the
+   * sum of the squares of all (SumOfSquares), and with it the mean. Default: SumOfSquares.
+   */
+  vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
+  vtkGetMacro(Priority, int);
+  void SetPriorityToLargestErrors() { this->SetPriority(LargestErrors); }
+  void SetPriorityToSumOfSquares() { this->SetPriority(SumOfSquares); }
+  ///@}
+
+  ///@{
+  /**
+   * With the Effort Best, in degrees, seen from above on the lattice, from 0 to 60: no flip and no removal makes a
+   * smaller angle, but where there was a smaller one before. Large ones take more points. Default: 5.
+   */
+  vtkSetMacro(SmallestAngle, double);
+  vtkGetMacro(SmallestAngle, double);
+  ///@}
+
 protected:
   vtkHorizonDecimation() = default;
   ~vtkHorizonDecimation() override = default;
@@ -147,6 +195,9 @@ private:
   int MaximumNumberOfPoints = 10000;
   double TargetReduction = 0.95;
   bool FitHeights = true;
+  int Effort = Best;
+  int Priority = SumOfSquares;
+  double SmallestAngle = 5.0;
 };
 
 #endif

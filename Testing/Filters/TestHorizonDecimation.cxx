@@ -133,6 +133,28 @@ void TestTargets()
     pipeline.Update()->GetNumberOfPoints(), pipeline.Straight->GetPolyDataOutput()->GetLines()->GetCellSize(0) - 1);
 }
 
+/// The best effort takes fewer points for the error; each of its parameters has an effect.
+void TestEffort()
+{
+  Pipeline pipeline(HorizonFixtures::UnitSurvey());
+  const vtkIdType best = pipeline.Update()->GetNumberOfPoints();
+  pipeline.Mesh->SetSmallestAngle(40.0);
+  CHECK(pipeline.Update()->GetNumberOfPoints() > best);
+  pipeline.Mesh->SetEffortToFast();
+  CHECK(pipeline.Update()->GetNumberOfPoints() > best);
+  pipeline.Mesh->SetTargetToNumberOfPoints();
+  pipeline.Mesh->SetMaximumNumberOfPoints(140);
+  for (const bool isBest : { false, true })
+  {
+    pipeline.Mesh->SetEffort(isBest ? vtkHorizonDecimation::Best : vtkHorizonDecimation::Fast);
+    pipeline.Mesh->SetPriorityToSumOfSquares();
+    const double mean = Figure(pipeline.Update(), "MeanError");
+    pipeline.Mesh->SetPriorityToLargestErrors();
+    CHECK(Figure(pipeline.Update(), "MeanError") != mean);
+    CHECK_EQUAL(pipeline.Mesh->GetPolyDataOutput()->GetNumberOfPoints(), 140);
+  }
+}
+
 void CheckRefused(Pipeline& pipeline, const std::string& message)
 {
   Errors errors(pipeline.Mesh);
@@ -159,6 +181,9 @@ void TestErrors()
   pipeline.Mesh->SetTargetReduction(1.5);
   CheckRefused(pipeline, "target reduction 1.5, expected 0 to 1 of the points");
   pipeline.Mesh->SetTargetReduction(0.5);
+  pipeline.Mesh->SetSmallestAngle(61.0);
+  CheckRefused(pipeline, "smallest angle 61, expected 0 to 60 degrees");
+  pipeline.Mesh->SetSmallestAngle(5.0);
   vtkNew<vtkHorizonRoughSimplification> rough;
   rough->SetInputConnection(pipeline.Straight->GetOutputPort());
   pipeline.Mesh->SetInputConnection(rough->GetOutputPort());
@@ -171,7 +196,8 @@ void TestPrint()
   std::ostringstream text;
   mesh->Print(text);
   for (const char* const line : { "Target: LargestError", "MaximumError: 0.75", "ErrorUnit: Lattice",
-         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: On", "InvalidHorizons: Stop" })
+         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: On", "Effort: Best",
+         "Priority: SumOfSquares", "SmallestAngle: 5", "InvalidHorizons: Stop" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -183,6 +209,7 @@ int TestHorizonDecimation(int, char*[])
   TestOutput();
   TestBoundByDistance();
   TestTargets();
+  TestEffort();
   TestErrors();
   TestPrint();
   return Check::Result();

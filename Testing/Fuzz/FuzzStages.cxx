@@ -141,7 +141,12 @@ void DecimateWhole(const BoundedHorizon& horizon, StageInput& input)
   const auto isSame = [](const Decimation& a, const Decimation& b)
   { return a.Triangles == b.Triangles && a.Points.Height == b.Points.Height && a.Errors == b.Errors; };
   const auto decimate = [&]() { return Decimate(horizon, options); };
-  const bool isValid = IsLength(options.MaximumError);
+  const std::vector<unsigned char> marks = horizon.Boundary.MarkPoints(horizon.Plane.size());
+  const auto least = std::size_t(std::count(marks.begin(), marks.end(), 1));
+  const bool isNumber = options.MaximumNumberOfPoints > 0;
+  const bool isValid = IsLength(options.MaximumError) && options.SmallestAngle >= 0.0 &&
+    options.SmallestAngle <= 60.0 &&
+    !(isNumber && (options.MaximumError > 0.0 || options.MaximumNumberOfPoints < least));
   const auto result = RunOn(isValid, "decimation", [&]() { return OnAnyThreads(decimate, isSame, "decimation"); });
   if (!result)
   {
@@ -149,8 +154,17 @@ void DecimateWhole(const BoundedHorizon& horizon, StageInput& input)
   }
   const double rounding = 1e-12 * HeightRange(horizon);
   const bool isKept = result->LargestError <= options.MaximumError + rounding;
-  Require(isKept || options.MaximumNumberOfPoints > 0, "decimation: the error is larger than asked for");
-  CheckedMesh(Reduce(horizon, result->Points), "mesh of the decimation");
+  Require(isKept || isNumber, "decimation: the error is larger than asked for");
+  Require(!isNumber || result->Points.Source.size() <= options.MaximumNumberOfPoints, "decimation: too many points");
+  const BoundedHorizon reduced = Reduce(horizon, result->Points);
+  if (options.Effort == DecimationEffort::Fast)
+  {
+    CheckedMesh(reduced, "mesh of the decimation");
+  }
+  else
+  {
+    CheckAnyMesh(reduced, result->Triangles);
+  }
 }
 
 /// The hull of all points, and what is left of it when triangles outside are taken off.

@@ -188,7 +188,11 @@ DecimationOptions StageInput::TakeDecimationOptions()
 {
   DecimationOptions options;
   options.MaximumError = this->TakeBool() ? 0.0 : this->TakeNumber(0.0, 10.0);
+  options.MaximumNumberOfPoints = this->TakeBool() ? 0 : std::size_t(this->TakeBelow(1000));
   options.FitHeights = this->TakeBool();
+  options.Effort = this->TakeBool() ? DecimationEffort::Fast : DecimationEffort::Best;
+  options.Priority = this->TakeBool() ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
+  options.SmallestAngle = this->TakeNumber(0.0, 60.0);
   return options;
 }
 

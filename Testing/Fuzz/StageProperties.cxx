@@ -136,6 +136,15 @@ Triangulation CheckedMesh(const BoundedHorizon& horizon, const std::string& name
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void CheckAnyMesh(const BoundedHorizon& horizon, const RawVector<PointId>& triangles)
+{
+  if (horizon.Plane.size() <= MostPointsInPairs)
+  {
+    RequireNothing(MeshChecker::CheckMesh(horizon, triangles, MeshChecker::Kind::Any), "mesh");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void CheckSimplifiedBoundary(
   const BoundedHorizon& horizon, const BoundarySimplification& result, const BoundarySimplificationOptions& options)
 {

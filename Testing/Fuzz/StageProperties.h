@@ -25,6 +25,10 @@ void CheckBoundary(const Patches::Columns& columns, const SeismicHorizons::Exter
 /// The triangulation of a horizon is right, and the same with either search and wherever the horizon lies.
 SeismicHorizons::Triangulation CheckedMesh(const SeismicHorizons::BoundedHorizon& horizon, const std::string& name);
 
+/// A mesh that need not be Delaunay.
+void CheckAnyMesh(const SeismicHorizons::BoundedHorizon& horizon,
+  const SeismicHorizons::RawVector<SeismicHorizons::PointId>& triangles);
+
 void CheckSimplifiedBoundary(const SeismicHorizons::BoundedHorizon& horizon,
   const SeismicHorizons::BoundarySimplification& result, const SeismicHorizons::BoundarySimplificationOptions& options);
 

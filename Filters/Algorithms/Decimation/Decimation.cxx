@@ -4,15 +4,13 @@
 #include "Decimation.h"
 
 #include "Common/Parameters.h"
-#include "EdgeFlips.h"
 #include "HeightFit.h"
+#include "MeshImprover.h"
 #include "MeshRefiner.h"
 #include "MeshResult.h"
-#include "VertexRemoval.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -41,170 +39,96 @@ std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
 constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
 
-class Decimator
+// With the best effort, so many times the inner vertices that may be left are inserted, and then removed again. Twice
+// as many more make the mean error 1 to 2 % smaller.
+constexpr double Surplus = 4.0;
+
+void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
-public:
-  Decimator(HeightMesh& mesh, const DecimationOptions& options)
-    : Mesh(mesh)
-    , Options(options)
+  const double error = options.MaximumError;
+  MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
+  if (options.FitHeights && error > 0.0)
   {
+    refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
+    mesh.SetHeights(FitHeights(mesh, DecimationPriority::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
   }
+  refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
+  refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
+}
 
-  void Run(const Monitor& monitor)
+void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  MeshRefiner refiner(mesh, options.MaximumNumberOfPoints, options.Priority);
+  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.9));
+  if (options.FitHeights)
   {
-    if (this->Options.Effort == DecimationEffort::Fast)
-    {
-      this->RunFast(monitor);
-    }
-    else if (this->Options.MaximumError > 0.0)
-    {
-      this->RunBestToError(monitor);
-    }
-    else
-    {
-      this->RunBestToNumber(monitor);
-    }
+    FitToNumber(mesh, options.Priority, monitor.Step(0.9, 1.0));
   }
+}
 
-private:
-  void RunFast(const Monitor& monitor)
+/// Inserts more points than may be left, and removes as many.
+void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  const std::size_t inside = options.MaximumNumberOfPoints - mesh.NumberOfVertices();
+  const std::size_t most = mesh.NumberOfVertices() + std::size_t(Surplus * double(inside));
+  MeshRefiner(mesh, most, options.Priority).InsertWhereFar(0.0, monitor.Step(0.0, 0.4));
+  ReduceToNumber(mesh, options.MaximumNumberOfPoints, options, monitor.Step(0.4, 1.0));
+}
+
+void Refine(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  const bool isBest = options.Effort == DecimationEffort::Best;
+  if (options.MaximumNumberOfPoints > 0)
   {
-    const double error = this->Options.MaximumError;
-    MeshRefiner refiner(this->Mesh, this->Options.MaximumNumberOfPoints);
-    if (this->Options.FitHeights && error > 0.0)
-    {
-      refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.48));
-      this->Fit(FitTarget::LargestError, error, monitor.Step(0.48, 0.6));
-    }
-    else if (this->Options.FitHeights)
-    {
-      refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.48));
-      this->FitMean(refiner.FindLargest(), monitor.Step(0.48, 0.6));
-    }
-    refiner.InsertWhereFar(error, monitor.Step(this->Options.FitHeights ? 0.6 : 0.0, 0.8));
-    refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
+    (isBest ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
+    return;
   }
-
-  void Fit(FitTarget target, double error, const Monitor& monitor)
+  InsertToError(mesh, options, monitor.Step(0.0, isBest ? 0.3 : 1.0));
+  if (isBest && options.MaximumError > 0.0)
   {
-    if (this->Options.FitHeights)
-    {
-      this->Mesh.SetHeights(FitHeights(this->Mesh, target, ReachOfFit * error, monitor));
-    }
+    ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0));
   }
+}
 
-  /// Heights that are whole numbers can fit best as they are: many points then lie right on the mesh.
-  void FitMean(double reach, const Monitor& monitor)
+void Check(const DecimationOptions& options)
+{
+  CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
+  CheckWithin("smallest angle", options.SmallestAngle, 0.0, 60.0, " degrees");
+  if (options.MaximumError > 0.0 && options.MaximumNumberOfPoints > 0)
   {
-    const double before = this->Mesh.SumOfErrors();
-    this->Mesh.SetHeights(FitHeights(this->Mesh, FitTarget::MeanError, reach, monitor));
-    if (this->Mesh.SumOfErrors() > before)
-    {
-      this->Mesh.SetHeights(this->Mesh.Input().Height);
-    }
+    std::ostringstream message;
+    message << "maximum error " << options.MaximumError << " and maximum number of points "
+            << options.MaximumNumberOfPoints << ", expected one of them as the target, and 0 for the other one";
+    throw InputError(message.str());
   }
+}
 
-  void RunBestToError(const Monitor& monitor)
+void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
+{
+  if (most > 0 && most < mesh.NumberOfVertices())
   {
-    const double error = this->Options.MaximumError;
-    const auto env=[](const char*n,double d){ const char*v=getenv(n); return v?atof(v):d; };
-    const bool v = getenv("VERB");
-    MeshCost cost;
-    cost.Power.Unit = error;
-    cost.Power.Power = int(env("POW",4));
-    cost.SmallestSine = std::sin(this->Options.SmallestAngle * M_PI / 180.0);
-    cost.LargestError = error*env("FE",1.0);
-    MeshCost rcost = cost; rcost.SmallestSine = std::sin(env("RANG",this->Options.SmallestAngle) * M_PI / 180.0); rcost.LargestError = error*env("RE",1.0);
-    MeshRefiner r0(this->Mesh, 0);
-    r0.InsertWhereFar(env("EBF",1.3) * error, monitor.Step(0.0, 0.2));
-    EdgeFlips flips(this->Mesh, cost);
-    if(env("START",0)>0) {
-      this->Fit(FitTarget::LargestError, error, Monitor());
-      r0.InsertWhereFar(error, Monitor());
-      r0.InsertAtSides(error, Monitor());
-    } else {
-    flips.Run(Monitor());
-    this->Fit(FitTarget::LargestError, error, Monitor());
-    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
-    MeshRefiner refiner(this->Mesh, 0, &flips, cost.Power);
-    refiner.InsertWhereFar(error, Monitor());
-    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
-    refiner.InsertAtSides(error, Monitor());
-    }
-    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
-    const int rounds = int(env("ROUNDS",2));
-    for (int round = 0; round < rounds; ++round)
-    {
-      flips.Run(Monitor());
-      if (this->Options.FitHeights)
-      {
-        const std::vector<double> before = this->Mesh.Heights();
-        this->Fit(FitTarget::LargestError, error, Monitor());
-        LimitMoves(this->Mesh, before, error);
-      }
-      VertexRemoval(this->Mesh, rcost).Run(0, Monitor());
-      if(v) printf("  removed to %zu\n", this->Mesh.NumberOfVertices());
-    }
-    flips.Run(Monitor());
-      if (this->Options.FitHeights)
-      {
-        const std::vector<double> before = this->Mesh.Heights();
-        this->Fit(FitTarget::LargestError, error, Monitor());
-        LimitMoves(this->Mesh, before, error);
-      }
-    MeshRefiner refiner(this->Mesh, 0, &flips, cost.Power);
-    refiner.InsertWhereFar(error, Monitor());
-    refiner.InsertAtSides(error, Monitor());
-    if(v) printf("  inserted %zu\n", this->Mesh.NumberOfVertices());
+    throw InputError("maximum number of points " + std::to_string(most) + ", expected at least the " +
+      std::to_string(mesh.NumberOfVertices()) + " of the loops, which are kept");
   }
-
-  void RunBestToNumber(const Monitor& monitor)
-  {
-    const std::size_t number = this->Options.MaximumNumberOfPoints;
-    const auto env=[](const char*n,double d){ const char*v=getenv(n); return v?atof(v):d; };
-    const std::size_t loops = this->Mesh.NumberOfVertices();
-    const auto part = [&](double f) { return loops + std::size_t(f * double(number - loops)); };
-    const bool v = getenv("VERB");
-    MeshRefiner first(this->Mesh, part(env("OVER",1.3)));
-    first.InsertWhereFar(0.0, monitor.Step(0.0, 0.2));
-    MeshCost cost;
-    cost.Power.Power = int(env("POW",4));
-    cost.Power.Unit = std::max(first.FindLargest(), 1e-300);
-    cost.SmallestSine = std::sin(this->Options.SmallestAngle * M_PI / 180.0);
-    EdgeFlips flips(this->Mesh, cost);
-    const int rounds = int(env("ROUNDS",2));
-    for (int round = 0; round < rounds; ++round)
-    {
-      flips.Run(Monitor());
-      this->Fit(cost.Power.Power==4?FitTarget::LargestError:FitTarget::MeanError, env("REACH",1)*cost.Power.Unit, Monitor());
-      const double f = env("DOWN",0.95);
-      VertexRemoval(this->Mesh, cost).Run(part(round+1<rounds ? env("MID",1.1) : f), Monitor());
-    }
-    flips.Run(Monitor());
-    this->Fit(cost.Power.Power==4?FitTarget::LargestError:FitTarget::MeanError, env("REACH",1)*cost.Power.Unit, Monitor());
-    if(v) printf("  removed to %zu of %zu\n", this->Mesh.NumberOfVertices(), number);
-    MeshRefiner refiner(this->Mesh, number, &flips, cost.Power);
-    refiner.InsertWhereFar(0.0, Monitor());
-    refiner.InsertAtSides(0.0, Monitor());
-  }
-
-  HeightMesh& Mesh;
-  const DecimationOptions& Options;
-};
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& options, const Monitor& monitor)
 {
-  CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
+  Check(options);
   const std::vector<PlanePoint> columns = ToColumns(horizon);
   HeightMesh mesh(horizon, columns, monitor.Step(0.0, 0.1));
-  if (options.MaximumNumberOfPoints > 0 && options.MaximumNumberOfPoints < mesh.NumberOfVertices())
+  const std::size_t most = options.MaximumNumberOfPoints;
+  CheckNumberOfPoints(mesh, most);
+  Refine(mesh, options, monitor.Step(0.1, 0.9));
+  if (most > 0 && most < mesh.NumberOfVertices())
   {
-    throw InputError("maximum number of points " + std::to_string(options.MaximumNumberOfPoints) +
-      ", expected at least the " + std::to_string(mesh.NumberOfVertices()) + " of the loops, which are kept");
+    // No vertex can go to a neighbour any more, as none of these sees all of what is around it. That is rare.
+    DecimationOptions fast = options;
+    fast.Effort = DecimationEffort::Fast;
+    return Decimate(horizon, fast, monitor.Step(0.9, 1.0));
   }
-  Decimator(mesh, options).Run(monitor.Step(0.1, 0.9));
   return MakeResult(mesh, monitor.Step(0.9, 1.0));
 }
 }

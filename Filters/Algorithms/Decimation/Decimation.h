@@ -11,6 +11,10 @@
 // triangles that are new, is done by all threads at once, and the vertices are about as few as one by one.
 //
 // The mesh is at all times the constrained Delaunay triangulation of its vertices: that of Triangulation.h.
+//
+// The best effort goes on from there (MeshImprover.h). It flips sides for which the mesh comes nearer to the horizon,
+// fits heights, and removes vertices as long as the error is kept: that takes a quarter to a half of them. For a number
+// of points it inserts four times as many as may be left, and removes the cheapest ones.
 
 #ifndef SeismicHorizonsDecimation_h
 #define SeismicHorizonsDecimation_h
@@ -27,25 +31,33 @@ namespace SeismicHorizons
 {
 enum class DecimationEffort
 {
-  Fast, // insertion alone
-  Best // sides are flipped and vertices removed, too
+  Fast, // points are inserted
+  Best // then sides are flipped, heights fitted and vertices removed again
+};
+
+/// With a number of points as the target, which error becomes small.
+enum class DecimationPriority
+{
+  LargestError,
+  SumOfSquares // of the errors of all points, and with it their mean
 };
 
 struct DecimationOptions
 {
-  DecimationEffort Effort = DecimationEffort::Fast;
-  /// With the best effort, in degrees, in plan, 0 to 60: no flip or removal makes a smaller angle, but where there was
-  /// a smaller one.
-  double SmallestAngle = 10.0;
   /// The largest vertical distance of a point from the mesh, and of a side of the mesh from the line between two
   /// neighbouring columns that it crosses, in lattice units: at least 0. Heights that are rounded to whole voxels are
   /// half a voxel off; three quarters bring the mesh nearest to what was rounded.
   double MaximumError = 0.75;
-  /// No more points than this, at least those of the loops; 0 for as many as the error takes.
+  /// Not 0, the target instead of an error, which then is 0: so many points at most, at least those of the loops.
   std::size_t MaximumNumberOfPoints = 0;
   /// Whether heights of inner vertices are fitted to the points around them (HeightFit.h), which takes fewer vertices;
   /// else every vertex is a point of the horizon.
   bool FitHeights = true;
+  DecimationEffort Effort = DecimationEffort::Best;
+  DecimationPriority Priority = DecimationPriority::SumOfSquares;
+  /// With the best effort, 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
+  /// a smaller one before.
+  double SmallestAngle = 5.0;
 };
 
 struct Decimation

@@ -18,9 +18,9 @@ namespace SeismicHorizons
 namespace
 {
 /// The power of each step: 2 to 4.
-std::vector<int> Powers(FitTarget target)
+std::vector<int> Powers(DecimationPriority priority)
 {
-  return target == FitTarget::MeanError ? std::vector<int>{ 2 } : std::vector<int>{ 3, 3, 4, 4 };
+  return priority == DecimationPriority::SumOfSquares ? std::vector<int>{ 2 } : std::vector<int>{ 3, 3, 4, 4 };
 }
 
 // The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
@@ -190,54 +190,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<double> FitHeights(const HeightMesh& mesh, FitTarget target, double reach, const Monitor& monitor)
+std::vector<double> FitHeights(
+  const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor)
 {
-  return HeightFitter(mesh, reach).Run(Powers(target), monitor);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void LimitMoves(HeightMesh& mesh, const std::vector<double>& before, double error)
-{
-  const std::vector<double> after = mesh.Heights();
-  std::vector<double> parts(after.size(), 1.0);
-  const PlaneMesh& triangles = mesh.Triangles();
-  std::vector<unsigned char> isFar(std::size_t(triangles.Size()), 1);
-  std::vector<double> heights = after;
-  for (bool isDone = false; !isDone;)
-  {
-    ParallelFor(triangles.Size(), Grain,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
-        {
-          HeightError e = mesh.Measure(triangle);
-          const RaisedTriangle raised = mesh.RaisedCorners(triangle);
-          for (int side = 0; side < 3; ++side)
-          {
-            if (triangles.Neighbour(triangle, side) != NoTriangle)
-            {
-              e.Largest = std::max(e.Largest, mesh.RasterOf(triangle).MeasureCrossings(raised[side], raised[NextCorner(side)], ErrorPower()).Largest);
-            }
-          }
-          isFar[triangle] = e.Largest > error;
-        }
-      });
-    isDone = true;
-    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
-    {
-      for (int corner = 0; corner < 3 && isFar[std::size_t(triangle)]; ++corner)
-      {
-        const std::size_t point = std::size_t(triangles.Corner(triangle, corner));
-        double& part = parts[point];
-        if (part > 0.0 && after[point] != before[point])
-        {
-          part = part > 0.2 ? 0.5 * part : 0.0;
-          heights[point] = part == 0.0 ? before[point] : before[point] + part * (after[point] - before[point]);
-          isDone = false;
-        }
-      }
-    }
-    mesh.SetHeights(heights);
-  }
+  return HeightFitter(mesh, reach).Run(Powers(priority), monitor);
 }
 }

@@ -3,6 +3,8 @@
 //
 // Heights of the vertices of a mesh for which it is nearer to the horizon than with those of their columns.
 //
+// Errors are those at columns, and where inner sides of the mesh cross lines between columns.
+//
 // For a small mean error the sum of the squares of all errors is made least. For a small largest error the sum of their
 // p-th powers is made small, p being 3 and then 4. Each step is one of least squares, in which a point weighs as much
 // as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and goes a (p -
@@ -12,25 +14,17 @@
 #define SeismicHorizonsHeightFit_h
 
 #include "Common/Monitor.h"
+#include "Decimation.h"
 #include "HeightMesh.h"
 
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Which error is made small.
-enum class FitTarget
-{
-  MeanError,
-  LargestError
-};
-
 /// By point, the heights of the vertices of the mesh; those on loops stay, and no other moves farther than `reach` from
 /// that of its column. All other points keep their heights.
-std::vector<double> FitHeights(const HeightMesh& mesh, FitTarget target, double reach, const Monitor& monitor);
-
-/// Moves heights back as far as an error asks for, at most to those before.
-void LimitMoves(HeightMesh& mesh, const std::vector<double>& before, double error);
+std::vector<double> FitHeights(
+  const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor);
 }
 
 #endif

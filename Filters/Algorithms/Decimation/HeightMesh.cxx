@@ -24,8 +24,8 @@ constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon()
 constexpr std::int64_t Grain = 64;
 
 /// The mesh of the loops alone, over the points of the whole horizon.
-RawVector<PointId> MeshLoops(
-  const BoundedHorizon& horizon, const std::vector<unsigned char>& isOnLoop, const Monitor& monitor)
+RawVector<PointId> MeshLoops(const BoundedHorizon& horizon, const std::vector<std::int32_t>& patches,
+  const std::vector<unsigned char>& isOnLoop, const Monitor& monitor)
 {
   const Selection loops(isOnLoop);
   BoundedHorizon outline;
@@ -33,7 +33,7 @@ RawVector<PointId> MeshLoops(
   for (const PointId point : loops.Points)
   {
     outline.Plane.push_back(horizon.Plane[std::size_t(point)]);
-    outline.Patch.push_back(horizon.Patch[std::size_t(point)]);
+    outline.Patch.push_back(patches[std::size_t(point)]);
   }
   outline.Boundary = horizon.Boundary.Renumbered(loops.Numbers);
   RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
@@ -44,6 +44,21 @@ RawVector<PointId> MeshLoops(
   return triangles;
 }
 
+/// Patches numbered from 0 on without gaps, by point.
+std::vector<std::int32_t> Renumber(const std::vector<std::int32_t>& patches)
+{
+  std::vector<std::int32_t> numbers(patches);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<std::int32_t> renumbered;
+  renumbered.reserve(patches.size());
+  for (const std::int32_t patch : patches)
+  {
+    renumbered.push_back(std::int32_t(std::lower_bound(numbers.begin(), numbers.end(), patch) - numbers.begin()));
+  }
+  return renumbered;
+}
+
 double FindRounding(const std::vector<double>& heights)
 {
   const auto ends = std::minmax_element(heights.begin(), heights.end());
@@ -52,14 +67,14 @@ double FindRounding(const std::vector<double>& heights)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightMesh::HeightMesh(
-  const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const Monitor& monitor)
+HeightMesh::HeightMesh(const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const Monitor& monitor)
   : Horizon(horizon)
   , Columns(columns)
+  , Patches(Renumber(horizon.Patch))
   , LoopMarks(horizon.Boundary.MarkPoints(horizon.Plane.size()))
   , Marks(this->LoopMarks)
   , Vertices(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
-  , Mesh(columns, MeshLoops(horizon, this->LoopMarks, monitor))
+  , Mesh(columns, MeshLoops(horizon, this->Patches, this->LoopMarks, monitor))
   , VertexHeights(horizon.Height)
   , RoundingError(FindRounding(horizon.Height))
 {
@@ -70,7 +85,7 @@ HeightMesh::HeightMesh(
 // One for each patch: they can be far apart, and one can lie in a hole of another one.
 void HeightMesh::MakeRasters()
 {
-  const std::vector<std::int32_t>& patch = this->Horizon.Patch;
+  const std::vector<std::int32_t>& patch = this->Patches;
   const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
   const ItemLists<PointId> points(patches,
     [&patch](auto&& add)
@@ -80,14 +95,11 @@ void HeightMesh::MakeRasters()
         add(patch[point], PointId(point));
       }
     });
-  this->Rasters.resize(std::size_t(patches));
+  this->Rasters.reserve(std::size_t(patches));
   for (std::int32_t number = 0; number < patches; ++number)
   {
-    if (!points.IsEmpty(number))
-    {
-      this->Rasters[std::size_t(number)] = std::make_unique<HeightRaster>(
-        std::vector<PointId>(points.begin(number), points.end(number)), this->Columns, this->Horizon.Height);
-    }
+    this->Rasters.emplace_back(
+      std::vector<PointId>(points.begin(number), points.end(number)), this->Columns, this->Horizon.Height);
   }
 }
 
@@ -111,7 +123,8 @@ void HeightMesh::Compact()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor)
+template <typename Measuring>
+void HeightMesh::MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure)
 {
   this->Errors.resize(std::size_t(this->Mesh.Size()));
   ParallelFor(std::int64_t(triangles.size()), Grain, monitor,
@@ -120,51 +133,125 @@ void HeightMesh::Measure(const std::vector<TriangleId>& triangles, const ErrorPo
       for (std::int64_t n = first; n < last; ++n)
       {
         const TriangleId triangle = triangles[std::size_t(n)];
-        this->Errors[std::size_t(triangle)] = this->Measure(triangle, power);
+        this->Errors[std::size_t(triangle)] = measure(triangle);
       }
     });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureAll(const ErrorPower& power, const Monitor& monitor)
+void HeightMesh::Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor)
 {
-  std::vector<TriangleId> all(std::size_t(this->Mesh.Size()));
-  std::iota(all.begin(), all.end(), 0);
-  this->Measure(all, power, monitor);
+  this->MeasureEach(triangles, monitor, [&](TriangleId triangle) { return this->Measure(triangle, power); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightError HeightMesh::MeasureWithSides(TriangleId triangle, const ErrorPower& power) const
+void HeightMesh::MeasureAll(const ErrorPower& power, const Monitor& monitor)
 {
-  HeightError error = this->Measure(triangle, power);
+  this->Measure(this->AllTriangles(), power, monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::MeasureWithSides(const std::vector<TriangleId>& triangles, const Monitor& monitor)
+{
+  this->MeasureEach(triangles, monitor, [this](TriangleId triangle) { return this->MeasureWithSides(triangle); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::MeasureAllWithSides(const Monitor& monitor)
+{
+  this->MeasureWithSides(this->AllTriangles(), monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TriangleId> HeightMesh::AllTriangles() const
+{
+  std::vector<TriangleId> all(std::size_t(this->Mesh.Size()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightError HeightMesh::MeasureWithSides(TriangleId triangle) const
+{
+  HeightError error = this->Measure(triangle);
   for (int side = 0; side < 3; ++side)
   {
     if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
     {
       const HeightError ofSide = this->MeasureSide(triangle, side);
-      if (ofSide.Largest > error.Largest)
-      {
-        error.Largest = ofSide.Largest;
-        error.Point = ofSide.Point;
-      }
+      error = ofSide.Largest > error.Largest ? ofSide : error;
     }
   }
   return error;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double HeightMesh::LargestWithSides(TriangleId triangle) const
+{
+  double largest = this->Measure(triangle).Largest;
+  for (int side = 0; side < 3; ++side)
+  {
+    if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
+    {
+      largest = std::max(largest, this->MeasureCrossings(triangle, side).Largest);
+    }
+  }
+  return largest;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double HeightMesh::LargestError() const
+{
+  double largest = 0.0;
+  for (const HeightError& error : this->Errors)
+  {
+    largest = std::max(largest, error.Largest);
+  }
+  return largest;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double HeightMesh::HeightRange() const
+{
+  const std::vector<double>& heights = this->Horizon.Height;
+  const auto ends = std::minmax_element(heights.begin(), heights.end());
+  const double range = heights.empty() ? 0.0 : *ends.second - *ends.first;
+  return range > 0.0 ? range : 1.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double HeightMesh::FindLargestError() const
+{
+  std::vector<double> largest(std::size_t(this->Mesh.Size()), 0.0);
+  this->ForEachTriangle([&](TriangleId triangle) { largest[std::size_t(triangle)] = this->Measure(triangle).Largest; });
+  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 double HeightMesh::SumOfErrors() const
 {
   std::vector<double> sums(std::size_t(this->Mesh.Size()), 0.0);
+  this->ForEachTriangle(
+    [&](TriangleId triangle)
+    {
+      this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
+        [&](PointId, double error, const std::array<double, 3>&) { sums[std::size_t(triangle)] += std::abs(error); });
+    });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// On threads.
+template <typename Call>
+void HeightMesh::ForEachTriangle(Call&& call) const
+{
   ParallelFor(this->Mesh.Size(), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
       {
-        this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
-          [&](PointId, double error, const std::array<double, 3>&) { sums[std::size_t(triangle)] += std::abs(error); });
+        call(triangle);
       }
     });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 }

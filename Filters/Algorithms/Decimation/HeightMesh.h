@@ -12,7 +12,6 @@
 #include "PlaneMesh.h"
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -55,7 +54,7 @@ public:
   /// The heights of the patch that a triangle belongs to.
   const HeightRaster& RasterOf(TriangleId triangle) const
   {
-    return *this->Rasters[std::size_t(this->Horizon.Patch[std::size_t(this->Mesh.Corner(triangle, 0))])];
+    return this->Rasters[std::size_t(this->Patches[std::size_t(this->Mesh.Corner(triangle, 0))])];
   }
 
   /// At the columns of a triangle.
@@ -63,35 +62,59 @@ public:
   {
     return this->RasterOf(triangle).Measure(this->RaisedCorners(triangle), power);
   }
-  /// Measures triangles, and keeps their errors.
-  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor);
-  void MeasureAll(const ErrorPower& power, const Monitor& monitor);
-  void ResizeErrors() { this->Errors.resize(std::size_t(this->Mesh.Size())); }
-  const HeightError& Error(TriangleId triangle) const { return this->Errors[std::size_t(triangle)]; }
-  void SetError(TriangleId triangle, const HeightError& error) { this->Errors[std::size_t(triangle)] = error; }
   /// Of a side of a triangle, where it crosses lines between columns that are not both vertices.
   HeightError MeasureSide(TriangleId triangle, int side) const
   {
     return this->RasterOf(triangle).MeasureSide(this->Raised(this->Mesh.Corner(triangle, side)),
       this->Raised(this->Mesh.Corner(triangle, NextCorner(side))), this->Marks);
   }
-  /// Both, of inner sides.
-  HeightError MeasureWithSides(TriangleId triangle, const ErrorPower& power) const;
+  /// The same wherever it crosses lines between columns, without a point.
+  HeightError MeasureCrossings(TriangleId triangle, int side, const ErrorPower& power = ErrorPower()) const
+  {
+    return this->RasterOf(triangle).MeasureCrossings(this->Raised(this->Mesh.Corner(triangle, side)),
+      this->Raised(this->Mesh.Corner(triangle, NextCorner(side))), power);
+  }
+
+  /// The largest error of a triangle and its inner sides, wherever they cross lines between columns.
+  double LargestWithSides(TriangleId triangle) const;
+
+  /// Measures triangles on threads, and keeps their errors.
+  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor);
+  void MeasureAll(const ErrorPower& power, const Monitor& monitor);
+  /// The same with their inner sides, and without a sum.
+  void MeasureWithSides(const std::vector<TriangleId>& triangles, const Monitor& monitor);
+  void MeasureAllWithSides(const Monitor& monitor);
+  const HeightError& Error(TriangleId triangle) const { return this->Errors[std::size_t(triangle)]; }
+  void SetError(TriangleId triangle, const HeightError& error) { this->Errors[std::size_t(triangle)] = error; }
+  /// Of those that are kept.
+  double LargestError() const;
+  /// Of all triangles, with the heights as they are.
+  double FindLargestError() const;
+
   /// The sum of the errors of all points; points on sides count twice.
   double SumOfErrors() const;
   /// How far rounding may put a triangle from a point.
   double Rounding() const { return this->RoundingError; }
+  /// From the lowest point to the highest one, or 1 where all are equally high.
+  double HeightRange() const;
 
 private:
   void MakeRasters();
+  std::vector<TriangleId> AllTriangles() const;
+  template <typename Call>
+  void ForEachTriangle(Call&& call) const;
+  HeightError MeasureWithSides(TriangleId triangle) const;
+  template <typename Measuring>
+  void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
   const BoundedHorizon& Horizon;
   const std::vector<PlanePoint>& Columns;
+  std::vector<std::int32_t> Patches; // by point, without gaps
   std::vector<unsigned char> LoopMarks; // by point
   std::vector<unsigned char> Marks; // by point
   std::size_t Vertices;
   PlaneMesh Mesh;
-  std::vector<std::unique_ptr<HeightRaster>> Rasters; // by patch; null for numbers without points
+  std::vector<HeightRaster> Rasters; // by patch
   std::vector<double> VertexHeights; // by point
   double RoundingError;
   std::vector<HeightError> Errors; // by triangle

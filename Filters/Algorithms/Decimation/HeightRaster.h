@@ -146,8 +146,9 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
   // First the rows between the ends, then, with rows and columns exchanged, the columns.
   for (const bool isTurned : { false, true })
   {
-    const auto turn = [isTurned](const PlanePoint& column)
-    { return isTurned ? PlanePoint{ column.Y, column.X } : column; };
+    const auto turn = [isTurned](const PlanePoint& column) {
+      return isTurned ? PlanePoint{ column.Y, column.X } : column;
+    };
     const bool isUp = turn(from.Column).Y < turn(to.Column).Y;
     const PlanePoint low = turn(isUp ? from.Column : to.Column);
     const PlanePoint high = turn(isUp ? to.Column : from.Column);

@@ -8,6 +8,7 @@
 #define SeismicHorizonsMeshCost_h
 
 #include "Common/Predicates.h"
+#include "Decimation.h"
 #include "HeightMesh.h"
 
 #include <algorithm>
@@ -18,11 +19,18 @@ namespace SeismicHorizons
 {
 struct MeshCost
 {
-  ErrorPower Power = { 4, 1.0 };
+  /// Errors are divided by the unit; the angle is in degrees.
+  MeshCost(DecimationPriority priority, double unit, double smallestAngle)
+    : Power{ priority == DecimationPriority::LargestError ? 4 : 2, unit }
+    , SmallestSine(std::sin(smallestAngle * std::atan(1.0) / 45.0))
+  {
+  }
+
+  ErrorPower Power;
+  /// No change may make a smaller angle in plan than this sine's, but where there was a smaller one before.
+  double SmallestSine;
   /// No change may make an error larger than this, but where it was larger before.
   double LargestError = std::numeric_limits<double>::infinity();
-  /// The sine of an angle in plan. No change may make a smaller one, but where there was a smaller one before.
-  double SmallestSine = 0.0;
 
   /// Of the smallest angle of a triangle in plan, which is between its two longer sides; at most 0 when it is flat or
   /// turned over.

@@ -3,30 +3,29 @@
 
 #include "MeshRefiner.h"
 
-#include "Common/Parallel.h"
-
 #include <algorithm>
-#include <numeric>
+#include <limits>
 #include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// To what part of the largest error the limit falls.
-constexpr double LimitPart = 0.6;
-
-// How many triangles a thread measures at a time.
-constexpr std::int64_t Grain = 64;
+// Of the largest error, what part is still inserted in the same rounds; and of sums of squares.
+constexpr double PartOfLargest = 0.6;
+constexpr double PartOfSum = PartOfLargest * PartOfLargest;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, EdgeFlips* flips, ErrorPower power)
+MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority)
   : Mesh(mesh)
   , MostVertices(mostVertices)
-  , Flips(flips)
-  , Power(power)
+  , Priority(priority)
 {
+  if (priority == DecimationPriority::SumOfSquares)
+  {
+    this->Power = { 2, mesh.HeightRange() };
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -36,20 +35,18 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
   {
     return;
   }
+  this->Mesh.MeasureAll(this->Power, monitor.Step(0.0, 0.1));
   const double bound = error + this->Mesh.Rounding();
-  const auto measure = [this](TriangleId triangle) { return this->Mesh.Measure(triangle, this->Power); };
-  this->AddAllAsNew();
-  this->MeasureNew(monitor.Step(0.0, 0.1), measure);
-  const double first = this->FindLargest();
-  for (double largest = first; largest > bound && !this->IsFull(); largest = this->FindLargest())
+  const double first = this->Mesh.LargestError();
+  double part = 0.1;
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(bound, limit, urgent);)
   {
-    const double limit = std::max(bound, LimitPart * largest);
-    while (!this->IsFull() && this->InsertRound(this->FindAbove(limit)))
-    {
-      this->MeasureNew(Monitor(), measure);
-      // From one limit to the next the number of triangles grows by a factor: by the last rounds most is still to come.
-      monitor.Progress(1.0 - 0.9 * limit / first);
-    }
+    // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
+    part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
+    monitor.Progress(part);
+    this->InsertRound(urgent);
+    this->Mesh.Measure(this->New, this->Power, Monitor());
   }
 }
 
@@ -60,18 +57,64 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
   {
     return;
   }
-  const auto measure = [this](TriangleId triangle) { return this->Mesh.MeasureWithSides(triangle, this->Power); };
-  this->AddAllAsNew();
-  this->MeasureNew(monitor, measure);
-  while (!this->IsFull() && this->InsertRound(this->FindAbove(error + this->Mesh.Rounding())))
+  this->Mesh.MeasureAllWithSides(monitor.Step(0.0, 0.8));
+  const double bound = error + this->Mesh.Rounding();
+  double limit = 0.0;
+  for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(bound, limit, far);)
   {
-    this->MeasureNew(Monitor(), measure);
+    monitor.Progress(0.8);
+    this->InsertRound(far);
+    this->Mesh.MeasureWithSides(this->New, Monitor());
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Inserts the worst points of triangles, but for those that an insertion before has changed. False when there is none.
-bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
+// The triangles with an error above a bound whose urgency is not below a limit, the most urgent ones first. When there
+// is none, the limit falls; false when no error is above the bound.
+bool MeshRefiner::FindUrgent(double bound, double& limit, std::vector<TriangleId>& urgent) const
+{
+  urgent.clear();
+  double most = -1.0;
+  const auto add = [&]()
+  {
+    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+    {
+      if (this->Mesh.Error(triangle).Largest > bound)
+      {
+        most = std::max(most, this->UrgencyOf(triangle));
+        if (this->UrgencyOf(triangle) >= limit)
+        {
+          urgent.push_back(triangle);
+        }
+      }
+    }
+  };
+  add();
+  if (urgent.empty() && most >= 0.0)
+  {
+    limit = most * (this->Priority == DecimationPriority::LargestError ? PartOfLargest : PartOfSum);
+    add();
+  }
+  std::sort(urgent.begin(), urgent.end(),
+    [this](TriangleId a, TriangleId b)
+    {
+      const double one = this->UrgencyOf(a);
+      const double other = this->UrgencyOf(b);
+      return one != other ? one > other : a < b;
+    });
+  return !urgent.empty();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double MeshRefiner::UrgencyOf(TriangleId triangle) const
+{
+  const HeightError& error = this->Mesh.Error(triangle);
+  return this->Priority == DecimationPriority::LargestError ? error.Largest : error.Sum;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Inserts the worst points of triangles, but for those that an insertion before has changed.
+void MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
 {
   this->New.clear();
   this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
@@ -87,13 +130,6 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
       this->Insert(point, this->Mesh.Triangles().Locate(point, triangle));
     }
   }
-  if (this->Flips)
-  {
-    this->Flips->RunAround(this->New, Monitor());
-    std::sort(this->New.begin(), this->New.end());
-    this->New.erase(std::unique(this->New.begin(), this->New.end()), this->New.end());
-  }
-  return !this->New.empty();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -111,10 +147,7 @@ void MeshRefiner::Insert(PointId point, TriangleId triangle)
       "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
   }
   this->Mesh.MarkVertex(point, true);
-  if (!this->Flips)
-  {
-    triangles.Legalize(this->Around);
-  }
+  triangles.Legalize(this->Around);
   std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
 }
 
@@ -126,57 +159,5 @@ void MeshRefiner::AddNew(TriangleId triangle)
     this->IsNew[std::size_t(triangle)] = 1;
     this->New.push_back(triangle);
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::AddAllAsNew()
-{
-  this->New.resize(std::size_t(this->Mesh.Triangles().Size()));
-  std::iota(this->New.begin(), this->New.end(), 0);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Measure>
-void MeshRefiner::MeasureNew(const Monitor& monitor, Measure&& measure)
-{
-  this->Mesh.ResizeErrors();
-  ParallelFor(std::int64_t(this->New.size()), Grain, monitor,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t n = first; n < last; ++n)
-      {
-        const TriangleId triangle = this->New[std::size_t(n)];
-        this->Mesh.SetError(triangle, measure(triangle));
-      }
-    });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// The triangles with an error above a limit, from the largest down.
-std::vector<TriangleId> MeshRefiner::FindAbove(double limit) const
-{
-  std::vector<TriangleId> above;
-  for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
-  {
-    if (this->Mesh.Error(triangle).Largest > limit)
-    {
-      above.push_back(triangle);
-    }
-  }
-  const auto error = [this](TriangleId triangle) { return this->Mesh.Error(triangle).Largest; };
-  std::sort(above.begin(), above.end(),
-    [&error](TriangleId a, TriangleId b) { return error(a) != error(b) ? error(a) > error(b) : a < b; });
-  return above;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double MeshRefiner::FindLargest() const
-{
-  double largest = 0.0;
-  for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
-  {
-    largest = std::max(largest, this->Mesh.Error(triangle).Largest);
-  }
-  return largest;
 }
 }

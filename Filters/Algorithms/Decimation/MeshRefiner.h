@@ -7,7 +7,7 @@
 #define SeismicHorizonsMeshRefiner_h
 
 #include "Common/Monitor.h"
-#include "EdgeFlips.h"
+#include "Decimation.h"
 #include "HeightMesh.h"
 
 #include <cstddef>
@@ -18,30 +18,26 @@ namespace SeismicHorizons
 class MeshRefiner
 {
 public:
-  /// Keeps a reference to the mesh, which is constrained Delaunay and remains so. Inserts until it has so many vertices;
-  /// 0 for no limit.
-  MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, EdgeFlips* flips = nullptr, ErrorPower power = ErrorPower());
+  /// Keeps a reference to the mesh, which is constrained Delaunay and remains so. Inserts until it has so many vertices
+  /// (0 for no limit): first those of the triangles with the largest error, or with the largest sum.
+  MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority);
 
   /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
   void InsertWhereFar(double error, const Monitor& monitor);
   /// Then the same where inner sides of the mesh cross lines between columns.
   void InsertAtSides(double error, const Monitor& monitor);
-  /// The largest error of a triangle when it was made.
-  double FindLargest() const;
 
 private:
   bool IsFull() const { return this->MostVertices > 0 && this->Mesh.NumberOfVertices() >= this->MostVertices; }
-  bool InsertRound(const std::vector<TriangleId>& triangles);
+  bool FindUrgent(double bound, double& limit, std::vector<TriangleId>& urgent) const;
+  double UrgencyOf(TriangleId triangle) const;
+  void InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
   void AddNew(TriangleId triangle);
-  void AddAllAsNew();
-  template <typename Measure>
-  void MeasureNew(const Monitor& monitor, Measure&& measure);
-  std::vector<TriangleId> FindAbove(double limit) const;
 
   HeightMesh& Mesh;
   const std::size_t MostVertices;
-  EdgeFlips* Flips;
+  const DecimationPriority Priority;
   ErrorPower Power;
   std::vector<TriangleId> New; // triangles that are still to be measured
   std::vector<unsigned char> IsNew; // by triangle

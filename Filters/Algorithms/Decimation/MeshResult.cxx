@@ -147,7 +147,7 @@ private:
         if (beyond == NoTriangle || beyond > triangle) // each side once
         {
           double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
-          largest = std::max(largest, this->Surface.MeasureSide(triangle, side).Largest);
+          largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
         }
       }
     }

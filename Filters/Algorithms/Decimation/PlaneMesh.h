@@ -7,11 +7,11 @@
 // triangles the side between them becomes the one between the corners opposite to it. Collapse: a point goes to the
 // other end of a side, which takes two triangles away.
 //
-//          c                   c             c-----e        c-----e           e-----d            e-----d
-//         / \                 /|\            |\    |        |    /|          / \   / \          /     / \
-//        / p \       ->      / p \           |  \  |   ->   |  /  |         f---p---c     ->   f    /    c
-//       /     \            / /   \ \         |    \|        |/    |          \ / \ /            \  /  / /
-//      a-------b          a---------b        a-----b        a-----b           a---b              a-----b
+//        c               c            c---e      c---e         e---d         e---d
+//       / \             /|\           |\  |      |  /|        / \ / \       /   / \ .
+//      / p \     ->    / p \          | \ |  ->  | / |       f---p---c ->  f   /   c
+//     /     \         / / \ \         |  \|      |/  |        \ / \ /       \  /  / .
+//    a-------b       a-------b        a---b      a---b         a---b         a---b
 
 #ifndef SeismicHorizonsPlaneMesh_h
 #define SeismicHorizonsPlaneMesh_h

@@ -6,198 +6,248 @@
 #include "Common/Parallel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// What part of the candidates goes in a round: of neighbours the cheaper one should go.
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// What part of the candidates a round looks at: of neighbours the cheaper one should go.
 constexpr double PartOfRound = 0.25;
 
 // How many vertices a thread tries at a time.
 constexpr std::int64_t Grain = 16;
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-void VertexRemoval::Run(std::size_t leastVertices, const Monitor& monitor)
+/// The triangles around a vertex, counter-clockwise, and the ends of the sides that go from it, one between each two:
+/// ends[n] is between the triangles n - 1 and n.
+struct Ring
 {
-  this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.1));
-  this->FindTriangles();
-  std::vector<PointId> points;
-  for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
+  std::vector<TriangleId> Triangles;
+  std::vector<RaisedPoint> Ends;
+  double Sum = 0.0; // of the errors now
+
+  const RaisedPoint& End(std::size_t n) const { return this->Ends[n % this->Ends.size()]; }
+};
+
+class VertexRemoval
+{
+public:
+  VertexRemoval(HeightMesh& mesh, const MeshCost& cost)
+    : Mesh(mesh)
+    , Cost(cost)
   {
-    if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
+  }
+
+  void Run(std::size_t leastVertices, const Monitor& monitor)
+  {
+    this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.05));
+    this->FindVertices();
+    const double first = double(this->Mesh.NumberOfVertices());
+    bool isPossible = true;
+    while (isPossible && this->Mesh.NumberOfVertices() > leastVertices)
     {
-      points.push_back(point);
+      this->TryOld();
+      const std::size_t size = this->FindCheapest();
+      this->RemoveCheapest(size, leastVertices);
+      isPossible = size > 0;
+      monitor.Progress(1.0 - 0.95 * double(this->Mesh.NumberOfVertices()) / first);
     }
+    this->Mesh.Compact();
   }
-  this->Candidates.resize(this->TriangleAt.size());
-  while (!points.empty() && this->Mesh.NumberOfVertices() > leastVertices)
-  {
-    this->FindCandidates(points, Monitor());
-    points = this->RemoveCheapest(leastVertices);
-  }
-  this->Mesh.Compact();
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-void VertexRemoval::FindTriangles()
-{
-  const PlaneMesh& mesh = this->Mesh.Triangles();
-  this->TriangleAt.assign(this->Mesh.Heights().size(), NoTriangle);
-  for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
+private:
+  struct Candidate
   {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      this->TriangleAt[std::size_t(mesh.Corner(triangle, corner))] = triangle;
-    }
-  }
-}
+    double Cost; // by how much the sum of errors grows; infinite where the vertex can not go
+    PointId Point;
+    std::int32_t Side; // of its ring, that is collapsed
+  };
 
-//----------------------------------------------------------------------------------------------------------------------
-void VertexRemoval::FindCandidates(const std::vector<PointId>& points, const Monitor& monitor)
-{
-  ParallelFor(std::int64_t(points.size()), Grain, monitor,
-    [&](std::int64_t first, std::int64_t last)
+  void FindVertices()
+  {
+    const PlaneMesh& mesh = this->Mesh.Triangles();
+    this->TriangleAt.assign(this->Mesh.Heights().size(), NoTriangle);
+    for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
     {
-      std::vector<TriangleId> ring;
-      for (std::int64_t n = first; n < last; ++n)
+      for (int corner = 0; corner < 3; ++corner)
       {
-        const PointId point = points[std::size_t(n)];
-        this->Candidates[std::size_t(point)] = this->Try(point, ring);
+        this->TriangleAt[std::size_t(mesh.Corner(triangle, corner))] = triangle;
       }
-    });
-}
+    }
+    this->Candidates.clear();
+    for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
+    {
+      if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
+      {
+        this->Candidates.push_back({ Infinity, point, 0 });
+      }
+    }
+    this->IsOld.assign(this->TriangleAt.size(), 1);
+  }
 
-//----------------------------------------------------------------------------------------------------------------------
-VertexRemoval::Candidate VertexRemoval::Try(PointId point, std::vector<TriangleId>& ring) const
-{
-  const PlaneMesh& mesh = this->Mesh.Triangles();
-  mesh.FindRing(point, this->TriangleAt[std::size_t(point)], ring);
-  Candidate best;
-  best.Point = point;
-  // The far ends of the ring's sides, those that are between ring[n - 1] and ring[n].
-  std::vector<PointId> ends;
-  double before = 0.0;
-  double largest = this->Cost.LargestError;
-  const HeightRaster& raster = this->Mesh.RasterOf(ring.front());
-  for (const TriangleId triangle : ring)
+  /// Puts the vertices that could go and seem cheapest first, and gives how many they are.
+  std::size_t FindCheapest()
   {
-    ends.push_back(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point))));
-    const HeightError ofSide =
-      raster.MeasureCrossings(this->Mesh.Raised(point), this->Mesh.Raised(ends.back()), this->Cost.Power);
-    before += this->Mesh.Error(triangle).Sum + ofSide.Sum;
-  }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t end = 0; end < ends.size(); ++end)
-  {
-    double sum = 0.0;
-    if (this->TrySide(ring, ends, end, least, largest, sum))
+    const auto end = std::partition(
+      this->Candidates.begin(), this->Candidates.end(), [](const Candidate& one) { return one.Cost < Infinity; });
+    const std::size_t size = std::size_t(std::ceil(PartOfRound * double(end - this->Candidates.begin())));
+    if (size > 0)
     {
-      least = sum;
-      best.Side = (end + ring.size() - 1) % ring.size();
-      best.IsPossible = true;
+      std::nth_element(this->Candidates.begin(), this->Candidates.begin() + std::ptrdiff_t(size - 1), end,
+        [](const Candidate& a, const Candidate& b) { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); });
     }
+    return size;
   }
-  best.Cost = least - before;
-  return best;
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-// Whether all triangles of a ring could have their corner at the ring's vertex at one of the ends instead.
-bool VertexRemoval::TrySide(const std::vector<TriangleId>& ring, const std::vector<PointId>& ends, std::size_t target,
-  double most, double largest, double& sum) const
-{
-  const std::size_t size = ring.size();
-  const RaisedPoint to = this->Mesh.Raised(ends[target]);
-  for (std::size_t n = 1; n + 1 < size; ++n)
+  void TryOld()
   {
-    const PlanePoint& a = this->Mesh.Raised(ends[(target + n) % size]).Column;
-    const PlanePoint& b = this->Mesh.Raised(ends[(target + n + 1) % size]).Column;
-    const double sine = MeshCost::SmallestSineOf(to.Column, a, b);
-    if (sine <= 0.0 || sine < this->Cost.SmallestSine)
-    {
-      return false;
-    }
+    ParallelFor(std::int64_t(this->Candidates.size()), Grain,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          Candidate& candidate = this->Candidates[std::size_t(n)];
+          if (this->IsOld[std::size_t(candidate.Point)] != 0)
+          {
+            candidate = this->Try(candidate.Point);
+            this->IsOld[std::size_t(candidate.Point)] = 0;
+          }
+        }
+      });
   }
-  const HeightRaster& raster = this->Mesh.RasterOf(ring.front());
-  for (std::size_t n = 1; n + 1 < size; ++n)
+
+  Candidate Try(PointId point) const
   {
-    const RaisedPoint a = this->Mesh.Raised(ends[(target + n) % size]);
-    const RaisedPoint b = this->Mesh.Raised(ends[(target + n + 1) % size]);
-    HeightError error = raster.Measure({ to, a, b }, this->Cost.Power);
-    sum += error.Sum;
-    if (error.Largest > largest || !(sum < most))
+    const Ring ring = this->FindRing(point);
+    Candidate best{ Infinity, point, 0 };
+    for (std::size_t end = 0; end < ring.Ends.size(); ++end)
     {
-      return false;
+      const double sum = this->KeepsAngles(ring, end) ? this->SumAt(ring, end, ring.Sum + best.Cost) : Infinity;
+      if (sum - ring.Sum < best.Cost)
+      {
+        best.Cost = sum - ring.Sum;
+        best.Side = std::int32_t((end + ring.Ends.size() - 1) % ring.Ends.size());
+      }
     }
-    if (n > 1)
+    return best;
+  }
+
+  Ring FindRing(PointId point) const
+  {
+    const PlaneMesh& mesh = this->Mesh.Triangles();
+    Ring ring;
+    mesh.FindRing(point, this->TriangleAt[std::size_t(point)], ring.Triangles);
+    const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
+    for (const TriangleId triangle : ring.Triangles)
     {
-      error = raster.MeasureCrossings(to, a, this->Cost.Power);
-      sum += error.Sum;
-      if (error.Largest > largest || !(sum < most))
+      ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
+      ring.Sum += this->Mesh.Error(triangle).Sum +
+        raster.MeasureCrossings(this->Mesh.Raised(point), ring.Ends.back(), this->Cost.Power).Sum;
+    }
+    return ring;
+  }
+
+  /// Whether all triangles around could have their corner at one of the ends instead.
+  bool KeepsAngles(const Ring& ring, std::size_t end) const
+  {
+    for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
+    {
+      const double sine = MeshCost::SmallestSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
+      if (sine <= 0.0 || sine < this->Cost.SmallestSine)
       {
         return false;
       }
     }
+    return true;
   }
-  return true;
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-// Gives the vertices whose rings were changed.
-std::vector<PointId> VertexRemoval::RemoveCheapest(std::size_t leastVertices)
-{
-  std::vector<Candidate> possible;
-  std::copy_if(this->Candidates.begin(), this->Candidates.end(), std::back_inserter(possible),
-    [](const Candidate& candidate) { return candidate.IsPossible; });
-  std::sort(possible.begin(), possible.end(),
-    [](const Candidate& a, const Candidate& b) { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Point < b.Point; });
-  PlaneMesh& mesh = this->Mesh.Triangles();
-  this->IsChanged.assign(std::size_t(mesh.Size()), 0);
-  std::vector<TriangleId> changed;
-  std::vector<TriangleId> ring;
-  const std::size_t most = std::size_t(std::ceil(PartOfRound * double(possible.size())));
-  for (std::size_t n = 0; n < most && this->Mesh.NumberOfVertices() > leastVertices; ++n)
+  /// What the sum of errors is then; infinite when it is not below `most`, or an error too large.
+  double SumAt(const Ring& ring, std::size_t end, double most) const
   {
-    const PointId point = possible[n].Point;
-    mesh.FindRing(point, this->TriangleAt[std::size_t(point)], ring);
+    const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
+    double sum = 0.0;
+    const auto add = [&](const HeightError& error)
+    {
+      sum += error.Sum;
+      return error.Largest <= this->Cost.LargestError && sum < most;
+    };
+    const RaisedPoint& to = ring.End(end);
+    for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
+    {
+      const bool isInner =
+        n > end + 1; // the side to this end: the first and the last are of triangles beyond the ring, too
+      if (!add(raster.Measure({ to, ring.End(n), ring.End(n + 1) }, this->Cost.Power)) ||
+        (isInner && !add(raster.MeasureCrossings(to, ring.End(n), this->Cost.Power))))
+      {
+        return Infinity;
+      }
+    }
+    return sum;
+  }
+
+  /// Those of a round, up to a cost.
+  void RemoveCheapest(std::size_t size, std::size_t leastVertices)
+  {
+    std::sort(this->Candidates.begin(), this->Candidates.begin() + std::ptrdiff_t(size),
+      [](const Candidate& a, const Candidate& b) { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); });
+    this->IsChanged.assign(std::size_t(this->Mesh.Triangles().Size()), 0);
+    this->Changed.clear();
+    for (std::size_t n = 0; n<size&& this->Mesh.NumberOfVertices()> leastVertices; ++n)
+    {
+      this->Remove(this->Candidates[n]);
+    }
+    this->Mesh.Measure(this->Changed, this->Cost.Power, Monitor());
+    this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
+                             [this](const Candidate& one) { return !this->Mesh.IsVertex(one.Point); }),
+      this->Candidates.end());
+  }
+
+  /// Unless a neighbour was removed in this round.
+  void Remove(const Candidate& candidate)
+  {
+    PlaneMesh& mesh = this->Mesh.Triangles();
+    std::vector<TriangleId> ring;
+    mesh.FindRing(candidate.Point, this->TriangleAt[std::size_t(candidate.Point)], ring);
     if (std::any_of(
           ring.begin(), ring.end(), [this](TriangleId one) { return this->IsChanged[std::size_t(one)] != 0; }))
     {
-      continue;
+      return;
     }
-    mesh.Collapse(point, ring, possible[n].Side);
-    this->Mesh.MarkVertex(point, false);
-    this->Candidates[std::size_t(point)] = Candidate();
+    mesh.Collapse(candidate.Point, ring, std::size_t(candidate.Side));
+    this->Mesh.MarkVertex(candidate.Point, false);
     for (const TriangleId triangle : ring)
     {
       this->IsChanged[std::size_t(triangle)] = 1;
+      for (int corner = 0; corner < 3 && !mesh.IsGone(triangle); ++corner)
+      {
+        const std::size_t point = std::size_t(mesh.Corner(triangle, corner));
+        this->TriangleAt[point] = triangle;
+        this->IsOld[point] = 1;
+      }
       if (!mesh.IsGone(triangle))
       {
-        changed.push_back(triangle);
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          this->TriangleAt[std::size_t(mesh.Corner(triangle, corner))] = triangle;
-        }
+        this->Changed.push_back(triangle);
       }
     }
   }
-  this->Mesh.Measure(changed, this->Cost.Power, Monitor());
-  std::vector<PointId> points;
-  for (const TriangleId triangle : changed)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const PointId point = mesh.Corner(triangle, corner);
-      if (!this->Mesh.IsOnLoop(point))
-      {
-        points.push_back(point);
-      }
-    }
-  }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+
+  HeightMesh& Mesh;
+  const MeshCost& Cost;
+  std::vector<TriangleId> TriangleAt; // by point: one of its triangles
+  std::vector<Candidate> Candidates; // the vertices inside
+  std::vector<unsigned char> IsOld; // by point: triangles around have changed since it was tried
+  std::vector<unsigned char> IsChanged; // by triangle, in one round
+  std::vector<TriangleId> Changed; // in one round
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVertices, const Monitor& monitor)
+{
+  VertexRemoval(mesh, cost).Run(leastVertices, monitor);
 }
 }

@@ -67,7 +67,8 @@ std::set<Edge> CollectBoundaryEdges(const BoundedHorizon& horizon, Wide& area)
   return boundaryEdges;
 }
 
-std::string CheckEdges(const BoundedHorizon& horizon, const EdgeTriangles& edges, const std::set<Edge>& boundaryEdges)
+std::string CheckEdges(
+  const BoundedHorizon& horizon, const EdgeTriangles& edges, const std::set<Edge>& boundaryEdges, Kind kind)
 {
   const auto at = [&](PointId point) { return horizon.Plane[std::size_t(point)]; };
   for (const auto& [edge, third] : edges)
@@ -78,7 +79,8 @@ std::string CheckEdges(const BoundedHorizon& horizon, const EdgeTriangles& edges
     {
       return Describe("boundary and mesh differ at", edge.first, edge.second);
     }
-    if (!onBoundary && SideOfCircle(at(edge.first), at(edge.second), at(third), at(twin->second)) > 0)
+    if (!onBoundary && kind == Kind::Delaunay &&
+      SideOfCircle(at(edge.first), at(edge.second), at(third), at(twin->second)) > 0)
     {
       return Describe("not Delaunay:", edge.first, edge.second);
     }
@@ -133,7 +135,7 @@ std::string CheckEuler(const BoundedHorizon& horizon, const EdgeTriangles& edges
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string CheckMesh(const BoundedHorizon& horizon, const RawVector<PointId>& triangles)
+std::string CheckMesh(const BoundedHorizon& horizon, const RawVector<PointId>& triangles, Kind kind)
 {
   EdgeTriangles edges;
   Wide meshArea = 0;
@@ -159,7 +161,7 @@ std::string CheckMesh(const BoundedHorizon& horizon, const RawVector<PointId>& t
   {
     wrong = "unused point " + std::to_string(unused - used.begin());
   }
-  wrong = wrong.empty() ? CheckEdges(horizon, edges, boundaryEdges) : wrong;
+  wrong = wrong.empty() ? CheckEdges(horizon, edges, boundaryEdges, kind) : wrong;
   return wrong.empty() ? CheckEuler(horizon, edges) : wrong;
 }
 }

@@ -14,12 +14,18 @@
 
 namespace MeshChecker
 {
+enum class Kind
+{
+  Delaunay,
+  Any
+};
+
 /// Triangles turn counter-clockwise; every edge has at most one triangle on each side; the edges with one triangle are
 /// the boundary edges; areas sum to that of the boundary (with the former: no overlap, nothing outside, no gap); all
-/// points are used; every other edge is locally Delaunay; Euler's formula holds patch by patch. Empty when all is well,
-/// else what is wrong first.
+/// points are used; every other edge is locally Delaunay, unless any mesh will do; Euler's formula holds patch by
+/// patch. Empty when all is well, else what is wrong first.
 std::string CheckMesh(const SeismicHorizons::BoundedHorizon& horizon,
-  const SeismicHorizons::RawVector<SeismicHorizons::PointId>& triangles);
+  const SeismicHorizons::RawVector<SeismicHorizons::PointId>& triangles, Kind kind = Kind::Delaunay);
 }
 
 #endif

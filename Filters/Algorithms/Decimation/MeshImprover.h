@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is done to a mesh for fewer vertices: sides are flipped, heights fitted, vertices removed.
+
+#ifndef SeismicHorizonsMeshImprover_h
+#define SeismicHorizonsMeshImprover_h
+
+#include "Common/Monitor.h"
+#include "Decimation.h"
+#include "HeightMesh.h"
+
+#include <cstddef>
+
+namespace SeismicHorizons
+{
+/// Of a mesh that keeps the error of the options, at columns and at inner sides, and still does so after it.
+void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor);
+
+/// Until so many vertices are left, or none can go.
+void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
+
+/// Fits heights. By least squares only when the mean error becomes smaller: heights that are whole numbers can fit best
+/// as they are, as many points then lie right on the mesh.
+void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MoveLimit.h"
+
+#include "Common/Parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// What part of its way a vertex moves at least, if it moves.
+constexpr double LeastPart = 0.25;
+
+// How many triangles a thread measures at a time.
+constexpr std::int64_t Grain = 64;
+
+class MoveLimit
+{
+public:
+  MoveLimit(HeightMesh& mesh, double error, const std::vector<double>& heights)
+    : Mesh(mesh)
+    , Error(error)
+    , Before(mesh.Heights())
+    , After(heights)
+    , Heights(heights)
+    , Parts(heights.size(), 1.0)
+  {
+  }
+
+  /// What one vertex moves less can put a triangle beside it off: all is measured until nothing is off.
+  void Run()
+  {
+    do
+    {
+      this->Mesh.SetHeights(this->Heights);
+      this->FindFar();
+    } while (this->MoveBack());
+  }
+
+private:
+  void FindFar()
+  {
+    const TriangleId size = this->Mesh.Triangles().Size();
+    this->IsFar.resize(std::size_t(size));
+    ParallelFor(size, Grain,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+        {
+          this->IsFar[std::size_t(triangle)] = this->Mesh.LargestWithSides(triangle) > this->Error ? 1 : 0;
+        }
+      });
+  }
+
+  /// The corners of triangles that are too far; false when none of them can go back.
+  bool MoveBack()
+  {
+    bool isMoved = false;
+    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3 && this->IsFar[std::size_t(triangle)] != 0; ++corner)
+      {
+        const bool isCornerMoved = this->MoveBack(std::size_t(this->Mesh.Triangles().Corner(triangle, corner)));
+        isMoved = isMoved || isCornerMoved;
+      }
+    }
+    return isMoved;
+  }
+
+  bool MoveBack(std::size_t point)
+  {
+    const double before = this->Before[point];
+    if (this->Heights[point] == before)
+    {
+      return false;
+    }
+    this->Parts[point] *= 0.5;
+    this->Heights[point] =
+      this->Parts[point] < LeastPart ? before : before + this->Parts[point] * (this->After[point] - before);
+    return true;
+  }
+
+  HeightMesh& Mesh;
+  const double Error;
+  const std::vector<double> Before; // by point, as are those below
+  const std::vector<double>& After;
+  std::vector<double> Heights;
+  std::vector<double> Parts;
+  std::vector<unsigned char> IsFar; // by triangle
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<double>& heights)
+{
+  MoveLimit(mesh, error, heights).Run();
+}
+}
