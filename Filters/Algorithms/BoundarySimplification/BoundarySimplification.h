@@ -26,8 +26,16 @@
 
 namespace SeismicHorizons
 {
+/// Which points of a loop are dropped.
+enum class OutlineMethod
+{
+  Threshold, // one after the other, as long as they are near enough
+  FewestPoints // as many as can be
+};
+
 struct BoundarySimplificationOptions
 {
+  OutlineMethod Method = OutlineMethod::Threshold;
   /// In lattice units, at least 0 (InputError otherwise); with 0 nothing is dropped.
   double DistanceThreshold = 0.4;
   /// Whether all points that a new edge spans have to be within the threshold of it, not just the one that is dropped.

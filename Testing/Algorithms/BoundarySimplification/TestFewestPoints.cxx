@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShortcutSearch.h"
+
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Tools/BoundaryChecker.h"
+#include "Tools/Check.h"
+#include "Tools/MeshChecker.h"
+#include "Tools/MonitorChecker.h"
+#include "Tools/TestHorizons.h"
+#include "Triangulation/Triangulation.h"
+
+#include <algorithm>
+#include <set>
+
+using namespace TestHorizons;
+
+namespace
+{
+BoundarySimplificationOptions Options(double tolerance, double threshold)
+{
+  BoundarySimplificationOptions options;
+  options.Method = OutlineMethod::FewestPoints;
+  options.OutlineTolerance = tolerance;
+  options.DistanceThreshold = threshold;
+  return options;
+}
+
+BoundarySimplification Simplify(const BoundedHorizon& horizon, double tolerance, double threshold)
+{
+  return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(tolerance, threshold));
+}
+
+/// The columns of the points that the loops of a level horizon keep.
+std::set<PlanePoint> Kept(const std::vector<std::string>& picture, double tolerance)
+{
+  const Patches::Columns columns = Patches::FromPicture(picture);
+  const BoundedHorizon horizon = MakeLevelHorizon(columns);
+  std::set<PlanePoint> kept;
+  Simplify(horizon, tolerance, 0.0)
+    .Boundary.ForEachPoint([&](PointId point) { kept.insert(columns[std::size_t(point)]); });
+  return kept;
+}
+
+using Places = std::set<PlanePoint>;
+
+/// Without tolerances straight level runs are shortened, and nothing else.
+void TestRectangle()
+{
+  CHECK(Kept({ "#####", "#####", "#####" }, 0.0) == Places({ { 0, 0 }, { 4, 0 }, { 4, 2 }, { 0, 2 } }));
+}
+
+/// A bump of one column is 1 off the straight side; it goes when that is allowed.
+void TestBump()
+{
+  const std::vector<std::string> picture = { "...#...", "#######", "#######", "#######" };
+  CHECK_EQUAL(Kept(picture, 0.9).size(), 5u);
+  CHECK(Kept(picture, 0.0).size() == 7u && Kept(picture, 0.9).count({ 3, 3 }) == 1);
+  CHECK(Kept(picture, 1.0) == Places({ { 0, 0 }, { 6, 0 }, { 6, 2 }, { 0, 2 } }));
+}
+
+/// The points of a staircase are up to 0.45 from its straight line.
+void TestStaircase()
+{
+  std::vector<std::string> picture;
+  for (int row = 0; row < 9; ++row)
+  {
+    picture.push_back(std::string(std::size_t(2 * row + 2), '#'));
+  }
+  CHECK_EQUAL(Kept(picture, 0.0).size(), 20u);
+  CHECK_EQUAL(Kept(picture, 0.4).size(), 20u);
+  CHECK(Kept(picture, 0.5) == Places({ { 0, 0 }, { 17, 0 }, { 1, 8 }, { 0, 8 } }));
+  CHECK(Kept(picture, 1.0) == Places({ { 0, 0 }, { 17, 0 }, { 0, 8 } }));
+}
+
+/// A spur stays as it is, and so does a patch without an inside, whatever is allowed.
+void TestNothingCollapses()
+{
+  CHECK(Kept({ "##....", "######" }, 0.5) ==
+    Places({ { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 }, { 0, 1 }, { 1, 1 } }));
+  CHECK_EQUAL(Kept({ "####" }, 100.0).size(), 4u);
+  CHECK_EQUAL(Kept({ "#" }, 100.0).size(), 1u);
+  CHECK_EQUAL(Kept({ "#.", ".#" }, 100.0).size(), 2u);
+  CHECK_EQUAL(Kept({ "####", "####" }, 100.0).size(), 3u);
+  CHECK_EQUAL(Kept({ "##", "##" }, 100.0).size(), 3u);
+}
+
+/// Heights decide along a straight side: one ridge of two slopes needs its top, whatever steps lead there.
+void TestHeights()
+{
+  const Patches::Columns columns = Patches::FromPicture({ "#########", "#########" });
+  std::vector<double> heights(columns.size(), 0.0);
+  const double ridge[] = { 0.0, 1.2, 2.2, 3.0, 4.0, 3.0, 1.8, 1.0, 0.0 };
+  std::copy(std::begin(ridge), std::end(ridge), heights.begin());
+  const BoundedHorizon horizon = MakeHorizon(columns, heights);
+  CHECK_EQUAL(Simplify(horizon, 0.0, 0.19).Boundary.TotalLength(), 8u);
+  CHECK_EQUAL(Simplify(horizon, 0.0, 0.21).Boundary.TotalLength(), 5u);
+  CHECK_EQUAL(Simplify(horizon, 0.0, 4.0).Boundary.TotalLength(), 4u);
+  CHECK(std::abs(Simplify(horizon, 0.0, 4.0).Deviation - 4.0) < 1e-12);
+}
+
+/// An island in a lagoon: the edges of the lagoon may not run over it, nor its own over the shore.
+void TestPointsInTheWay()
+{
+  BoundaryOptions holes;
+  holes.HoleBoundaries = true;
+  const BoundedHorizon horizon =
+    MakeLevelHorizon(Patches::FromPicture({ "#####", "#...#", "#.#.#", "#...#", "#####" }), holes);
+  const BoundedHorizon result = Drop(horizon, Simplify(horizon, 10.0, 0.0));
+  CHECK_EQUAL(result.Boundary.Size(), 3u);
+  CHECK_EQUAL(BoundaryChecker::CheckCrossings(result), std::string());
+  CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
+}
+
+/// A random horizon with any radius, with holes or without.
+BoundedHorizon RandomHorizon(int shape, Patches::Random& random)
+{
+  const Patches::Columns columns = Patches::Make(Patches::Shape(shape % int(Patches::Shape::Count)), random);
+  BoundaryOptions kind;
+  kind.Radius = 1 + random.Below(3);
+  kind.Growth = GrowthStrategy(random.Below(2));
+  kind.HoleBoundaries = random.Chance(0.5);
+  return MakeHorizon(columns, MakeHeights(columns, random), kind);
+}
+
+/// Everything that is promised but the number: tolerances, no crossing, no point on another side.
+void TestRandomPatches()
+{
+  Patches::Random random(41);
+  for (int n = 0; n < 2500; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    const double tolerance = n % 4 == 0 ? 0.0 : 3.0 * random.Fraction();
+    const double threshold = 2.0 * random.Fraction();
+    const BoundarySimplification result = Simplify(horizon, tolerance, threshold);
+    CHECK(result.OutlineDeviation <= tolerance);
+    CHECK(result.Deviation <= std::hypot(tolerance, threshold) + 1e-9);
+    const ShortcutSearch search(horizon, tolerance, threshold);
+    for (std::size_t loop = 0; loop < result.Boundary.Size(); ++loop)
+    {
+      CHECK_EQUAL(search.CheckLoop(loop, result.Boundary, loop), std::string());
+    }
+    const BoundedHorizon dropped = Drop(horizon, result);
+    CHECK_EQUAL(BoundaryChecker::CheckCrossings(dropped), std::string());
+    CHECK_EQUAL(MeshChecker::CheckMesh(dropped, Triangulate(dropped).Triangles), std::string());
+  }
+}
+
+/// No loop can have fewer points with one of those that it keeps. Hardly any could have fewer with another.
+void TestNumberIsLeast()
+{
+  Patches::Random random(42);
+  int loops = 0;
+  int beyondLeast = 0;
+  for (int n = 0; n < 400; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    const double tolerance = n % 4 == 0 ? 0.0 : 2.0 * random.Fraction();
+    const double threshold = 1.5 * random.Fraction();
+    const BoundarySimplification result = Simplify(horizon, tolerance, threshold);
+    const ShortcutSearch search(horizon, tolerance, threshold);
+    for (std::size_t loop = 0; loop < horizon.Boundary.Size(); ++loop)
+    {
+      const std::vector<std::size_t> least = search.LeastPoints(loop);
+      std::size_t leastOfKept = result.Boundary.Length(loop) + 1;
+      for (std::size_t position = 0; position < least.size(); ++position)
+      {
+        const PointId point = horizon.Boundary.begin(loop)[position];
+        const bool isKept =
+          std::find(result.Boundary.begin(loop), result.Boundary.end(loop), point) != result.Boundary.end(loop);
+        CHECK(!isKept || least[position] <= result.Boundary.Length(loop));
+        leastOfKept = isKept && least[position] == result.Boundary.Length(loop) ? least[position] : leastOfKept;
+      }
+      CHECK_EQUAL(leastOfKept, result.Boundary.Length(loop));
+      const std::size_t beyond = result.Boundary.Length(loop) - *std::min_element(least.begin(), least.end());
+      CHECK(beyond <= 1);
+      beyondLeast += int(beyond);
+      ++loops;
+    }
+  }
+  std::printf("%d loops, %d beyond\n", loops, beyondLeast);
+  CHECK(beyondLeast * 100 < loops);
+}
+}
+
+int TestFewestPoints(int, char*[])
+{
+  TestRectangle();
+  TestBump();
+  TestStaircase();
+  TestNothingCollapses();
+  TestHeights();
+  TestPointsInTheWay();
+  TestRandomPatches();
+  TestNumberIsLeast();
+  return Check::Result();
+}
