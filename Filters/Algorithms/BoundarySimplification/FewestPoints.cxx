@@ -73,12 +73,12 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
 
 //----------------------------------------------------------------------------------------------------------------------
 /// The positions that are left of a chain. As long as a loop keeps three points no two of which share two edges, it has
-/// an inside: a chain from a point back to itself keeps two points between, and one between two others keeps one, as
-/// there may be an edge between these already.
+/// an inside: a chain from a point back to itself keeps two points between, and one between two others keeps one unless
+/// it is straight, as there may be an edge between these already.
 std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
 {
   this->SetChain(std::move(chain));
-  const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 2;
+  const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
   bool isDone = this->Chain.size() <= leastEdges + 1;
   while (!isDone)
   {
@@ -96,14 +96,15 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
   this->Nodes.resize(this->Chain.size());
   std::iota(this->Nodes.begin(), this->Nodes.end(), 0);
   this->Places.clear();
-  this->Before.assign(1, { Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero() });
+  this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
   for (const PointId point : this->Chain)
   {
     const SpacePoint& place = this->Points[std::size_t(point)];
     this->Places.emplace_back(place.X, place.Y, place.Z);
     const Eigen::Vector3d way = this->Places.back() - this->Places.front();
     const Moments& before = this->Before.back();
-    this->Before.push_back({ before.Squares + way * way.transpose(), before.Ways + way });
+    this->Before.push_back(
+      { before.Ways + way, before.Products + way * way.transpose(), before.Lengths + way.squaredNorm() });
   }
 }
 
@@ -131,8 +132,18 @@ bool FewestPoints::FindPath()
   }
   this->FindSources(last);
   const bool isClosed = this->Chain.front() == this->Chain.back();
-  this->FollowPath(this->BestStep(last, isClosed ? this->TwoOrMore : this->Fewest));
+  const bool isOne = !isClosed && this->IsStraight() && this->Sources.back() == 0 && this->IsAdmissible(0, last);
+  this->FollowPath(isOne ? Step{ 1, 0.0, 0 } : this->BestStep(last, isClosed ? this->TwoOrMore : this->Fewest));
   return !this->IsLimited;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether the chain is straight seen from above, so that there can be no other edge between its ends.
+bool FewestPoints::IsStraight() const
+{
+  const SpanningEdge edge(this->Places.front(), this->Places.back());
+  return std::all_of(this->Places.begin(), this->Places.end(),
+    [&edge](const Eigen::Vector3d& place) { return edge.OnMap(place).InPlan == 0.0; });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -147,41 +158,55 @@ void FewestPoints::FindSources(std::size_t node)
   {
     --source;
     const Eigen::Vector3d way = this->Places[this->Nodes[source]] - place;
-    if (cone.Has(way))
+    if (cone.Pass(way))
     {
       this->Sources.push_back(source);
     }
-    cone.Narrow(way);
   }
   this->IsLimited = this->IsLimited || (source > 0 && !cone.IsEmpty());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The best step to a node, from any of the sources but the first node.
+/// The best step to a node, from any of the sources but the first node. Whether an edge is admissible takes longer to
+/// find out than anything else, and what it costs longer than the rest.
 FewestPoints::Step FewestPoints::BestStep(std::size_t node, const std::vector<Step>& ways)
 {
-  this->Steps.clear();
-  for (const std::size_t source : this->Sources)
+  const auto isWorse = [](const Step& a, const Step& b) { return std::tie(a.Cost, a.From) > std::tie(b.Cost, b.From); };
+  for (std::size_t edges = this->LeastEdges(ways, 0); edges < NoWay; edges = this->LeastEdges(ways, edges + 1))
   {
-    if (source > 0 && ways[source].Edges < NoWay)
+    this->Steps.clear();
+    for (const std::size_t source : this->Sources)
     {
-      const double cost = this->Cost(this->Nodes[source], this->Nodes[node]);
-      this->Steps.push_back({ ways[source].Edges + 1, ways[source].Cost + cost, source });
+      if (source > 0 && ways[source].Edges == edges)
+      {
+        const double cost = this->Cost(this->Nodes[source], this->Nodes[node]);
+        this->Steps.push_back({ edges + 1, ways[source].Cost + cost, source });
+      }
     }
-  }
-  // Whether an edge is admissible takes longer to find out than anything else.
-  const auto isWorse = [](const Step& a, const Step& b)
-  { return std::tie(a.Edges, a.Cost, a.From) > std::tie(b.Edges, b.Cost, b.From); };
-  std::make_heap(this->Steps.begin(), this->Steps.end(), isWorse);
-  for (; !this->Steps.empty(); this->Steps.pop_back())
-  {
-    std::pop_heap(this->Steps.begin(), this->Steps.end(), isWorse);
-    if (this->IsAdmissible(this->Steps.back().From, node))
+    std::make_heap(this->Steps.begin(), this->Steps.end(), isWorse);
+    for (; !this->Steps.empty(); this->Steps.pop_back())
     {
-      return this->Steps.back();
+      std::pop_heap(this->Steps.begin(), this->Steps.end(), isWorse);
+      if (this->IsAdmissible(this->Steps.back().From, node))
+      {
+        return this->Steps.back();
+      }
     }
   }
   return { NoWay, 0.0, 0 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The fewest edges, from a number on, of the ways to the sources but the first node.
+std::size_t FewestPoints::LeastEdges(const std::vector<Step>& ways, std::size_t atLeast) const
+{
+  std::size_t least = NoWay;
+  for (const std::size_t source : this->Sources)
+  {
+    const std::size_t edges = ways[source].Edges;
+    least = source > 0 && edges >= atLeast ? std::min(least, edges) : least;
+  }
+  return least;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -211,10 +236,15 @@ double FewestPoints::Cost(std::size_t from, std::size_t to) const
 {
   const Eigen::Vector3d start = this->Places[from] - this->Places.front();
   const Eigen::Vector3d along = this->Places[to] - this->Places[from];
-  const Eigen::Vector3d ways = this->Before[to].Ways - this->Before[from + 1].Ways;
-  const Eigen::Matrix3d squares = this->Before[to].Squares - this->Before[from + 1].Squares - ways * start.transpose() -
-    start * ways.transpose() + double(to - from - 1) * start * start.transpose();
-  return std::max(0.0, squares.trace() - along.dot(squares * along) / along.squaredNorm());
+  const Moments& begin = this->Before[from + 1];
+  const Moments& end = this->Before[to];
+  const double count = double(to - from - 1);
+  const Eigen::Vector3d ways = end.Ways - begin.Ways;
+  const double squares = end.Lengths - begin.Lengths - 2.0 * ways.dot(start) + count * start.squaredNorm();
+  const double way = along.dot(start);
+  const double squaresAlong =
+    along.dot((end.Products - begin.Products) * along) - 2.0 * way * along.dot(ways) + count * way * way;
+  return std::max(0.0, squares - squaresAlong / along.squaredNorm());
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -49,11 +49,13 @@ private:
     std::size_t From; // the number of a node
   };
 
-  /// Sums over the points of the chain before a position: of their ways from the first, and of the products of these.
+  /// Sums over the points of the chain before a position: of their ways from the first, of the products of these, and
+  /// of their squared lengths.
   struct Moments
   {
-    Eigen::Matrix3d Squares;
     Eigen::Vector3d Ways;
+    Eigen::Matrix3d Products;
+    double Lengths;
   };
 
   bool IsFixed(PointId point) const { return this->Visits[std::size_t(point)] > 1; }
@@ -61,8 +63,10 @@ private:
   std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
   void SetChain(std::vector<PointId> chain);
   bool FindPath();
+  bool IsStraight() const;
   void FindSources(std::size_t node);
   Step BestStep(std::size_t node, const std::vector<Step>& ways);
+  std::size_t LeastEdges(const std::vector<Step>& ways, std::size_t atLeast) const;
   bool IsAdmissible(std::size_t from, std::size_t to);
   double Cost(std::size_t from, std::size_t to) const;
   void FollowPath(const Step& last);

@@ -34,27 +34,23 @@ public:
   /// Whether no edge of any length is left.
   bool IsEmpty() const { return this->HasNoDirection || this->LeastSlope > this->GreatestSlope; }
 
-  /// Whether an edge can lead to the end of a way from the start.
-  bool Has(const Eigen::Vector3d& way) const
+  /// Whether an edge can lead to the end of a way from the start; leaves only edges that pass it within the tolerances.
+  bool Pass(const Eigen::Vector3d& way)
   {
     const double length = way.head<2>().norm();
     const double slack = HeightSlack * std::abs(way.z());
-    return (this->IsWhole || IsBetween(this->Right, this->Left, way.head<2>())) &&
+    const bool hasDirection = this->IsWhole || IsBetween(this->Right, this->Left, way.head<2>());
+    const bool hasSlope =
       way.z() + slack >= this->LeastSlope * length && way.z() - slack <= this->GreatestSlope * length;
-  }
-
-  /// Leaves only edges that pass the end of a way within the tolerances.
-  void Narrow(const Eigen::Vector3d& way)
-  {
-    const double length = way.head<2>().norm();
     if (length > this->Radius)
     {
       this->NarrowDirections(way.head<2>(), std::sqrt(length * length - this->Radius * this->Radius));
     }
-    const double tolerance = this->HeightTolerance + HeightSlack * std::abs(way.z());
     const double nearest = std::max(0.0, length - this->Radius);
+    const double tolerance = this->HeightTolerance + slack;
     this->LeastSlope = std::max(this->LeastSlope, -GreatestOf(tolerance - way.z(), nearest, length));
     this->GreatestSlope = std::min(this->GreatestSlope, GreatestOf(tolerance + way.z(), nearest, length));
+    return hasDirection && hasSlope;
   }
 
 private:
@@ -83,11 +79,15 @@ private:
     const Eigen::Vector2d aside = this->Radius * Eigen::Vector2d(-way.y(), way.x());
     const Eigen::Vector2d right = tangent * way - aside;
     const Eigen::Vector2d left = tangent * way + aside;
-    const bool keepsRight = !this->IsWhole && IsBetween(right, left, this->Right);
-    const bool keepsLeft = !this->IsWhole && IsBetween(right, left, this->Left);
-    const bool hasRight = this->IsWhole || IsBetween(this->Right, this->Left, right);
-    const bool hasLeft = this->IsWhole || IsBetween(this->Right, this->Left, left);
-    this->HasNoDirection = !(keepsRight || hasRight) || !(keepsLeft || hasLeft);
+    const double rightToRight = Cross(this->Right, right);
+    const double rightToLeft = Cross(this->Right, left);
+    const double leftToRight = Cross(right, this->Left);
+    const double leftToLeft = Cross(left, this->Left);
+    const bool hasRight = this->IsWhole || (rightToRight >= 0.0 && leftToRight >= 0.0);
+    const bool hasLeft = this->IsWhole || (rightToLeft >= 0.0 && leftToLeft >= 0.0);
+    const bool keepsRight = rightToRight <= 0.0 && rightToLeft >= 0.0;
+    const bool keepsLeft = leftToRight >= 0.0 && leftToLeft <= 0.0;
+    this->HasNoDirection = !(hasRight || keepsRight) || !(hasLeft || keepsLeft);
     this->Right = hasRight ? right : this->Right;
     this->Left = hasLeft ? left : this->Left;
     this->IsWhole = false;

@@ -79,8 +79,16 @@ bool ShortcutSearch::MayTakePlace(const Ids& chain) const
   {
     return true;
   }
-  const bool hasNewEnds = !this->IsFixed(chain.front()) || !this->IsFixed(chain.back());
-  return hasNewEnds && chain.front() != chain.back() && this->IsNear(chain) && !this->SweepsOver(chain);
+  // Two loops could have the same edge, unless it has points of the chain on it.
+  const auto isOnEdge = [&](PointId point)
+  {
+    const PlanePoint& a = this->Horizon.Plane[std::size_t(chain.front())];
+    const PlanePoint& b = this->Horizon.Plane[std::size_t(chain.back())];
+    return OnOpenSegment(a, b, this->Horizon.Plane[std::size_t(point)]);
+  };
+  const bool isNew = !this->IsFixed(chain.front()) || !this->IsFixed(chain.back()) ||
+    std::all_of(chain.begin() + 1, chain.end() - 1, isOnEdge);
+  return isNew && chain.front() != chain.back() && this->IsNear(chain) && !this->SweepsOver(chain);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -196,7 +204,7 @@ std::size_t ShortcutSearch::LeastEdges(const Ids& chain) const
         further[to] = further[to] || reached[from];
       }
     }
-    const std::size_t leastEdges = chain.front() == chain.back() ? 3 : 2;
+    const std::size_t leastEdges = chain.front() == chain.back() ? 3 : 1;
     if (further.back() && edges >= std::min(leastEdges, chain.size() - 1))
     {
       return edges;
