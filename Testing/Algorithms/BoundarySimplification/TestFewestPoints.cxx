@@ -99,6 +99,23 @@ void TestHeights()
   CHECK(std::abs(Simplify(horizon, 0.0, 4.0).Deviation - 4.0) < 1e-12);
 }
 
+/// A straight side of far more points than are looked at from one: level, the corners are left, and with ups and downs
+/// edges that may be.
+void TestLongSides()
+{
+  const std::string row(700, '#');
+  const Patches::Columns columns = Patches::FromPicture({ row, row, row });
+  CHECK_EQUAL(Simplify(MakeLevelHorizon(columns), 0.0, 0.0).Boundary.TotalLength(), 4u);
+  Patches::Random random(43);
+  const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
+  for (const double threshold : { 2.0, 6.0, 12.0 })
+  {
+    const BoundarySimplification result = Simplify(horizon, 0.5, threshold);
+    CHECK(result.Boundary.TotalLength() < 600u / unsigned(threshold));
+    CHECK_EQUAL(ShortcutSearch(horizon, 0.5, threshold).CheckLoop(0, result.Boundary, 0), std::string());
+  }
+}
+
 /// An island in a lagoon: the edges of the lagoon may not run over it, nor its own over the shore.
 void TestPointsInTheWay()
 {
@@ -146,6 +163,20 @@ void TestRandomPatches()
   }
 }
 
+/// With 0 and 0 every loop is what it was, on the map and in height, and only points that are on new edges go.
+void TestNothingIsLost()
+{
+  Patches::Random random(44);
+  for (int n = 0; n < 300; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    const BoundarySimplification result = Simplify(horizon, 0.0, 0.0);
+    CHECK_EQUAL(result.Deviation, 0.0);
+    CHECK_EQUAL(result.OutlineDeviation, 0.0);
+    CHECK_EQUAL(MeshChecker::CheckMesh(Drop(horizon, result), Triangulate(Drop(horizon, result)).Triangles), "");
+  }
+}
+
 /// No loop can have fewer points with one of those that it keeps. Hardly any could have fewer with another.
 void TestNumberIsLeast()
 {
@@ -180,6 +211,27 @@ void TestNumberIsLeast()
   }
   CHECK(beyondLeast * 100 < loops);
 }
+
+void TestErrors()
+{
+  const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ "####", "####", "####", "####" }));
+  CHECK_THROWS_WITH(Simplify(horizon, -1.0, 0.5), "outline tolerance -1, expected at least 0 columns");
+  CHECK_THROWS_WITH(Simplify(horizon, 1.0, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
+  std::vector<SpacePoint> points = ToSpacePoints(horizon);
+  points[5].X += 0.5;
+  CHECK_THROWS_WITH(SimplifyBoundary(points, horizon.Boundary, Options(1.0, 1.0)),
+    "point 5 at (1.5, 1) stands beside its column, expected whole columns");
+}
+
+/// Also along one loop, which takes long.
+void TestMonitor()
+{
+  const std::string row(3000, '#');
+  const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ row, row, row }));
+  const auto work = [&](const Monitor& monitor)
+  { SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(1.0, 1.0), monitor); };
+  CHECK_EQUAL(MonitorChecker::Check(10, work), std::string());
+}
 }
 
 int TestFewestPoints(int, char*[])
@@ -189,8 +241,12 @@ int TestFewestPoints(int, char*[])
   TestStaircase();
   TestNothingCollapses();
   TestHeights();
+  TestLongSides();
   TestPointsInTheWay();
   TestRandomPatches();
+  TestNothingIsLost();
   TestNumberIsLeast();
+  TestErrors();
+  TestMonitor();
   return Check::Result();
 }
