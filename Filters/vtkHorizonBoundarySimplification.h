@@ -26,7 +26,8 @@
  * OutlineTolerance of the edge that spans them, seen from above, and not more than DistanceThreshold above or below it
  * (a shortest path over all edges that can be; FewestPoints.h; Imai and Iri 1988). The same points stay as above, and
  * of a loop without any such point one that stays when its first does: with that, no loop could have fewer points, as
- * long as no edge spans more than 128; beyond, the number is near the least. It takes about ten times as long.
+ * long as no edge could span more than 512 and no run of more than 64 is straight in space; otherwise the number is
+ * near the least.
  *
  * @warning Without BoundDeviation the threshold holds for each single step. Over many passes distances add up, and the
  * largest can exceed it: BoundaryDeviation says by how much. Without an OutlineTolerance outlines that run slantwise

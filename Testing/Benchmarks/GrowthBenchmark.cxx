@@ -118,12 +118,16 @@ Patches::Columns RaggedBand(int points)
   return columns;
 }
 
+/// On heights that differ by less than the threshold.
 Work FewestOutlinePoints(const Patches::Columns& columns)
 {
+  Patches::Random random(6);
+  std::vector<double> heights(columns.size());
+  std::generate(heights.begin(), heights.end(), [&random]() { return 0.4 * random.Fraction(); });
   BoundarySimplificationOptions options;
   options.Method = OutlineMethod::FewestPoints;
   options.OutlineTolerance = 2.0;
-  return [horizon = OfColumns(columns), options]()
+  return [horizon = TestHorizons::MakeHorizon(columns, heights), options]()
   { SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, options); };
 }
 

@@ -8,16 +8,18 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// How many nodes before one are looked at. Outlines of real horizons rarely have edges that span more points, and time
-// grows with it where they run straight.
-constexpr std::size_t LookBack = 128;
+// How many nodes before one are looked at. Outlines of real horizons hardly ever have edges that span more points, and
+// time grows with it where they run straight.
+constexpr std::size_t LookBack = 512;
+
+// How far from its ends a run that is straight in space has nodes.
+constexpr std::size_t RunEnd = 32;
 
 // More edges than any way has.
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
@@ -93,8 +95,6 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
 {
   this->Chain = std::move(chain);
   this->Guard.SetChain(this->Chain);
-  this->Nodes.resize(this->Chain.size());
-  std::iota(this->Nodes.begin(), this->Nodes.end(), 0);
   this->Places.clear();
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
   for (const PointId point : this->Chain)
@@ -106,6 +106,43 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
     this->Before.push_back(
       { before.Ways + way, before.Products + way * way.transpose(), before.Lengths + way.squaredNorm() });
   }
+  this->ListNodes();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// All positions at first, but for those far within runs that are straight in space: which of these a way goes by makes
+/// hardly a difference.
+void FewestPoints::ListNodes()
+{
+  this->Nodes.assign(1, 0);
+  std::size_t bend = 0;
+  for (std::size_t position = 1; position < this->Chain.size(); ++position)
+  {
+    if (this->IsBend(position))
+    {
+      for (std::size_t node = bend + 1; node <= position; ++node)
+      {
+        if (node <= bend + RunEnd || node + RunEnd >= position)
+        {
+          this->Nodes.push_back(node);
+        }
+      }
+      bend = position;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether the chain does not go straight on, in space, at a position. It ends at its last one.
+bool FewestPoints::IsBend(std::size_t position) const
+{
+  if (position + 1 == this->Places.size())
+  {
+    return true;
+  }
+  const Eigen::Vector3d in = this->Places[position] - this->Places[position - 1];
+  const Eigen::Vector3d out = this->Places[position + 1] - this->Places[position];
+  return in != out;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -10,9 +10,10 @@
 // rules out nearly all. Among ways of equally many edges the best is that of the least sum of squared distances in
 // space from dropped points to the lines of their edges.
 //
-// Point by point, only the last 128 before it are looked at. Where that was not all that could have come into question,
-// as on long straight sides of a survey, the points that are left are gone along in the same way, and so on: time stays
-// near linear. So the number of points is the least as long as no edge could span more than 128, and near it otherwise.
+// So that time is near linear, only the last 512 points before each are looked at; where more could have come into
+// question, as on straight sides of a survey, the points that are left are gone along in the same way, and so on. Of
+// runs that are straight in space, points farther than 32 from their ends are not looked at. So the number of points is
+// the least where no edge could span more than 512 and no such run has more than 64, and near it otherwise.
 
 #ifndef SeismicHorizonsFewestPoints_h
 #define SeismicHorizonsFewestPoints_h
@@ -62,6 +63,8 @@ private:
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
   std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
   void SetChain(std::vector<PointId> chain);
+  void ListNodes();
+  bool IsBend(std::size_t position) const;
   bool FindPath();
   bool IsStraight() const;
   void FindSources(std::size_t node);

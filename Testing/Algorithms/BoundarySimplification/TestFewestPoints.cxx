@@ -227,7 +227,9 @@ void TestErrors()
 void TestMonitor()
 {
   const std::string row(3000, '#');
-  const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ row, row, row }));
+  const Patches::Columns columns = Patches::FromPicture({ row, row, row });
+  Patches::Random random(45);
+  const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
   const auto work = [&](const Monitor& monitor)
   { SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(1.0, 1.0), monitor); };
   CHECK_EQUAL(MonitorChecker::Check(10, work), std::string());
