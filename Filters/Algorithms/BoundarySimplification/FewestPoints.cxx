@@ -247,15 +247,16 @@ std::size_t FewestPoints::LeastEdges(const std::vector<Step>& ways, std::size_t 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether an edge between two nodes may take the place of the chain between them.
+/// Whether an edge between two nodes may take the place of the chain between them. It may between two in succession:
+/// these are neighbours, or have a straight run between them, or were found in the last round.
 bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
 {
-  const std::size_t first = this->Nodes[from];
-  const std::size_t last = this->Nodes[to];
-  if (last == first + 1)
+  if (to == from + 1)
   {
     return true;
   }
+  const std::size_t first = this->Nodes[from];
+  const std::size_t last = this->Nodes[to];
   const SpanningEdge edge(this->Places[first], this->Places[last]);
   const bool isNear =
     std::all_of(this->Places.begin() + std::ptrdiff_t(first) + 1, this->Places.begin() + std::ptrdiff_t(last),

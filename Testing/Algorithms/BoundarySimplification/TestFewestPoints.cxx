@@ -118,6 +118,23 @@ void TestAlignedHops()
   }
 }
 
+/// Long sides on an even slope, of which points far from the ends are not looked at: rounding must not tear them apart.
+void TestSlope()
+{
+  const std::string row(5000, '#');
+  const Patches::Columns columns = Patches::FromPicture({ row, row, row });
+  std::vector<double> heights;
+  for (const PlanePoint& column : columns)
+  {
+    heights.push_back(3.0 * column.X + 5.0 * column.Y);
+  }
+  const BoundedHorizon horizon = MakeHorizon(columns, heights);
+  const BoundarySimplification result = Simplify(horizon, 0.0, 0.0);
+  CHECK(result.Deviation < 1e-9);
+  CHECK_EQUAL(ShortcutSearch(horizon, 0.0, 0.0).CheckLoop(0, result.Boundary, 0), std::string());
+  CHECK_EQUAL(Simplify(horizon, 0.0, 1e-6).Boundary.TotalLength(), 4u);
+}
+
 /// A straight side of far more points than are looked at from one: the corners are left, when it is level or all
 /// heights may be; else edges that may be.
 void TestLongSides()
@@ -263,6 +280,7 @@ int TestFewestPoints(int, char*[])
   TestNothingCollapses();
   TestHeights();
   TestAlignedHops();
+  TestSlope();
   TestLongSides();
   TestPointsInTheWay();
   TestRandomPatches();
