@@ -61,6 +61,7 @@ vtkStandardNewMacro(vtkHorizonBoundarySimplification);
 void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == Threshold ? "Threshold" : "FewestPoints") << "\n";
   os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
   os << indent << "BoundDeviation: " << (this->BoundDeviation ? "on" : "off") << "\n";
   os << indent << "OutlineTolerance: " << this->OutlineTolerance << "\n";
@@ -74,6 +75,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   const LatticePoints points = ReadPoints(input);
   monitor.Progress(0.2);
   BoundarySimplificationOptions options;
+  options.Method = this->Method == Threshold ? OutlineMethod::Threshold : OutlineMethod::FewestPoints;
   options.DistanceThreshold = this->DistanceThreshold;
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;

@@ -22,11 +22,19 @@
  * between the new edge and the two old ones. So loops never cross themselves or each other, and points inside stay
  * strictly inside.
  *
+ * With the Method FewestPoints every loop gets the fewest points for which all dropped points are within
+ * OutlineTolerance of the edge that spans them, seen from above, and not more than DistanceThreshold above or below it
+ * (a shortest path over all edges that can be; FewestPoints.h; Imai and Iri 1988). The same points stay as above, and
+ * of a loop without any such point one that stays when its first does: with that, no loop could have fewer points, as
+ * long as no edge could span more than 512 and no run of more than 64 is straight in space; otherwise the number is
+ * near the least.
+ *
  * @warning Without BoundDeviation the threshold holds for each single step. Over many passes distances add up, and the
  * largest can exceed it: BoundaryDeviation says by how much. Without an OutlineTolerance outlines that run slantwise
  * over the lattice are staircases without straight runs, and stay as they are.
  *
- * Errors: a threshold or tolerance below 0, no boundary loops, no lattice in the field data.
+ * Errors: a threshold or tolerance below 0, no boundary loops, no lattice in the field data; with FewestPoints points
+ * beside their columns.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonRoughSimplification
  */
@@ -44,10 +52,30 @@ public:
   vtkTypeMacro(vtkHorizonBoundarySimplification, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Which points are dropped.
+  enum MethodType
+  {
+    Threshold = 0,
+    FewestPoints = 1
+  };
+
+  ///@{
+  /**
+   * Which points are dropped: Threshold, one after the other, as long as they are near enough to the line through their
+   * neighbours; FewestPoints, as many as the tolerances allow. Default: Threshold.
+   */
+  vtkSetClampMacro(Method, int, Threshold, FewestPoints);
+  vtkGetMacro(Method, int);
+  void SetMethodToThreshold() { this->SetMethod(Threshold); }
+  void SetMethodToFewestPoints() { this->SetMethod(FewestPoints); }
+  ///@}
+
   ///@{
   /**
    * A boundary point nearer than this to the line through its two neighbours is dropped (thesis: t). In lattice units:
-   * 1 is one column sideways or one vertical index up or down. At least 0, and 0 drops nothing. Default: 0.4.
+   * 1 is one column sideways or one vertical index up or down. At least 0, and 0 drops nothing. With the Method
+   * FewestPoints: how far above or below the new outline a dropped point may be; at 0 points go that are exactly on it.
+   * Default: 0.4.
    */
   vtkSetMacro(DistanceThreshold, double);
   vtkGetMacro(DistanceThreshold, double);
@@ -56,7 +84,8 @@ public:
   ///@{
   /**
    * Whether every dropped point has to stay within DistanceThreshold of the edge that spans it in the end (of its
-   * height where corners are dropped), and not just of its neighbours at the time. Default: off, as in the thesis.
+   * height where corners are dropped), and not just of its neighbours at the time. With the Method FewestPoints it
+   * always has to. Default: off, as in the thesis.
    */
   vtkSetMacro(BoundDeviation, bool);
   vtkGetMacro(BoundDeviation, bool);
@@ -82,6 +111,7 @@ private:
   vtkHorizonBoundarySimplification(const vtkHorizonBoundarySimplification&) = delete;
   void operator=(const vtkHorizonBoundarySimplification&) = delete;
 
+  int Method = Threshold;
   double DistanceThreshold = 0.4;
   bool BoundDeviation = false;
   double OutlineTolerance = 0.0;

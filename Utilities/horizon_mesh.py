@@ -123,6 +123,9 @@ def _add_stage_options(group):
                        help="holes of fewer columns are closed all the same")
     group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=0.0, metavar="T",
                        help="how far the outline may move on the map when its corners are dropped; lattice units")
+    group.add_argument("--fewest-outline-points", action="store_true",
+                       help="give outlines the fewest points within the outline tolerance on the map and the distance "
+                       "threshold in height")
     group.add_argument("--bound-deviation", action="store_true",
                        help="keep every dropped outline point within the distance threshold of the new outline")
     group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=0.4, metavar="T",
@@ -183,6 +186,7 @@ def make_settings(options):
         "MinimumPatchSize": options.minimum_patch_size, "HoleBoundaries": options.hole_boundaries,
         "SmallestHoleSize": options.smallest_hole_size}
     settings.simplified = {
+        "Method": "FewestPoints" if options.fewest_outline_points else "Threshold",
         "OutlineTolerance": options.outline_tolerance, "BoundDeviation": options.bound_deviation,
         "DistanceThreshold": options.distance_threshold}
     settings.rough = None if options.skip_rough else {

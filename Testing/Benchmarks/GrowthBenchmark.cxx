@@ -90,6 +90,47 @@ BoundedHorizon OfColumns(const Patches::Columns& columns)
   return TestHorizons::MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
 }
 
+/// Two rows: two straight sides of so many points in all.
+Patches::Columns Strip(int points)
+{
+  Patches::Columns columns;
+  for (int n = 0; n < points / 2; ++n)
+  {
+    columns.push_back({ n, 0 });
+    columns.push_back({ n, 1 });
+  }
+  return columns;
+}
+
+/// A band of rows that go up and down at random.
+Patches::Columns RaggedBand(int points)
+{
+  Patches::Random random(5);
+  Patches::Columns columns;
+  for (int n = 0; n < points / 8; ++n)
+  {
+    const int first = random.Below(3);
+    for (int row = first; row < first + 8; ++row)
+    {
+      columns.push_back({ n, row });
+    }
+  }
+  return columns;
+}
+
+/// On heights that differ by less than the threshold.
+Work FewestOutlinePoints(const Patches::Columns& columns)
+{
+  Patches::Random random(6);
+  std::vector<double> heights(columns.size());
+  std::generate(heights.begin(), heights.end(), [&random]() { return 0.4 * random.Fraction(); });
+  BoundarySimplificationOptions options;
+  options.Method = OutlineMethod::FewestPoints;
+  options.OutlineTolerance = 2.0;
+  return [horizon = TestHorizons::MakeHorizon(columns, heights), options]()
+  { SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, options); };
+}
+
 Work Mesh(const BoundedHorizon& horizon)
 {
   return [horizon]() { Triangulate(horizon); };
@@ -105,12 +146,7 @@ Work MeshOfOutline(int points)
 /// Two rows, and one point far from them.
 Work MeshOfStrip(int points)
 {
-  Patches::Columns columns;
-  for (int n = 0; n < points / 2; ++n)
-  {
-    columns.push_back({ n, 0 });
-    columns.push_back({ n, 1 });
-  }
+  Patches::Columns columns = Strip(points);
   for (int n = 2; n < points / 4; ++n)
   {
     columns.push_back({ points / 4, n });
@@ -171,6 +207,9 @@ std::vector<Case> ListCases()
     Boundary("clockwise growth, radius 8, a tenth missing", 250000, 8, 0.9),
     Boundary("clockwise growth, radius 8, half missing", 250000, 8, 0.5),
     Boundary("clockwise growth, radius 32, one in a hundred", 2500, 32, 0.01),
+    { "fewest outline points, straight sides", 20000, [](int points) { return FewestOutlinePoints(Strip(points)); } },
+    { "fewest outline points, ragged sides", 100000,
+      [](int points) { return FewestOutlinePoints(RaggedBand(points)); } },
     { "triangulation, outline without inner points", 16000, MeshOfOutline },
     { "triangulation, strip with an arm", 16000, MeshOfStrip },
     { "rough simplification, one cell", 250000, RoughWithOneCell },

@@ -7,6 +7,7 @@
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonExteriorBoundary.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -87,12 +88,32 @@ void TestOutlineTolerance(vtkMatrix4x4* survey)
   CHECK(deviation > 0.4 && deviation <= 0.5);
 }
 
+/// As few points as the tolerances allow: three of a right triangle of 7 by 4 columns, whatever the steps of the survey
+/// are.
+void TestFewestPoints(vtkMatrix4x4* survey)
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(HorizonFixtures::FromPicture(
+    { "#........", "###......", "#####....", "#######..", "########." }, 2, survey, Level));
+  vtkNew<vtkHorizonBoundarySimplification> straight;
+  straight->SetInputConnection(boundary->GetOutputPort());
+  straight->SetOutlineTolerance(0.5);
+  straight->SetMethodToFewestPoints();
+  straight->Update();
+  vtkPolyData* const output = straight->GetPolyDataOutput();
+  CHECK_EQUAL(output->GetCell(output->GetNumberOfVerts())->GetNumberOfPoints(), 4);
+  const double deviation = output->GetFieldData()->GetArray("OutlineDeviation")->GetTuple1(0);
+  CHECK(std::abs(deviation - 3.0 / std::hypot(7.0, 4.0)) < 1e-12);
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonBoundarySimplification> straight;
   CHECK_EQUAL(straight->GetDistanceThreshold(), 0.4);
   CHECK_EQUAL(straight->GetBoundDeviation(), false);
   CHECK_EQUAL(straight->GetOutlineTolerance(), 0.0);
+  CHECK_EQUAL(straight->GetMethod(), vtkHorizonBoundarySimplification::Threshold);
+  straight->SetMethodToFewestPoints();
   straight->SetDistanceThreshold(1.75);
   straight->BoundDeviationOn();
   straight->SetOutlineTolerance(0.625);
@@ -101,6 +122,7 @@ void TestPrint()
   CHECK(text.str().find("DistanceThreshold: 1.75") != std::string::npos);
   CHECK(text.str().find("BoundDeviation: on") != std::string::npos);
   CHECK(text.str().find("OutlineTolerance: 0.625") != std::string::npos);
+  CHECK(text.str().find("Method: FewestPoints") != std::string::npos);
 }
 }
 
@@ -111,6 +133,8 @@ int TestHorizonBoundarySimplification(int, char*[])
   TestThresholdIsInLatticeUnits();
   TestOutlineTolerance(HorizonFixtures::UnitSurvey());
   TestOutlineTolerance(HorizonFixtures::RotatedSurvey());
+  TestFewestPoints(HorizonFixtures::UnitSurvey());
+  TestFewestPoints(HorizonFixtures::RotatedSurvey());
   TestPrint();
   return Check::Result();
 }

@@ -153,6 +153,7 @@ BoundarySimplificationOptions StageInput::TakeBoundarySimplificationOptions()
   options.DistanceThreshold = this->TakeNumber(0.0, 3.0);
   options.BoundDeviation = this->TakeBool();
   options.OutlineTolerance = this->TakeBool() ? 0.0 : this->TakeNumber(0.0, 4.0);
+  options.Method = this->TakeBool() ? OutlineMethod::Threshold : OutlineMethod::FewestPoints;
   return options;
 }
 

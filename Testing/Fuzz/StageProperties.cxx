@@ -151,7 +151,8 @@ void CheckSimplifiedBoundary(
   const double tolerance = options.OutlineTolerance;
   Require(result.OutlineDeviation <= tolerance, "boundary simplification: outline deviation above the tolerance");
   const double most = std::hypot(options.DistanceThreshold, tolerance) * (1.0 + Rounding);
-  Require(std::isfinite(result.Deviation) && (!options.BoundDeviation || result.Deviation <= most),
+  const bool isBound = options.BoundDeviation || options.Method == OutlineMethod::FewestPoints;
+  Require(std::isfinite(result.Deviation) && (!isBound || result.Deviation <= most),
     "boundary simplification: deviation " + std::to_string(result.Deviation));
   for (const PointId target : result.Target)
   {

@@ -308,7 +308,7 @@ class BatchTest(unittest.TestCase):
                        "--column-step", "--row-step", "--vertical-step", "--vertical-direction",
                        "--duplicate-policy", "--horizons",
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",
-                       "--smallest-hole-size", "--outline-tolerance", "--bound-deviation",
+                       "--smallest-hole-size", "--outline-tolerance", "--bound-deviation", "--fewest-outline-points",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
                        "--representative", "--measure-error", "--distance-unit", "--samples-per-point",
                        "--no-pictures", "--leave-out-invalid", "--threads"):

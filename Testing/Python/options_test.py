@@ -64,10 +64,17 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(names, ["vtkHorizonExteriorBoundary", "vtkHorizonBoundarySimplification",
                                  "vtkHorizonDecimation"])
         self.assertEqual(settings.decimation, {"MaximumError": 1.5})
-        self.assertEqual(settings.simplified, {"OutlineTolerance": 1.5, "DistanceThreshold": 1.5, "BoundDeviation": True})
+        self.assertEqual(settings.simplified, {"Method": "Threshold", "OutlineTolerance": 1.5, "DistanceThreshold": 1.5,
+                                               "BoundDeviation": True})
         own = self.settings("--largest-error", "1.5", "--outline-tolerance", "2")
         self.assertEqual(own.simplified["OutlineTolerance"], 2.0)
         self.assertIsNone(self.settings().decimation)
+
+    def test_fewest_outline_points(self):
+        settings = self.settings("--fewest-outline-points", "--outline-tolerance", "0.5")
+        self.assertEqual((settings.simplified["Method"], settings.simplified["OutlineTolerance"]), ("FewestPoints", 0.5))
+        straight = dict(settings.make_stages())["simplified"]
+        self.assertEqual(straight.GetMethod(), straight.FewestPoints)
 
     def test_documentation(self):
         """Names no options but those that there are; what the read-me tells of names and exit codes, the help does."""

@@ -4,7 +4,9 @@
 #include "BoundarySimplification.h"
 
 #include "Common/Parameters.h"
+#include "FewestPoints.h"
 #include "LoopGuard.h"
+#include "SpanningEdge.h"
 
 #include <Eigen/Geometry>
 
@@ -17,55 +19,54 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// How far a place is from an edge: in space, in plan, and in height where it is nearest in plan.
-struct Distances
-{
-  double InSpace;
-  double InPlan;
-  double InHeight;
-};
-
-/// Where on the segment from the origin to `along` the place nearest to `way` is: 0 at the origin, 1 at its other end.
-template <typename Vector>
-double NearestPart(const Vector& along, const Vector& way)
-{
-  const double length = along.squaredNorm();
-  return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
-}
-
-/// Whether the place at the end of `way`, on the line along `along`, is not beyond either of its ends.
-bool IsWithin(const Eigen::Vector2d& along, const Eigen::Vector2d& way)
-{
-  const double part = along.dot(way);
-  return part >= 0.0 && part <= along.squaredNorm();
-}
-
 /// Simplifies one loop after the other. Positions in a loop count from its first point; beyond its end they go on with
 /// the first point again.
 class LoopSimplifier
 {
 public:
   LoopSimplifier(const std::vector<SpacePoint>& points, const Loops& boundary,
-    const BoundarySimplificationOptions& options, BoundarySimplification& result)
+    const BoundarySimplificationOptions& options, BoundarySimplification& result, const Monitor& monitor)
     : Points(points)
     , Options(options)
     , Result(result)
+    , Watch(monitor)
     , Visits(points.size(), 0)
   {
     boundary.ForEachPoint([this](PointId point) { this->CountVisit(point); });
     this->Result.Target.resize(points.size());
     std::iota(this->Result.Target.begin(), this->Result.Target.end(), 0);
-    if (options.OutlineTolerance > 0.0)
+    if (options.Method == OutlineMethod::FewestPoints)
+    {
+      this->Fewest.emplace(points, this->Visits, options.OutlineTolerance, options.DistanceThreshold,
+        [this]() { this->Watch.Progress(this->Part); });
+    }
+    else if (options.OutlineTolerance > 0.0)
     {
       this->Guard.emplace(points);
     }
   }
 
+  /// A loop that comes when this part of the work is done.
+  void Simplify(const PointId* first, const PointId* last, double part)
+  {
+    this->Part = part;
+    this->Loop.assign(first, last);
+    if (this->Fewest)
+    {
+      this->Kept = this->Fewest->Simplify(this->Loop);
+    }
+    else
+    {
+      this->DropStepByStep();
+    }
+    this->WriteLoop();
+  }
+
+private:
   /// Runs are taken from the first point that ends one. That of our own loops is their first point, a corner; a loop of
   /// someone else may begin anywhere.
-  void Simplify(const PointId* first, const PointId* last)
+  void DropStepByStep()
   {
-    this->Loop.assign(first, last);
     this->Kept.clear();
     std::rotate(this->Loop.begin(), this->Loop.begin() + std::ptrdiff_t(this->FirstRunEnd()), this->Loop.end());
     for (std::size_t from = 0; from < this->Loop.size();)
@@ -83,10 +84,8 @@ public:
     {
       this->DropCorners();
     }
-    this->WriteLoop();
   }
 
-private:
   void CountVisit(PointId point)
   {
     unsigned char& visits = this->Visits[std::size_t(point)];
@@ -172,8 +171,9 @@ private:
     {
       return false;
     }
+    const SpanningEdge edge = this->EdgeBetween(this->At(before), this->At(after));
     return !this->Options.BoundDeviation ||
-      this->AllBetween(before, after, [&](const Distances& distances) { return distances.InSpace <= threshold; });
+      this->AllBetween(before, after, [&](const Eigen::Vector3d& place) { return edge.InSpace(place) <= threshold; });
   }
 
   double DistanceToLine(PointId point, PointId a, PointId b) const
@@ -182,24 +182,15 @@ private:
     return along.cross(this->Place(point) - this->Place(a)).norm() / along.norm();
   }
 
-  Distances ToEdge(PointId point, PointId a, PointId b) const
-  {
-    const Eigen::Vector3d along = this->Place(b) - this->Place(a);
-    const Eigen::Vector3d way = this->Place(point) - this->Place(a);
-    const Eigen::Vector3d inPlan = way - NearestPart<Eigen::Vector2d>(along.head<2>(), way.head<2>()) * along;
-    // Boundary points stand on whole columns: on a straight run the product is exact, and nothing is lost to rounding.
-    const bool isOnEdge = along.x() * way.y() == along.y() * way.x() && IsWithin(along.head<2>(), way.head<2>());
-    return { (way - NearestPart(along, way) * along).norm(), isOnEdge ? 0.0 : inPlan.head<2>().norm(),
-      std::abs(inPlan.z()) };
-  }
+  SpanningEdge EdgeBetween(PointId a, PointId b) const { return { this->Place(a), this->Place(b) }; }
 
-  /// Whether a condition holds for all points that an edge spans.
+  /// Whether a condition holds for the places of all points that an edge spans.
   template <typename Condition>
   bool AllBetween(std::size_t before, std::size_t after, Condition&& condition) const
   {
     for (std::size_t n = before + 1; n < after; ++n)
     {
-      if (!condition(this->ToEdge(this->At(n), this->At(before), this->At(after))))
+      if (!condition(this->Place(this->At(n))))
       {
         return false;
       }
@@ -257,11 +248,13 @@ private:
   bool IsNear(std::size_t before, std::size_t middle, std::size_t after) const
   {
     const double threshold = this->Options.DistanceThreshold;
-    return this->ToEdge(this->At(middle), this->At(before), this->At(after)).InHeight < threshold &&
+    const SpanningEdge edge = this->EdgeBetween(this->At(before), this->At(after));
+    return edge.OnMap(this->Place(this->At(middle))).InHeight < threshold &&
       this->AllBetween(
         before, after,
-        [&](const Distances& distances)
+        [&](const Eigen::Vector3d& place)
         {
+          const MapDistances distances = edge.OnMap(place);
           return distances.InPlan <= this->Options.OutlineTolerance &&
             (!this->Options.BoundDeviation || distances.InHeight <= threshold);
         });
@@ -271,7 +264,7 @@ private:
   /// that spans it.
   void WriteLoop()
   {
-    this->Kept.push_back(this->Loop.size());
+    this->Kept.push_back(this->Kept.front() + this->Loop.size());
     for (std::size_t n = 0; n + 1 < this->Kept.size(); ++n)
     {
       const PointId a = this->At(this->Kept[n]);
@@ -287,9 +280,9 @@ private:
 
   void WriteDropped(PointId point, PointId a, PointId b)
   {
-    const Distances distances = this->ToEdge(point, a, b);
-    this->Result.Deviation = std::max(this->Result.Deviation, distances.InSpace);
-    this->Result.OutlineDeviation = std::max(this->Result.OutlineDeviation, distances.InPlan);
+    const SpanningEdge edge = this->EdgeBetween(a, b);
+    this->Result.Deviation = std::max(this->Result.Deviation, edge.InSpace(this->Place(point)));
+    this->Result.OutlineDeviation = std::max(this->Result.OutlineDeviation, edge.OnMap(this->Place(point)).InPlan);
     const auto toEnd = [&](PointId end) { return (this->Place(point) - this->Place(end)).head<2>().norm(); };
     this->Result.Target[std::size_t(point)] = toEnd(b) < toEnd(a) ? b : a;
   }
@@ -297,8 +290,11 @@ private:
   const std::vector<SpacePoint>& Points;
   const BoundarySimplificationOptions& Options;
   BoundarySimplification& Result;
+  const Monitor& Watch;
+  double Part = 0.0;
   std::vector<unsigned char> Visits; // 0, 1 or 2 for more than one
   std::optional<LoopGuard> Guard;
+  std::optional<FewestPoints> Fewest;
   std::vector<PointId> Loop; // that is being simplified
   std::vector<std::size_t> Run; // the positions that are left of the run that is being simplified
   std::vector<std::size_t> Kept; // the positions that are left of the loop
@@ -313,14 +309,15 @@ BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, c
   CheckAtLeast("distance threshold", options.DistanceThreshold, 0.0, " lattice units");
   CheckAtLeast("outline tolerance", options.OutlineTolerance, 0.0, " columns");
   BoundarySimplification result;
-  LoopSimplifier simplifier(points, boundary, options, result);
+  LoopSimplifier simplifier(points, boundary, options, result, monitor);
   for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
   {
+    const double part = double(loop) / double(boundary.Size());
     if (loop % 64 == 0)
     {
-      monitor.Progress(double(loop) / double(boundary.Size()));
+      monitor.Progress(part);
     }
-    simplifier.Simplify(boundary.begin(loop), boundary.end(loop));
+    simplifier.Simplify(boundary.begin(loop), boundary.end(loop), part);
   }
   return result;
 }

@@ -12,9 +12,10 @@
 // A point that loops visit more than once (on a spur, or where a patch touches itself) also ends a run. Were it dropped
 // from one visit and not from the other, it would lie on an edge without being one of its ends.
 //
-// Beyond the thesis, deviations can be bound, and corners be dropped: loops that run slantwise over the lattice are
-// staircases, and have no runs. A corner is dropped when all points that the new edge spans then are near enough to it,
-// in plan and in height, and no other point lies between it and the two edges that it replaces (LoopGuard.h).
+// Beyond the thesis, loops can have the fewest points within the tolerances instead (FewestPoints.h), deviations can be
+// bound, and corners be dropped: loops that run slantwise over the lattice are staircases, and have no runs. A corner
+// is dropped when all points that the new edge spans then are near enough to it, in plan and in height, and no other
+// point lies between it and the two edges that it replaces (LoopGuard.h).
 
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
@@ -26,15 +27,24 @@
 
 namespace SeismicHorizons
 {
+enum class OutlineMethod
+{
+  Threshold, // points are dropped one after the other, as long as they are near enough
+  FewestPoints // as many as tolerances allow
+};
+
 struct BoundarySimplificationOptions
 {
-  /// In lattice units, at least 0 (InputError otherwise); with 0 nothing is dropped.
+  /// In lattice units, at least 0 (InputError otherwise); with 0 nothing is dropped. For the fewest points it bounds
+  /// the vertical distance of dropped points from the new edge, and with 0 points are dropped that are exactly on it.
   double DistanceThreshold = 0.4;
   /// Whether all points that a new edge spans have to be within the threshold of it, not just the one that is dropped.
+  /// For the fewest points they always are.
   bool BoundDeviation = false;
-  /// How far in plan, in columns, a dropped corner may be from the edge that spans it, at least 0 (InputError
+  /// How far in plan, in columns, a dropped point may be from the edge that spans it, at least 0 (InputError
   /// otherwise). With 0 no corners are dropped, and loops stay as they are in plan.
   double OutlineTolerance = 0.0;
+  OutlineMethod Method = OutlineMethod::Threshold;
 };
 
 struct BoundarySimplification
@@ -50,10 +60,11 @@ struct BoundarySimplification
   double OutlineDeviation = 0.0;
 };
 
-/// `points` are all points of the horizon, in lattice units; those of the loops stand on whole columns. A loop begins
-/// where it did, or, when that is within a straight run, at the end of the run. Linear in the points,
+/// `points` are all points of the horizon, in lattice units; those of the loops stand on whole columns, and for the
+/// fewest points all have to (InputError otherwise). A loop begins where it did, or, when that is within a straight
+/// run, at the end of the run; with the fewest points at the first of its points that stays. Linear in the points,
 /// times the number of passes over a run, which grows with the logarithm of its length where a run is flat, and with
-/// its length in the worst case.
+/// its length in the worst case; near linear for the fewest points.
 BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
 

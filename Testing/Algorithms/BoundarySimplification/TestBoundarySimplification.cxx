@@ -336,8 +336,7 @@ void TestPointsInTheWay()
 void TestErrors()
 {
   const BoundedHorizon horizon = Strip({ 0, 0, 0 });
-  CHECK_THROWS_WITH(
-    Simplify(horizon, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
+  CHECK_THROWS_WITH(Simplify(horizon, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
   CHECK_THROWS_WITH(Simplify(horizon, std::numeric_limits<double>::quiet_NaN()), "distance threshold nan");
   BoundarySimplificationOptions options;
   options.OutlineTolerance = -1.0;

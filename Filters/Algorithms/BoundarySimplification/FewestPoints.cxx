@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FewestPoints.h"
+
+#include "ShortcutCone.h"
+#include "SpanningEdge.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// How many nodes before one are looked at. Outlines of real horizons hardly ever have edges that span more points, and
+// time grows with it where they run straight.
+constexpr std::size_t LookBack = 512;
+
+// How far from its ends a run that is straight in space has nodes.
+constexpr std::size_t RunEnd = 32;
+
+// More edges than any way has.
+constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FewestPoints::FewestPoints(const std::vector<SpacePoint>& points, const std::vector<unsigned char>& visits,
+  double outlineTolerance, double heightTolerance, std::function<void()> goOn)
+  : Points(points)
+  , Visits(visits)
+  , OutlineTolerance(outlineTolerance)
+  , HeightTolerance(heightTolerance)
+  , GoOn(std::move(goOn))
+  , Guard(points)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::size_t> FewestPoints::Simplify(const std::vector<PointId>& loop)
+{
+  const auto fixed = std::find_if(loop.begin(), loop.end(), [this](PointId point) { return this->IsFixed(point); });
+  if (fixed != loop.end())
+  {
+    return this->SimplifyFrom(loop, std::size_t(fixed - loop.begin()));
+  }
+  const std::vector<std::size_t> kept = this->SimplifyFrom(loop, 0);
+  std::vector<std::size_t> again = this->SimplifyFrom(loop, kept[kept.size() / 2]);
+  return again.size() <= kept.size() ? again : kept;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Chain by chain, from a point that stays round to itself.
+std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& loop, std::size_t first)
+{
+  std::vector<std::size_t> kept;
+  std::vector<PointId> chain;
+  for (std::size_t n = 0; n <= loop.size(); ++n)
+  {
+    const PointId point = loop[(first + n) % loop.size()];
+    chain.push_back(point);
+    if (chain.size() > 1 && (this->IsFixed(point) || n == loop.size()))
+    {
+      const std::size_t start = first + n + 1 - chain.size();
+      const std::vector<std::size_t> positions = this->SimplifyChain(std::move(chain));
+      std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
+        [&](std::size_t position) { return (start + position) % loop.size(); });
+      chain.assign(1, point);
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The positions that are left of a chain. As long as a loop keeps three points no two of which share two edges, it has
+/// an inside: a chain from a point back to itself keeps two points between, and one between two others keeps one unless
+/// it is straight, as there may be an edge between these already.
+std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
+{
+  this->SetChain(std::move(chain));
+  const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
+  bool isDone = this->Chain.size() <= leastEdges + 1;
+  while (!isDone)
+  {
+    const std::size_t before = this->Nodes.size();
+    isDone = this->FindPath() || this->Nodes.size() == before;
+  }
+  return this->Nodes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FewestPoints::SetChain(std::vector<PointId> chain)
+{
+  this->Chain = std::move(chain);
+  this->Guard.SetChain(this->Chain);
+  this->Places.clear();
+  this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
+  for (const PointId point : this->Chain)
+  {
+    const SpacePoint& place = this->Points[std::size_t(point)];
+    this->Places.emplace_back(place.X, place.Y, place.Z);
+    const Eigen::Vector3d way = this->Places.back() - this->Places.front();
+    const Moments& before = this->Before.back();
+    this->Before.push_back(
+      { before.Ways + way, before.Products + way * way.transpose(), before.Lengths + way.squaredNorm() });
+  }
+  this->ListNodes();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// All positions at first, but for those far within runs that are straight in space: which of these a way goes by makes
+/// hardly a difference.
+void FewestPoints::ListNodes()
+{
+  this->Nodes.assign(1, 0);
+  std::size_t bend = 0;
+  for (std::size_t position = 1; position < this->Chain.size(); ++position)
+  {
+    if (this->IsBend(position))
+    {
+      for (std::size_t node = bend + 1; node <= position; ++node)
+      {
+        if (node <= bend + RunEnd || node + RunEnd >= position)
+        {
+          this->Nodes.push_back(node);
+        }
+      }
+      bend = position;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether the chain does not go straight on, in space, at a position. It ends at its last one.
+bool FewestPoints::IsBend(std::size_t position) const
+{
+  if (position + 1 == this->Places.size())
+  {
+    return true;
+  }
+  const Eigen::Vector3d in = this->Places[position] - this->Places[position - 1];
+  const Eigen::Vector3d out = this->Places[position + 1] - this->Places[position];
+  return in != out;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Leaves of the nodes those of the best way through them. False when that might not be the best, as some edges were
+/// not looked at.
+bool FewestPoints::FindPath()
+{
+  const std::size_t last = this->Nodes.size() - 1;
+  this->IsLimited = false;
+  this->Fewest.assign(1, { 0, 0.0, 0 });
+  this->TwoOrMore.assign(1, { NoWay, 0.0, 0 });
+  for (std::size_t node = 1; node < last; ++node)
+  {
+    if (node % 1024 == 0)
+    {
+      this->GoOn();
+    }
+    this->FindSources(node);
+    const bool isNearFirst = this->Sources.back() == 0;
+    this->TwoOrMore.push_back(this->BestStep(node, this->Fewest));
+    const bool isNext = isNearFirst && this->IsAdmissible(0, node);
+    this->Fewest.push_back(
+      isNext ? Step{ 1, this->Cost(this->Nodes[0], this->Nodes[node]), 0 } : this->TwoOrMore.back());
+  }
+  this->FindSources(last);
+  const bool isClosed = this->Chain.front() == this->Chain.back();
+  const bool isOne = !isClosed && this->IsStraight() && this->Sources.back() == 0 && this->IsAdmissible(0, last);
+  this->FollowPath(isOne ? Step{ 1, 0.0, 0 } : this->BestStep(last, isClosed ? this->TwoOrMore : this->Fewest));
+  return !this->IsLimited;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether the chain is straight seen from above, so that there can be no other edge between its ends.
+bool FewestPoints::IsStraight() const
+{
+  const SpanningEdge edge(this->Places.front(), this->Places.back());
+  return std::all_of(this->Places.begin(), this->Places.end(),
+    [&edge](const Eigen::Vector3d& place) { return edge.OnMap(place).InPlan == 0.0; });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The nodes from which an edge may lead to another, backwards.
+void FewestPoints::FindSources(std::size_t node)
+{
+  const Eigen::Vector3d& place = this->Places[this->Nodes[node]];
+  ShortcutCone cone(this->OutlineTolerance, this->HeightTolerance);
+  this->Sources.clear();
+  std::size_t source = node;
+  while (source > 0 && node - source < LookBack && !cone.IsEmpty())
+  {
+    --source;
+    const Eigen::Vector3d way = this->Places[this->Nodes[source]] - place;
+    if (cone.Pass(way))
+    {
+      this->Sources.push_back(source);
+    }
+  }
+  this->IsLimited = this->IsLimited || (source > 0 && !cone.IsEmpty());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The best step to a node, from any of the sources but the first node. Whether an edge is admissible takes longer to
+/// find out than anything else, and what it costs longer than the rest.
+FewestPoints::Step FewestPoints::BestStep(std::size_t node, const std::vector<Step>& ways)
+{
+  const auto isWorse = [](const Step& a, const Step& b) { return std::tie(a.Cost, a.From) > std::tie(b.Cost, b.From); };
+  for (std::size_t edges = this->LeastEdges(ways, 0); edges < NoWay; edges = this->LeastEdges(ways, edges + 1))
+  {
+    this->Steps.clear();
+    for (const std::size_t source : this->Sources)
+    {
+      if (source > 0 && ways[source].Edges == edges)
+      {
+        const double cost = this->Cost(this->Nodes[source], this->Nodes[node]);
+        this->Steps.push_back({ edges + 1, ways[source].Cost + cost, source });
+      }
+    }
+    std::make_heap(this->Steps.begin(), this->Steps.end(), isWorse);
+    for (; !this->Steps.empty(); this->Steps.pop_back())
+    {
+      std::pop_heap(this->Steps.begin(), this->Steps.end(), isWorse);
+      if (this->IsAdmissible(this->Steps.back().From, node))
+      {
+        return this->Steps.back();
+      }
+    }
+  }
+  return { NoWay, 0.0, 0 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The fewest edges, from a number on, of the ways to the sources but the first node.
+std::size_t FewestPoints::LeastEdges(const std::vector<Step>& ways, std::size_t atLeast) const
+{
+  std::size_t least = NoWay;
+  for (const std::size_t source : this->Sources)
+  {
+    const std::size_t edges = ways[source].Edges;
+    least = source > 0 && edges >= atLeast ? std::min(least, edges) : least;
+  }
+  return least;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether an edge between two nodes may take the place of the chain between them. It may between two in succession:
+/// these are neighbours, or have a straight run between them, or were found in the last round.
+bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
+{
+  if (to == from + 1)
+  {
+    return true;
+  }
+  const std::size_t first = this->Nodes[from];
+  const std::size_t last = this->Nodes[to];
+  const SpanningEdge edge(this->Places[first], this->Places[last]);
+  const bool isNear =
+    std::all_of(this->Places.begin() + std::ptrdiff_t(first) + 1, this->Places.begin() + std::ptrdiff_t(last),
+      [&](const Eigen::Vector3d& place)
+      {
+        const MapDistances distances = edge.OnMap(place);
+        return distances.InPlan <= this->OutlineTolerance && distances.InHeight <= this->HeightTolerance;
+      });
+  return isNear && this->Guard.IsClear(first, last);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The sum of squared distances in space of the points between two positions from the line through these.
+double FewestPoints::Cost(std::size_t from, std::size_t to) const
+{
+  const Eigen::Vector3d start = this->Places[from] - this->Places.front();
+  const Eigen::Vector3d along = this->Places[to] - this->Places[from];
+  const Moments& begin = this->Before[from + 1];
+  const Moments& end = this->Before[to];
+  const double count = double(to - from - 1);
+  const Eigen::Vector3d ways = end.Ways - begin.Ways;
+  const double squares = end.Lengths - begin.Lengths - 2.0 * ways.dot(start) + count * start.squaredNorm();
+  const double way = along.dot(start);
+  const double squaresAlong =
+    along.dot((end.Products - begin.Products) * along) - 2.0 * way * along.dot(ways) + count * way * way;
+  return std::max(0.0, squares - squaresAlong / along.squaredNorm());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FewestPoints::FollowPath(const Step& last)
+{
+  std::vector<std::size_t> path = { this->Nodes.back() };
+  // A chain from a point back to itself has two edges before the last one.
+  const bool isClosed = this->Chain.front() == this->Chain.back();
+  for (std::size_t node = last.From; node > 0;
+       node = (isClosed && path.size() == 2 ? this->TwoOrMore : this->Fewest)[node].From)
+  {
+    path.push_back(this->Nodes[node]);
+  }
+  path.push_back(this->Nodes.front());
+  this->Nodes.assign(path.rbegin(), path.rend());
+}
+}

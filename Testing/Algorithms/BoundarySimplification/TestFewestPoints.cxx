@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShortcutSearch.h"
+
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Tools/BoundaryChecker.h"
+#include "Tools/Check.h"
+#include "Tools/MeshChecker.h"
+#include "Tools/MonitorChecker.h"
+#include "Tools/TestHorizons.h"
+#include "Triangulation/Triangulation.h"
+
+#include <algorithm>
+#include <set>
+
+using namespace TestHorizons;
+
+namespace
+{
+BoundarySimplificationOptions Options(double tolerance, double threshold)
+{
+  BoundarySimplificationOptions options;
+  options.Method = OutlineMethod::FewestPoints;
+  options.OutlineTolerance = tolerance;
+  options.DistanceThreshold = threshold;
+  return options;
+}
+
+BoundarySimplification Simplify(const BoundedHorizon& horizon, double tolerance, double threshold)
+{
+  return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(tolerance, threshold));
+}
+
+/// The columns of the points that the loops of a level horizon keep.
+std::set<PlanePoint> Kept(const std::vector<std::string>& picture, double tolerance)
+{
+  const Patches::Columns columns = Patches::FromPicture(picture);
+  const BoundedHorizon horizon = MakeLevelHorizon(columns);
+  std::set<PlanePoint> kept;
+  Simplify(horizon, tolerance, 0.0)
+    .Boundary.ForEachPoint([&](PointId point) { kept.insert(columns[std::size_t(point)]); });
+  return kept;
+}
+
+using Places = std::set<PlanePoint>;
+
+/// Without tolerances straight level runs are shortened, and nothing else.
+void TestRectangle()
+{
+  CHECK(Kept({ "#####", "#####", "#####" }, 0.0) == Places({ { 0, 0 }, { 4, 0 }, { 4, 2 }, { 0, 2 } }));
+}
+
+/// A bump of one column is 1 off the straight side, and the points next to it 0.63 off the lines from it to the
+/// corners.
+void TestBump()
+{
+  const std::vector<std::string> picture = { "...#...", "#######", "#######", "#######" };
+  CHECK(Kept(picture, 0.0) == Places({ { 0, 0 }, { 6, 0 }, { 6, 2 }, { 4, 2 }, { 3, 3 }, { 2, 2 }, { 0, 2 } }));
+  CHECK(Kept(picture, 0.9) == Places({ { 0, 0 }, { 6, 0 }, { 6, 2 }, { 3, 3 }, { 0, 2 } }));
+  CHECK_EQUAL(Kept(picture, 1.0).size(), 4u);
+}
+
+/// The points of a staircase are up to 0.45 from its straight line; its end is a spur of one column.
+void TestStaircase()
+{
+  std::vector<std::string> picture;
+  for (int row = 0; row < 9; ++row)
+  {
+    picture.push_back(std::string(std::size_t(2 * row + 2), '#'));
+  }
+  CHECK_EQUAL(Kept(picture, 0.0).size(), 19u);
+  CHECK(Kept(picture, 0.45) == Places({ { 0, 0 }, { 0, 8 }, { 16, 0 }, { 17, 0 } }));
+}
+
+/// A spur stays as it is, and so does a patch without an inside, whatever is allowed.
+void TestNothingCollapses()
+{
+  CHECK(Kept({ "##....", "######" }, 0.0) ==
+    Places({ { 0, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 }, { 0, 1 }, { 1, 1 } }));
+  CHECK_EQUAL(Kept({ "####" }, 100.0).size(), 4u);
+  CHECK_EQUAL(Kept({ "#" }, 100.0).size(), 1u);
+  CHECK_EQUAL(Kept({ "#.", ".#" }, 100.0).size(), 2u);
+  CHECK_EQUAL(Kept({ "####", "####" }, 100.0).size(), 3u);
+  CHECK_EQUAL(Kept({ "##", "##" }, 100.0).size(), 3u);
+}
+
+/// Heights decide along a straight side: one ridge of two slopes needs its top, whatever steps lead there.
+void TestHeights()
+{
+  const Patches::Columns columns = Patches::FromPicture({ "#########", "#########" });
+  std::vector<double> heights(columns.size(), 0.0);
+  const double ridge[] = { 0.0, 1.2, 2.2, 3.0, 4.0, 3.0, 1.8, 1.0, 0.0 };
+  std::copy(std::begin(ridge), std::end(ridge), heights.begin());
+  const BoundedHorizon horizon = MakeHorizon(columns, heights);
+  CHECK_EQUAL(Simplify(horizon, 0.0, 0.19).Boundary.TotalLength(), 7u);
+  CHECK_EQUAL(Simplify(horizon, 0.0, 0.21).Boundary.TotalLength(), 5u);
+  CHECK_EQUAL(Simplify(horizon, 0.0, 4.0).Boundary.TotalLength(), 4u);
+  CHECK(std::abs(Simplify(horizon, 0.0, 4.0).Deviation - 4.0) < 1e-12);
+}
+
+/// The point between two hops in one direction, of which one is twice as long, goes without any tolerance, whatever
+/// rounding does to their direction and slope.
+void TestAlignedHops()
+{
+  for (int hop = 0; hop < 144; ++hop)
+  {
+    const double x = 1 + hop % 12;
+    const double y = hop / 12;
+    const std::vector<SpacePoint> points = { { 0, 0, 0 }, { x, y, 1 }, { 3 * x, 3 * y, 3 }, { 0, 50, 0 } };
+    Loops loop;
+    for (const PointId point : { 0, 3, 2, 1 })
+    {
+      loop.Append(point);
+    }
+    loop.Close();
+    CHECK_EQUAL(SimplifyBoundary(points, loop, Options(0.0, 0.0)).Boundary.TotalLength(), 3u);
+  }
+}
+
+/// Long sides on an even slope, of which points far from the ends are not looked at: rounding must not tear them apart.
+void TestSlope()
+{
+  const std::string row(5000, '#');
+  const Patches::Columns columns = Patches::FromPicture({ row, row, row });
+  std::vector<double> heights;
+  for (const PlanePoint& column : columns)
+  {
+    heights.push_back(3.0 * column.X + 5.0 * column.Y);
+  }
+  const BoundedHorizon horizon = MakeHorizon(columns, heights);
+  const BoundarySimplification result = Simplify(horizon, 0.0, 0.0);
+  CHECK(result.Deviation < 1e-9);
+  CHECK_EQUAL(ShortcutSearch(horizon, 0.0, 0.0).CheckLoop(0, result.Boundary, 0), std::string());
+  CHECK_EQUAL(Simplify(horizon, 0.0, 1e-6).Boundary.TotalLength(), 4u);
+}
+
+/// A straight side of far more points than are looked at from one: the corners are left, when it is level or all
+/// heights may be; else edges that may be.
+void TestLongSides()
+{
+  const std::string row(1300, '#');
+  const Patches::Columns columns = Patches::FromPicture({ row, row, row });
+  CHECK_EQUAL(Simplify(MakeLevelHorizon(columns), 0.0, 0.0).Boundary.TotalLength(), 4u);
+  Patches::Random random(43);
+  const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
+  CHECK_EQUAL(Simplify(horizon, 0.0, 12.0).Boundary.TotalLength(), 4u);
+  for (const double threshold : { 2.0, 6.0 })
+  {
+    const BoundarySimplification result = Simplify(horizon, 0.5, threshold);
+    CHECK_EQUAL(ShortcutSearch(horizon, 0.5, threshold).CheckLoop(0, result.Boundary, 0), std::string());
+  }
+}
+
+/// An island in a lagoon: the edges of the lagoon may not run over it, nor its own over the shore.
+void TestPointsInTheWay()
+{
+  BoundaryOptions holes;
+  holes.HoleBoundaries = true;
+  const BoundedHorizon horizon =
+    MakeLevelHorizon(Patches::FromPicture({ "#####", "#...#", "#.#.#", "#...#", "#####" }), holes);
+  const BoundedHorizon result = Drop(horizon, Simplify(horizon, 10.0, 0.0));
+  CHECK_EQUAL(result.Boundary.Size(), 3u);
+  CHECK_EQUAL(BoundaryChecker::CheckCrossings(result), std::string());
+  CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
+}
+
+/// A random horizon with any radius, with holes or without.
+BoundedHorizon RandomHorizon(int shape, Patches::Random& random)
+{
+  const Patches::Columns columns = Patches::Make(Patches::Shape(shape % int(Patches::Shape::Count)), random);
+  BoundaryOptions kind;
+  kind.Radius = 1 + random.Below(3);
+  kind.Growth = GrowthStrategy(random.Below(2));
+  kind.HoleBoundaries = random.Chance(0.5);
+  return MakeHorizon(columns, MakeHeights(columns, random), kind);
+}
+
+/// Everything that is promised but the number: tolerances, no crossing, no point on another side.
+void TestRandomPatches()
+{
+  Patches::Random random(41);
+  for (int n = 0; n < 2500; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    const double tolerance = n % 4 == 0 ? 0.0 : 3.0 * random.Fraction();
+    const double threshold = 2.0 * random.Fraction();
+    const BoundarySimplification result = Simplify(horizon, tolerance, threshold);
+    CHECK(result.OutlineDeviation <= tolerance);
+    CHECK(result.Deviation <= std::hypot(tolerance, threshold) + 1e-9);
+    const ShortcutSearch search(horizon, tolerance, threshold);
+    for (std::size_t loop = 0; loop < result.Boundary.Size(); ++loop)
+    {
+      CHECK_EQUAL(search.CheckLoop(loop, result.Boundary, loop), std::string());
+    }
+    const BoundedHorizon dropped = Drop(horizon, result);
+    CHECK_EQUAL(BoundaryChecker::CheckCrossings(dropped), std::string());
+    CHECK_EQUAL(MeshChecker::CheckMesh(dropped, Triangulate(dropped).Triangles), std::string());
+  }
+}
+
+/// With 0 and 0 every loop is what it was, on the map and in height, and only points that are on new edges go.
+void TestNothingIsLost()
+{
+  Patches::Random random(44);
+  for (int n = 0; n < 300; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    const BoundarySimplification result = Simplify(horizon, 0.0, 0.0);
+    CHECK_EQUAL(result.Deviation, 0.0);
+    CHECK_EQUAL(result.OutlineDeviation, 0.0);
+    CHECK_EQUAL(MeshChecker::CheckMesh(Drop(horizon, result), Triangulate(Drop(horizon, result)).Triangles), "");
+  }
+}
+
+/// No loop can have fewer points with one of those that it keeps. Hardly any could have fewer with another.
+void TestNumberIsLeast()
+{
+  Patches::Random random(42);
+  int loops = 0;
+  int beyondLeast = 0;
+  for (int n = 0; n < 400; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    const double tolerance = n % 4 == 0 ? 0.0 : 2.0 * random.Fraction();
+    const double threshold = 1.5 * random.Fraction();
+    const BoundarySimplification result = Simplify(horizon, tolerance, threshold);
+    const ShortcutSearch search(horizon, tolerance, threshold);
+    for (std::size_t loop = 0; loop < horizon.Boundary.Size(); ++loop)
+    {
+      const std::vector<std::size_t> least = search.LeastPoints(loop);
+      std::size_t leastOfKept = result.Boundary.Length(loop) + 1;
+      for (std::size_t position = 0; position < least.size(); ++position)
+      {
+        const PointId point = horizon.Boundary.begin(loop)[position];
+        const bool isKept =
+          std::find(result.Boundary.begin(loop), result.Boundary.end(loop), point) != result.Boundary.end(loop);
+        CHECK(!isKept || least[position] <= result.Boundary.Length(loop));
+        leastOfKept = isKept && least[position] == result.Boundary.Length(loop) ? least[position] : leastOfKept;
+      }
+      CHECK_EQUAL(leastOfKept, result.Boundary.Length(loop));
+      const std::size_t beyond = result.Boundary.Length(loop) - *std::min_element(least.begin(), least.end());
+      CHECK(beyond <= 1);
+      beyondLeast += int(beyond);
+      ++loops;
+    }
+  }
+  CHECK(beyondLeast * 100 < loops);
+}
+
+void TestErrors()
+{
+  const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ "####", "####", "####", "####" }));
+  CHECK_THROWS_WITH(Simplify(horizon, -1.0, 0.5), "outline tolerance -1, expected at least 0 columns");
+  CHECK_THROWS_WITH(Simplify(horizon, 1.0, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
+  std::vector<SpacePoint> points = ToSpacePoints(horizon);
+  points[5].X += 0.5;
+  CHECK_THROWS_WITH(SimplifyBoundary(points, horizon.Boundary, Options(1.0, 1.0)),
+    "point 5 at (1.5, 1) stands beside its column, expected whole columns");
+}
+
+/// Also along one loop, which takes long.
+void TestMonitor()
+{
+  const std::string row(3000, '#');
+  const Patches::Columns columns = Patches::FromPicture({ row, row, row });
+  Patches::Random random(45);
+  const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
+  const auto work = [&](const Monitor& monitor)
+  { SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(1.0, 1.0), monitor); };
+  CHECK_EQUAL(MonitorChecker::Check(10, work), std::string());
+}
+}
+
+int TestFewestPoints(int, char*[])
+{
+  TestRectangle();
+  TestBump();
+  TestStaircase();
+  TestNothingCollapses();
+  TestHeights();
+  TestAlignedHops();
+  TestSlope();
+  TestLongSides();
+  TestPointsInTheWay();
+  TestRandomPatches();
+  TestNothingIsLost();
+  TestNumberIsLeast();
+  TestErrors();
+  TestMonitor();
+  return Check::Result();
+}
