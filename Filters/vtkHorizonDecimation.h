@@ -169,7 +169,7 @@ public:
   ///@{
   /**
    * With the Effort Best, in degrees, seen from above on the lattice, from 0 to 60: no flip and no removal makes a
-   * smaller angle, but where there was a smaller one before. Large ones take more points. Default: 5.
+   * smaller angle, but where there was a smaller one before. Large ones take more points. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -197,7 +197,7 @@ private:
   bool FitHeights = true;
   int Effort = Best;
   int Priority = SumOfSquares;
-  double SmallestAngle = 5.0;
+  double SmallestAngle = 2.0;
 };
 
 #endif

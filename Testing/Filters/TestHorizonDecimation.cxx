@@ -183,7 +183,7 @@ void TestErrors()
   pipeline.Mesh->SetTargetReduction(0.5);
   pipeline.Mesh->SetSmallestAngle(61.0);
   CheckRefused(pipeline, "smallest angle 61, expected 0 to 60 degrees");
-  pipeline.Mesh->SetSmallestAngle(5.0);
+  pipeline.Mesh->SetSmallestAngle(2.0);
   vtkNew<vtkHorizonRoughSimplification> rough;
   rough->SetInputConnection(pipeline.Straight->GetOutputPort());
   pipeline.Mesh->SetInputConnection(rough->GetOutputPort());
@@ -197,7 +197,7 @@ void TestPrint()
   mesh->Print(text);
   for (const char* const line : { "Target: LargestError", "MaximumError: 0.75", "ErrorUnit: Lattice",
          "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: On", "Effort: Best",
-         "Priority: SumOfSquares", "SmallestAngle: 5", "InvalidHorizons: Stop" })
+         "Priority: SumOfSquares", "SmallestAngle: 2", "InvalidHorizons: Stop" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

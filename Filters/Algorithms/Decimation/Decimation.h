@@ -57,7 +57,7 @@ struct DecimationOptions
   DecimationPriority Priority = DecimationPriority::SumOfSquares;
   /// With the best effort, 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
   /// a smaller one before.
-  double SmallestAngle = 5.0;
+  double SmallestAngle = 2.0;
 };
 
 struct Decimation

@@ -43,7 +43,7 @@ inline DecimationOptions AtMost(std::size_t points, bool fitHeights = false)
   return options;
 }
 
-inline DecimationOptions Best(DecimationOptions options, double smallestAngle = 5.0)
+inline DecimationOptions Best(DecimationOptions options, double smallestAngle = 2.0)
 {
   options.Effort = DecimationEffort::Best;
   options.SmallestAngle = smallestAngle;
