@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace SeismicHorizons
@@ -45,18 +46,22 @@ RawVector<PointId> MeshLoops(const BoundedHorizon& horizon, const std::vector<st
 }
 
 /// Patches numbered from 0 on without gaps, by point.
-std::vector<std::int32_t> Renumber(const std::vector<std::int32_t>& patches)
+std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 {
-  std::vector<std::int32_t> numbers(patches);
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  std::vector<std::int32_t> renumbered;
-  renumbered.reserve(patches.size());
-  for (const std::int32_t patch : patches)
+  // Numbers come in long runs.
+  std::map<std::int32_t, std::int32_t> numbers;
+  std::int32_t last = 0;
+  std::int32_t* number = nullptr;
+  for (std::int32_t& patch : patches)
   {
-    renumbered.push_back(std::int32_t(std::lower_bound(numbers.begin(), numbers.end(), patch) - numbers.begin()));
+    if (!number || patch != last)
+    {
+      last = patch;
+      number = &numbers.emplace(patch, std::int32_t(numbers.size())).first->second;
+    }
+    patch = *number;
   }
-  return renumbered;
+  return patches;
 }
 
 double FindRounding(const std::vector<double>& heights)

@@ -91,8 +91,12 @@ public:
   void ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const;
 
 private:
-  template <typename RowMeasure>
-  HeightError MeasureRows(const RaisedTriangle& triangle, RowMeasure&& measure) const;
+  template <int Power>
+  HeightError Measure(const RaisedTriangle& triangle, double perUnit) const;
+  template <int Power>
+  HeightError MeasureRows(const RaisedTriangle& triangle, double perUnit) const;
+  template <int Power>
+  HeightError MeasureBox(const RaisedTriangle& triangle, const PlaneBox& box, double perUnit) const;
 
   std::int64_t Place(std::int64_t x, std::int64_t y) const
   {
@@ -152,6 +156,10 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
     const bool isUp = turn(from.Column).Y < turn(to.Column).Y;
     const PlanePoint low = turn(isUp ? from.Column : to.Column);
     const PlanePoint high = turn(isUp ? to.Column : from.Column);
+    if (high.Y - low.Y < 2) // most sides of small triangles
+    {
+      continue;
+    }
     SideWalk walk(low, high);
     for (std::int32_t line = low.Y + 1; line < high.Y; ++line)
     {

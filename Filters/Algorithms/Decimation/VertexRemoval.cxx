@@ -124,16 +124,64 @@ private:
   {
     const Ring ring = this->FindRing(point);
     Candidate best{ Infinity, point, 0 };
-    for (std::size_t end = 0; end < ring.Ends.size(); ++end)
+    for (const End& end : this->FindEnds(ring, point))
     {
-      const double sum = this->KeepsAngles(ring, end) ? this->SumAt(ring, end, ring.Sum + best.Cost) : Infinity;
+      const double most = ring.Sum + best.Cost;
+      const double sum = end.Least < most ? this->SumAt(ring, end.Number, most) : Infinity;
       if (sum - ring.Sum < best.Cost)
       {
         best.Cost = sum - ring.Sum;
-        best.Side = std::int32_t((end + ring.Ends.size() - 1) % ring.Ends.size());
+        best.Side = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
       }
     }
     return best;
+  }
+
+  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
+  struct End
+  {
+    double Least;
+    std::size_t Number;
+  };
+
+  /// Those with the least first: that of the best one is compared with those of the others.
+  std::vector<End> FindEnds(const Ring& ring, PointId point) const
+  {
+    std::vector<End> ends;
+    for (std::size_t end = 0; end < ring.Ends.size(); ++end)
+    {
+      if (this->KeepsAngles(ring, end))
+      {
+        const double error = this->ErrorOf(point, ring, end);
+        if (error <= this->Cost.LargestError)
+        {
+          ends.push_back({ this->Cost.Power.Raise(error), end });
+        }
+      }
+    }
+    std::sort(ends.begin(), ends.end(),
+      [](const End& a, const End& b) { return std::tie(a.Least, a.Number) < std::tie(b.Least, b.Number); });
+    return ends;
+  }
+
+  /// The distance of a vertex's point from the triangle that would be there.
+  double ErrorOf(PointId point, const Ring& ring, std::size_t end) const
+  {
+    const RaisedPoint& to = ring.End(end);
+    const PlanePoint& place = this->Mesh.Raised(point).Column;
+    std::size_t n = end + 1;
+    while (n + 2 < end + ring.Ends.size() && SignedArea(to.Column, ring.End(n + 1).Column, place) > 0)
+    {
+      ++n;
+    }
+    const RaisedPoint& b = ring.End(n);
+    const RaisedPoint& c = ring.End(n + 1);
+    const double area = double(SignedArea(to.Column, b.Column, c.Column));
+    const double height = to.Height +
+      ((b.Height - to.Height) * double(SignedArea(c.Column, to.Column, place)) +
+        (c.Height - to.Height) * double(SignedArea(to.Column, b.Column, place))) /
+        area;
+    return std::abs(height - this->Mesh.Input().Height[std::size_t(point)]);
   }
 
   Ring FindRing(PointId point) const
