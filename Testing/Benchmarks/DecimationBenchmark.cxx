@@ -1,19 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Measures the decimation on generated horizons beside vtkGreedyTerrainDecimation, and meshoptimizer where it was
-// found, at as many vertices. Prints Markdown.
+// Measures the decimation beside other methods, at as many vertices, and how many vertices it takes for an error.
+// Prints Markdown.
 //
-//   DecimationBenchmark [POINTS]...     (148317 886639 when none is given)
+//   DecimationBenchmark [POINTS | FILE.ijz=STEP]...     (148317 886639 when none is given)
 //
-// Seconds are those of the clock, the least of several runs, on all threads; peers have one. Errors are vertical, in
-// voxels, at all points of the horizon that the mesh covers. Peers start from what they need: the greedy insertion from
-// the filled box, with heights of the nearest point of the row where there is none; meshoptimizer from the mesh of all
-// points, whose outline it keeps.
+// POINTS are generated horizons with real and with whole heights; a file holds lines "i j z", and STEP is the z of one
+// vertical index. Outlines have the fewest points within half a voxel. Seconds are those of the clock, the least of
+// several runs, on all threads; peers have one. Errors are vertical, in voxels, at all points of the horizon that the
+// mesh covers; inside are those with no column without a point nearer than six columns. Peers start from what they
+// need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where there is
+// none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more vertices than
+// asked for: the others get as many. Masked greedy insertion is ours on the bounding box in place of the outline.
 
 #include "BenchmarkTools.h"
 #include "Decimation/Decimation.h"
 #include "Decimation/HeightRaster.h"
+#include "InsidePoints.h"
+#include "Tools/RealHorizons.h"
 #include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
@@ -32,6 +37,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -41,11 +47,14 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// A generated horizon by columns, with real or with whole heights, its outline simplified within half a voxel.
+/// How far from a column without a point a point is that counts as inside.
+constexpr int Depth = 6;
+
+/// A horizon by columns, its outline simplified.
 struct Surface
 {
-  Surface(std::int64_t points, bool isReal)
-    : Horizon(Straighten(BenchmarkTools::MakeGenerated(points), points, isReal))
+  Surface(const Patches::Columns& columns, const std::vector<double>& heights, double tolerance)
+    : Horizon(Straighten(TestHorizons::MakeHorizon(columns, heights), tolerance))
   {
     for (const PlanePoint& place : this->Horizon.Plane)
     {
@@ -54,29 +63,24 @@ struct Surface
     }
     std::vector<PointId> all(this->Columns.size());
     std::iota(all.begin(), all.end(), 0);
-    this->Raster = std::make_unique<HeightRaster>(all, this->Columns, this->Horizon.Height);
+    this->Raster = std::make_shared<HeightRaster>(all, this->Columns, this->Horizon.Height);
+    this->IsInside = FindInside(this->Columns, Depth);
   }
 
-  static BoundedHorizon Straighten(BoundedHorizon horizon, std::int64_t points, bool isReal)
+  static BoundedHorizon Straighten(const BoundedHorizon& horizon, double tolerance)
   {
-    if (isReal)
-    {
-      HorizonGeneratorOptions options;
-      options.NumberOfHorizons = 1;
-      options.Size = HorizonGenerator::FindSize(options, points);
-      const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
-      horizon.Height.assign(voxels.RealZ.begin(), voxels.RealZ.end());
-    }
     BoundarySimplificationOptions options;
-    options.DistanceThreshold = 0.5;
-    options.OutlineTolerance = 0.5;
+    options.Method = OutlineMethod::FewestPoints;
+    options.DistanceThreshold = tolerance;
+    options.OutlineTolerance = tolerance;
     return TestHorizons::Drop(
       horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, options));
   }
 
   BoundedHorizon Horizon;
   std::vector<PlanePoint> Columns;
-  std::unique_ptr<HeightRaster> Raster;
+  std::shared_ptr<const HeightRaster> Raster;
+  std::vector<bool> IsInside;
 };
 
 /// Vertices of a mesh by column, with heights, and its triangles.
@@ -90,6 +94,7 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
 {
   double sum = 0.0;
   double largest = 0.0;
+  double inside = 0.0;
   std::size_t count = 0;
   for (const auto& corners : mesh.Triangles)
   {
@@ -104,15 +109,16 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
       std::swap(triangle[0], triangle[1]);
     }
     surface.Raster->ForEachColumn(triangle,
-      [&](PointId, double error, const std::array<double, 3>&)
+      [&](PointId point, double error, const std::array<double, 3>&)
       {
         sum += std::abs(error);
         largest = std::max(largest, std::abs(error));
+        inside = surface.IsInside[std::size_t(point)] ? std::max(inside, std::abs(error)) : inside;
         ++count;
       });
   }
-  std::printf(
-    "| %s | %zu | %.3f | %.4f | %.3f |\n", method, mesh.Vertices.size(), seconds, sum / double(count), largest);
+  std::printf("| %s | %zu | %.3f | %.4f | %.3f | %.3f |\n", method, mesh.Vertices.size(), seconds, sum / double(count),
+    inside, largest);
   std::fflush(stdout);
 }
 
@@ -132,16 +138,52 @@ Mesh ToMesh(const Surface& surface, const Decimation& decimation)
   return mesh;
 }
 
-void RunOwn(const char* name, const Surface& surface, std::size_t vertices, bool fitHeights)
+DecimationOptions AtMost(std::size_t vertices, DecimationEffort effort)
 {
   DecimationOptions options;
   options.MaximumError = 0.0;
   options.MaximumNumberOfPoints = vertices;
-  options.FitHeights = fitHeights;
+  options.Effort = effort;
+  return options;
+}
+
+void RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
+{
   Decimation decimation;
   const double seconds =
     BenchmarkTools::Time([&]() { decimation = Decimate(surface.Horizon, options); }, CLOCK_MONOTONIC);
   PrintRow(name, surface, ToMesh(surface, decimation), seconds);
+}
+
+/// On the bounding box, one column wider, whose corners have the mean height.
+void RunMaskedGreedy(const Surface& surface, std::size_t vertices)
+{
+  Surface box(surface);
+  const PlaneBox bounds(surface.Columns);
+  const std::int32_t left = bounds.Least.X - 1;
+  const std::int32_t right = bounds.Greatest.X + 1;
+  const std::int32_t low = bounds.Least.Y - 1;
+  const std::int32_t high = bounds.Greatest.Y + 1;
+  BoundedHorizon& horizon = box.Horizon;
+  const double mean =
+    std::accumulate(horizon.Height.begin(), horizon.Height.end(), 0.0) / double(horizon.Height.size());
+  horizon.Boundary = Loops();
+  std::fill(horizon.Patch.begin(), horizon.Patch.end(), 0);
+  for (const PlanePoint& corner :
+    { PlanePoint{ left, low }, PlanePoint{ left, high }, PlanePoint{ right, high }, PlanePoint{ right, low } })
+  {
+    horizon.Boundary.Append(PointId(horizon.Plane.size()));
+    horizon.Plane.push_back({ corner.X * horizon.SubVoxelsPerColumn, corner.Y * horizon.SubVoxelsPerColumn });
+    horizon.Height.push_back(mean);
+    horizon.Patch.push_back(0);
+    horizon.Count.push_back(1);
+    box.Columns.push_back(corner);
+  }
+  horizon.Boundary.Close();
+  DecimationOptions options = AtMost(vertices, DecimationEffort::Fast);
+  options.Priority = DecimationPriority::LargestError;
+  options.FitHeights = false;
+  RunOwn("masked greedy insertion, box", box, options);
 }
 
 /// The heights of the whole box.
@@ -202,7 +244,8 @@ void RunGreedyTerrain(const Surface& surface, std::size_t triangles)
 }
 
 #ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
-void RunMeshoptimizer(const Surface& surface, std::size_t triangles)
+/// Gives the vertices it leaves.
+std::size_t RunMeshoptimizer(const Surface& surface, std::size_t triangles)
 {
   const RawVector<PointId> all = Triangulate(surface.Horizon).Triangles;
   const std::vector<unsigned int> indices(all.begin(), all.end());
@@ -239,43 +282,111 @@ void RunMeshoptimizer(const Surface& surface, std::size_t triangles)
     mesh.Triangles.push_back(triangle);
   }
   PrintRow("meshoptimizer", surface, mesh, seconds);
+  return mesh.Vertices.size();
 }
 #endif
 
-void Run(std::int64_t points, bool isReal)
+void RunNumber(const Surface& surface, double part)
 {
-  const Surface surface(points, isReal);
+  auto vertices = std::size_t(part * double(surface.Columns.size()));
+  std::printf("\n%zu points, %g %% of the points\n\n", surface.Columns.size(), 100.0 * part);
+  std::printf("| method | vertices | seconds | mean error | largest inside | largest |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
+#ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
+  vertices = RunMeshoptimizer(surface, 2 * vertices);
+#endif
+  RunGreedyTerrain(surface, 2 * vertices);
+  RunMaskedGreedy(surface, vertices);
+  RunOwn("decimation, best", surface, AtMost(vertices, DecimationEffort::Best));
+  DecimationOptions options = AtMost(vertices, DecimationEffort::Best);
+  options.Priority = DecimationPriority::LargestError;
+  RunOwn("decimation, best, largest errors", surface, options);
+  options = AtMost(vertices, DecimationEffort::Fast);
+  RunOwn("decimation, fast", surface, options);
+  options.FitHeights = false;
+  RunOwn("decimation, fast, heights not fitted", surface, options);
+}
+
+void RunErrors(const Patches::Columns& columns, const std::vector<double>& heights)
+{
+  std::printf("\nVertices for a largest error, of which on outlines; seconds\n\n"
+              "| largest error | best | fast | heights not fitted | on outlines | seconds, best | fast |\n"
+              "| --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const double error : { 0.5, 0.75, 1.0, 2.0 })
+  {
+    const BoundedHorizon horizon = Surface(columns, heights, error).Horizon;
+    DecimationOptions options;
+    options.MaximumError = error;
+    Decimation result;
+    const auto decimate = [&]() { result = Decimate(horizon, options); };
+    const double best = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
+    std::printf("| %g | %zu |", error, result.Points.Source.size());
+    options.Effort = DecimationEffort::Fast;
+    const double fast = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
+    std::printf(" %zu |", result.Points.Source.size());
+    options.FitHeights = false;
+    decimate();
+    std::printf(
+      " %zu | %zu | %.3f | %.3f |\n", result.Points.Source.size(), horizon.Boundary.TotalLength(), best, fast);
+    std::fflush(stdout);
+  }
+}
+
+void Run(const Patches::Columns& columns, const std::vector<double>& heights)
+{
+  const Surface surface(columns, heights, 0.5);
   for (const double part : { 0.01, 0.03, 0.1 })
   {
-    const auto vertices = std::size_t(part * double(surface.Columns.size()));
-    std::printf("\n%zu points, %s heights, %.0f %% of the points\n\n", surface.Columns.size(),
-      isReal ? "real" : "whole", 100.0 * part);
-    std::printf("| method | vertices | seconds | mean error | largest error |\n| --- | --- | --- | --- | --- |\n");
-    RunOwn("decimation", surface, vertices, true);
-    RunOwn("decimation, heights not fitted", surface, vertices, false);
-    RunGreedyTerrain(surface, 2 * vertices);
-#ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
-    RunMeshoptimizer(surface, 2 * vertices);
-#endif
+    RunNumber(surface, part);
   }
+  RunErrors(columns, heights);
+}
+
+void RunGenerated(std::int64_t points)
+{
+  HorizonGeneratorOptions options;
+  options.NumberOfHorizons = 1;
+  options.Size = HorizonGenerator::FindSize(options, points);
+  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
+  Patches::Columns columns;
+  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  {
+    columns.push_back({ voxels.I[n], voxels.J[n] });
+  }
+  std::printf("\nGenerated, real heights\n");
+  Run(columns, std::vector<double>(voxels.RealZ.begin(), voxels.RealZ.end()));
+  std::printf("\nGenerated, whole heights\n");
+  Run(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
+}
+
+void RunFile(const std::string& file, double step)
+{
+  std::vector<double> heights;
+  const Patches::Columns columns = RealHorizons::Read(file, &heights);
+  std::for_each(heights.begin(), heights.end(), [step](double& height) { height /= step; });
+  std::printf("\n%s\n", std::filesystem::path(file).stem().c_str());
+  Run(columns, heights);
 }
 }
 
 int main(int argc, char* argv[])
 {
-  std::vector<std::int64_t> sizes;
-  for (int n = 1; n < argc; ++n)
+  std::vector<std::string> all(argv + 1, argv + argc);
+  if (all.empty())
   {
-    sizes.push_back(std::atoll(argv[n]));
+    all = { "148317", "886639" };
   }
-  if (sizes.empty())
+  for (const std::string& one : all)
   {
-    sizes = { 148317, 886639 };
-  }
-  for (const std::int64_t size : sizes)
-  {
-    Run(size, true);
-    Run(size, false);
+    const std::size_t sign = one.find('=');
+    if (sign == std::string::npos)
+    {
+      RunGenerated(std::atoll(one.c_str()));
+    }
+    else
+    {
+      RunFile(one.substr(0, sign), std::atof(one.substr(sign + 1).c_str()));
+    }
   }
   return EXIT_SUCCESS;
 }

@@ -38,7 +38,8 @@ inline std::vector<std::filesystem::path> Files()
   return files;
 }
 
-inline Patches::Columns Read(const std::filesystem::path& file)
+/// Adds the heights where asked for.
+inline Patches::Columns Read(const std::filesystem::path& file, std::vector<double>* heights = nullptr)
 {
   std::ifstream stream(file);
   std::string line;
@@ -51,6 +52,10 @@ inline Patches::Columns Read(const std::filesystem::path& file)
   while (stream >> column.X >> column.Y >> z)
   {
     columns.push_back(column);
+    if (heights)
+    {
+      heights->push_back(z);
+    }
   }
   return columns;
 }
