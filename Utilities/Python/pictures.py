@@ -115,6 +115,8 @@ class _Frame:
         # A few extreme points should not eat up the colours.
         low, high = np.percentile(self.points[:, 2], (1.0, 99.0))
         self.color_range = (low, max(high, low + 1e-9))
+        self.farthest = max([1e-9] + [np.percentile(_distances(panel.horizon), 99.0) for panel in row
+                                      if panel.style == DISTANCE])
         extent = self.high - self.low
         width = max(extent[0], extent[1], 1e-9)
         # Rounded, as the caption names it.
@@ -158,6 +160,10 @@ def _coordinates(horizon):
     if points is None or points.GetNumberOfPoints() == 0:
         return np.zeros((0, 3))
     return vtk_to_numpy(points.GetData())
+
+
+def _distances(horizon):
+    return vtk_to_numpy(horizon.GetPointData().GetArray("Distance"))
 
 
 def _renderer(frame, panel, text):
@@ -259,11 +265,9 @@ def _color_by_height(frame, actor):
         (low + (high - low) * number / (len(LOW_TO_HIGH) - 1), color) for number, color in enumerate(LOW_TO_HIGH)])
 
 
-def _color_by_distance(horizon, actor):
-    """From 0 to the 99th percentile: a few extreme points should not eat up the colours."""
-    distances = horizon.GetPointData().GetArray("Distance")
-    largest = max(np.percentile(vtk_to_numpy(distances), 99.0), 1e-9)
-    _color_by(actor, distances, [(part * largest, color) for part, color in NEAR_TO_FAR])
+def _color_by_distance(frame, horizon, actor):
+    _color_by(actor, horizon.GetPointData().GetArray("Distance"),
+              [(part * frame.farthest, color) for part, color in NEAR_TO_FAR])
     actor.GetMapper().InterpolateScalarsBeforeMappingOn()
 
 
@@ -371,7 +375,7 @@ def _mesh(frame, horizon, by_distance=False):
     normals.Update()
     shaded = _actor(normals.GetOutput())
     if by_distance:
-        _color_by_distance(horizon, shaded)
+        _color_by_distance(frame, horizon, shaded)
     elif horizon.GetNumberOfPoints():
         _color_by_height(frame, shaded)
     shaded.GetProperty().SetAmbient(0.15)
