@@ -8,7 +8,11 @@ import pathlib
 from statistics import median
 import subprocess
 
+import numpy as np
 from seismichorizons.pipeline import read_first
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import reported, stages
 
@@ -19,10 +23,12 @@ NOISE_GAPS = 0.5  # part of the voxels
 POINTS_TO_TRY = 20000  # of small surfaces
 SQUARENESS_STEPS = 8
 NOISE_STEPS = 6
+WAVES = 24
+SQUARE_HEIGHT = 12.0  # of the longest wave
 
-# Table 5.1 has two surfaces without a box; theirs, and their noise, is that of the surface with the next number of
-# points.
-BOX_OF = {98231: 148317, 886639: 664582}
+# Table 5.1 has two surfaces without a box, and figures have more; theirs, and their noise, is that of the surface with
+# the next number of points.
+BOX_OF = {5830: 15626, 23559: 32402, 53660: 60511, 98231: 148317, 886639: 664582}
 
 
 def box_of(points):
@@ -58,8 +64,9 @@ def bisect(low, high, steps, is_too_low):
     return 0.5 * (low + high)
 
 
-def make_with_noise(generator, points, noise, folder):
-    """With the outline that fills its box as the surface of the thesis does, found on small surfaces of that shape."""
+def make_with_noise(generator, points, noise, folder, points_to_make=None):
+    """With the outline that fills its box as the surface of the thesis with so many points does, found on small
+    surfaces of that shape. It can be made with another number of points."""
     path = pathlib.Path(folder) / "surface.vsm"
     box = box_of(points)
     size = (round(box[0]), round(box[1]), round(HEIGHT_OF_CUBE * box[2]))
@@ -70,7 +77,7 @@ def make_with_noise(generator, points, noise, folder):
         return occupancy(horizon.GetNumberOfPoints(), size_of_box(horizon)) < wanted
 
     squareness = bisect(-1.0, 1.0, SQUARENESS_STEPS, is_too_empty)
-    return generate(generator, points, size, round(squareness, 2), noise, path)
+    return generate(generator, points_to_make or points, size, round(squareness, 2), noise, path)
 
 
 @lru_cache(maxsize=None)
@@ -91,3 +98,26 @@ def make(generator, points, folder):
     """A surface of the thesis, by its number of points, and the part of its area in patches of noise."""
     noise = find_noise(generator, BOX_OF.get(points, points), folder)
     return make_with_noise(generator, points, noise, folder), noise
+
+
+def make_square(side):
+    """A full square of a sum of waves, the longer the higher, in whole heights."""
+    numbers = np.random.default_rng(1)
+    i, j = (axis.ravel() for axis in np.meshgrid(np.arange(side), np.arange(side)))
+    heights = np.zeros(side * side)
+    for waves in np.geomspace(1.0, 20.0, WAVES):  # across the square
+        angle, phase = numbers.uniform(0.0, 2.0 * np.pi, 2)
+        way = (i * np.cos(angle) + j * np.sin(angle)) / side
+        heights += SQUARE_HEIGHT / waves * np.sin(2.0 * np.pi * waves * way + phase)
+    places = np.column_stack([i, j, np.rint(heights - heights.min())])
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    horizon = vtkPolyData()
+    horizon.SetPoints(points)
+    lattice = {"LatticeDimensions": np.array([[side, side, 1 + int(places[:, 2].max())]], dtype=np.int32),
+               "LatticeToWorld": np.eye(4).reshape(1, 16)}
+    for name, values in lattice.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        horizon.GetFieldData().AddArray(array)
+    return horizon
