@@ -123,13 +123,15 @@ class _Frame:
         exaggeration = HEIGHT_SHARE * width / extent[2] if extent[2] > 0 else 1.0
         self.exaggeration = float("%.2g" % exaggeration)
 
+    def pixels(self):
+        return self.panel_size[0] * self.panel_size[1]
+
     def scale(self):
         return (1.0, 1.0, self.exaggeration)
 
     def point_size(self):
         """So large that the points of a full horizon just close up."""
-        pixels = 0.45 * self.panel_size[0] * self.panel_size[1]
-        return max(1.5, min(6.0, 0.9 * math.sqrt(pixels / self.count)))
+        return max(1.5, min(6.0, 0.9 * math.sqrt(0.45 * self.pixels() / self.count)))
 
     def place_camera(self, camera):
         """Looks at the horizon from above and aside, and fills the panel with it."""
@@ -382,6 +384,8 @@ def _mesh(frame, horizon, by_distance=False):
     shaded.GetProperty().SetSpecular(0.12)
     shaded.GetProperty().SetSpecularPower(12.0)
 
+    if triangles.GetNumberOfCells() > frame.pixels():  # edges would cover everything
+        return [shaded, *_outline(horizon)]
     edges = _actor(surface)
     edges.GetProperty().SetRepresentationToWireframe()
     edges.GetProperty().SetColor(0.05, 0.07, 0.10)

@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page Figures.md: what the figures of the thesis show, with our surfaces."""
 
+import textwrap
+
 from text import table
 
 from .words import listing
+
+WIDTH = 120
 
 PAGE = """\
 # Figures of the thesis
@@ -25,7 +29,8 @@ cells by their size (4.12) in [HorizonElaborateSimplification.md](HorizonElabora
 def section(figure):
     heading = "## %s (figure%s %s)\n" % (figure.title, "s" if len(figure.numbers) > 1 else "",
                                          listing(figure.numbers))
-    return "%s\n![%s](Pictures/%s)\n\n*%s*\n" % (heading, figure.title, figure.picture(), figure.text)
+    caption = textwrap.fill("*%s*" % figure.text, WIDTH)
+    return "%s\n![%s](Pictures/%s)\n\n%s\n" % (heading, figure.title, figure.picture(), caption)
 
 
 def page(figures, with_meshlab):

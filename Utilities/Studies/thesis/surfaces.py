@@ -24,7 +24,7 @@ POINTS_TO_TRY = 20000  # of small surfaces
 SQUARENESS_STEPS = 8
 NOISE_STEPS = 6
 WAVES = 24
-SQUARE_HEIGHT = 12.0  # of the longest wave
+SQUARE_HEIGHT = 4.0  # of the longest wave
 
 # Table 5.1 has two surfaces without a box, and figures have more; theirs, and their noise, is that of the surface with
 # the next number of points.

@@ -172,8 +172,8 @@ def contradiction_sentence():
     sizes = ["%d" % size for size, rough in sorted(reported.ROUGH.items()) if rough[3][0] > 4 * rough[6][0]]
     return "No surface could fit all three. A cell of 6 is four cells of 3, so that the rough simplification leaves " \
         "at most four times as many points with s = 3 as with s = 6. In the thesis it leaves more on the surfaces of " \
-        "%s points: tables 4.1 and 4.3 must have been made with different outlines, simplified differently perhaps. So " \
-        "s = 3 alone, by which these would be noise throughout, is no measure.\n" % listing(sizes)
+        "%s points: tables 4.1 and 4.3 must have been made with different outlines, simplified differently perhaps. " \
+        "So s = 3 alone, by which these would be noise throughout, is no measure.\n" % listing(sizes)
 
 
 def cluster_sentence(found):
