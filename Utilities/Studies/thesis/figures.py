@@ -187,7 +187,7 @@ def square_simplified(square):
     mesh.rows(figure, "elaborate, s = 8, flatness 0.09", square.points, ("1840 (3 %)", 0.018, 0.002))
     whole = stages.apply(sh.vtkHorizonElaborateSimplification(), square.straight, FlatnessThreshold=0.09,
                          BoundaryDensityThreshold=0.0, BoundaryExtentThreshold=0.0)
-    figure.row("the same, boundary thresholds 0: left", "", count(whole.points, square.points))
+    figure.row("the same, boundary thresholds 0: left", "-", count(whole.points, square.points))
     return figure
 
 

@@ -103,8 +103,8 @@ Medians over the surfaces, and for the last three rows over the flatnesses:
 ## Triangulation (table 5.1 and figure 5.18)
 
 All points of a surface meshed, our times with the exterior boundary. Triangles differ from those of the thesis by
-what the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have that of the next one
-in table 4.1. A program is left out of a surface when it would take longer than {mesh_seconds:g} s on it.
+what the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have the box
+and the noise of the next one in table 4.1. A program is left out of a surface when it would take longer than {mesh_seconds:g} s on it.
 
 {table_5_1}
 ![Time to mesh all points](Pictures/TriangulationTime.png)
