@@ -39,6 +39,7 @@ ours have, beside bays, a few holes and {dropouts} of single dropouts, patches o
 heights are off by up to {noise_height} voxels, and {noise_gaps} of the voxels are missing. Their part of the area is
 the one thing fitted to a result of the thesis: with it the median of what the rough simplification leaves with s = 3,
 6 and 8, each divided by what it leaves in the thesis, is 1. What all else leaves is not fitted.
+{outline_words}
 
 {contradiction}
 Heights are whole, as those of voxels are, so that a mesh that passes between them has a mean error of up to a quarter
@@ -82,9 +83,9 @@ as well.
 Medians over the surfaces, and for the last three rows over the flatnesses:
 
 {thesis_table}
-- *Rough.* With s = 6 and 8 the surfaces are alike by the way they were made. With s = 3 ours leave fewer points than
-  four of the thesis's could, as said [above](#the-surfaces), and more of the largest one, whose outline must be long
-  and its inside without gaps.
+- *Rough.* With s = 6 and 8 the surfaces are alike by the way they were made. With s = 3 four of ours
+  leave fewer points than the thesis's, as they have to ([above](#the-surfaces)), and the largest one leaves more: in
+  the thesis its cells are nearly full, and its outline must be what makes s = 6 and 8 leave as much as they do.
 - *Elaborate, alone.* The thesis gives no values for its three boundary thresholds, and leaves open what the size of a
   neighbour is that was cut into pieces ([how we read it](HorizonElaborateSimplification.md#method)). Patches of noise
   make what is left depend on the flatness, as it does in the thesis. Ours is white noise, as bad as it gets: with a
@@ -104,7 +105,8 @@ Medians over the surfaces, and for the last three rows over the flatnesses:
 
 All points of a surface meshed, our times with the exterior boundary. Triangles differ from those of the thesis by
 what the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have the box
-and the noise of the next one in table 4.1. A program is left out of a surface when it would take longer than {mesh_seconds:g} s on it.
+and the noise of the next one in table 4.1. A program is left out of a surface when it would take longer than
+{mesh_seconds:g} s on it.
 
 {table_5_1}
 ![Time to mesh all points](Pictures/TriangulationTime.png)
@@ -162,6 +164,7 @@ def page(found, curves, meshings, paces):
         surfaces=tables.surfaces(found),
         dropouts="%g %%" % (100.0 * surfaces.DROPOUTS), noise_height=surfaces.NOISE_HEIGHT,
         noise_gaps="%g %%" % (100.0 * surfaces.NOISE_GAPS), contradiction=words.contradiction_sentence(),
+        outline_words=words.outline_sentence(found),
         table_4_1=tables.table_4_1(found),
         table_4_2=tables.table_4_2(found), table_4_3=tables.table_4_3(found), table_4_4=tables.table_4_4(found),
         table_4_5=tables.table_4_5_and_6(found, 6), table_4_6=tables.table_4_5_and_6(found, 8),
