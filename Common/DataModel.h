@@ -20,6 +20,7 @@ constexpr const char* PatchId = "PatchId";
 constexpr const char* Boundary = "Boundary";
 constexpr const char* PointCount = "PointCount";
 constexpr const char* CellOrigin = "CellOrigin";
+constexpr const char* Flatness = "Flatness";
 constexpr const char* Distance = "Distance";
 constexpr const char* VerticalDistance = "VerticalDistance";
 }

@@ -149,6 +149,7 @@ struct SimplificationCell
   SpacePoint Low; // its least corner, in lattice units
   double Size = 0.0;
   PointOrigin Origin; // that of the point that stands for the cell; Boundary for a cell that keeps boundary points
+  double Flatness = 0.0; // of its points; 0 where a stage does not look at it
   std::int32_t Patch = 0;
   std::int32_t Points = 0; // how many input points it holds
 };
@@ -170,6 +171,9 @@ struct Reduction
   Loops Boundary;
   /// For each output point the cell it comes from. Empty where a stage has no cells.
   std::vector<PointOrigin> Origin;
+  /// For each output point how flat the points of that cell were (thesis eq. 4.5). Empty where a stage does not look at
+  /// it.
+  std::vector<double> Flatness;
   /// The cells, when they were asked for.
   std::vector<SimplificationCell> Cells;
 };

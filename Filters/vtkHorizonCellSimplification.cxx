@@ -71,6 +71,11 @@ void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, 
     data, PointArray::PatchId, reduction.Cells, [](const SimplificationCell& cell) { return cell.Patch; });
   AddArray<vtkIdTypeArray>(
     data, PointArray::PointCount, reduction.Cells, [](const SimplificationCell& cell) { return cell.Points; });
+  if (!reduction.Flatness.empty())
+  {
+    AddArray<vtkDoubleArray>(
+      data, PointArray::Flatness, reduction.Cells, [](const SimplificationCell& cell) { return cell.Flatness; });
+  }
   data->SetActiveScalars(CellArray::CellSize);
 }
 }

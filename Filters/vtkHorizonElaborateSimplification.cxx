@@ -17,6 +17,8 @@ void vtkHorizonElaborateSimplification::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryDensityThreshold: " << this->BoundaryDensityThreshold << "\n";
   os << indent << "BoundaryExtentThreshold: " << this->BoundaryExtentThreshold << "\n";
   os << indent << "BoundaryCellSizeThreshold: " << this->BoundaryCellSizeThreshold << "\n";
+  os << indent << "SmallestCellSize: " << this->SmallestCellSize << "\n";
+  os << indent << "NeighbourMean: " << (this->NeighbourMean == OverCubes ? "OverCubes" : "OverPieces") << "\n";
   os << indent << "GrowthPerRing: " << this->GrowthPerRing << "\n";
 }
 
@@ -30,6 +32,8 @@ SeismicHorizons::Reduction vtkHorizonElaborateSimplification::Simplify(
   options.BoundaryDensityThreshold = this->BoundaryDensityThreshold;
   options.BoundaryExtentThreshold = this->BoundaryExtentThreshold;
   options.BoundaryCellSizeThreshold = this->BoundaryCellSizeThreshold;
+  options.SmallestCellSize = this->SmallestCellSize;
+  options.NeighbourMean = SeismicHorizons::NeighbourMeanKind(this->NeighbourMean);
   options.GrowthPerRing = this->GrowthPerRing;
   return SeismicHorizons::SimplifyElaborate(horizon, options, monitor);
 }

@@ -16,16 +16,19 @@
  * the points in each cell are flat, by principal component analysis, and no cell is larger than those of the ring
  * before are in the mean.
  *
- * No cell is halved to a side below one column. A barycentre that is not strictly inside the boundary, or in the place
- * of another point, is replaced by the point nearest to it. So points stay strictly inside, and no two share a place in
- * plan.
+ * No cell is halved to a side below SmallestCellSize. A barycentre that is not strictly inside the boundary, or in the
+ * place of another point, is replaced by the point nearest to it. So points stay strictly inside, and no two share a
+ * place in plan.
+ *
+ * Point data added: Flatness (double): how flat the points in the cell of a point are, boundary points included, as
+ * FlatnessThreshold measures it. With ShowCells, it is cell data.
  *
  * Linear in the points and the cells of the bounding box. The cubes of a ring run in parallel (vtkSMPTools), and the
  * result is the same to the bit for any number of threads. Noise counts as curvature: where points go up and down by a
  * voxel, small cells are not flat.
  *
- * Errors: a cell size below 1, a threshold below 0, a growth below 1, no boundary loops, no PatchId, no lattice in the
- * field data.
+ * Errors: a cell size or smallest cell size below 1, a threshold below 0, a growth below 1, no boundary loops, no
+ * PatchId, no lattice in the field data.
  *
  * @sa vtkHorizonRoughSimplification vtkHorizonBoundarySimplification vtkQuadricClustering
  */
@@ -82,6 +85,34 @@ public:
 
   ///@{
   /**
+   * No cell is halved to a side below this, in lattice units; one that would have to be, as it is not flat or its
+   * boundary points are not dense, stays as it is. At least 1. Where it is more than half of CellSize no cell is halved
+   * at all. Default: 1.
+   */
+  vtkSetMacro(SmallestCellSize, double);
+  vtkGetMacro(SmallestCellSize, double);
+  ///@}
+
+  enum NeighbourMeanChoice
+  {
+    OverCubes = 0,
+    OverPieces = 1
+  };
+
+  ///@{
+  /**
+   * What the mean size of the neighbours in the ring before is taken over. OverCubes: each neighbouring cube counts
+   * once, with the mean size of the cells it was cut into (thesis: eq. 4.3). OverPieces: each of these cells counts, so
+   * that a cube in 16 pieces counts 16 times, and cells are smaller further inside. Default: OverCubes.
+   */
+  vtkSetClampMacro(NeighbourMean, int, OverCubes, OverPieces);
+  vtkGetMacro(NeighbourMean, int);
+  void SetNeighbourMeanToOverCubes() { this->SetNeighbourMean(OverCubes); }
+  void SetNeighbourMeanToOverPieces() { this->SetNeighbourMean(OverPieces); }
+  ///@}
+
+  ///@{
+  /**
    * How many times as large as its neighbours in the ring before, in the mean, a cell may be, up to the nearest size
    * that halving gives. At least 1, as in the thesis (eq. 4.3). With 2 cells may double from ring to ring. Default: 1.
    */
@@ -108,6 +139,8 @@ private:
   double BoundaryDensityThreshold = 0.25;
   double BoundaryExtentThreshold = 2.0;
   double BoundaryCellSizeThreshold = 2.0;
+  double SmallestCellSize = 1.0;
+  int NeighbourMean = OverCubes;
   double GrowthPerRing = 1.0;
 };
 

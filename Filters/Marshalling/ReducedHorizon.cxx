@@ -279,5 +279,9 @@ void WriteReduction(
     }
     output->GetPointData()->AddArray(origins);
   }
+  if (!reduction.Flatness.empty())
+  {
+    AddArray<vtkDoubleArray>(output->GetPointData(), PointArray::Flatness, reduction.Flatness);
+  }
 }
 }

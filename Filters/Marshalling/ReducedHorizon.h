@@ -31,7 +31,7 @@ enum class Merging
 /// Makes `output` the reduced `input`: points, vertices, loops, and all point data. PointCount is summed. At averaged
 /// points floating point arrays and VerticalIndex (which is then of type double) are averaged, weighted by
 /// PointCount; all other arrays, being labels, are taken from the nearest point that was merged. CellOrigin is added
-/// when the reduction says where points come from.
+/// when the reduction says where points come from, and Flatness when it says how flat cells were.
 void WriteReduction(
   vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output);
 }

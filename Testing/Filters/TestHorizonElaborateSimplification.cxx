@@ -63,6 +63,8 @@ void TestAttributes(vtkMatrix4x4* survey)
   CHECK_EQUAL(origin->GetComponent(middle, 1), 2.0);
   CHECK_EQUAL(origin->GetComponent(middle, 2), 1.0);
   CHECK_EQUAL(data->GetArray("PointCount")->GetTuple1(middle), 64.0);
+  CHECK_EQUAL(data->GetArray("Flatness")->GetDataType(), VTK_DOUBLE);
+  CHECK_EQUAL(data->GetArray("Flatness")->GetTuple1(middle), 0.0);
   CHECK_EQUAL(data->GetArray("VerticalIndex")->GetDataType(), VTK_DOUBLE);
   CHECK_EQUAL(data->GetArray("Amplitude")->GetTuple1(middle), 11.5 + 1150.0);
   CHECK_EQUAL(data->GetArray("SurfaceId")->GetTuple1(middle), 5.0);
@@ -95,7 +97,15 @@ void TestPropertiesCount()
   CHECK(points([](Filter filter) { filter->SetBoundaryDensityThreshold(3.0); }) > usual);
   CHECK(points([](Filter filter) { filter->SetBoundaryExtentThreshold(100.0); }) > usual);
   CHECK(points([](Filter filter) { filter->SetBoundaryCellSizeThreshold(100.0); }) < usual);
-  CHECK(points([](Filter filter) { filter->SetGrowthPerRing(2.0); }) < usual);
+  CHECK(points([](Filter filter) { filter->SetSmallestCellSize(4.0); }) < usual);
+  CHECK(points([](Filter filter) { filter->SetNeighbourMeanToOverPieces(); }) > usual);
+  const auto sparse = [](Filter filter) { filter->SetBoundaryDensityThreshold(3.0); };
+  const auto growing = [](Filter filter)
+  {
+    filter->SetBoundaryDensityThreshold(3.0);
+    filter->SetGrowthPerRing(2.0);
+  };
+  CHECK(points(growing) < points(sparse));
 }
 
 void TestNearestPoint()
@@ -121,7 +131,8 @@ void TestNearestPoint()
 void TestShowCells()
 {
   vtkNew<vtkHorizonElaborateSimplification> elaborate;
-  elaborate->SetInputDataObject(Bounded(24, HorizonFixtures::UnitSurvey(), [](int, int) { return 5.0; }));
+  const auto bump = [](int i, int j) { return i == 12 && j == 12 ? 6.0 : 5.0; };
+  elaborate->SetInputDataObject(Bounded(24, HorizonFixtures::UnitSurvey(), bump));
   elaborate->ShowCellsOn();
   elaborate->Update();
   vtkPolyData* const boxes = elaborate->GetPolyDataOutput();
@@ -133,6 +144,8 @@ void TestShowCells()
   CHECK_EQUAL(boxes->GetCellData()->GetArray("PointCount")->GetTuple1(4), 64.0);
   CHECK_EQUAL(boxes->GetCellData()->GetArray("PatchId")->GetTuple1(4), 0.0);
   CHECK_EQUAL(boxes->GetCellData()->GetArray("CellOrigin")->GetComponent(4, 1), 2.0);
+  CHECK_EQUAL(boxes->GetCellData()->GetArray("Flatness")->GetTuple1(3), 0.0);
+  CHECK(boxes->GetCellData()->GetArray("Flatness")->GetTuple1(4) > 0.001);
   // Each of the twelve edges of a box is walked, and nothing else.
   vtkIdType size = 0;
   const vtkIdType* corners = nullptr;
@@ -161,6 +174,7 @@ void TestShowCells()
   rough->SetShowCells(true);
   rough->Update();
   CHECK_EQUAL(rough->GetPolyDataOutput()->GetNumberOfLines(), 9);
+  CHECK(!rough->GetPolyDataOutput()->GetCellData()->HasArray("Flatness"));
   CHECK_EQUAL(rough->GetPolyDataOutput()->GetPoint(4 * 4)[2], 12.0);
 }
 
@@ -244,12 +258,14 @@ void TestPrint()
   elaborate->SetBoundaryExtentThreshold(2.5);
   elaborate->SetBoundaryCellSizeThreshold(3.5);
   elaborate->SetGrowthPerRing(4.5);
+  elaborate->SetSmallestCellSize(5.5);
+  elaborate->SetNeighbourMean(3); // clamped
   elaborate->SetRepresentative(7); // clamped
   std::ostringstream text;
   elaborate->Print(text);
-  for (const char* line :
-    { "CellSize: 17", "FlatnessThreshold: 0.5", "BoundaryDensityThreshold: 1.5", "BoundaryExtentThreshold: 2.5",
-      "BoundaryCellSizeThreshold: 3.5", "GrowthPerRing: 4.5", "Representative: NearestPoint", "ShowCells: Off" })
+  for (const char* line : { "CellSize: 17", "FlatnessThreshold: 0.5", "BoundaryDensityThreshold: 1.5",
+         "BoundaryExtentThreshold: 2.5", "BoundaryCellSizeThreshold: 3.5", "GrowthPerRing: 4.5",
+         "SmallestCellSize: 5.5", "NeighbourMean: OverPieces", "Representative: NearestPoint", "ShowCells: Off" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

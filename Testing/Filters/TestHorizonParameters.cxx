@@ -68,6 +68,9 @@ int TestHorizonParameters(int, char*[])
     &vtkHorizonRoughSimplification::SetCellSize, 0, "cell size 0, expected at least 1 column");
   CheckRefused(&Elaborate::SetFlatnessThreshold, Infinity, "flatness threshold inf, expected a finite number");
   CheckRefused(&Elaborate::SetGrowthPerRing, 0.5, "growth per ring 0.5, expected at least 1 (cells as");
+  CheckRefused(&Elaborate::SetSmallestCellSize, 0.5, "smallest cell size 0.5, expected at least 1 column");
+  CheckRefused(
+    &Elaborate::SetSmallestCellSize, Infinity, "smallest cell size inf, expected a finite number, at least 1");
   using Triangulation = vtkHorizonTriangulation;
   CheckRefused(&Triangulation::SetMaximumNumberOfTriangles, -3, "maximum number of triangles -3, expected at least 0");
   using Distance = vtkHorizonSurfaceDistance;

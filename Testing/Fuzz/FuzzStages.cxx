@@ -45,7 +45,8 @@ bool IsValid(const ElaborateOptions& options)
 {
   return options.CellSize >= 1 && IsLength(options.FlatnessThreshold) && IsLength(options.BoundaryDensityThreshold) &&
     IsLength(options.BoundaryExtentThreshold) && IsLength(options.BoundaryCellSizeThreshold) &&
-    IsLength(options.GrowthPerRing) && options.GrowthPerRing >= 1.0;
+    IsLength(options.GrowthPerRing) && options.GrowthPerRing >= 1.0 && IsLength(options.SmallestCellSize) &&
+    options.SmallestCellSize >= 1.0;
 }
 
 bool IsValid(const BoundaryLimits& limits)

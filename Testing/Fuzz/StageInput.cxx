@@ -171,6 +171,8 @@ ElaborateOptions StageInput::TakeCellOptions()
     options.BoundaryExtentThreshold = this->TakeNumber(0.0, 12.0);
     options.BoundaryCellSizeThreshold = this->TakeNumber(0.0, 10.0);
     options.GrowthPerRing = this->TakeNumber(1.0, 5.0);
+    options.SmallestCellSize = this->TakeNumber(1.0, 6.0);
+    options.NeighbourMean = this->TakeBool() ? NeighbourMeanKind::OverCubes : NeighbourMeanKind::OverPieces;
   }
   return options;
 }

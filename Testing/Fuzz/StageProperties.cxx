@@ -172,6 +172,10 @@ void CheckReduction(const BoundedHorizon& horizon, const Reduction& result)
   {
     Require(height >= *low - slack && height <= *high + slack, "reduction: height " + std::to_string(height));
   }
+  for (const double flatness : result.Flatness)
+  {
+    Require(flatness >= 0.0 && 3.0 * flatness <= 1.0 + Rounding, "reduction: flatness " + std::to_string(flatness));
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -72,6 +72,21 @@ def check_pictures(folder):
         assert (folder / (name + ".png")).stat().st_size > 10000, name
 
 
+def check_figures(page):
+    """Each with numbers of the thesis and of our own, and a section of its own."""
+    (_, heads, rows), = tables_of(page)
+    assert heads == ["figure", "what", "thesis", "here"]
+    for figure in ("3.23", "3.24", "3.26", "4.14", "4.16 and 5.21", "5.19", "5.20"):
+        assert "(figure%s %s)" % ("s" if " " in figure else "", figure) in page, figure
+        mine = [row for row in rows if row[0] == figure]
+        assert mine, figure
+        for _, what, _, here in mine:
+            values = numbers(here.replace(",", ""))
+            assert values and all(math.isfinite(value) and value > 0.0 for value in values), (figure, what, here)
+    # The outline of a square is known, and so is what becomes of it.
+    assert ["3.26", "outline points, k = 1", "1,024", "1,024"] in rows
+
+
 def main():
     program, generator, folder = sys.argv[1:4]
     folder = pathlib.Path(folder)
@@ -91,6 +106,7 @@ def main():
         if "Surface by surface" in heading:
             check_partners(heads, rows)
     assert seen == set(ROWS), "no table for %s" % (set(ROWS) - seen)
+    check_figures((folder / "Figures.md").read_text(encoding="utf-8"))
     check_pictures(folder / "Pictures")
 
 

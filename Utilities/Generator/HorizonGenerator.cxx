@@ -108,12 +108,13 @@ double HorizonGenerator::Elevation(int position, const FramePlace& place, int i,
   // other, which is more than one cell as nZ is at least five times their number.
   const std::uint64_t seed = this->Shapes[static_cast<std::size_t>(position)].Seed();
   const double depth = this->Given.Size[2] - 1;
-  const double share = 0.45 * depth / this->Given.NumberOfHorizons;
+  const double share = ShareOfDepth(this->Given);
   const double roughness = std::min(0.05, 0.4 / share); // at most 0.4 cells
   const double distance =
     (0.25 - roughness) * FractalNoise(SeedOf(seed, Field::Distance), 2.0 * place.X, 2.0 * place.Y, 3) +
     roughness * Noise(SeedOf(seed, Field::Roughness), i / 5.0, j / 5.0);
-  return 0.55 * depth * (0.5 + 0.5 * this->Fold(place)) + share * (position + 0.5 + distance);
+  const double noise = this->Shapes[static_cast<std::size_t>(position)].RoughPlaces().Offset(i, j);
+  return 0.55 * depth * (0.5 + 0.5 * this->Fold(place)) + share * (position + 0.5 + distance) + noise;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

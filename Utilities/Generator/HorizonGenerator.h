@@ -5,8 +5,8 @@
 //
 // All horizons of one cube share folds and lie above each other with a varying distance; none touches another. Each has
 // an outline of its own, lobed and ragged, with two bays; holes, the first of them large; islands, the first of them in
-// the large hole; and single missing voxels (HorizonShape.h). Thickness, amplitude and its polarity vary slowly over
-// the horizon.
+// the large hole; single missing voxels; and on request patches of noise (HorizonShape.h, NoisePatches.h). Thickness,
+// amplitude and its polarity vary slowly over the horizon.
 //
 // The result depends on the options alone: every voxel is computed from its place with IEEE additions, multiplications,
 // divisions and square roots, whose result the standard prescribes, and with random numbers of its own. (A compiler

@@ -9,6 +9,22 @@
 
 namespace SeismicHorizons
 {
+namespace
+{
+void CheckNoise(const HorizonGeneratorOptions& options)
+{
+  Require(options.NoiseFraction >= 0.0 && options.NoiseFraction <= 1.0,
+    "noise " + std::to_string(options.NoiseFraction), "a part of the area from 0 to 1");
+  Require(options.NoiseGaps >= 0.0 && options.NoiseGaps < 1.0, "noise gaps " + std::to_string(options.NoiseGaps),
+    "a part of the voxels from 0 to below 1");
+  // Horizons leave half of their share to each other. One cell of that has to remain, and half of one for rounding.
+  const double most = 0.25 * ShareOfDepth(options) - 0.75;
+  Require(options.NoiseHeight >= 0.0 && (options.NoiseFraction == 0.0 || options.NoiseHeight <= most),
+    "noise height " + std::to_string(options.NoiseHeight),
+    "0 to " + std::to_string(most) + ", for which there is room between the horizons");
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 void Require(bool condition, const std::string& found, const std::string& expected)
 {
@@ -16,6 +32,12 @@ void Require(bool condition, const std::string& found, const std::string& expect
   {
     throw InputError(found + ", expected " + expected);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double ShareOfDepth(const HorizonGeneratorOptions& options)
+{
+  return 0.45 * (options.Size[2] - 1) / options.NumberOfHorizons;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -34,5 +56,6 @@ void CheckOptions(const HorizonGeneratorOptions& options)
     "dropouts " + std::to_string(options.DropoutFraction), "a part from 0 to 0.1");
   Require(options.Squareness >= -1.0 && options.Squareness <= 1.0, "squareness " + std::to_string(options.Squareness),
     "a number from -1 to 1");
+  CheckNoise(options);
 }
 }

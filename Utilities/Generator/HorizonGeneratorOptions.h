@@ -30,7 +30,16 @@ struct HorizonGeneratorOptions
   /// The shape of the outline before lobes and bays bend it, which is how full the bounding box gets: from -1 (a star
   /// with four points) over 0 (a circle) to 1 (a square).
   double Squareness = 0.0;
+  /// Part of the area in patches of noise, 0 to 1: there heights are off by up to so many cells, up and down, and that
+  /// part of the voxels is missing, 0 to below 1.
+  double NoiseFraction = 0.0;
+  double NoiseHeight = 3.0;
+  double NoiseGaps = 0.5;
 };
+
+/// What the depth of the lattice leaves to each horizon beside the folds that all share, in cells. A horizon takes half
+/// of that, but for its noise.
+double ShareOfDepth(const HorizonGeneratorOptions& options);
 
 /// Throws InputError when an option is out of range.
 void CheckOptions(const HorizonGeneratorOptions& options);

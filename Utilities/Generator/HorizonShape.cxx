@@ -43,6 +43,7 @@ double FindDropoutThreshold(double fraction)
 HorizonShape::HorizonShape(const HorizonGeneratorOptions& options, std::uint64_t seed)
   : Given(options)
   , HorizonSeed(seed)
+  , Patches(options, seed)
   , DropoutThreshold(FindDropoutThreshold(options.DropoutFraction))
 {
   // The finest detail of the outline is about four cells wide.
@@ -67,7 +68,7 @@ std::vector<int> HorizonShape::FindRow(int j) const
   std::vector<int> row;
   for (int i = 0; i < this->Given.Size[0]; ++i)
   {
-    if (this->IsOccupied(features, i, j) && !this->IsDropout(i, j))
+    if (this->IsOccupied(features, i, j) && !this->IsDropout(i, j) && !this->Patches.IsGap(i, j))
     {
       row.push_back(i);
     }

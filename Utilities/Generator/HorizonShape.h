@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which columns of the lattice a synthetic horizon has: inside an outline that is lobed and ragged, with two bays, but
-// for holes and single missing voxels; and islands.
+// for holes, single missing voxels and gaps in patches of noise; and islands.
 
 #ifndef SeismicHorizonsHorizonShape_h
 #define SeismicHorizonsHorizonShape_h
 
 #include "HorizonGeneratorOptions.h"
+#include "NoisePatches.h"
 #include "RandomFields.h"
 
 #include <cstdint>
@@ -23,6 +24,7 @@ public:
   HorizonShape(const HorizonGeneratorOptions& options, std::uint64_t seed);
 
   std::uint64_t Seed() const { return this->HorizonSeed; }
+  const NoisePatches& RoughPlaces() const { return this->Patches; }
 
   /// The columns i of row j that the horizon has, from the least.
   std::vector<int> FindRow(int j) const;
@@ -52,6 +54,7 @@ private:
 
   HorizonGeneratorOptions Given;
   std::uint64_t HorizonSeed;
+  NoisePatches Patches;
   int RaggedOctaves = 1;
   double DropoutThreshold;
   std::vector<Feature> Features; // islands first, since one may lie in a hole

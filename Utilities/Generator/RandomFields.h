@@ -33,7 +33,10 @@ enum class Field : std::uint64_t
   Thickness,
   Amplitude,
   Speckle,
-  Polarity
+  Polarity,
+  NoisePatch,
+  NoiseHeight,
+  NoiseGap
 };
 
 inline std::uint64_t SeedOf(std::uint64_t seed, Field field)

@@ -30,6 +30,9 @@ Writes synthetic seismic horizons as a sparse-matrix file (.vsm). The same optio
   --islands N       islands of each horizon, the first of them in its large hole (default 3)
   --dropouts PART   part of the voxels that are missing one by one, 0 to 0.1 (default 0.02)
   --squareness Q    outlines from a star (-1) over a circle (0, the default) to a square (1)
+  --noise PART      part of the area in patches of noise, 0 (the default) to 1
+  --noise-height H  by how many cells heights are off there, up and down (default 3)
+  --noise-gaps PART part of the voxels that are missing there, 0 to below 1 (default 0.5)
   --seed N          another number gives other horizons (default 1)
   --help            this text
 )";
@@ -115,6 +118,18 @@ void ParseOption(const std::string& option, Words& words, Arguments& arguments)
   else if (option == "--dropouts")
   {
     words.Take(option, options.DropoutFraction);
+  }
+  else if (option == "--noise")
+  {
+    words.Take(option, options.NoiseFraction);
+  }
+  else if (option == "--noise-height")
+  {
+    words.Take(option, options.NoiseHeight);
+  }
+  else if (option == "--noise-gaps")
+  {
+    words.Take(option, options.NoiseGaps);
   }
   else if (option == "--seed")
   {

@@ -30,7 +30,7 @@ def main():
     outlined = apply(sh.vtkHorizonExteriorBoundary(), full)
     straight = apply(sh.vtkHorizonBoundarySimplification(), outlined)
     rough = [apply(sh.vtkHorizonRoughSimplification(), straight, CellSize=size) for size in (3, 6)]
-    options = {"FlatnessThreshold": 0.03, "GrowthPerRing": 1.5}
+    options = {"FlatnessThreshold": 0.03}
     elaborate = apply(sh.vtkHorizonElaborateSimplification(), straight, **options)
     cells = apply(sh.vtkHorizonElaborateSimplification(), straight, ShowCells=True, **options)
     mesh = apply(sh.vtkHorizonTriangulation(), elaborate)

@@ -115,19 +115,23 @@ class _Frame:
         # A few extreme points should not eat up the colours.
         low, high = np.percentile(self.points[:, 2], (1.0, 99.0))
         self.color_range = (low, max(high, low + 1e-9))
+        self.farthest = max([1e-9] + [np.percentile(_distances(panel.horizon), 99.0) for panel in row
+                                      if panel.style == DISTANCE])
         extent = self.high - self.low
         width = max(extent[0], extent[1], 1e-9)
         # Rounded, as the caption names it.
         exaggeration = HEIGHT_SHARE * width / extent[2] if extent[2] > 0 else 1.0
         self.exaggeration = float("%.2g" % exaggeration)
 
+    def pixels(self):
+        return self.panel_size[0] * self.panel_size[1]
+
     def scale(self):
         return (1.0, 1.0, self.exaggeration)
 
     def point_size(self):
         """So large that the points of a full horizon just close up."""
-        pixels = 0.45 * self.panel_size[0] * self.panel_size[1]
-        return max(1.5, min(6.0, 0.9 * math.sqrt(pixels / self.count)))
+        return max(1.5, min(6.0, 0.9 * math.sqrt(0.45 * self.pixels() / self.count)))
 
     def place_camera(self, camera):
         """Looks at the horizon from above and aside, and fills the panel with it."""
@@ -158,6 +162,10 @@ def _coordinates(horizon):
     if points is None or points.GetNumberOfPoints() == 0:
         return np.zeros((0, 3))
     return vtk_to_numpy(points.GetData())
+
+
+def _distances(horizon):
+    return vtk_to_numpy(horizon.GetPointData().GetArray("Distance"))
 
 
 def _renderer(frame, panel, text):
@@ -259,11 +267,9 @@ def _color_by_height(frame, actor):
         (low + (high - low) * number / (len(LOW_TO_HIGH) - 1), color) for number, color in enumerate(LOW_TO_HIGH)])
 
 
-def _color_by_distance(horizon, actor):
-    """From 0 to the 99th percentile: a few extreme points should not eat up the colours."""
-    distances = horizon.GetPointData().GetArray("Distance")
-    largest = max(np.percentile(vtk_to_numpy(distances), 99.0), 1e-9)
-    _color_by(actor, distances, [(part * largest, color) for part, color in NEAR_TO_FAR])
+def _color_by_distance(frame, horizon, actor):
+    _color_by(actor, horizon.GetPointData().GetArray("Distance"),
+              [(part * frame.farthest, color) for part, color in NEAR_TO_FAR])
     actor.GetMapper().InterpolateScalarsBeforeMappingOn()
 
 
@@ -371,13 +377,15 @@ def _mesh(frame, horizon, by_distance=False):
     normals.Update()
     shaded = _actor(normals.GetOutput())
     if by_distance:
-        _color_by_distance(horizon, shaded)
+        _color_by_distance(frame, horizon, shaded)
     elif horizon.GetNumberOfPoints():
         _color_by_height(frame, shaded)
     shaded.GetProperty().SetAmbient(0.15)
     shaded.GetProperty().SetSpecular(0.12)
     shaded.GetProperty().SetSpecularPower(12.0)
 
+    if triangles.GetNumberOfCells() > frame.pixels():  # edges would cover everything
+        return [shaded, *_outline(horizon)]
     edges = _actor(surface)
     edges.GetProperty().SetRepresentationToWireframe()
     edges.GetProperty().SetColor(0.05, 0.07, 0.10)

@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Does what the thesis reports on again, and writes its tables 4.1 to 4.6 and 5.1 and its curves 3.18, 3.19 and 5.18
-with the figures found here beside them, and those of other programs.
+with the numbers found here beside them, and those of other programs; and its figures that show surfaces.
 
 Utilities/Studies/reproduce_thesis.sh makes all that is needed, and runs it. Needs the package seismichorizons in
-PYTHONPATH; Matplotlib for the curves, and MeshLab and an X server for the partners of the thesis, which are left out
-otherwise.
+PYTHONPATH; Matplotlib for the curves, an X server for the pictures of surfaces, and MeshLab as well for the partners of
+the thesis. What can not be made is left out.
 """
 
 import argparse
@@ -18,7 +18,7 @@ import tempfile
 from seismichorizons.stage import set_threads
 
 from text import cells, report
-from thesis import partners, reported, study
+from thesis import figure_page, figures, meshlab, partners, reported, study
 from thesis.page import page
 
 CURVE_SURFACE = 60511  # on which errors are drawn over the vertices
@@ -27,7 +27,7 @@ CURVE_SURFACE = 60511  # on which errors are drawn over the vertices
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("generator", help="the program generate_horizons")
-    parser.add_argument("folder", type=pathlib.Path, help="where Tables.md goes, and the folder Pictures")
+    parser.add_argument("folder", type=pathlib.Path, help="where Tables.md and Figures.md go, and the folder Pictures")
     parser.add_argument("--surfaces", type=int, default=len(reported.SURFACES), metavar="N",
                         help="only so many surfaces, the smallest first (default: all)")
     parser.add_argument("--triangulation-benchmark", metavar="PROGRAM",
@@ -85,6 +85,15 @@ def draw(found, curves, meshings, cgal, folder):
     draw_curves.vertex_worth(curves[1], "A surface of {:,} points".format(curves[0]), folder / "VertexWorth.png")
 
 
+def draw_figures(shown, folder):
+    if not figures.can_draw():
+        report("no X server, no pictures of surfaces")
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    for figure in shown:
+        figure.draw(folder)
+
+
 def main():
     options = parse_arguments()
     set_threads(0)
@@ -92,10 +101,14 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         found, curves = measure_surfaces(options, folder, paces[0])
         meshings = measure_meshings(options, folder, paces[1])
+        report("figures")
+        shown = figures.figures(options.generator, folder, found[-1].size)
     cgal = measure_cgal(options.triangulation_benchmark, meshings)
     options.folder.mkdir(parents=True, exist_ok=True)
     (options.folder / "Tables.md").write_text(page(found, curves, meshings, paces), encoding="utf-8")
+    (options.folder / "Figures.md").write_text(figure_page.page(shown, meshlab.is_installed()), encoding="utf-8")
     draw(found, curves, meshings, cgal, options.folder / "Pictures")
+    draw_figures(shown, options.folder / "Pictures")
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ std::int64_t CheckedCellSize(const BoundedHorizon& horizon, int columns)
 //----------------------------------------------------------------------------------------------------------------------
 CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor& monitor)
   : Input(horizon)
+  , Scale(1.0 / horizon.SubVoxelsPerColumn)
   , Side(CheckedCellSize(horizon, columns))
   , Cells(horizon.Plane, horizon.SubVoxelsPerColumn, this->Side)
   , OnBoundary(horizon.Boundary.MarkPoints(horizon.Plane.size()))

@@ -53,6 +53,12 @@ public:
 
   const PlanePoint& Plane(PointId point) const { return this->Input.Plane[std::size_t(point)]; }
   double Height(PointId point) const { return this->Input.Height[std::size_t(point)]; }
+  /// In lattice units.
+  SpacePoint Place(PointId point) const
+  {
+    const PlanePoint& place = this->Plane(point);
+    return { place.X * this->Scale, place.Y * this->Scale, this->Height(point) };
+  }
   std::int32_t Patch(PointId point) const { return this->Input.Patch[std::size_t(point)]; }
   bool IsOnBoundary(PointId point) const { return this->OnBoundary[std::size_t(point)] != 0; }
   /// For each point 1 when it is on the boundary, else 0.
@@ -91,6 +97,12 @@ public:
   void ForEachLeaf(std::int64_t cell, Visitor&& visit) const
   {
     this->ForEachRange<const PointId*>(this->Begin(cell), this->Begin(cell + 1), visit);
+  }
+  /// The same for the leaves of a group.
+  template <typename Visitor>
+  void ForEachLeaf(const PointId* first, const PointId* last, Visitor&& visit) const
+  {
+    this->ForEachRange(first, last, visit);
   }
   /// The same for all leaves.
   template <typename Visitor>
@@ -134,6 +146,7 @@ private:
   unsigned char MarkOf(const PointId* point) const { return this->Marks[std::size_t(point - this->Points.get())]; }
 
   const BoundedHorizon& Input;
+  const double Scale; // columns in a sub-voxel
   const std::int64_t Side;
   const CellGrid Cells;
   std::vector<unsigned char> OnBoundary;

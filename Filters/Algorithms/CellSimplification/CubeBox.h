@@ -12,13 +12,15 @@
 
 namespace SeismicHorizons
 {
-/// The sizes of the cells of some leaves.
-struct LeafSizes
+/// The sizes of some cells, of which the mean is taken.
+struct CellSizes
 {
-  std::int64_t Sum = 0; // in units of the smallest size that halving can give, so that sums are exact
+  double Sum = 0.0; // in units of the smallest size that halving can give: sums of sizes of leaves are exact
   std::int64_t Number = 0;
 
-  void Add(const LeafSizes& other)
+  double Mean() const { return this->Sum / double(this->Number); }
+
+  void Add(const CellSizes& other)
   {
     this->Sum += other.Sum;
     this->Number += other.Number;

@@ -7,6 +7,7 @@
 
 #include "ElaborateSimplification.h"
 
+#include "CellFlatness.h"
 #include "CellLeaves.h"
 #include "Common/Parameters.h"
 #include "LeafWriter.h"
@@ -33,13 +34,14 @@ void CheckOptions(const ElaborateOptions& options)
   CheckAtLeast("boundary density threshold", options.BoundaryDensityThreshold, 0.0, " points per lattice unit");
   CheckAtLeast("boundary extent threshold", options.BoundaryExtentThreshold, 0.0, " lattice units");
   CheckAtLeast("boundary cell size threshold", options.BoundaryCellSizeThreshold, 0.0, " lattice units");
+  CheckAtLeast("smallest cell size", options.SmallestCellSize, 1.0, " column");
   CheckAtLeast("growth per ring", options.GrowthPerRing, 1.0, " (cells as large as their neighbours)");
 }
 
-/// How many times a cell can be halved before its side falls below one column.
-int Halvings(int size)
+/// How many times a cell can be halved before its side falls below the smallest.
+int Halvings(double size, double smallest)
 {
-  return size < 2 ? 0 : 1 + Halvings(size / 2);
+  return 0.5 * size < smallest ? 0 : 1 + Halvings(0.5 * size, smallest);
 }
 
 class ElaborateSimplifier
@@ -47,7 +49,7 @@ class ElaborateSimplifier
 public:
   ElaborateSimplifier(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
     : Options(options)
-    , Deepest(Halvings(options.CellSize))
+    , Deepest(Halvings(options.CellSize, options.SmallestCellSize))
     , Leaves(horizon, options.CellSize, monitor.Step(0.0, 0.6))
     , Cubes(this->Leaves, options.CellSize, monitor.Step(0.6, 1.0))
   {
@@ -57,7 +59,7 @@ public:
   {
     this->CutRings(monitor.Step(0.0, 0.5));
     Reduction result = WriteLeaves(this->Leaves, this->Options.Representative, monitor.Step(0.5, 0.95));
-    this->WriteRings(result);
+    this->DescribeLeaves(result);
     if (this->Options.ListCells)
     {
       ListCells(this->Leaves, result,
@@ -87,20 +89,22 @@ private:
     for (; first != last; ++first)
     {
       PatchCube& cube = this->Cubes[*first];
-      cube.Sizes = cutter.Cut(cube.First, cube.Last, this->Cubes.BoxOf(cube), this->LeastLevel(cube));
+      const CellSizes leaves = cutter.Cut(cube.First, cube.Last, this->Cubes.BoxOf(cube), this->LeastLevel(cube));
+      const bool countsOnce = this->Options.NeighbourMean == NeighbourMeanKind::OverCubes;
+      cube.Sizes = countsOnce ? CellSizes{ leaves.Mean(), 1 } : leaves;
     }
   }
 
   /// How many times the leaves of a patch cube are halved at least: to the level whose size is nearest, by ratio, to
-  /// the mean of those before (thesis eq. 4.3). Rounding down would make cells shrink from ring to ring, as the mean of
-  /// different sizes is below the largest of them.
+  /// the mean of its neighbours before (thesis eq. 4.3). Rounding down would make cells shrink from ring to ring, as
+  /// the mean of different sizes is below the largest of them.
   int LeastLevel(const PatchCube& cube) const
   {
-    const LeafSizes before = this->Cubes.SizesBefore(cube);
-    const double largest = HalfALevel * this->Options.GrowthPerRing * double(before.Sum);
+    const CellSizes before = this->Cubes.SizesBefore(cube);
+    const double largest = HalfALevel * this->Options.GrowthPerRing * before.Sum;
     for (int level = 0; level < this->Deepest; ++level)
     {
-      // As many leaves of this level, in units of the smallest size.
+      // As many cells of this level, in units of the smallest size.
       const double sum = std::ldexp(double(before.Number), this->Deepest - level);
       if (!(sum > largest))
       {
@@ -121,18 +125,32 @@ private:
     return box.Z;
   }
 
-  void WriteRings(Reduction& result) const
+  /// Writes the rings of leaves, and how flat they are. Each output point belongs to one leaf, so that no two threads
+  /// write to the same place.
+  void DescribeLeaves(Reduction& result) const
   {
+    result.Flatness.resize(result.Source.size());
     ParallelFor(std::int64_t(this->Cubes.Size()), GrainOfCopying,
       [&](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t n = begin; n < end; ++n)
         {
           const PatchCube& cube = this->Cubes[std::size_t(n)];
-          std::for_each(cube.First, cube.Last,
-            [&](PointId point) { result.Origin[std::size_t(result.Target[std::size_t(point)])].Ring = cube.Ring; });
+          this->Leaves.ForEachLeaf(cube.First, cube.Last,
+            [&](const PointId* first, const PointId* last) { this->DescribeLeaf(first, last, cube.Ring, result); });
         }
       });
+  }
+
+  void DescribeLeaf(const PointId* first, const PointId* last, std::int32_t ring, Reduction& result) const
+  {
+    const double flatness = FlatnessOf(this->Leaves, first, last);
+    for (const PointId* point = first; point != last; ++point)
+    {
+      const std::size_t target = std::size_t(result.Target[std::size_t(*point)]);
+      result.Origin[target].Ring = ring;
+      result.Flatness[target] = flatness;
+    }
   }
 
   const ElaborateOptions Options;

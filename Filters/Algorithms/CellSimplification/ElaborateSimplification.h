@@ -7,11 +7,18 @@
 // called cells. For the points in each cell that is not cut any further, a leaf, their barycentre stands, or the input
 // point nearest to that. Cubes with boundary points, the first ring, are cut by how densely these lie. Each further
 // ring is the cubes that touch the one before. It is cut by curvature, and at least to the size that is nearest to the
-// mean of the leaves of the ring before, so that sizes change gradually from the boundary to the inside.
+// mean of its neighbours in the ring before, so that sizes change gradually from the boundary to the inside.
+//
+// How eq. 4.3 is read: size(C) = 1/m sum of size(C_j) over the m neighbouring *cells* of the ring before. Rings are
+// made of cubes, so that C_j is a cube, and counts once, however often it was cut. The size of one that was cut into
+// leaves of different sizes is their mean. The text speaks of an average *level*, the equation of sizes: we go by the
+// equation. (The mean of levels is the geometric mean of sizes, which is smaller: with it cells shrink more from ring
+// to ring.)
 //
 // Beyond the thesis:
-//  - A cell is not halved to a side below one column; one that would have to be stays as it is. (A cell with one
-//    boundary point never meets the criterion, so that the pseudo-code does not end.)
+//  - A cell is not halved to a side below the smallest cell size, at least one column; one that would have to be stays
+//    as it is. (4.3.2.4.1 has a threshold of size for inner cells alone; but a cell with one boundary point never meets
+//    the criterion, so that the pseudo-code does not end.)
 //  - Points that all lie in one place, on a line or on a plane have no curvature, whatever the threshold.
 //  - Where a cube of the first ring is cut, octants without boundary points have no ring before them: curvature alone
 //    decides.
@@ -31,6 +38,13 @@
 
 namespace SeismicHorizons
 {
+/// What counts once in the mean size of the neighbours: each cube (eq. 4.3), or each of the leaves it was cut into.
+enum class NeighbourMeanKind
+{
+  OverCubes = 0,
+  OverPieces = 1
+};
+
 struct ElaborateOptions : CellOptions
 {
   ElaborateOptions(int cellSize = 8, double flatnessThreshold = 0.12)
@@ -49,6 +63,10 @@ struct ElaborateOptions : CellOptions
   /// When the side of a leaf with boundary points is larger than this, in lattice units, one point stands for its other
   /// points; else they go. At least 0.
   double BoundaryCellSizeThreshold = 2.0;
+  /// No cell is halved to a side below this, in lattice units. At least 1; where it is more than half of the cell size
+  /// no cell is halved at all.
+  double SmallestCellSize = 1.0;
+  NeighbourMeanKind NeighbourMean = NeighbourMeanKind::OverCubes;
   /// How many times as large as its neighbours in the ring before, in the mean, a cell may be, rounded to the nearest
   /// level. At least 1, which is eq. 4.3.
   double GrowthPerRing = 1.0;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace SeismicHorizons
@@ -16,37 +17,41 @@ constexpr double Rounding = 1e-12;
 // Where two eigenvalues are nearly equal, the closed formula can be wrong by the root of that, some 1e-8.
 constexpr double RoundingOfClosedFormula = 1e-6;
 
-/// The least eigenvalue as a part of their sum.
+/// The least eigenvalue as a part of their sum. Rounding can make it negative.
 double LeastPart(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
 {
-  return solver.eigenvalues()[0] / sum;
+  return sum > 0.0 ? std::max(0.0, solver.eigenvalues()[0] / sum) : 0.0;
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 double Flatness(const Eigen::Matrix3d& covariance)
 {
-  const double sum = covariance.trace();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return sum > 0.0 ? std::max(0.0, LeastPart(solver, sum)) : 0.0;
+  return LeastPart(solver, covariance.trace());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double QuickFlatness(const Eigen::Matrix3d& covariance)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  return LeastPart(solver, covariance.trace());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold)
 {
-  const double sum = covariance.trace();
-  if (threshold >= 1.0 / 3.0 || !(sum > 0.0))
+  if (threshold >= 1.0 / 3.0)
   {
     return true;
   }
-  // The closed formula is several times faster. Only near the threshold the iterative solver has to decide.
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  const double quick = LeastPart(solver, sum);
+  const double quick = QuickFlatness(covariance);
   if (std::abs(quick - threshold) > RoundingOfClosedFormula)
   {
     return quick < threshold;
   }
+  // Only near the threshold the iterative solver has to decide.
   return Flatness(covariance) <= threshold + Rounding;
 }
 }

@@ -7,6 +7,8 @@
 #ifndef SeismicHorizonsFlatness_h
 #define SeismicHorizonsFlatness_h
 
+#include "Common/Types.h"
+
 #include <Eigen/Core>
 
 namespace SeismicHorizons
@@ -16,37 +18,58 @@ class Covariance
 {
 public:
   /// Sums are taken relative to `origin`: one of the points, so that little is lost to rounding.
-  explicit Covariance(const Eigen::Vector3d& origin)
+  explicit Covariance(const SpacePoint& origin)
     : Origin(origin)
   {
   }
 
-  void Add(const Eigen::Vector3d& place, double weight)
+  void Add(const SpacePoint& place, double weight)
   {
-    const Eigen::Vector3d offset = place - this->Origin;
-    const Eigen::Vector3d weighted = weight * offset;
+    const double x = place.X - this->Origin.X;
+    const double y = place.Y - this->Origin.Y;
+    const double z = place.Z - this->Origin.Z;
     this->Weight += weight;
-    this->Sum += weighted;
-    this->Products += weighted * offset.transpose();
+    this->X += weight * x;
+    this->Y += weight * y;
+    this->Z += weight * z;
+    this->XX += weight * x * x;
+    this->XY += weight * x * y;
+    this->XZ += weight * x * z;
+    this->YY += weight * y * y;
+    this->YZ += weight * y * z;
+    this->ZZ += weight * z * z;
   }
 
   /// The covariance matrix (eq. 4.4) of the points, at least one.
   Eigen::Matrix3d Matrix() const
   {
-    const Eigen::Vector3d mean = this->Sum / this->Weight;
-    return this->Products / this->Weight - mean * mean.transpose();
+    const Eigen::Vector3d mean = Eigen::Vector3d(this->X, this->Y, this->Z) / this->Weight;
+    Eigen::Matrix3d products;
+    products << this->XX, this->XY, this->XZ, this->XY, this->YY, this->YZ, this->XZ, this->YZ, this->ZZ;
+    return products / this->Weight - mean * mean.transpose();
   }
 
 private:
-  Eigen::Vector3d Origin;
+  SpacePoint Origin;
+  // Sums of weights, of weighted places and of their weighted products.
   double Weight = 0.0;
-  Eigen::Vector3d Sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d Products = Eigen::Matrix3d::Zero();
+  double X = 0.0;
+  double Y = 0.0;
+  double Z = 0.0;
+  double XX = 0.0;
+  double XY = 0.0;
+  double XZ = 0.0;
+  double YY = 0.0;
+  double YZ = 0.0;
+  double ZZ = 0.0;
 };
 
 /// The least eigenvalue of a covariance matrix, divided by the sum of the three (eq. 4.5): 0 on a plane, 1/3 at most.
 /// 0 for a matrix without extent.
 double Flatness(const Eigen::Matrix3d& covariance);
+
+/// The same by a closed formula, which is several times faster, and wrong by 1e-6 at most.
+double QuickFlatness(const Eigen::Matrix3d& covariance);
 
 /// Whether Flatness(covariance) <= threshold, up to rounding: a plane is flat with a threshold of 0.
 bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold);

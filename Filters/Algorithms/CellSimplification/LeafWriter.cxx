@@ -210,6 +210,7 @@ SimplificationCell DescribeCell(
   cell.Size = double(size) * scale;
   cell.Origin = result.Origin[std::size_t(result.Target[std::size_t(*first)])];
   cell.Origin.Kind = leaves.HasBoundary(first) ? PointKind::Boundary : cell.Origin.Kind;
+  cell.Flatness = result.Flatness.empty() ? 0.0 : result.Flatness[std::size_t(result.Target[std::size_t(*first)])];
   cell.Patch = leaves.Patch(*first);
   cell.Points = std::int32_t(last - first);
   return cell;

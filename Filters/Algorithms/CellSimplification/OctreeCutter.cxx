@@ -3,10 +3,11 @@
 
 #include "OctreeCutter.h"
 
+#include "CellFlatness.h"
 #include "Common/CountingSort.h"
-#include "Flatness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace SeismicHorizons
@@ -14,7 +15,14 @@ namespace SeismicHorizons
 namespace
 {
 constexpr int NumberOfOctants = 8;
-constexpr std::ptrdiff_t MostPointsOfPlane = 3; // so many are always on a plane
+
+double Distance(const SpacePoint& a, const SpacePoint& b)
+{
+  const double x = a.X - b.X;
+  const double y = a.Y - b.Y;
+  const double z = a.Z - b.Z;
+  return std::sqrt(x * x + y * y + z * z);
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -26,9 +34,9 @@ OctreeCutter::OctreeCutter(CellLeaves& leaves, const ElaborateOptions& options, 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LeafSizes OctreeCutter::Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel)
+CellSizes OctreeCutter::Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel)
 {
-  this->Sizes = LeafSizes();
+  this->Sizes = CellSizes();
   this->LeastLevel = leastLevel;
   this->CutAny(first, last, cube, 0);
   return this->Sizes;
@@ -59,7 +67,7 @@ void OctreeCutter::CutAny(PointId* first, PointId* last, const CubeBox& box, int
 /// Points without boundary points among them: cuts them until they are flat, and then on to the least level.
 void OctreeCutter::CutInner(PointId* first, PointId* last, const CubeBox& box, int level)
 {
-  if (level == this->Deepest || this->IsFlat(first, last))
+  if (level == this->Deepest || AreFlat(this->Leaves, first, last, this->Options.FlatnessThreshold))
   {
     this->CutFlat(first, last, box, level);
   }
@@ -115,7 +123,8 @@ bool OctreeCutter::AnyApart(double extent, double size) const
   {
     for (std::size_t b = a + 1; b < this->BoundaryPoints.size(); ++b)
     {
-      const double distance = (this->Place(this->BoundaryPoints[a]) - this->Place(this->BoundaryPoints[b])).norm();
+      const double distance =
+        Distance(this->Leaves.Place(this->BoundaryPoints[a]), this->Leaves.Place(this->BoundaryPoints[b]));
       if (distance > extent)
       {
         return true;
@@ -128,19 +137,6 @@ bool OctreeCutter::AnyApart(double extent, double size) const
     }
   }
   return false;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool OctreeCutter::IsFlat(const PointId* first, const PointId* last) const
-{
-  if (last - first <= MostPointsOfPlane)
-  {
-    return true;
-  }
-  Covariance covariance(this->Place(*first));
-  std::for_each(
-    first, last, [&](PointId point) { covariance.Add(this->Place(point), double(this->Leaves.Weight(point))); });
-  return IsFlatWithin(covariance.Matrix(), this->Options.FlatnessThreshold);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -176,16 +172,7 @@ void OctreeCutter::Halve(PointId* first, PointId* last, const CubeBox& box, Visi
 void OctreeCutter::MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner)
 {
   this->Leaves.MarkLeaf(first, level, hasBoundary, keepsInner);
-  this->Sizes.Sum += std::int64_t(1) << (this->Deepest - level);
+  this->Sizes.Sum += double(std::int64_t(1) << (this->Deepest - level));
   ++this->Sizes.Number;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// In lattice units.
-Eigen::Vector3d OctreeCutter::Place(PointId point) const
-{
-  const PlanePoint& place = this->Leaves.Plane(point);
-  const double scale = 1.0 / this->Leaves.Horizon().SubVoxelsPerColumn;
-  return { place.X * scale, place.Y * scale, this->Leaves.Height(point) };
 }
 }

@@ -11,8 +11,6 @@
 #include "CubeBox.h"
 #include "ElaborateSimplification.h"
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <vector>
 
@@ -27,7 +25,7 @@ public:
 
   /// Cuts the group of a cube into leaves, and gives their sizes. `leastLevel` is the least level of leaves without
   /// boundary points.
-  LeafSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
+  CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
 
 private:
   void CutAny(PointId* first, PointId* last, const CubeBox& box, int level);
@@ -36,17 +34,15 @@ private:
 
   bool StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size);
   bool AnyApart(double extent, double size) const;
-  bool IsFlat(const PointId* first, const PointId* last) const;
   template <typename Visitor>
   void Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit);
   void MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner);
-  Eigen::Vector3d Place(PointId point) const;
 
   CellLeaves& Leaves;
   const ElaborateOptions& Options;
   const int Deepest;
   int LeastLevel = 0; // of the group at hand
-  LeafSizes Sizes; // of its leaves so far
+  CellSizes Sizes; // of its leaves so far
   // Memory to work with.
   std::vector<PointId> BoundaryPoints;
   std::vector<PointId> Order;

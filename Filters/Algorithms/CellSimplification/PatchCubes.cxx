@@ -50,7 +50,7 @@ void PatchCubes::MakeCubes(const Monitor& monitor)
           [&](PointId* first, PointId* last)
           {
             this->Cubes[cube] = { first, last, cell, this->LayerOf(*first), this->Leaves.Patch(*first),
-              this->Leaves.HasBoundary(first) ? 1 : 0, 0, LeafSizes() };
+              this->Leaves.HasBoundary(first) ? 1 : 0, 0, CellSizes() };
             ++cube;
           });
       }
@@ -66,7 +66,7 @@ void PatchCubes::MakeTowers()
     PatchCube& cube = this->Cubes[n];
     if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell || cube.Patch != this->Cubes[n - 1].Patch)
     {
-      this->Towers.push_back({ n, n, cube.Patch, false, LeafSizes() });
+      this->Towers.push_back({ n, n, cube.Patch, false, CellSizes() });
       ++this->TowersOfCells[std::size_t(cube.Cell) + 1];
     }
     this->Towers.back().End = n + 1;
@@ -204,9 +204,9 @@ void PatchCubes::EndRing(const Ring& ring)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LeafSizes PatchCubes::SizesBefore(const PatchCube& cube) const
+CellSizes PatchCubes::SizesBefore(const PatchCube& cube) const
 {
-  LeafSizes sizes;
+  CellSizes sizes;
   this->ForEachNeighbour(cube,
     [&](std::size_t n)
     {

@@ -36,7 +36,7 @@ struct PatchCube
   std::int32_t Patch = 0;
   std::int32_t Ring = 0; // from 1; 0 while rings are numbered
   std::uint32_t Tower = 0; // its number
-  LeafSizes Sizes; // of its leaves, once it is cut
+  CellSizes Sizes; // what counts in the mean of its neighbours' sizes, once it is cut
 };
 
 class PatchCubes
@@ -59,9 +59,9 @@ public:
   /// Says that the patch cubes of a ring are cut: their sizes then count for SizesBefore.
   void EndRing(const Ring& ring);
 
-  /// The leaves in the neighbours of a patch cube that are of the ring before; where there are none, in the neighbours
+  /// The sizes of the neighbours of a patch cube that are of the ring before; where there are none, of the neighbours
   /// in plan that are of any ring before.
-  LeafSizes SizesBefore(const PatchCube& cube) const;
+  CellSizes SizesBefore(const PatchCube& cube) const;
 
   CubeBox BoxOf(const PatchCube& cube) const { return this->BoxOf(cube.Cell, cube.Layer); }
   /// The cube that a point is in.
@@ -75,7 +75,7 @@ private:
     std::size_t End = 0;
     std::int32_t Patch = 0;
     bool IsTaken = false; // all of them have a ring
-    LeafSizes Sizes; // of those in the rings that have ended
+    CellSizes Sizes; // of those in the rings that have ended
   };
 
   std::int32_t LayerOf(PointId point) const;

@@ -14,6 +14,8 @@
 
 #include <functional>
 #include <map>
+#include <set>
+#include <utility>
 
 using namespace ReductionChecker;
 
@@ -38,6 +40,11 @@ BoundedHorizon Square(int size, const Height& height = Slope)
   return MakeHorizon(columns, heights);
 }
 
+BoundedHorizon LevelSquare(int size)
+{
+  return Square(size, [](int, int) { return 0.0; });
+}
+
 PlanePoint Column(double x, double y)
 {
   return { std::int32_t(x * SubVoxelsPerColumn), std::int32_t(y * SubVoxelsPerColumn) };
@@ -59,6 +66,16 @@ std::map<int, int> CountLevels(const Reduction& result, int ring, PointKind kind
 }
 
 using Levels = std::map<int, int>;
+
+int DeepestLevel(const Reduction& result)
+{
+  int level = 0;
+  for (const PointOrigin& origin : result.Origin)
+  {
+    level = std::max(level, int(origin.Level));
+  }
+  return level;
+}
 
 /// Eight by eight, one cell: 28 boundary points in 8 columns, and far apart. It stays whole: its boundary points, and
 /// one for the other 36.
@@ -117,20 +134,11 @@ void TestNeverBelowOneColumn()
 {
   ElaborateOptions options(10);
   options.BoundaryExtentThreshold = 100.0;
-  const auto deepest = [](const Reduction& result)
-  {
-    int level = 0;
-    for (const PointOrigin& origin : result.Origin)
-    {
-      level = std::max(level, int(origin.Level));
-    }
-    return level;
-  };
-  CHECK_EQUAL(deepest(SimplifyElaborate(Square(10), options)), 3);
+  CHECK_EQUAL(DeepestLevel(SimplifyElaborate(Square(10), options)), 3);
   options.CellSize = 3;
-  CHECK_EQUAL(deepest(SimplifyElaborate(Square(10), options)), 1);
+  CHECK_EQUAL(DeepestLevel(SimplifyElaborate(Square(10), options)), 1);
   options.CellSize = 1;
-  CHECK_EQUAL(deepest(SimplifyElaborate(Square(10), options)), 0);
+  CHECK_EQUAL(DeepestLevel(SimplifyElaborate(Square(10), options)), 0);
   CHECK_EQUAL(SimplifyElaborate(Square(10), options).Source.size(), 100u);
 }
 
@@ -149,30 +157,69 @@ void TestFlatInnerCell()
 }
 
 /// Three by three cells again. Corners, with 15 boundary points, stay whole; the four sides, with 8, do not: 2 pieces
-/// of 4, 4 of 2 and 16 columns each. Mean size around the middle: (4 * 8 + 4 * 32) / (4 * 1 + 4 * 22) = 1.74. So the
-/// middle is cut to pieces of 2, with growth 2 (3.48) to pieces of 4, and with growth 5 (8.7) it stays whole.
+/// of 4, 4 of 2 and 16 columns each, whose mean is 32 / 22 = 1.45. Each cube around the middle counts once: (4 * 8 +
+/// 4 * 1.45) / 8 = 4.73. So the middle is cut to pieces of 4, and with growth 2 (9.45) it stays whole.
 void TestInnerCellFollowsItsNeighbours()
 {
   ElaborateOptions options;
   options.BoundaryDensityThreshold = 1.0;
-  const BoundedHorizon horizon = Square(24, [](int, int) { return 0.0; });
-  const Reduction pieces = SimplifyElaborate(horizon, options);
-  CHECK((CountLevels(pieces, 2, PointKind::Barycentre) == Levels{ { 2, 16 } }));
+  const Reduction pieces = SimplifyElaborate(LevelSquare(24), options);
+  CHECK((CountLevels(pieces, 2, PointKind::Barycentre) == Levels{ { 1, 4 } }));
   CHECK((CountLevels(pieces, 1, PointKind::Barycentre) == Levels{ { 0, 4 }, { 1, 8 }, { 2, 16 } }));
   options.GrowthPerRing = 2.0;
-  CHECK((CountLevels(SimplifyElaborate(horizon, options), 2, PointKind::Barycentre) == Levels{ { 1, 4 } }));
-  options.GrowthPerRing = 5.0;
-  CHECK((CountLevels(SimplifyElaborate(horizon, options), 2, PointKind::Barycentre) == Levels{ { 0, 1 } }));
+  CHECK((CountLevels(SimplifyElaborate(LevelSquare(24), options), 2, PointKind::Barycentre) == Levels{ { 0, 1 } }));
 }
 
-/// The same, but corners are cut, too: one piece of 4, 5 of 2 and 28 columns each. Mean size: (4 * 42 + 4 * 32) /
-/// (4 * 34 + 4 * 22) = 1.32, which is nearer to 1 than to 2: columns.
+/// The same, but each piece around the middle counts: (4 * 8 + 4 * 32) / (4 * 1 + 4 * 22) = 1.74. So the middle is cut
+/// to pieces of 2, with growth 2 (3.48) to pieces of 4, and with growth 5 (8.7) it stays whole.
+void TestInnerCellFollowsPieces()
+{
+  ElaborateOptions options;
+  options.BoundaryDensityThreshold = 1.0;
+  options.NeighbourMean = NeighbourMeanKind::OverPieces;
+  CHECK((CountLevels(SimplifyElaborate(LevelSquare(24), options), 2, PointKind::Barycentre) == Levels{ { 2, 16 } }));
+  options.GrowthPerRing = 2.0;
+  CHECK((CountLevels(SimplifyElaborate(LevelSquare(24), options), 2, PointKind::Barycentre) == Levels{ { 1, 4 } }));
+  options.GrowthPerRing = 5.0;
+  CHECK((CountLevels(SimplifyElaborate(LevelSquare(24), options), 2, PointKind::Barycentre) == Levels{ { 0, 1 } }));
+}
+
+/// The same, but corners are cut, too: one piece of 4, 5 of 2 and 28 columns each, 42 / 34 = 1.24. Over cubes the mean
+/// is (1.24 + 1.45) / 2 = 1.34, over pieces (4 * 42 + 4 * 32) / (4 * 34 + 4 * 22) = 1.32; both are nearer to 1 than to
+/// 2: columns.
 void TestInnerCellFollowsItsNeighboursToColumns()
 {
   ElaborateOptions options;
   options.BoundaryDensityThreshold = 4.0;
-  const Reduction result = SimplifyElaborate(Square(24, [](int, int) { return 0.0; }), options);
-  CHECK((CountLevels(result, 2, PointKind::InputPoint) == Levels{ { 3, 64 } }));
+  for (const NeighbourMeanKind mean : { NeighbourMeanKind::OverCubes, NeighbourMeanKind::OverPieces })
+  {
+    options.NeighbourMean = mean;
+    const Reduction result = SimplifyElaborate(LevelSquare(24), options);
+    CHECK((CountLevels(result, 2, PointKind::InputPoint) == Levels{ { 3, 64 } }));
+  }
+}
+
+/// Cells of 10 with criteria that are never met are halved to 5, 2.5 and 1.25, as far as they may.
+void TestSmallestCellSize()
+{
+  ElaborateOptions options(10);
+  options.BoundaryExtentThreshold = 100.0;
+  const std::pair<double, int> deepest[] = { { 1.0, 3 }, { 1.25, 3 }, { 1.26, 2 }, { 2.5, 2 }, { 3.0, 1 }, { 5.0, 1 },
+    { 5.5, 0 }, { 100.0, 0 } };
+  for (const auto& [smallest, level] : deepest)
+  {
+    options.SmallestCellSize = smallest;
+    CHECK_EQUAL(DeepestLevel(SimplifyElaborate(Square(20), options)), level);
+  }
+  // Curvature, and the size of neighbours, end there, too.
+  const BoundedHorizon twisted = Square(32, [](int x, int y) { return 0.0005 * x * y; });
+  ElaborateOptions curved(8, 0.0);
+  curved.SmallestCellSize = 2.0;
+  CHECK((CountLevels(SimplifyElaborate(twisted, curved), 2, PointKind::Barycentre) == Levels{ { 2, 64 } }));
+  ElaborateOptions sparse;
+  sparse.BoundaryDensityThreshold = 4.0;
+  sparse.SmallestCellSize = 4.0;
+  CHECK((CountLevels(SimplifyElaborate(LevelSquare(24), sparse), 2, PointKind::Barycentre) == Levels{ { 1, 4 } }));
 }
 
 /// A step through the middle of the middle cell: its halves are level. Flat enough as a whole for a third at most.
@@ -204,6 +251,8 @@ void TestCellBeyondACliff()
   CHECK((CountLevels(result, 3, PointKind::Barycentre) == Levels{ { 0, 1 } }));
   ElaborateOptions sparse;
   sparse.BoundaryDensityThreshold = 4.0; // ring 2 is cut to columns at its corners, and to pieces of 2 at its sides
+  CHECK((CountLevels(SimplifyElaborate(horizon, sparse), 3, PointKind::Barycentre) == Levels{ { 2, 16 } }));
+  sparse.NeighbourMean = NeighbourMeanKind::OverPieces; // of which there are more at the corners
   CHECK((CountLevels(SimplifyElaborate(horizon, sparse), 3, PointKind::InputPoint) == Levels{ { 3, 64 } }));
 }
 
@@ -321,6 +370,53 @@ void TestListedCells()
   CHECK(sizes.size() > 1);
 }
 
+/// A checkerboard of heights 0 and 1 in the middle cell: its 64 places vary by (64 - 1) / 12 along both axes, heights
+/// by 1 / 4. All others are on a plane.
+void TestFlatnessOfCells()
+{
+  const BoundedHorizon horizon =
+    Square(24, [](int x, int y) { return x / 8 == 1 && y / 8 == 1 ? double((x + y) % 2) : 0.0; });
+  ElaborateOptions options(8, 1.0 / 3.0);
+  options.ListCells = true;
+  const Reduction result = SimplifyElaborate(horizon, options);
+  const double middle = 0.25 / (0.25 + 2.0 * 63.0 / 12.0);
+  CHECK_EQUAL(result.Flatness.size(), result.Source.size());
+  for (std::size_t point = 0; point < result.Flatness.size(); ++point)
+  {
+    CHECK(std::abs(result.Flatness[point] - (result.Origin[point].Ring == 2 ? middle : 0.0)) < 1e-6);
+  }
+  for (const SimplificationCell& cell : result.Cells)
+  {
+    CHECK(std::abs(cell.Flatness - (cell.Origin.Ring == 2 ? middle : 0.0)) < 1e-6);
+  }
+}
+
+/// Boundary points and the point that stands for the others of their cell have one flatness, that of all its points;
+/// and no inner cell is less flat than the threshold lets it, unless it is the smallest.
+void TestFlatnessIsThatOfTheCell()
+{
+  const BoundedHorizon horizon = Square(40, [](int x, int y) { return double((x * x + 3 * y * y) % 7) / 2.0; });
+  const double threshold = 0.02;
+  const Reduction result = SimplifyElaborate(horizon, ElaborateOptions(8, threshold));
+  std::map<std::pair<int, int>, std::set<double>> values; // by cube, of those that are whole
+  for (std::size_t point = 0; point < result.Flatness.size(); ++point)
+  {
+    const PointOrigin& origin = result.Origin[point];
+    const PlanePoint cube = { result.Plane[point].X / Column(8, 0).X, result.Plane[point].Y / Column(8, 0).X };
+    if (origin.Ring == 1 && origin.Level == 0)
+    {
+      values[{ cube.X, cube.Y }].insert(result.Flatness[point]);
+    }
+    CHECK(origin.Ring == 1 || origin.Level == 3 || result.Flatness[point] <= threshold + 1e-6);
+  }
+  CHECK_EQUAL(values.size(), 16u);
+  for (const auto& [cube, flatness] : values)
+  {
+    CHECK_EQUAL(flatness.size(), 1u);
+    CHECK(*flatness.begin() > threshold);
+  }
+}
+
 void TestFlatness()
 {
   Eigen::Matrix3d covariance = Eigen::Vector3d(0.25, 1.0, 0.75).asDiagonal();
@@ -336,6 +432,12 @@ void TestFlatness()
   const Eigen::Vector3d across(3.0, 0.0, -1.0);
   CHECK(IsFlatWithin(along * along.transpose(), 0.0));
   CHECK(IsFlatWithin(along * along.transpose() + 1e-3 * across * across.transpose(), 0.0));
+  for (const double squeeze : { 0.0, 1e-9, 0.001, 0.5, 1.0 })
+  {
+    covariance = Eigen::Vector3d(squeeze, 1.0, squeeze).asDiagonal();
+    CHECK(std::abs(QuickFlatness(covariance) - squeeze / (1.0 + 2.0 * squeeze)) < 1e-7);
+    CHECK(QuickFlatness(covariance) >= 0.0);
+  }
 }
 
 void TestRandomPatches()
@@ -356,6 +458,8 @@ void TestRandomPatches()
     options.BoundaryExtentThreshold = 4.0 * random.Fraction();
     options.BoundaryCellSizeThreshold = 4.0 * random.Fraction();
     options.GrowthPerRing = 1.0 + random.Fraction();
+    options.SmallestCellSize = 1.0 + 2.0 * random.Fraction();
+    options.NeighbourMean = NeighbourMeanKind(n % 5 == 0);
     options.Representative = RepresentativeKind(n % 7 == 0);
     const BoundedHorizon input = n % 2 == 0 ? horizon : Reduce(horizon, SimplifyRough(horizon, 1 + random.Below(3)));
     const Reduction result = SimplifyElaborate(input, options);
@@ -431,6 +535,8 @@ void TestErrorsAndAbort()
   refuses(
     &ElaborateOptions::BoundaryExtentThreshold, -1.0, "boundary extent threshold -1, expected at least 0 lattice");
   refuses(&ElaborateOptions::BoundaryCellSizeThreshold, -1.0, "boundary cell size threshold -1, expected at least 0 l");
+  refuses(&ElaborateOptions::SmallestCellSize, 0.5, "smallest cell size 0.5, expected at least 1 column");
+  refuses(&ElaborateOptions::SmallestCellSize, std::nan(""), "smallest cell size nan, expected a finite number");
   refuses(&ElaborateOptions::GrowthPerRing, 0.5, "growth per ring 0.5, expected at least 1 (cells as large as");
   CHECK_EQUAL(
     MonitorChecker::Check(9, [&](const Monitor& monitor) { SimplifyElaborate(horizon, 8, monitor); }), std::string());
@@ -468,7 +574,9 @@ int TestElaborateSimplification(int, char*[])
   TestNeverBelowOneColumn();
   TestFlatInnerCell();
   TestInnerCellFollowsItsNeighbours();
+  TestInnerCellFollowsPieces();
   TestInnerCellFollowsItsNeighboursToColumns();
+  TestSmallestCellSize();
   TestCurvedInnerCellIsHalved();
   TestLayersAreApart();
   TestCellBeyondACliff();
@@ -479,6 +587,8 @@ int TestElaborateSimplification(int, char*[])
   TestFlatnessZeroGoesDownToColumns();
   TestPlaneStaysAPlane();
   TestListedCells();
+  TestFlatnessOfCells();
+  TestFlatnessIsThatOfTheCell();
   TestFlatness();
   TestRandomPatches();
   TestGeneratedHorizon();

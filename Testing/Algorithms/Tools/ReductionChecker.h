@@ -92,7 +92,8 @@ inline bool IsSame(const Reduction& a, const Reduction& b)
   const auto sameOrigin = [](const PointOrigin& x, const PointOrigin& y)
   { return x.Ring == y.Ring && x.Level == y.Level && x.Kind == y.Kind; };
   return a.Target == b.Target && a.Source == b.Source && a.Averaged == b.Averaged && a.Plane == b.Plane &&
-    a.Height == b.Height && std::equal(a.Origin.begin(), a.Origin.end(), b.Origin.begin(), b.Origin.end(), sameOrigin);
+    a.Height == b.Height && a.Flatness == b.Flatness &&
+    std::equal(a.Origin.begin(), a.Origin.end(), b.Origin.begin(), b.Origin.end(), sameOrigin);
 }
 
 /// The columns with their least corner at the origin.

@@ -133,6 +133,24 @@ void SeedChangesTheHorizons()
 }
 
 // ---- The shape ---------------------------------------------------------------------------------------------------
+/// Each inside the lattice, and above the one before.
+void CheckOrder(const HorizonGenerator& generator)
+{
+  std::map<std::pair<int, int>, int> above;
+  for (int position = 0; position < generator.Options().NumberOfHorizons; ++position)
+  {
+    const HorizonVoxels horizon = generator.MakeHorizon(position);
+    CHECK_EQUAL(ColumnsOf(horizon).size(), horizon.I.size());
+    for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
+    {
+      const int k = horizon.K[voxel];
+      const auto [place, isFirst] = above.insert({ { horizon.I[voxel], horizon.J[voxel] }, k });
+      CHECK(k >= 0 && k < generator.Options().Size[2] && (isFirst || k > place->second));
+      place->second = k;
+    }
+  }
+}
+
 void HorizonsLieAboveEachOther()
 {
   // As low as a cube may be for its horizons, and so with the least distance between them.
@@ -141,21 +159,13 @@ void HorizonsLieAboveEachOther()
     HorizonGeneratorOptions options = MakeOptions(seed);
     options.Size = { 120, 100, 20 };
     options.NumberOfHorizons = 4;
-    const HorizonGenerator generator(options);
-    std::map<std::pair<int, int>, int> above;
-    for (int position = 0; position < 4; ++position)
-    {
-      const HorizonVoxels horizon = generator.MakeHorizon(position);
-      CHECK_EQUAL(ColumnsOf(horizon).size(), horizon.I.size());
-      for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
-      {
-        const int k = horizon.K[voxel];
-        const auto [place, isFirst] = above.insert({ { horizon.I[voxel], horizon.J[voxel] }, k });
-        CHECK(k >= 0 && k < 20 && (isFirst || k > place->second));
-        place->second = k;
-      }
-    }
+    CheckOrder(HorizonGenerator(options));
   }
+  HorizonGeneratorOptions rough;
+  rough.NoiseFraction = 1.0;
+  rough.NoiseHeight = 3.7; // nearly the largest
+  rough.NoiseGaps = 0.0;
+  CheckOrder(HorizonGenerator(rough));
 }
 
 void IslandsAndHolesAreThere()
@@ -249,6 +259,37 @@ void AttributesArePlausible()
   CHECK(part > 0.005 && part < 0.3);
 }
 
+/// In the part of the area that was asked for heights are off by up to three cells, and half of the voxels are missing;
+/// elsewhere nothing changes.
+void NoiseIsInPatches()
+{
+  HorizonGeneratorOptions options;
+  options.Size = { 400, 400, 120 };
+  options.DropoutFraction = 0.0;
+  std::map<std::pair<int, int>, int> heights;
+  const HorizonVoxels smooth = HorizonGenerator(options).MakeHorizon(0);
+  for (std::size_t voxel = 0; voxel < smooth.I.size(); ++voxel)
+  {
+    heights[{ smooth.I[voxel], smooth.J[voxel] }] = smooth.K[voxel];
+  }
+  options.NoiseFraction = 0.3;
+  const HorizonVoxels noisy = HorizonGenerator(options).MakeHorizon(0);
+  const double size = static_cast<double>(smooth.I.size());
+  CHECK(std::abs((size - static_cast<double>(noisy.I.size())) / size - 0.5 * 0.3) < 0.02);
+  int off = 0;
+  int largest = 0;
+  for (std::size_t voxel = 0; voxel < noisy.I.size(); ++voxel)
+  {
+    const int difference = std::abs(noisy.K[voxel] - heights.at({ noisy.I[voxel], noisy.J[voxel] }));
+    off += difference > 0 ? 1 : 0;
+    largest = std::max(largest, difference);
+  }
+  CHECK_EQUAL(largest, 3);
+  CHECK(std::abs(off / size - 0.5 * 0.3 * 5.0 / 6.0) < 0.02); // of offsets of up to 3, a sixth is below a half
+  options.NoiseGaps = 0.0;
+  CHECK_EQUAL(HorizonGenerator(options).MakeHorizon(0).I.size(), smooth.I.size());
+}
+
 // ---- The options -------------------------------------------------------------------------------------------------
 void FeaturesCanBeTurnedOff()
 {
@@ -305,6 +346,14 @@ void OptionsAreChecked()
     CheckRefused([part](Options& o) { o.DropoutFraction = part; }, "expected a part from 0 to 0.1");
   }
   CheckRefused([](Options& o) { o.Squareness = 1.5; }, "squareness 1.500000, expected a number from -1 to 1");
+  CheckRefused([](Options& o) { o.NoiseFraction = -0.1; }, "noise -0.100000, expected a part of the area from 0 to 1");
+  CheckRefused([](Options& o) { o.NoiseGaps = 1.0; }, "noise gaps 1.000000, expected a part of the voxels from 0 to");
+  const auto high = [](Options& o)
+  {
+    o.NoiseFraction = 0.5;
+    o.NoiseHeight = 4.0;
+  };
+  CheckRefused(high, "noise height 4.000000, expected 0 to 3.712500, for which there is room between the horizons");
   CHECK_THROWS_WITH(HorizonGenerator::FindSize(Options(), 0), "0 points, expected at least 1");
 }
 
@@ -331,6 +380,7 @@ int TestHorizonGenerator(int argc, char* argv[])
   OutlineIsConcave();
   DropoutsAreSingleAndAsMany();
   SquarenessFillsTheBox();
+  NoiseIsInPatches();
   AttributesArePlausible();
   FeaturesCanBeTurnedOff();
   SizeFollowsTheNumberOfPoints();

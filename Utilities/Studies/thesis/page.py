@@ -4,14 +4,15 @@
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from . import meshlab, partners, stages, surfaces, tables, words
+from . import meshlab, partners, reported, stages, surfaces, tables, words
 
 PAGE = """\
 # Beside the thesis
 
 Made by `Utilities/Studies/reproduce_thesis.sh`, which measures everything on this page anew and writes the words that
 have figures in them, too. The surfaces of the thesis are not public; ours are synthetic (`generate_horizons`), each
-with about as many points as one of the thesis, in a box of the same proportions that is as full. All errors are
+with about as many points as one of the thesis, in a box of the same proportions that is as full, and as rough in places
+([the surfaces](#the-surfaces)). What the figures of the thesis show is in [Figures.md](Figures.md). All errors are
 measured with [vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all points and the
 mesh of those that are left, in lattice units, and are divided by the diagonal of the bounding box, as the thesis has
 them. Times are those of the filters, attributes included, the fastest of up to {runs} runs, on {threads} threads; those
@@ -32,9 +33,17 @@ Beside others that make as many vertices as our elaborate simplification with ce
 ## The surfaces
 
 {surfaces}
-Points, boxes and how full these are agree. How the gaps lie, the thesis does not say: ours are bays, a few holes and
-{dropouts} of single dropouts, with a shorter outline than surveys have. Heights are whole, as those of voxels are, so
-that a mesh that passes between them has a mean error of up to a quarter of a step even where it is right.
+Points, boxes and how full these are agree. How the gaps lie and how rough the surfaces are, the thesis does not say;
+but the more points the rough simplification leaves, the longer is the outline, and the fewer points are in a cell. So
+ours have, beside bays, a few holes and {dropouts} of single dropouts, patches of noise: blocks of 16 columns in which
+heights are off by up to {noise_height} voxels, and {noise_gaps} of the voxels are missing. Their part of the area is
+the one thing fitted to a result of the thesis: with it the median of what the rough simplification leaves with s = 3,
+6 and 8, each divided by what it leaves in the thesis, is 1. What all else leaves is not fitted.
+{outline_words}
+
+{contradiction}
+Heights are whole, as those of voxels are, so that a mesh that passes between them has a mean error of up to a quarter
+of a step even where it is right.
 
 ## Exterior boundary (figures 3.18 and 3.19)
 
@@ -74,23 +83,30 @@ as well.
 Medians over the surfaces, and for the last three rows over the flatnesses:
 
 {thesis_table}
-- *Rough.* What is left is the outline and one point for each cell inside that has no outline points. A surface without
-  outline and gaps would keep 11 % at s = 3; the thesis keeps up to 27 %, so its surfaces have long outlines, or many
-  cells with few points. Ours have less of both, and less is left of them.
-- *Elaborate, alone.* The thesis gives no values for its three boundary thresholds. How densely outline points lie in
-  ring 1 sets the size of cells from there on (eq. 4.3), so that what is left depends more on the outline than on the
-  flatness. The synthetic surfaces are smooth: thresholds of 0.12 and above find all cells flat, 0.03 nearly all. Those
-  of the thesis have noise, and the part varies with the threshold.
+- *Rough.* With s = 6 and 8 the surfaces are alike by the way they were made. With s = 3 four of ours
+  leave fewer points than the thesis's, as they have to ([above](#the-surfaces)), and the largest one leaves more: in
+  the thesis its cells are nearly full, and its outline must be what makes s = 6 and 8 leave as much as they do.
+- *Elaborate, alone.* The thesis gives no values for its three boundary thresholds, and leaves open what the size of a
+  neighbour is that was cut into pieces ([how we read it](HorizonElaborateSimplification.md#method)). Patches of noise
+  make what is left depend on the flatness, as it does in the thesis. Ours is white noise, as bad as it gets: with a
+  flatness of 0.03 nearly every cell in it is cut down to columns, and cells around it with them, so that we leave more
+  there; with 0.12 and 0.20 about as many as the thesis, in the median.
 - *Elaborate, after rough.* A cell of 8 then has at most 9 points, a piece of 4 about two, so that less is left than
-  alone. The thesis gives one number for both, and says that the result does not depend on the rough step; at cells of 3
-  its numbers are close to those of the rough step alone for most surfaces, so that hardly anything was merged after it.
-- *Errors.* The surfaces of the thesis have features that ours do not have, and its errors are from samples. What
-  MeshLab's merging does here and there ([in short](#in-short)) tells how comparable the surfaces are.
+  alone. The thesis gives one number for both, and says that the result does not depend on the rough step; its number is
+  mostly nearer to ours alone. With s = 10 after rough with s = 3 it has nearly as many points as with s = 8; we have
+  fewer.
+- *Errors.* Our largest are at single voxels of noise and along the outline, whatever the cells and the flatness: with
+  small cells they are larger than in the thesis, with large ones smaller. In the thesis they grow with both, so that
+  its surfaces presumably have features about as wide as a cell, which our folds are too wide for. Mean errors
+  are like those of the thesis, with the noise in them, which no mesh of fewer points can follow. What MeshLab's merging
+  does here and there ([in short](#in-short)) tells how comparable the surfaces are.
+
 ## Triangulation (table 5.1 and figure 5.18)
 
 All points of a surface meshed, our times with the exterior boundary. Triangles differ from those of the thesis by
-what the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have that of the next one
-in table 4.1. A program is left out of a surface when it would take longer than {mesh_seconds:g} s on it.
+what the outlines hold. The surfaces of {boxless} points, for which the thesis gives no box, have the box
+and the noise of the next one in table 4.1. A program is left out of a surface when it would take longer than
+{mesh_seconds:g} s on it.
 
 {table_5_1}
 ![Time to mesh all points](Pictures/TriangulationTime.png)
@@ -146,10 +162,14 @@ def page(found, curves, meshings, paces):
         thesis_words=words.thesis_sentence(found), thesis_table=words.thesis_table(found),
         rough_words=words.partner_sentences(found, rough), elaborate_words=words.partner_sentences(found, elaborate),
         surfaces=tables.surfaces(found),
-        dropouts="%g %%" % (100.0 * surfaces.DROPOUTS), table_4_1=tables.table_4_1(found),
+        dropouts="%g %%" % (100.0 * surfaces.DROPOUTS), noise_height=surfaces.NOISE_HEIGHT,
+        noise_gaps="%g %%" % (100.0 * surfaces.NOISE_GAPS), contradiction=words.contradiction_sentence(),
+        outline_words=words.outline_sentence(found),
+        table_4_1=tables.table_4_1(found),
         table_4_2=tables.table_4_2(found), table_4_3=tables.table_4_3(found), table_4_4=tables.table_4_4(found),
         table_4_5=tables.table_4_5_and_6(found, 6), table_4_6=tables.table_4_5_and_6(found, 8),
-        cluster_words=words.cluster_sentence(found), boxless=words.listing(["%d" % n for n in surfaces.BOX_OF]),
+        cluster_words=words.cluster_sentence(found),
+        boxless=words.listing(["%d" % n for n in surfaces.BOX_OF if n in reported.TRIANGULATION]),
         mesh_seconds=paces[1].most_seconds, table_5_1=tables.table_5_1(meshings),
         meshing_words=words.meshing_sentences(meshings), left_out_meshing=words.left_out(paces[1]),
         rough_best=words.best_sentence(found, rough), elaborate_best=words.best_sentence(found, elaborate),

@@ -99,5 +99,8 @@ TRIANGULATION = {
 # Figure 3.23: points, radius, milliseconds of the exterior boundary.
 BOUNDARY_TIME = (15626, 1, 18)
 
+# Figure 3.23: points on the outline, radius 1.
+OUTLINE = {15626: 1025}
+
 # Figures 3.23 and 3.26: threshold, part of the boundary points that goes, in percent.
 BOUNDARY_RATES = ((0.3, 63), (0.4, 35), (0.5, 90))

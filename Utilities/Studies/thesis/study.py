@@ -34,13 +34,14 @@ class Surface:
 
     def __init__(self, generator, size, folder, pace):
         self.size = size
-        horizon = surfaces.make(generator, size, folder)
+        horizon, self.noise = surfaces.make(generator, size, folder)
         self.points = horizon.GetNumberOfPoints()
         self.box = surfaces.size_of_box(horizon)
         self._measured = []
         self.outlined = stages.outline(stages.start(horizon))
         self.full = stages.mesh(self.outlined)
         self.straight = stages.straighten(self.outlined)
+        self.outline = stages.outline_points(self.outlined.data)
         self.boundary = stages.outline_points(self.straight.data)
         self.partners = partners.Partners(self.full.data, folder, pace)
         self._boundary_curves(horizon)
@@ -58,9 +59,8 @@ class Surface:
         self.boundary_seconds = {
             rule: [(k, stages.outline(stages.start(horizon), Radius=k, GrowthStrategy=rule).seconds) for k in RADII]
             for rule in GROWTH_RULES}
-        before = stages.outline_points(self.outlined.data)
         self.boundary_rates = [
-            (t, 100.0 * (1.0 - stages.outline_points(stages.straighten(self.outlined, t).data) / before))
+            (t, 100.0 * (1.0 - stages.outline_points(stages.straighten(self.outlined, t).data) / self.outline))
             for t in THRESHOLDS]
 
     def _our_tables(self):
@@ -124,7 +124,7 @@ class Meshing:
 
     def __init__(self, generator, size, folder, pace):
         self.size = size
-        horizon = surfaces.make(generator, size, folder)
+        horizon, _ = surfaces.make(generator, size, folder)
         self.points = horizon.GetNumberOfPoints()
         outlined = stages.outline(stages.start(horizon))
         stages.mesh(outlined)  # or the first strategy would pay for memory that the second one finds ready

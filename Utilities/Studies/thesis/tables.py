@@ -34,9 +34,10 @@ def filled(points, size):
 
 def surfaces(found):
     rows = [["%d" % s.size, box(box_of(s.size)), filled(s.size, box_of(s.size)), "%d" % s.points, box(s.box),
-             filled(s.points, s.box), "%d" % s.boundary] for s in found]
-    return table(["points, thesis", "box", "columns filled", "points, here", "box", "columns filled", "outline points"],
-                 rows)
+             filled(s.points, s.box), "%.0f %%" % (100.0 * s.noise), "%d" % s.outline, "%d" % s.boundary]
+            for s in found]
+    return table(["points, thesis", "box", "columns filled", "points, here", "box", "columns filled", "area with noise",
+                  "outline points", "simplified"], rows)
 
 
 def row(surface, method, thesis, here):

@@ -166,6 +166,23 @@ def thesis_sentence(found):
         "times that of the thesis, at %s times the speed of its computer.\n" % tuple(spans)
 
 
+def outline_sentence(found):
+    """Something of the thesis that nothing was fitted to."""
+    s = found[0]
+    return "The outline of the surface of %d points has %d points then; in figure 3.23 it has %d." % (
+        s.size, s.outline, reported.OUTLINE[s.size])
+
+
+def contradiction_sentence():
+    """A cell of 6 that keeps b boundary points keeps at most b + 3 points as four cells of 3, and any other at most 4
+    for 1: never more than four times as many."""
+    sizes = ["%d" % size for size, rough in sorted(reported.ROUGH.items()) if rough[3][0] > 4 * rough[6][0]]
+    return "On some no surface could fit all three. A cell of 6 is four cells of 3, so that the rough simplification " \
+        "leaves at most four times as many points with s = 3 as with s = 6. In the thesis it leaves more on the " \
+        "surfaces of %s points: tables 4.1 and 4.3 must have been made with different outlines, simplified differently perhaps. " \
+        "So s = 3 alone, by which these would be noise throughout, is no measure.\n" % listing(sizes)
+
+
 def cluster_sentence(found):
     """How near MeshLab here is to MeshLab in the thesis: what the surfaces and the machine are worth."""
     pairs = [(s, reported.CLUSTER[s.size][size], s.cluster[size]) for s in found for size in s.cluster]

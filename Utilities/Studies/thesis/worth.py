@@ -20,13 +20,24 @@ class Worth:
         points, triangles = arrays_of(mesh)
         self.vertices = len(np.unique(triangles))
         self.triangles = len(triangles)
-        meter = sh.vtkHorizonSurfaceDistance()
-        apply(meter, reference, mesh, SamplesPerPoint=SAMPLES_PER_POINT)
+        meter = measure(reference, mesh)
+        self.largest, self.mean = errors(meter)
         figures = meter.GetOutputDataObject(1).GetFieldData()
-        self.largest = figures.GetArray("LargestDistance").GetComponent(BOTH_WAYS, DIAGONAL)
-        self.mean = figures.GetArray("MeanDistance").GetComponent(BOTH_WAYS, DIAGONAL)
         self.outline = figures.GetArray("OutlineDistance").GetComponent(BOTH_WAYS, LATTICE)
         self.smallest_angle, self.quality = shape(points, triangles)
+
+
+def measure(reference, mesh):
+    """The filter that measured, with its outputs."""
+    meter = sh.vtkHorizonSurfaceDistance()
+    apply(meter, reference, mesh, SamplesPerPoint=SAMPLES_PER_POINT)
+    return meter
+
+
+def errors(meter):
+    """The largest and the mean one, both ways, divided by the diagonal."""
+    figures = meter.GetOutputDataObject(1).GetFieldData()
+    return [figures.GetArray(name).GetComponent(BOTH_WAYS, DIAGONAL) for name in ("LargestDistance", "MeanDistance")]
 
 
 def arrays_of(mesh):

@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The figures of the thesis that show results, done again with our surfaces: numbers of their captions, and panels."""
+
+import os
+
+import seismichorizons as sh
+from seismichorizons import pictures
+
+from . import partners, reported, stages, surfaces
+from .worth import errors, measure
+
+SQUARE = 257  # columns: 66049 points, 1024 of them on the boundary
+SMALL = 600  # points, with an outline about as long as that of figure 3.24
+
+
+class Figure:
+    """`numbers` are those of the thesis; `rows` are (what, thesis, here)."""
+
+    def __init__(self, numbers, title, text):
+        self.numbers = numbers
+        self.title = title
+        self.text = text
+        self.rows = []
+        self.panels = []
+
+    def row(self, what, thesis, here):
+        self.rows.append([what, thesis, here])
+
+    def panel(self, title, caption, data, style, behind=None):
+        self.panels.append(pictures.Panel(title, caption, data, style, behind))
+
+    def picture(self):
+        return "Thesis%s.png" % self.numbers[0]
+
+    def draw(self, folder):
+        pictures.write(pictures.draw([self.panels]), folder / self.picture())
+
+
+def count(number, whole=None):
+    return "{:,}".format(number) if whole is None else "{:,} ({:.0f} %)".format(number, 100.0 * number / whole)
+
+
+def both(largest, mean):
+    return "%.4f, %.5f" % (largest, mean)
+
+
+class Simplified:
+    """A mesh of what a simplification left, and how far it is from the mesh of all points."""
+
+    def __init__(self, full, mesh):
+        self.mesh = mesh
+        self.points = mesh.GetNumberOfPoints()
+        meter = measure(full, mesh)
+        self.largest, self.mean = errors(meter)
+        self.colored = meter.GetOutputDataObject(0)  # all points, by their distance
+
+    def panel(self, figure, title):
+        figure.panel(title, "%s points, mean error %.5f" % (count(self.points), self.mean), self.colored,
+                     pictures.DISTANCE)
+
+    def rows(self, figure, what, whole, thesis):
+        """`thesis` is points left (or None), largest error, mean error."""
+        points, largest, mean = thesis
+        figure.row("%s: left" % what, points or "-", count(self.points, whole))
+        figure.row("%s: errors" % what, "%g, %g" % (largest, mean), both(self.largest, self.mean))
+
+
+class Prepared:
+    """A surface with its outline, and the mesh of all its points."""
+
+    def __init__(self, horizon):
+        self.points = horizon.GetNumberOfPoints()
+        self.outlined = stages.outline(stages.start(horizon))
+        self.straight = stages.straighten(self.outlined)
+        self.full = stages.mesh(self.outlined).data
+
+    def rough(self, cell_size):
+        return Simplified(self.full, stages.mesh(stages.rough(self.straight, cell_size)).data)
+
+    def elaborate(self, flatness):
+        return Simplified(self.full, stages.mesh(stages.elaborate(self.straight, 8, flatness)).data)
+
+    def merged(self, distance, folder):
+        """By MeshLab; None without it."""
+        peer = partners.Partners(self.full, folder, partners.Pace()).merge(distance)
+        return peer and Simplified(self.full, peer.mesh)
+
+    def show(self, figure, title):
+        figure.panel(title, "%s points" % count(self.points), self.full, pictures.MESH)
+
+
+def outline_panel(figure, title, outlined, text="%s outline points"):
+    figure.panel(title, text % count(stages.outline_points(outlined.data)), outlined.data, pictures.OUTLINE,
+                 outlined.data)
+
+
+def outline_rows(figure, outlined, thresholds, thesis):
+    """`thesis` are the numbers of outline points in full, and for each threshold."""
+    whole = stages.outline_points(outlined.data)
+    figure.row("outline points, k = 1", count(thesis[0]), count(whole))
+    outline_panel(figure, "All", outlined)
+    for threshold, points in zip(thresholds, thesis[1:]):
+        straight = stages.straighten(outlined, threshold)
+        figure.row("left with t = %g" % threshold, count(points, thesis[0]),
+                   count(stages.outline_points(straight.data), whole))
+        outline_panel(figure, "t = %g" % threshold, straight)
+
+
+def outline_of_surface(make):
+    figure = Figure(["3.23"], "Outline, and less of it",
+                    "The outline of the surface of 15,626 points, as it is and simplified.")
+    outline_rows(figure, make(15626).outlined, (0.4,), (1025, 660))
+    return figure
+
+
+def outline_of_small_surface(generator, folder):
+    figure = Figure(["3.24"], "A short outline", "The thesis does not say of what surface, and with which t. Ours is a "
+                    "small one without noise, whose outline is nowhere straight for long.")
+    horizon = surfaces.make_with_noise(generator, 15626, 0.0, folder, SMALL)
+    outline_rows(figure, stages.outline(stages.start(horizon)), (1.0,), (118, 24))
+    return figure
+
+
+def outline_of_square(square):
+    figure = Figure(["3.26"], "The outline of a square", "1024 is the length of the outline of 257 by 257 columns, "
+                    "which are the 66,049 points of figure 4.16; so we take this to be the outline of that surface.")
+    outline_rows(figure, square.outlined, (0.3, 0.5), (1024, 381, 106))
+    return figure
+
+
+def rough_and_merged(make, folder):
+    figure = Figure(["4.14"], "Rough simplification and merging", "With cells of 6 and a distance of 6. The thesis "
+                    "does not say of which surface; ours is that of 15,626 points.")
+    surface = make(15626)
+    surface.show(figure, "All")
+    compare(figure, surface, folder, ("rough, s = 6", surface.rough(6), (None, 0.0142, 0.0004)),
+            (6, (None, 0.0296, 0.0009)))
+    return figure
+
+
+def elaborate_and_merged(make, folder):
+    figure = Figure(["4.15"], "Elaborate simplification and merging", "The thesis does not give the flatness and the "
+                    "distance; ours are 0.12 and 6.")
+    surface = make(23559)
+    surface.show(figure, "All")
+    compare(figure, surface, folder, ("elaborate, s = 8", surface.elaborate(0.12), ("2305 (10 %)", 0.007, 0.0007)),
+            (6, ("801 (3 %)", 0.015, 0.003)))
+    return figure
+
+
+def elaborate_and_merged_8(make, folder):
+    figure = Figure(["4.18"], "Elaborate simplification and merging, both with 8", "The thesis gives sizes of files. "
+                    "The surface of figure 5.21, which is that of 4.16, has 40.8 bytes for each of its points. By that "
+                    "this one has 53,660 points.")
+    surface = make(53660)
+    surface.show(figure, "All")
+    compare(figure, surface, folder,
+            ("elaborate, s = 8, flatness 0.12", surface.elaborate(0.12), ("309 of 2136 kB (14 %)", 0.015, 0.0005)),
+            (8, ("46 of 2136 kB (2 %)", 0.034, 0.0014)))
+    return figure
+
+
+def compare(figure, surface, folder, ours, theirs):
+    what, simplified, thesis = ours
+    simplified.panel(figure, "Ours: " + what)
+    simplified.rows(figure, what, surface.points, thesis)
+    distance, thesis = theirs
+    merged = surface.merged(distance, folder)
+    if merged:
+        merged.panel(figure, "MeshLab: merged, %d" % distance)
+        merged.rows(figure, "merged, %d" % distance, surface.points, thesis)
+
+
+def square_simplified(square):
+    figure = Figure(["4.16", "5.21"], "A square, from its outline to the inside", "66,049 points are 257 by 257, and "
+                    "both figures have the same errors: we take them to be one surface. Ours is a sum of waves, as "
+                    "high as leaves its outline as the thesis has it (3.26). All of its cubes inside are flat; that "
+                    "they are cut is up to the boundary thresholds, for which the thesis gives no values.")
+    simplified = stages.elaborate(square.straight, 8, 0.09)
+    mesh = Simplified(square.full, stages.mesh(simplified).data)
+    square.show(figure, "All")
+    figure.panel("Left, by halvings of their cells", count(simplified.points) + " points", simplified.data,
+                 pictures.LEVELS)
+    figure.panel("Mesh", count(mesh.mesh.GetNumberOfPolys()) + " triangles", mesh.mesh, pictures.MESH)
+    mesh.panel(figure, "Distance")
+    mesh.rows(figure, "elaborate, s = 8, flatness 0.09", square.points, ("1840 (3 %)", 0.018, 0.002))
+    whole = stages.apply(sh.vtkHorizonElaborateSimplification(), square.straight, FlatnessThreshold=0.09,
+                         BoundaryDensityThreshold=0.0, BoundaryExtentThreshold=0.0)
+    figure.row("the same, boundary thresholds 0: left", "-", count(whole.points, square.points))
+    return figure
+
+
+def large_surface(make):
+    figure = Figure(["4.17"], "A large surface", "The surface of 664,582 points with a flatness of 0.15.")
+    surface = make(664582)
+    surface.show(figure, "All")
+    simplified = surface.elaborate(0.15)
+    simplified.panel(figure, "Elaborate, s = 8, flatness 0.15")
+    simplified.rows(figure, "elaborate, s = 8, flatness 0.15", surface.points, ("(11 %)", 0.0248, 0.0004))
+    return figure
+
+
+def outside_triangles(make):
+    figure = Figure(["5.19"], "Triangles outside", "The thesis takes off the triangles beyond the outline once all are "
+                    "made. Ours never makes them (right); the hull, and less of it by angle, are for points without an "
+                    "outline. There are no numbers in the thesis.")
+    simplified = stages.rough(make(15626).straight, 8)
+    outline_panel(figure, "Points", simplified)
+
+    def mesh(title, **properties):
+        data = stages.apply(sh.vtkHorizonTriangulation(), simplified, **properties).data
+        triangles = count(data.GetNumberOfPolys())
+        figure.panel(title, triangles + " triangles", data, pictures.MESH)
+        figure.row("triangles, " + title.lower(), "-", triangles)
+
+    mesh("Convex hull", ConvexHull=True)
+    mesh("Hull, angles up to 120 degrees", ConvexHull=True, MaximumBoundaryAngle=120.0)
+    mesh("Inside the outline")
+    return figure
+
+
+def small_surface(make):
+    figure = Figure(["5.20"], "A small surface", "232 kB are about 5830 points (see 4.18).")
+    surface = make(5830)
+    surface.show(figure, "All")
+    simplified = surface.elaborate(0.12)
+    figure.panel("Mesh", count(simplified.mesh.GetNumberOfPolys()) + " triangles", simplified.mesh, pictures.MESH)
+    simplified.panel(figure, "Elaborate, s = 8, flatness 0.12")
+    simplified.rows(figure, "elaborate, s = 8, flatness 0.12", surface.points, ("18 of 232 kB (8 %)", 0.020, 0.0006))
+    return figure
+
+
+def figures(generator, folder, largest):
+    """All figures with surfaces of up to so many points, in the order of the thesis."""
+
+    def make(points):
+        return Prepared(surfaces.make(generator, points, folder)[0])
+
+    square = Prepared(surfaces.make_square(SQUARE))
+    works = [(15626, lambda: outline_of_surface(make)), (0, lambda: outline_of_small_surface(generator, folder)),
+             (0, lambda: outline_of_square(square)), (15626, lambda: rough_and_merged(make, folder)),
+             (23559, lambda: elaborate_and_merged(make, folder)), (0, lambda: square_simplified(square)),
+             (664582, lambda: large_surface(make)), (53660, lambda: elaborate_and_merged_8(make, folder)),
+             (15626, lambda: outside_triangles(make)), (5830, lambda: small_surface(make))]
+    return [work() for points, work in works if points <= largest]
+
+
+def can_draw():
+    return "DISPLAY" in os.environ
