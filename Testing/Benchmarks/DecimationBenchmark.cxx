@@ -56,15 +56,20 @@ struct Surface
   Surface(const Patches::Columns& columns, const std::vector<double>& heights, double tolerance)
     : Horizon(Straighten(TestHorizons::MakeHorizon(columns, heights), tolerance))
   {
+    const std::int32_t side = this->Horizon.SubVoxelsPerColumn;
     for (const PlanePoint& place : this->Horizon.Plane)
     {
-      this->Columns.push_back(
-        { place.X / this->Horizon.SubVoxelsPerColumn, place.Y / this->Horizon.SubVoxelsPerColumn });
+      this->Columns.push_back({ place.X / side, place.Y / side });
     }
+    this->MakeRaster();
+    this->IsInside = FindInside(this->Columns, Depth);
+  }
+
+  void MakeRaster()
+  {
     std::vector<PointId> all(this->Columns.size());
     std::iota(all.begin(), all.end(), 0);
     this->Raster = std::make_shared<HeightRaster>(all, this->Columns, this->Horizon.Height);
-    this->IsInside = FindInside(this->Columns, Depth);
   }
 
   static BoundedHorizon Straighten(const BoundedHorizon& horizon, double tolerance)
@@ -160,17 +165,14 @@ void RunMaskedGreedy(const Surface& surface, std::size_t vertices)
 {
   Surface box(surface);
   const PlaneBox bounds(surface.Columns);
-  const std::int32_t left = bounds.Least.X - 1;
-  const std::int32_t right = bounds.Greatest.X + 1;
-  const std::int32_t low = bounds.Least.Y - 1;
-  const std::int32_t high = bounds.Greatest.Y + 1;
+  const PlanePoint low{ bounds.Least.X - 1, bounds.Least.Y - 1 };
+  const PlanePoint high{ bounds.Greatest.X + 1, bounds.Greatest.Y + 1 };
   BoundedHorizon& horizon = box.Horizon;
-  const double mean =
-    std::accumulate(horizon.Height.begin(), horizon.Height.end(), 0.0) / double(horizon.Height.size());
+  const double sum = std::accumulate(horizon.Height.begin(), horizon.Height.end(), 0.0);
+  const double mean = sum / double(horizon.Height.size());
   horizon.Boundary = Loops();
   std::fill(horizon.Patch.begin(), horizon.Patch.end(), 0);
-  for (const PlanePoint& corner :
-    { PlanePoint{ left, low }, PlanePoint{ left, high }, PlanePoint{ right, high }, PlanePoint{ right, low } })
+  for (const PlanePoint& corner : { low, { low.X, high.Y }, high, { high.X, low.Y } })
   {
     horizon.Boundary.Append(PointId(horizon.Plane.size()));
     horizon.Plane.push_back({ corner.X * horizon.SubVoxelsPerColumn, corner.Y * horizon.SubVoxelsPerColumn });
@@ -178,8 +180,10 @@ void RunMaskedGreedy(const Surface& surface, std::size_t vertices)
     horizon.Patch.push_back(0);
     horizon.Count.push_back(1);
     box.Columns.push_back(corner);
+    box.IsInside.push_back(false);
   }
   horizon.Boundary.Close();
+  box.MakeRaster();
   DecimationOptions options = AtMost(vertices, DecimationEffort::Fast);
   options.Priority = DecimationPriority::LargestError;
   options.FitHeights = false;
@@ -332,8 +336,14 @@ void RunErrors(const Patches::Columns& columns, const std::vector<double>& heigh
   }
 }
 
-void Run(const Patches::Columns& columns, const std::vector<double>& heights)
+/// The box begins at the origin.
+void Run(Patches::Columns columns, const std::vector<double>& heights)
 {
+  const PlanePoint least = PlaneBox(columns).Least;
+  std::for_each(columns.begin(), columns.end(),
+    [&least](PlanePoint& column) {
+      column = { column.X - least.X, column.Y - least.Y };
+    });
   const Surface surface(columns, heights, 0.5);
   for (const double part : { 0.01, 0.03, 0.1 })
   {

@@ -136,7 +136,7 @@ private:
       return result;
     }
     const HeightRaster& raster = this->Mesh.RasterOf(triangle);
-    const HeightError before = raster.MeasureCrossings(a, b, this->Cost.Power);
+    const HeightError before = this->Cost.MeasureSide(raster, a, b);
     const HeightError& one = this->Mesh.Error(triangle);
     const HeightError& two = this->Mesh.Error(other);
     const double sum = before.Sum + one.Sum + two.Sum;
@@ -148,7 +148,7 @@ private:
       return result;
     }
     result.Errors[1] = raster.Measure({ d, b, c }, this->Cost.Power);
-    const HeightError after = raster.MeasureCrossings(c, d, this->Cost.Power);
+    const HeightError after = this->Cost.MeasureSide(raster, c, d);
     const double sumAfter = result.Errors[0].Sum + result.Errors[1].Sum + after.Sum;
     if (sumAfter < most && result.Errors[1].Largest <= largest && after.Largest <= largest)
     {

@@ -32,6 +32,15 @@ struct MeshCost
   /// No change may make an error larger than this, but where it was larger before.
   double LargestError = std::numeric_limits<double>::infinity();
 
+  /// Of a side, where it crosses lines between columns. The sum counts for a part: at a cliff, where a mesh is far from
+  /// such lines whatever it does, points would be given up for them.
+  HeightError MeasureSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
+  {
+    HeightError error = raster.MeasureCrossings(from, to, this->Power);
+    error.Sum *= PartOfSides;
+    return error;
+  }
+
   /// Of the smallest angle of a triangle in plan, which is between its two longer sides; at most 0 when it is flat or
   /// turned over.
   static double SmallestSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
@@ -44,6 +53,8 @@ struct MeshCost
   }
 
 private:
+  static constexpr double PartOfSides = 0.1;
+
   static double SquaredLength(const PlanePoint& a, const PlanePoint& b)
   {
     const double x = double(b.X) - a.X;

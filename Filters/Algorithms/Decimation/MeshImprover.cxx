@@ -59,10 +59,17 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 //----------------------------------------------------------------------------------------------------------------------
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
+  const double largest = mesh.FindLargestError();
+  const std::vector<double> heights = FitHeights(mesh, priority, largest, monitor);
+  if (priority == DecimationPriority::LargestError)
+  {
+    MoveHeightsWithin(mesh, largest, heights);
+    return;
+  }
   const std::vector<double> before = mesh.Heights();
   const double sum = mesh.SumOfErrors();
-  mesh.SetHeights(FitHeights(mesh, priority, mesh.FindLargestError(), monitor));
-  if (priority == DecimationPriority::SumOfSquares && mesh.SumOfErrors() > sum)
+  mesh.SetHeights(heights);
+  if (mesh.SumOfErrors() > sum)
   {
     mesh.SetHeights(before);
   }

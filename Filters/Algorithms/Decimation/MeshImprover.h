@@ -20,8 +20,8 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
 /// Until so many vertices are left, or none can go.
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
 
-/// Fits heights. By least squares only when the mean error becomes smaller: heights that are whole numbers can fit best
-/// as they are, as many points then lie right on the mesh.
+/// Fits heights, so that the largest error becomes no larger, or, by least squares, when the mean error becomes
+/// smaller: heights that are whole numbers can fit best as they are, as many points then lie right on the mesh.
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor);
 }
 

@@ -113,9 +113,13 @@ double MeshRefiner::UrgencyOf(TriangleId triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Inserts the worst points of triangles, but for those that an insertion before has changed.
+// Inserts the worst points of triangles, but for those that an insertion before has changed. Of as many as there may
+// still be half at most: what an insertion brings about can be more urgent than the last ones of a round.
 void MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
 {
+  const std::size_t room =
+    this->MostVertices > 0 ? this->MostVertices - this->Mesh.NumberOfVertices() : triangles.size();
+  const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
   this->New.clear();
   this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
   for (const TriangleId triangle : triangles)
@@ -125,7 +129,7 @@ void MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     {
       this->AddNew(triangle); // the point, beside a side, was inserted from another triangle
     }
-    else if (this->IsNew[std::size_t(triangle)] == 0 && !this->IsFull())
+    else if (this->IsNew[std::size_t(triangle)] == 0 && this->Mesh.NumberOfVertices() < most)
     {
       this->Insert(point, this->Mesh.Triangles().Locate(point, triangle));
     }

@@ -193,8 +193,8 @@ private:
     for (const TriangleId triangle : ring.Triangles)
     {
       ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
-      ring.Sum += this->Mesh.Error(triangle).Sum +
-        raster.MeasureCrossings(this->Mesh.Raised(point), ring.Ends.back(), this->Cost.Power).Sum;
+      ring.Sum +=
+        this->Mesh.Error(triangle).Sum + this->Cost.MeasureSide(raster, this->Mesh.Raised(point), ring.Ends.back()).Sum;
     }
     return ring;
   }
@@ -229,7 +229,7 @@ private:
       const bool isInner =
         n > end + 1; // the side to this end: the first and the last are of triangles beyond the ring, too
       if (!add(raster.Measure({ to, ring.End(n), ring.End(n + 1) }, this->Cost.Power)) ||
-        (isInner && !add(raster.MeasureCrossings(to, ring.End(n), this->Cost.Power))))
+        (isInner && !add(this->Cost.MeasureSide(raster, to, ring.End(n)))))
       {
         return Infinity;
       }

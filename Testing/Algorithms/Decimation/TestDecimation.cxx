@@ -124,11 +124,27 @@ void TestBest()
     const double mean = Decimate(horizon, AtMost(most, fitHeights)).MeanError;
     CHECK(Decimate(horizon, Best(AtMost(most, fitHeights))).MeanError < (fitHeights ? 0.85 : 0.95) * mean);
   }
-  DecimationOptions priority = Best(AtMost(CountLoopPoints(horizon) + 100, true));
-  const Decimation mean = Decimate(horizon, priority);
-  priority.Priority = DecimationPriority::LargestError;
-  const Decimation largest = Decimate(horizon, priority);
-  CHECK(mean.MeanError < largest.MeanError && mean.LargestError > largest.LargestError);
+}
+
+/// The mean error is smaller with the one, the largest with the other.
+void TestPriority()
+{
+  Patches::Random random(23);
+  const Patches::Columns columns = Square(60);
+  BoundedHorizon horizon = TestHorizons::MakeLevelHorizon(columns);
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    const double wave = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
+    horizon.Height[point] = wave + (columns[point].X > 40 ? 3.0 * random.Fraction() : 0.0);
+  }
+  for (DecimationOptions options : { AtMost(500, true), Best(AtMost(500, true)) })
+  {
+    const Decimation mean = Decimate(horizon, options);
+    options.Priority = DecimationPriority::LargestError;
+    const Decimation largest = Decimate(horizon, options);
+    CHECK(mean.MeanError < 0.97 * largest.MeanError);
+    CHECK(largest.LargestError < 0.97 * mean.LargestError);
+  }
 }
 
 /// No angle becomes smaller than asked for where all were larger before.
@@ -219,6 +235,7 @@ int TestDecimation(int, char*[])
   TestNumberOfPoints();
   TestFitHeights();
   TestBest();
+  TestPriority();
   TestSmallestAngle();
   TestThreads();
   TestErrors();
