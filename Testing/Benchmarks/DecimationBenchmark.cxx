@@ -124,7 +124,6 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
   }
   std::printf("| %s | %zu | %.3f | %.4f | %.3f | %.3f |\n", method, mesh.Vertices.size(), seconds, sum / double(count),
     inside, largest);
-  std::fflush(stdout);
 }
 
 Mesh ToMesh(const Surface& surface, const Decimation& decimation)
@@ -332,7 +331,6 @@ void RunErrors(const Patches::Columns& columns, const std::vector<double>& heigh
     decimate();
     std::printf(
       " %zu | %zu | %.3f | %.3f |\n", result.Points.Source.size(), horizon.Boundary.TotalLength(), best, fast);
-    std::fflush(stdout);
   }
 }
 

@@ -9,9 +9,9 @@ import tempfile
 from seismichorizons.pipeline import read_first
 
 
-def make_surface(generator, options):
-    """A horizon by the program generate_horizons with these options."""
+def make_surface(generator, options, **properties):
+    """A horizon by the program generate_horizons with these options, read with these properties."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "surface.vsm"
         subprocess.run([generator, *options, path], check=True, stdout=subprocess.DEVNULL)
-        return read_first(path)
+        return read_first(path, **properties)

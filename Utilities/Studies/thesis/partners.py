@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What others make of the same surface with as many vertices: MeshLab's merging of close vertices, which the thesis
-compares with, and filters of VTK. All but vtkDelaunay2D take the mesh with all points; that it has to be made before is
-not counted."""
+"""What others make of the same surface with as many vertices: our own decimation, MeshLab's merging of close vertices,
+which the thesis compares with, and filters of VTK. All but the decimation and vtkDelaunay2D take the mesh with all
+points; that it has to be made before is not counted."""
 
 from . import stages
 from .meshlab import MeshLab, is_installed
@@ -22,6 +22,7 @@ TERRAIN_PER_TRIANGLE = 1.5
 TERRAIN_POWER = 0.8
 
 MERGE = "MeshLab Merge Close Vertices"
+DECIMATION = "our decimation"
 
 
 def match(work, parameter, correct, target):
@@ -43,8 +44,9 @@ def match(work, parameter, correct, target):
 class Partners:
     """All partners for one surface. `pace` is kept from one surface to the next, and knows who is too slow."""
 
-    def __init__(self, full, folder, pace):
+    def __init__(self, full, straight, folder, pace):
         self.full = stages.triangles_only(full)
+        self.straight = straight
         self.terrain = Terrain(self.full)
         self.meshlab = MeshLab(self.full, folder) if is_installed() else None
         self.pace = pace
@@ -63,6 +65,7 @@ class Partners:
             return match(work, triangles, lambda number, vertices: number + 2 * (target - vertices), target)
 
         works = {
+            DECIMATION: lambda: self.decimate(target),
             MERGE: lambda: by_power(self.merge, MERGE_PER_CELL * cell, -0.5),
             "vtkQuadricClustering": lambda: by_power(lambda size: quadric_clustering(self.full, size), cell, -0.5),
             "vtkBinnedDecimation": lambda: by_power(lambda size: binned_decimation(self.full, size), cell, -0.5),
@@ -85,6 +88,7 @@ class Partners:
         cells = [(self.full.GetNumberOfPoints() / mesh.points) ** 0.5 for mesh in ours]
         triangles = [mesh.triangles for mesh in ours]
         runs = {
+            DECIMATION: [self.decimate(mesh.points) for mesh in ours],
             MERGE: [self.merge(MERGE_PER_CELL * cell) for cell in cells],
             "vtkQuadricClustering": [quadric_clustering(self.full, cell) for cell in cells],
             "vtkBinnedDecimation": [binned_decimation(self.full, cell) for cell in cells],
@@ -92,6 +96,11 @@ class Partners:
             "vtkQuadricDecimation": [quadric_decimation(self.full, n) for n in triangles],
             "vtkGreedyTerrainDecimation": [self.terrain.decimate(TERRAIN_PER_TRIANGLE * n) for n in triangles]}
         return {name: results for name, results in runs.items() if all(results)}
+
+    def decimate(self, points):
+        """Ours, which has at least the points of the outline."""
+        result = stages.decimate(self.straight, max(points, stages.outline_points(self.straight.data)))
+        return Peer(stages.triangles_only(result.data), result.seconds)
 
     def merge(self, distance):
         if not self.meshlab:

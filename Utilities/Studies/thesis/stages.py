@@ -67,6 +67,10 @@ def elaborate(before, cell_size, flatness, growth=1.0):
                  GrowthPerRing=growth)
 
 
+def decimate(before, points):
+    return apply(sh.vtkHorizonDecimation(), before, Target="NumberOfPoints", MaximumNumberOfPoints=points)
+
+
 def mesh(before, strategy="VoxelTraversal"):
     return apply(sh.vtkHorizonTriangulation(), before, SearchStrategy=strategy)
 
