@@ -83,7 +83,7 @@ class Prepared:
 
     def merged(self, distance, folder):
         """By MeshLab; None without it."""
-        peer = partners.Partners(self.full, self.straight, folder, partners.Pace()).merge(distance)
+        peer = partners.Partners(self.full, self.outlined, folder, partners.Pace()).merge(distance)
         return peer and Simplified(self.full, peer.mesh)
 
     def show(self, figure, title):

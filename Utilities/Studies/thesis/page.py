@@ -126,8 +126,9 @@ simplification, simplification and triangulation, attributes included. Theirs ar
 mesh of all points that all but `vtkDelaunay2D` need before. The two clustering filters run with what served them best:
 `vtkBinnedDecimation` with means, in cells as high as the surface; `vtkQuadricClustering` with feature edges, in cubic
 cells. The others run with their defaults. MeshLab's seconds are of the processor, without reading and writing files.
-`vtkGreedyTerrainDecimation` knows no blanked pixels: gaps are filled smoothly for it, and what it makes of them is cut
-off along the outline; it also spends vertices there. `vtkDelaunay2D` meshes the points that we leave, without an
+Our decimation has outlines with the fewest points within half a column. `vtkGreedyTerrainDecimation` knows no blanked
+pixels: gaps are filled smoothly for it, and what it makes of them is cut off along the outline; it also spends vertices
+there. `vtkDelaunay2D` meshes the points that we leave, without an
 outline. The outline is how far that of the mesh is off on the map, anywhere. Medians over the surfaces:
 
 As many vertices as `rough, s = 6`:

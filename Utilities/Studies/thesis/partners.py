@@ -11,6 +11,7 @@ from .terrain import Terrain
 
 MOST_SECONDS = 5.0  # a partner that would take longer on a surface is left out of it
 GROWTH = 1.3  # with this power of the points, going by the surface before
+OUTLINE_TOLERANCE = 0.5  # of our decimation
 MOST_TRIALS = 4  # to get as many vertices as we have
 NEAR_ENOUGH = 0.03
 
@@ -44,9 +45,9 @@ def match(work, parameter, correct, target):
 class Partners:
     """All partners for one surface. `pace` is kept from one surface to the next, and knows who is too slow."""
 
-    def __init__(self, full, straight, folder, pace):
+    def __init__(self, full, outlined, folder, pace):
         self.full = stages.triangles_only(full)
-        self.straight = straight
+        self.outlined = outlined
         self.terrain = Terrain(self.full)
         self.meshlab = MeshLab(self.full, folder) if is_installed() else None
         self.pace = pace
@@ -98,8 +99,9 @@ class Partners:
         return {name: results for name, results in runs.items() if all(results)}
 
     def decimate(self, points):
-        """Ours, which has at least the points of the outline."""
-        result = stages.decimate(self.straight, max(points, stages.outline_points(self.straight.data)))
+        """Ours, with the fewest outline points within half a column, of which it has at least as many."""
+        straight = stages.fewest_outline_points(self.outlined, OUTLINE_TOLERANCE)
+        result = stages.decimate(straight, max(points, stages.outline_points(straight.data)))
         return Peer(stages.triangles_only(result.data), result.seconds)
 
     def merge(self, distance):

@@ -67,6 +67,11 @@ def elaborate(before, cell_size, flatness, growth=1.0):
                  GrowthPerRing=growth)
 
 
+def fewest_outline_points(before, tolerance):
+    return apply(sh.vtkHorizonBoundarySimplification(), before, Method="FewestPoints", DistanceThreshold=tolerance,
+                 OutlineTolerance=tolerance)
+
+
 def decimate(before, points):
     return apply(sh.vtkHorizonDecimation(), before, Target="NumberOfPoints", MaximumNumberOfPoints=points)
 

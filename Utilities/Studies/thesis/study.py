@@ -43,7 +43,7 @@ class Surface:
         self.straight = stages.straighten(self.outlined)
         self.outline = stages.outline_points(self.outlined.data)
         self.boundary = stages.outline_points(self.straight.data)
-        self.partners = partners.Partners(self.full.data, self.straight, folder, pace)
+        self.partners = partners.Partners(self.full.data, self.outlined, folder, pace)
         self._boundary_curves(horizon)
         self._our_tables()
         self._cluster_method()
