@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsTypes_h
 #define SeismicHorizonsTypes_h
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -97,6 +98,13 @@ public:
     std::vector<unsigned char> marks(points, 0);
     this->ForEachPoint([&marks](PointId point) { marks[std::size_t(point)] = 1; });
     return marks;
+  }
+
+  /// How many of `points` points loops visit.
+  std::size_t CountPoints(std::size_t points) const
+  {
+    const std::vector<unsigned char> marks = this->MarkPoints(points);
+    return std::size_t(std::count(marks.begin(), marks.end(), 1));
   }
 
   /// Calls visit(from, to) for each edge, the closing one included. A loop of one point has none.

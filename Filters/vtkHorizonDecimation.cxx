@@ -3,50 +3,19 @@
 
 #include "vtkHorizonDecimation.h"
 
-#include "Common/DataModel.h"
 #include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/VTK/DataArrays.h"
 #include "Decimation/Decimation.h"
-#include "Marshalling/HorizonCells.h"
+#include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
-#include "Marshalling/HorizonPoints.h"
-#include "Marshalling/ReducedHorizon.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 using namespace SeismicHorizons;
-
-namespace
-{
-std::size_t CountLoopPoints(const BoundedHorizon& horizon)
-{
-  const std::vector<unsigned char> marks = horizon.Boundary.MarkPoints(horizon.Plane.size());
-  return std::size_t(std::count(marks.begin(), marks.end(), 1));
-}
-
-void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
-{
-  output->SetVerts(nullptr);
-  const double smallestAngle = WriteTriangles(decimation.Points.Plane, grid, std::move(decimation.Triangles), output);
-  AddTriangleArray<vtkDoubleArray>(CellArray::Error, decimation.Errors, output);
-  vtkFieldData* const figures = output->GetFieldData();
-  AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, decimation.LargestError);
-  AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, decimation.MeanError);
-  AddValue<vtkDoubleArray>(figures, FieldArray::LargestLoopError, decimation.LargestLoopError);
-  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
-  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
-}
-}
 
 vtkStandardNewMacro(vtkHorizonDecimation);
 
@@ -68,26 +37,6 @@ void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-double vtkHorizonDecimation::FindError(const BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const
-{
-  CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
-  if (this->ErrorUnit == World)
-  {
-    const Eigen::Vector3d up(0.0, 0.0, 1.0);
-    return this->MaximumError / std::abs((grid.ToWorld(up) - grid.ToWorld(Eigen::Vector3d::Zero())).z());
-  }
-  if (this->ErrorUnit == Diagonal)
-  {
-    const PlaneBox box(horizon.Plane);
-    const auto ends = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
-    const Eigen::Vector3d diagonal(grid.ToLatticeUnits(box.Greatest.X) - grid.ToLatticeUnits(box.Least.X),
-      grid.ToLatticeUnits(box.Greatest.Y) - grid.ToLatticeUnits(box.Least.Y), *ends.second - *ends.first);
-    return this->MaximumError * diagonal.norm();
-  }
-  return this->MaximumError;
-}
-
-//------------------------------------------------------------------------------
 DecimationOptions vtkHorizonDecimation::MakeOptions(
   const BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const
 {
@@ -100,7 +49,8 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
   options.SmallestAngle = this->SmallestAngle;
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindError(horizon, grid);
+    options.MaximumError = ErrorInLatticeUnits(this->MaximumError,
+      static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), horizon.Plane, horizon.Height, grid);
   }
   else if (this->Target == NumberOfPoints)
   {
@@ -111,7 +61,8 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
   {
     CheckWithin("target reduction", this->TargetReduction, 0.0, 1.0, " of the points");
     const double points = std::ceil((1.0 - this->TargetReduction) * double(horizon.Plane.size()));
-    options.MaximumNumberOfPoints = std::max({ std::size_t(points), std::size_t(1), CountLoopPoints(horizon) });
+    options.MaximumNumberOfPoints =
+      std::max({ std::size_t(points), std::size_t(1), horizon.Boundary.CountPoints(horizon.Plane.size()) });
   }
   return options;
 }
@@ -119,13 +70,10 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
 //------------------------------------------------------------------------------
 void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
-  vtkPolyData* const output = outputs.front();
   LatticePoints points = ReadPoints(input);
   const SeismicHorizons::Lattice grid = points.Grid;
   const BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
   monitor.Progress(0.1);
   Decimation decimation = Decimate(horizon, this->MakeOptions(horizon, grid), monitor.Step(0.1, 0.9));
-  WriteReduction(input, grid, decimation.Points, Merging::AveragesPoints, output);
-  ActivateHeight(output);
-  WriteMesh(decimation, grid, output);
+  WriteDecimation(input, grid, decimation, outputs.front());
 }

@@ -185,7 +185,6 @@ private:
   vtkHorizonDecimation(const vtkHorizonDecimation&) = delete;
   void operator=(const vtkHorizonDecimation&) = delete;
 
-  double FindError(const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const;
   SeismicHorizons::DecimationOptions MakeOptions(
     const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const;
 

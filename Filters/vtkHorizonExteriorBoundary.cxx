@@ -7,56 +7,20 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/Parameters.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/HorizonName.h"
-#include "Common/VTK/VertexCells.h"
-#include "Marshalling/HorizonCells.h"
+#include "Marshalling/BoundaryOutput.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 
-#include "vtkCellArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <string>
+#include <vector>
 
-namespace
-{
 using namespace SeismicHorizons;
-
-/// Copies the points that have a patch, with their arrays, and numbers them from 0.
-void CopyPointsOfPatches(
-  vtkPolyData* input, ExteriorBoundary& found, std::vector<BoundaryKind>& marks, vtkPolyData* output)
-{
-  vtkNew<vtkIdList> kept;
-  std::vector<PointId> number(found.Patch.size(), NoPoint);
-  for (std::size_t point = 0; point < number.size(); ++point)
-  {
-    if (found.Patch[point] != NoPatch)
-    {
-      const std::size_t last = std::size_t(kept->InsertNextId(vtkIdType(point)));
-      number[point] = PointId(last);
-      found.Patch[last] = found.Patch[point];
-      marks[last] = marks[point];
-    }
-  }
-  found.Patch.resize(std::size_t(kept->GetNumberOfIds()));
-  marks.resize(found.Patch.size());
-  found.Boundary = found.Boundary.Renumbered(number);
-  CopyPoints(input, kept, output);
-}
-}
 
 vtkStandardNewMacro(vtkHorizonExteriorBoundary);
 
@@ -88,10 +52,9 @@ std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* all, const Outputs& outputs, const Monitor& monitor)
+void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(all);
-  vtkPolyData* const output = outputs.front();
+  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
   const LatticePoints points = ReadPoints(input);
   const std::vector<PlanePoint> columns = ToColumns(points);
   monitor.Progress(0.3);
@@ -105,29 +68,12 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* all, const Outputs&
   auto found = FindExteriorBoundary(columns, OptionsFor(type, options), monitor.Step(0.3, 0.9));
   if (found.NumberOfPatches == 0)
   {
-    const std::string name = NameBySurfaceId(input);
-    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << "no patch of at least " << this->MinimumPatchSize
-                    << " points, so that nothing is left of the " << columns.size());
+    vtkWarningMacro(<< NothingLeft(input, this->MinimumPatchSize));
   }
-  std::vector<BoundaryKind> marks = MarkBoundary(type, columns, found);
-  if (std::find(found.Patch.begin(), found.Patch.end(), NoPatch) == found.Patch.end())
-  {
-    output->SetPoints(input->GetPoints());
-    output->GetPointData()->PassData(input->GetPointData());
-  }
-  else
-  {
-    CopyPointsOfPatches(input, found, marks, output);
-  }
-  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
-  output->SetLines(MakePolylines(found.Boundary));
-  AddArray<vtkIntArray>(output->GetPointData(), PointArray::PatchId, found.Patch);
-  AddArray<vtkUnsignedCharArray>(output->GetPointData(), PointArray::Boundary, marks,
-    [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
-  output->GetPointData()->SetActiveScalars(PointArray::PatchId);
-  vtkFieldData* const figures = output->GetFieldData();
-  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(found.NumberOfPatches));
-  AddValue<vtkIdTypeArray>(
-    figures, FieldArray::NumberOfHoles, vtkIdType(found.Boundary.Size() - found.NumberOfPatches));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSpeckPoints, vtkIdType(columns.size() - found.Patch.size()));
+  const std::vector<BoundaryKind> all = MarkBoundary(type, columns, found);
+  const std::vector<PointId> kept = DropPointsWithoutPatch(found);
+  std::vector<BoundaryKind> marks;
+  std::transform(
+    kept.begin(), kept.end(), std::back_inserter(marks), [&all](PointId point) { return all[std::size_t(point)]; });
+  WriteBoundary(input, kept, found, marks, outputs.front());
 }

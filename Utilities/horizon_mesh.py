@@ -64,7 +64,8 @@ def make_parser():
         prog=PROGRAM + ".py",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
         description="Reads sparse voxel files (.vsm), and turns each horizon in them into a triangle mesh: exterior "
-        "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Writes one "
+        "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Or, "
+        "recommended, with one number: --largest-error or --triangles, from which all else follows. Writes one "
         ".vtp file per horizon and one picture per file, and prints a table; on request, measures the error. Files "
         "that already exist are replaced.",
         epilog="Results are named after their file: x_horizon_1.vtp, x.png and x_error.csv for x.vsm. Where files have "
@@ -110,31 +111,40 @@ def _add_reader_options(group):
 
 
 def _add_stage_options(group):
-    group.add_argument("--radius", type=_number_at_least(int, 1), default=1, metavar="K",
+    target = group.add_mutually_exclusive_group()
+    target.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
+                        help="few triangles, with no point farther from the mesh than this, vertically, in place of the "
+                        "stages below; outlines may move by as much; 0.75 suits horizons of whole voxels; lattice "
+                        "units")
+    target.add_argument("--triangles", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                        help="the same with at most N triangles in each mesh, as near to its horizon as it then can be")
+    group.add_argument("--radius", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="K",
                        help="how far the outline may reach from one point to the next, and so how wide a gap it "
-                       "closes; lattice units")
+                       "closes; lattice units (default: 1; chosen from the points with --largest-error or "
+                       "--triangles)")
     group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=GROWTH_STRATEGIES[1],
                        help="how an outline of a radius above 1 grows")
     group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=1, metavar="N",
                        help="patches with fewer points are left out")
     group.add_argument("--hole-boundaries", action="store_true",
-                       help="give holes an outline of their own, so that they stay open in the mesh")
-    group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=1, metavar="N",
-                       help="holes of fewer columns are closed all the same")
-    group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=0.0, metavar="T",
-                       help="how far the outline may move on the map when its corners are dropped; lattice units")
+                       help="give holes an outline of their own, so that they stay open in the mesh; with "
+                       "--largest-error or --triangles they always have one")
+    group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="holes of fewer columns are closed all the same (default: 1; chosen with --largest-error or "
+                       "--triangles)")
+    group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS,
+                       metavar="T",
+                       help="how far the outline may move on the map when its corners are dropped; lattice units "
+                       "(default: 0; the error with --largest-error or --triangles)")
     group.add_argument("--fewest-outline-points", action="store_true",
                        help="give outlines the fewest points within the outline tolerance on the map and the distance "
                        "threshold in height")
     group.add_argument("--bound-deviation", action="store_true",
                        help="keep every dropped outline point within the distance threshold of the new outline")
-    group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=0.4, metavar="T",
+    group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS,
+                       metavar="T",
                        help="an outline point closer than this to the line through its neighbours is dropped; "
-                       "lattice units")
-    group.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
-                       help="decimate: few triangles, with no point farther from the mesh than this, vertically, "
-                       "in place of the simplification of the inside; also for --outline-tolerance and "
-                       "--distance-threshold, where these are not given; lattice units (default: no decimation)")
+                       "lattice units (default: 0.4; the error with --largest-error or --triangles)")
     group.add_argument("--cell-size", type=_number_at_least(int, 1), default=3, metavar="S",
                        help="side of the cells that the rough simplification merges; lattice units")
     group.add_argument("--skip-rough", action="store_true",
@@ -161,15 +171,19 @@ def _add_error_options(group):
                        help="how densely the faces are sampled: places on each surface for each point of the horizon")
 
 
-def _decimate(settings, options):
-    """One error for all stages: that of the mesh, and those of the outline that are not given."""
-    error = options.largest_error
-    usual = make_parser()
-    settings.decimation = {"MaximumError": error}
-    for name, option in (("OutlineTolerance", "outline_tolerance"), ("DistanceThreshold", "distance_threshold")):
-        if getattr(options, option) == usual.get_default(option):
-            settings.simplified[name] = error
-    settings.simplified["BoundDeviation"] = True
+def _given(options, **names):
+    """Properties that were given a value, by the names of their options."""
+    return {key: getattr(options, name) for key, name in names.items() if hasattr(options, name)}
+
+
+def _make_surface(options, boundary, simplified):
+    """What one number means: that, and what was given beside it. None without such a number."""
+    from seismichorizons.pipeline import CHOSEN, surface_properties
+
+    target = _given(options, largest_error="largest_error", triangles="triangles")
+    given = {**boundary, **simplified}
+    names = (*CHOSEN, "GrowthStrategy", "MinimumPatchSize")
+    return surface_properties(**target, **{name: given[name] for name in names if name in given}) if target else None
 
 
 def make_settings(options):
@@ -182,20 +196,19 @@ def make_settings(options):
         "ColumnStep": options.column_step, "RowStep": options.row_step, "VerticalStep": options.vertical_step,
         "VerticalDirection": options.vertical_direction}
     settings.boundary = {
-        "Radius": options.radius, "GrowthStrategy": options.growth_strategy,
-        "MinimumPatchSize": options.minimum_patch_size, "HoleBoundaries": options.hole_boundaries,
-        "SmallestHoleSize": options.smallest_hole_size}
+        "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
+        "HoleBoundaries": options.hole_boundaries,
+        **_given(options, Radius="radius", SmallestHoleSize="smallest_hole_size")}
     settings.simplified = {
         "Method": "FewestPoints" if options.fewest_outline_points else "Threshold",
-        "OutlineTolerance": options.outline_tolerance, "BoundDeviation": options.bound_deviation,
-        "DistanceThreshold": options.distance_threshold}
+        "BoundDeviation": options.bound_deviation,
+        **_given(options, OutlineTolerance="outline_tolerance", DistanceThreshold="distance_threshold")}
     settings.rough = None if options.skip_rough else {
         "CellSize": options.cell_size, "Representative": options.representative}
     settings.elaborate = None if not options.elaborate else {
         "CellSize": options.elaborate_cell_size, "FlatnessThreshold": options.flatness_threshold,
         "Representative": options.representative}
-    if hasattr(options, "largest_error"):
-        _decimate(settings, options)
+    settings.surface = _make_surface(options, settings.boundary, settings.simplified)
     settings.error = None if not options.measure_error else {
         "DistanceUnit": options.distance_unit, "SamplesPerPoint": options.samples_per_point}
     return settings
@@ -223,8 +236,8 @@ def main(arguments):
     signal.signal(signal.SIGTERM, _end_at_once)
     parser = make_parser()
     options = parser.parse_args(arguments)
-    if hasattr(options, "largest_error") and (options.elaborate or options.skip_rough):
-        parser.error("--largest-error takes the place of --elaborate and --skip-rough")
+    if _given(options, error="largest_error", number="triangles") and (options.elaborate or options.skip_rough):
+        parser.error("--largest-error or --triangles takes the place of --elaborate and --skip-rough")
     try:
         from seismichorizons import batch, interrupt
         from seismichorizons.stage import HorizonError, set_threads

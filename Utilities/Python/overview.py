@@ -17,13 +17,14 @@ def write(results, path):
 def panels(result):
     points = result.data["points"]
     loops, loop_points = count_loops(result.data["boundary"])
-    after = count_loops(result.data["simplified"])[1]
     mesh = result.data["mesh"]
     row = [
         Panel("Horizon %d" % result.id, _count(points.GetNumberOfPoints(), "point"), points, POINTS),
         Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
-              result.data["boundary"], OUTLINE, points),
-        Panel("Simplified boundary", _count(after, "point"), result.data["simplified"], OUTLINE, points)]
+              result.data["boundary"], OUTLINE, points)]
+    if "simplified" in result.data:
+        straight = result.data["simplified"]
+        row.append(Panel("Simplified boundary", _count(count_loops(straight)[1], "point"), straight, OUTLINE, points))
     for name, title in (("rough", "Rough simplification"), ("elaborate", "Elaborate simplification")):
         if name in result.data:
             thinned = result.data[name]

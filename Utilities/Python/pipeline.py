@@ -5,13 +5,17 @@
     horizons, seconds = read("survey.vsm")
     result = run("survey.vsm", *horizons[0], Settings(rough={"CellSize": 4}, error={}))
     result.data["mesh"], result.seconds["mesh"], result.figures
+
+Or straight from points to a mesh, with the parameters that were chosen:
+
+    mesh, chosen = surface(horizons[0][1], largest_error=1.0)
 """
 
 from dataclasses import dataclass, field
 import pathlib
 from typing import Optional
 
-from .stage import HorizonError, make, update, watched
+from .stage import HorizonError, apply, make, update, watched
 
 # In their order. Each name is that of the data the stage makes.
 STAGES = {
@@ -20,15 +24,17 @@ STAGES = {
     "rough": "vtkHorizonRoughSimplification",
     "elaborate": "vtkHorizonElaborateSimplification",
     "mesh": "vtkHorizonTriangulation"}
-# In place of the last three.
-DECIMATION = "vtkHorizonDecimation"
+# In place of all of them.
+SURFACE = "vtkHorizonSurface"
+# Its properties that are chosen, unless they are given: each has a switch, "Automatic" and its name.
+CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
 
 
 @dataclass
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
-    defaults. None leaves a stage out. With `decimation` that stage makes the mesh, in place of the simplification of the
-    inside and the triangulation. `horizons` are the IDs of those to read, None for all. A horizon that can not be
+    defaults. None leaves a stage out. With `surface` (see surface_properties) one stage takes the place of all.
+    `horizons` are the IDs of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning."""
 
     reader: dict = field(default_factory=dict)
@@ -37,18 +43,16 @@ class Settings:
     rough: Optional[dict] = field(default_factory=dict)
     elaborate: Optional[dict] = None
     mesh: dict = field(default_factory=dict)
-    decimation: Optional[dict] = None
+    surface: Optional[dict] = None
     error: Optional[dict] = None
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
 
     def make_stages(self):
         """The stages from points to mesh in their order, as (name, algorithm)."""
-        if self.decimation is not None:
-            kept = [(name, STAGES[name], getattr(self, name)) for name in ("boundary", "simplified")]
-            stages = kept + [("mesh", DECIMATION, self.decimation)]
-        else:
-            stages = [(name, STAGES[name], getattr(self, name)) for name in STAGES]
+        stages = [(name, STAGES[name], getattr(self, name)) for name in STAGES]
+        if self.surface is not None:
+            stages = [("mesh", SURFACE, self.surface)]
         return [(name, self.make(class_name, given)) for name, class_name, given in stages if given is not None]
 
     def make(self, class_name, properties):
@@ -57,6 +61,33 @@ class Settings:
         if self.leave_out_invalid:
             stage.SetInvalidHorizonsToLeaveOut()
         return stage
+
+
+def surface_properties(largest_error=None, triangles=None, **properties):
+    """Properties of vtkHorizonSurface: the largest error or the number of triangles as the target, and others by their
+    names. Those that are chosen otherwise are switched over."""
+    target = {} if triangles is None else {"Target": "NumberOfTriangles", "MaximumNumberOfTriangles": triangles}
+    if largest_error is not None:
+        target["MaximumError"] = largest_error
+    return {**target, **{"Automatic" + name: False for name in CHOSEN if name in properties}, **properties}
+
+
+def surface(points, largest_error=None, triangles=None, **properties):
+    """The mesh of a horizon, straight from its points, and a dictionary of the parameters that were chosen. Either the
+    largest error is given (in lattice units; 0.75 when there is no number of triangles) or the most triangles there may
+    be. Raises HorizonError."""
+    if largest_error is not None and triangles is not None:
+        raise ValueError("largest_error and triangles, expected one of them")
+    mesh = apply(make(SURFACE), points, **surface_properties(largest_error, triangles, **properties))
+    return mesh, chosen_parameters(mesh)
+
+
+def chosen_parameters(mesh):
+    """What a mesh of vtkHorizonSurface says that was chosen, by the names of the properties."""
+    data = mesh.GetFieldData()
+    arrays = [data.GetArray(n) for n in range(data.GetNumberOfArrays()) if data.GetArray(n) is not None]
+    return {array.GetName()[len("Chosen"):]: array.GetValue(0) for array in arrays
+            if (array.GetName() or "").startswith("Chosen")}
 
 
 def read(path, horizons=None, **properties):
@@ -127,6 +158,8 @@ def run(source, horizon_id, points, settings):
         algorithm.SetInputDataObject(0, data)
         result.run_stage(name, algorithm)
         data = result.data[name] = algorithm.GetOutputDataObject(0)
+        if settings.surface is not None:
+            result.data["boundary"] = algorithm.GetOutputDataObject(1)
     if settings.error is not None:
         _measure(result, settings)
     return result

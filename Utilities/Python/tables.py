@@ -2,8 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of results, for reading: a row for each horizon."""
 
+from .pipeline import chosen_parameters
+
 COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out", "triangles", "reduction",
            "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
+# Parameters of a surface, by the names of the properties.
+CHOSEN_COLUMNS = {"Radius": "radius", "SmallestHoleSize": "smallest hole", "OutlineTolerance": "tolerance"}
 ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
@@ -19,15 +23,22 @@ def count_loops(horizon):
 
 
 def row(result):
-    """The cells of one horizon as texts; those of the error only where it was measured."""
+    """The cells of one horizon as texts; parameters only where they were chosen, the error where it was measured."""
     before = result.data["points"].GetNumberOfPoints()
     after = result.data["mesh"].GetNumberOfPoints()
     loops, loop_points = count_loops(result.data["boundary"])
     seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "elaborate", "mesh")]
     return ("%d" % result.id, "%d" % before, "%d" % loops, "%d" % loop_points,
-            "%d" % count_loops(result.data["simplified"])[1], "%d" % after,
+            "%d" % count_loops(result.data.get("simplified", result.data["mesh"]))[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
-            *("-" if s is None else "%.2f" % s for s in seconds), *_error_cells(result))
+            *("-" if s is None else "%.2f" % s for s in seconds), *_chosen_cells(result),
+            *_error_cells(result))
+
+
+def _chosen_cells(result):
+    chosen = chosen_parameters(result.data["mesh"])
+    return tuple(("%d" if isinstance(chosen[name], int) else "%.3f") % chosen[name]
+                 for name in CHOSEN_COLUMNS if name in chosen)
 
 
 def _error_cells(result):
@@ -40,7 +51,8 @@ def _error_cells(result):
 
 def table(results):
     """Heads, a rule and a row for each result, as lines of text."""
-    columns = COLUMNS + (ERROR_COLUMNS if results[0].figures is not None else ())
+    chosen = tuple(CHOSEN_COLUMNS.values()) if chosen_parameters(results[0].data["mesh"]) else ()
+    columns = COLUMNS + chosen + (ERROR_COLUMNS if results[0].figures is not None else ())
     return align([columns] + [row(result) for result in results])
 
 

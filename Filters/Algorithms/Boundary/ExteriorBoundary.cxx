@@ -91,4 +91,23 @@ ExteriorBoundary FindExteriorBoundary(
     columns, options.Radius, [&](const std::vector<PlanePoint>& near) { return Find(near, options, monitor); });
   return options.MinimumPatchSize > 1 ? WithoutSpecks(result, options.MinimumPatchSize) : result;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PointId> DropPointsWithoutPatch(ExteriorBoundary& boundary)
+{
+  std::vector<PointId> kept;
+  std::vector<PointId> number(boundary.Patch.size(), NoPoint);
+  for (std::size_t point = 0; point < number.size(); ++point)
+  {
+    if (boundary.Patch[point] != NoPatch)
+    {
+      number[point] = PointId(kept.size());
+      boundary.Patch[kept.size()] = boundary.Patch[point];
+      kept.push_back(PointId(point));
+    }
+  }
+  boundary.Patch.resize(kept.size());
+  boundary.Boundary = boundary.Boundary.Renumbered(number);
+  return kept;
+}
 }

@@ -79,6 +79,9 @@ struct ExteriorBoundary
 /// walk depends on the one before.
 ExteriorBoundary FindExteriorBoundary(const std::vector<PlanePoint>& columns,
   const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
+
+/// Leaves out the points without a patch. Gives those that have one; these are numbered from 0 then.
+std::vector<PointId> DropPointsWithoutPatch(ExteriorBoundary& boundary);
 }
 
 #endif

@@ -321,4 +321,43 @@ BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, c
   }
   return result;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<SpacePoint> ToSpacePoints(
+  const std::vector<PlanePoint>& plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn)
+{
+  std::vector<SpacePoint> places;
+  places.reserve(plane.size());
+  for (std::size_t point = 0; point < plane.size(); ++point)
+  {
+    places.push_back(
+      { double(plane[point].X) / subVoxelsPerColumn, double(plane[point].Y) / subVoxelsPerColumn, height[point] });
+  }
+  return places;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Reduction ToReduction(
+  const BoundarySimplification& simplified, const std::vector<PlanePoint>& plane, const std::vector<double>& height)
+{
+  Reduction reduction;
+  std::vector<PointId> number(simplified.Target.size(), NoPoint);
+  for (std::size_t point = 0; point < number.size(); ++point)
+  {
+    if (simplified.Target[point] == PointId(point))
+    {
+      number[point] = PointId(reduction.Source.size());
+      reduction.Source.push_back(PointId(point));
+      reduction.Plane.push_back(plane[point]);
+      reduction.Height.push_back(height[point]);
+    }
+  }
+  reduction.Averaged.assign(reduction.Source.size(), false);
+  for (const PointId target : simplified.Target)
+  {
+    reduction.Target.push_back(number[std::size_t(target)]);
+  }
+  reduction.Boundary = simplified.Boundary.Renumbered(number);
+  return reduction;
+}
 }

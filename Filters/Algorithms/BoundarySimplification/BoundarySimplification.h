@@ -20,9 +20,11 @@
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
 
+#include "Common/BoundedHorizon.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
@@ -76,6 +78,19 @@ inline BoundarySimplification SimplifyBoundary(
   options.DistanceThreshold = threshold;
   return SimplifyBoundary(points, boundary, options, monitor);
 }
+
+/// Places in lattice units, from sub-voxels and heights.
+std::vector<SpacePoint> ToSpacePoints(
+  const std::vector<PlanePoint>& plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn);
+
+inline std::vector<SpacePoint> ToSpacePoints(const BoundedHorizon& horizon)
+{
+  return ToSpacePoints(horizon.Plane, horizon.Height, horizon.SubVoxelsPerColumn);
+}
+
+/// The points that are left, numbered from 0, given the places of all.
+Reduction ToReduction(
+  const BoundarySimplification& simplified, const std::vector<PlanePoint>& plane, const std::vector<double>& height);
 }
 
 #endif

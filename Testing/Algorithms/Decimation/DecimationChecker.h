@@ -49,13 +49,6 @@ inline DecimationOptions Best(DecimationOptions options, double smallestAngle = 
   options.SmallestAngle = smallestAngle;
   return options;
 }
-
-inline std::size_t CountLoopPoints(const BoundedHorizon& horizon)
-{
-  const std::vector<unsigned char> marks = horizon.Boundary.MarkPoints(horizon.Plane.size());
-  return std::size_t(std::count(marks.begin(), marks.end(), 1));
-}
-
 /// The result beside the horizon it was made of, both in whole columns.
 class Checker
 {

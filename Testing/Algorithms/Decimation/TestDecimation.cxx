@@ -120,7 +120,7 @@ void TestBest()
     const Decimation fast = Decimate(horizon, Within(0.25, fitHeights));
     const Decimation best = Decimate(horizon, Best(Within(0.25, fitHeights)));
     CHECK(double(best.Points.Source.size()) < 0.85 * double(fast.Points.Source.size()));
-    const std::size_t most = CountLoopPoints(horizon) + 100;
+    const std::size_t most = horizon.Boundary.CountPoints(horizon.Plane.size()) + 100;
     const double mean = Decimate(horizon, AtMost(most, fitHeights)).MeanError;
     CHECK(Decimate(horizon, Best(AtMost(most, fitHeights))).MeanError < (fitHeights ? 0.85 : 0.95) * mean);
   }

@@ -55,7 +55,7 @@ void CheckTargets(const BoundedHorizon& horizon, int n, Patches::Random& random)
   constexpr double Any = std::numeric_limits<double>::infinity();
   const double bound = std::array<double, 5>{ 0.0, 0.3, 0.75, 3.0, 100.0 }[std::size_t(random.Below(5))];
   const double angle = std::array<double, 4>{ 0.0, 5.0, 30.0, 60.0 }[std::size_t(random.Below(4))];
-  const std::size_t least = std::max(CountLoopPoints(horizon), std::size_t(1));
+  const std::size_t least = std::max(horizon.Boundary.CountPoints(horizon.Plane.size()), std::size_t(1));
   const std::size_t most = least + std::size_t(random.Below(int(horizon.Plane.size() - least) + 1));
   DecimationOptions toNumber = AtMost(most, n % 4 < 2);
   toNumber.Priority = n % 3 == 0 ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;

@@ -54,17 +54,6 @@ inline BoundedHorizon MakeLevelHorizon(
   return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0), options);
 }
 
-inline std::vector<SpacePoint> ToSpacePoints(const BoundedHorizon& horizon)
-{
-  std::vector<SpacePoint> points;
-  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
-  {
-    points.push_back({ double(horizon.Plane[point].X) / horizon.SubVoxelsPerColumn,
-      double(horizon.Plane[point].Y) / horizon.SubVoxelsPerColumn, horizon.Height[point] });
-  }
-  return points;
-}
-
 /// The horizon without the points that were dropped from its boundary.
 inline BoundedHorizon Drop(const BoundedHorizon& horizon, const BoundarySimplification& simplified)
 {

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From the points of a horizon to a mesh: its boundary, fewest points on that, decimation; with the parameters of all
+// three chosen for an error, or for a number of triangles.
+//
+//   radius            spans the gaps between points (GapHistogram.h)
+//   tolerances        of the boundary: the error of the mesh, so that outlines are as near as the rest of it
+//   smallest hole     holes that no square of side s fits in are closed, where s is the larger one of two lengths:
+//                     2 radius + 1, since what a square of fewer columns leaves out is a hop from the points around it,
+//                     and so no more than the gaps that the radius passes over; and twice the tolerance, since loops of
+//                     narrower holes may move by half their width
+//
+// For a number of triangles, the error is the one for which a mesh of the fast effort has about as many. Outlines are
+// simplified for it, and the mesh then gets as many vertices inside as the number leaves: each is two triangles more.
+
+#ifndef SeismicHorizonsSurface_h
+#define SeismicHorizonsSurface_h
+
+#include "Boundary/ExteriorBoundary.h"
+#include "Common/Monitor.h"
+#include "Common/Types.h"
+#include "Decimation/Decimation.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Parameters of the boundary and of its simplification without a value are chosen. Messages about wrong ones are those
+/// of the methods.
+struct SurfaceOptions
+{
+  /// In lattice units, at least 0.
+  double MaximumError = 0.75;
+  /// Not 0, the target instead of the error, which counts for nothing then.
+  std::size_t MaximumNumberOfTriangles = 0;
+  std::optional<int> Radius;
+  GrowthStrategy Growth = GrowthStrategy::Clockwise;
+  bool HoleBoundaries = true;
+  std::optional<std::int64_t> SmallestHoleSize;
+  std::int64_t MinimumPatchSize = 1;
+  std::optional<double> OutlineTolerance;
+  std::optional<double> DistanceThreshold;
+  bool FitHeights = true;
+  DecimationEffort Effort = DecimationEffort::Best;
+  DecimationPriority Priority = DecimationPriority::SumOfSquares;
+  double SmallestAngle = 2.0;
+};
+
+/// What the three methods were run with.
+struct SurfaceParameters
+{
+  int Radius = 1;
+  std::int64_t SmallestHoleSize = 1;
+  double OutlineTolerance = 0.0;
+  double DistanceThreshold = 0.0;
+  /// That of the mesh, or, for a number of triangles, the one that tolerances follow: 0 when none does.
+  double MaximumError = 0.0;
+  /// The number of points that the mesh was made with; 0 with an error as the target.
+  std::size_t MaximumNumberOfPoints = 0;
+};
+
+struct SurfacePoints
+{
+  std::vector<PlanePoint> Columns;
+  std::vector<PlanePoint> Plane; // the same in sub-voxels
+  std::vector<double> Height; // lattice units
+  std::int32_t SubVoxelsPerColumn = 1;
+};
+
+struct Surface
+{
+  SurfaceParameters Parameters;
+  /// The points that have a patch, by which the boundary numbers them.
+  std::vector<PointId> Kept;
+  ExteriorBoundary Boundary;
+  /// How far points are from the simplified outlines (BoundarySimplification.h).
+  double BoundaryDeviation = 0.0;
+  double OutlineDeviation = 0.0;
+  /// The mesh; its reduction is that of the points that have a patch. Empty when there are none.
+  Decimation Mesh;
+};
+
+/// Gives what the methods give one after the other, to the bit. Throws InputError where they do, and for a number of
+/// triangles below those that outlines take alone. At most MostSearchRuns (ErrorSearch.h) decimations of the fast
+/// effort come before the last one for a number of triangles.
+Surface MakeSurface(
+  const SurfacePoints& points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
+
+/// The columns of the smallest hole that is left open.
+std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);
+}
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonSurface
+ * @brief   from the points of a horizon to a mesh of few triangles, with parameters that choose themselves
+ *
+ * Input: what vtkHorizonExteriorBoundary takes. Output 0: the mesh, as vtkHorizonDecimation gives it. Output 1: the
+ * outlines over all points, as vtkHorizonExteriorBoundary gives them: what to measure the mesh against.
+ *
+ * The filter does what vtkHorizonExteriorBoundary, vtkHorizonBoundarySimplification (FewestPoints) and
+ * vtkHorizonDecimation do one after the other, with the same result to the byte, and without data in between. You
+ * choose how far the mesh may be from the horizon, or how many triangles it may have; the rest follows from that and
+ * from the points, unless you switch it off (Automatic...). What was chosen is new field data of the mesh, one value
+ * each, with which the single stages give the same:
+ *  - ChosenRadius (int), ChosenSmallestHoleSize (vtkIdType, columns);
+ *  - ChosenOutlineTolerance (double, columns), ChosenDistanceThreshold (double, lattice units);
+ *  - ChosenMaximumError (double, lattice units): the error of the mesh, or, with NumberOfTriangles, the one that the
+ *    outlines were simplified for (0 when they had tolerances of their own);
+ *  - ChosenMaximumNumberOfPoints (vtkIdType): with NumberOfTriangles the number of points that the mesh was decimated
+ *    to; else 0.
+ *
+ * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles: ten
+ * meshes at most. Outlines are simplified for that error, and the mesh then gets as many points inside as the number
+ * leaves. It never has more triangles than that.
+ *
+ * On several threads, with the same result on any number of them. Near linear; about 80 bytes per point beyond input
+ * and output.
+ *
+ * Errors: those of the three stages; fewer triangles than the outlines take alone.
+ *
+ * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonDecimation vtkHorizonSurfaceDistance
+ */
+
+#ifndef vtkHorizonSurface_h
+#define vtkHorizonSurface_h
+
+#include "vtkHorizonAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+namespace SeismicHorizons
+{
+struct LatticePoints;
+struct SurfaceOptions;
+}
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonAlgorithm
+{
+public:
+  static vtkHorizonSurface* New();
+  vtkTypeMacro(vtkHorizonSurface, vtkHorizonAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What decides how many triangles the mesh has.
+  enum Targets
+  {
+    LargestError = 0,
+    NumberOfTriangles = 1
+  };
+
+  ///@{
+  /**
+   * What decides how many triangles the mesh has: LargestError (MaximumError) or NumberOfTriangles
+   * (MaximumNumberOfTriangles). Default: LargestError.
+   */
+  vtkSetClampMacro(Target, int, LargestError, NumberOfTriangles);
+  vtkGetMacro(Target, int);
+  void SetTargetToLargestError() { this->SetTarget(LargestError); }
+  void SetTargetToNumberOfTriangles() { this->SetTarget(NumberOfTriangles); }
+  ///@}
+
+  ///@{
+  /**
+   * The largest vertical distance of a point from the mesh, in ErrorUnit; at least 0. Outlines that follow it may be as
+   * far off sideways. For horizons of whole voxels 0.75 brings the mesh nearest to what was rounded. Default: 0.75.
+   */
+  vtkSetMacro(MaximumError, double);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  /// The unit of MaximumError.
+  enum ErrorUnits
+  {
+    Lattice = 0,
+    World = 1,
+    Diagonal = 2
+  };
+
+  ///@{
+  /**
+   * The unit of MaximumError: Lattice (1 is one vertical index), World (that of z), or Diagonal (1 is the diagonal of
+   * the bounding box of the horizon, in lattice units). Default: Lattice.
+   */
+  vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
+  vtkGetMacro(ErrorUnit, int);
+  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
+  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
+  void SetErrorUnitToDiagonal() { this->SetErrorUnit(Diagonal); }
+  ///@}
+
+  ///@{
+  /**
+   * How many triangles each horizon has at most; at least what its outlines take alone. Default: 20000.
+   */
+  vtkSetMacro(MaximumNumberOfTriangles, int);
+  vtkGetMacro(MaximumNumberOfTriangles, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the radius of the boundary is chosen: the least one that spans 95 % of the steps from point to point along
+   * rows, and of those along columns. Off: Radius. Default: on.
+   */
+  vtkSetMacro(AutomaticRadius, bool);
+  vtkGetMacro(AutomaticRadius, bool);
+  vtkBooleanMacro(AutomaticRadius, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Without AutomaticRadius, how many columns a hop of a loop may lead along each axis, 1 to 32. Default: 1.
+   */
+  vtkSetMacro(Radius, int);
+  vtkGetMacro(Radius, int);
+  ///@}
+
+  /// How a loop goes on.
+  enum GrowthStrategies
+  {
+    Distance = 0,
+    Clockwise = 1
+  };
+
+  ///@{
+  /**
+   * The rule by which a loop goes on where the radius leaves a choice (vtkHorizonExteriorBoundary). Default: Clockwise.
+   */
+  vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
+  vtkGetMacro(GrowthStrategy, int);
+  void SetGrowthStrategyToDistance() { this->SetGrowthStrategy(Distance); }
+  void SetGrowthStrategyToClockwise() { this->SetGrowthStrategy(Clockwise); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether holes that are not too small stay open. Default: on.
+   */
+  vtkSetMacro(HoleBoundaries, bool);
+  vtkGetMacro(HoleBoundaries, bool);
+  vtkBooleanMacro(HoleBoundaries, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the size of the smallest hole that stays open is chosen: a square with the larger one of two sides, twice
+   * the radius plus one, and twice the outline tolerance. Off: SmallestHoleSize. Default: on.
+   */
+  vtkSetMacro(AutomaticSmallestHoleSize, bool);
+  vtkGetMacro(AutomaticSmallestHoleSize, bool);
+  vtkBooleanMacro(AutomaticSmallestHoleSize, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Without AutomaticSmallestHoleSize: holes with fewer columns strictly inside are closed; at least 1. Default: 1.
+   */
+  vtkSetMacro(SmallestHoleSize, int);
+  vtkGetMacro(SmallestHoleSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Patches of fewer points are dropped as specks. At least 1, which keeps all. Default: 1.
+   */
+  vtkSetMacro(MinimumPatchSize, int);
+  vtkGetMacro(MinimumPatchSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether outlines may be as far off, seen from above, as the mesh is vertically. Off: OutlineTolerance. Default: on.
+   */
+  vtkSetMacro(AutomaticOutlineTolerance, bool);
+  vtkGetMacro(AutomaticOutlineTolerance, bool);
+  vtkBooleanMacro(AutomaticOutlineTolerance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Without AutomaticOutlineTolerance, how far a point that is dropped from an outline may be from it, seen from above.
+   * In columns, at least 0. Default: 0.
+   */
+  vtkSetMacro(OutlineTolerance, double);
+  vtkGetMacro(OutlineTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether outlines may be as far above or below the points as the mesh. Off: DistanceThreshold. Default: on.
+   */
+  vtkSetMacro(AutomaticDistanceThreshold, bool);
+  vtkGetMacro(AutomaticDistanceThreshold, bool);
+  vtkBooleanMacro(AutomaticDistanceThreshold, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Without AutomaticDistanceThreshold, how far a point that is dropped from an outline may be above or below it. In
+   * lattice units, at least 0. Default: 0.4.
+   */
+  vtkSetMacro(DistanceThreshold, double);
+  vtkGetMacro(DistanceThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether heights of vertices inside are fitted to the points around them (vtkHorizonDecimation). Default: on.
+   */
+  vtkSetMacro(FitHeights, bool);
+  vtkGetMacro(FitHeights, bool);
+  vtkBooleanMacro(FitHeights, bool);
+  ///@}
+
+  /// How much is done for few triangles.
+  enum Efforts
+  {
+    Fast = 0,
+    Best = 1
+  };
+
+  ///@{
+  /**
+   * How much is done for few triangles (vtkHorizonDecimation). Default: Best.
+   */
+  vtkSetClampMacro(Effort, int, Fast, Best);
+  vtkGetMacro(Effort, int);
+  void SetEffortToFast() { this->SetEffort(Fast); }
+  void SetEffortToBest() { this->SetEffort(Best); }
+  ///@}
+
+  /// Which error becomes small for a number of triangles.
+  enum Priorities
+  {
+    LargestErrors = 0,
+    SumOfSquares = 1
+  };
+
+  ///@{
+  /**
+   * With NumberOfTriangles, which error becomes small: the largest one, or the sum of the squares of all, and with it
+   * the mean. Default: SumOfSquares.
+   */
+  vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
+  vtkGetMacro(Priority, int);
+  void SetPriorityToLargestErrors() { this->SetPriority(LargestErrors); }
+  void SetPriorityToSumOfSquares() { this->SetPriority(SumOfSquares); }
+  ///@}
+
+  ///@{
+  /**
+   * With the Effort Best, the smallest angle that is made, in degrees, from 0 to 60 (vtkHorizonDecimation). Default: 2.
+   */
+  vtkSetMacro(SmallestAngle, double);
+  vtkGetMacro(SmallestAngle, double);
+  ///@}
+
+protected:
+  vtkHorizonSurface();
+  ~vtkHorizonSurface() override = default;
+
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonSurface(const vtkHorizonSurface&) = delete;
+  void operator=(const vtkHorizonSurface&) = delete;
+
+  SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::LatticePoints& points) const;
+
+  int Target = LargestError;
+  double MaximumError = 0.75;
+  int ErrorUnit = Lattice;
+  int MaximumNumberOfTriangles = 20000;
+  bool AutomaticRadius = true;
+  int Radius = 1;
+  int GrowthStrategy = Clockwise;
+  bool HoleBoundaries = true;
+  bool AutomaticSmallestHoleSize = true;
+  int SmallestHoleSize = 1;
+  int MinimumPatchSize = 1;
+  bool AutomaticOutlineTolerance = true;
+  double OutlineTolerance = 0.0;
+  bool AutomaticDistanceThreshold = true;
+  double DistanceThreshold = 0.4;
+  bool FitHeights = true;
+  int Effort = Best;
+  int Priority = SumOfSquares;
+  double SmallestAngle = 2.0;
+};
+
+#endif

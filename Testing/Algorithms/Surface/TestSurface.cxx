@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From points to mesh: the same as the three methods one after the other, with parameters that are chosen or given, and
+// no more triangles than there may be.
+
+#include "Common/Parallel.h"
+#include "Surface/Surface.h"
+#include "Tools/Check.h"
+#include "Tools/MonitorChecker.h"
+#include "Tools/Patches.h"
+#include "Tools/TestHorizons.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+double Fold(const PlanePoint& column)
+{
+  return std::round(20.0 + 6.0 * std::sin(0.3 * column.X) * std::cos(0.25 * column.Y));
+}
+
+template <typename Height>
+SurfacePoints MakePoints(const Patches::Columns& columns, Height&& height)
+{
+  SurfacePoints points;
+  points.SubVoxelsPerColumn = TestHorizons::SubVoxelsPerColumn;
+  for (const PlanePoint& column : columns)
+  {
+    points.Columns.push_back(column);
+    points.Plane.push_back({ column.X * points.SubVoxelsPerColumn, column.Y * points.SubVoxelsPerColumn });
+    points.Height.push_back(height(column));
+  }
+  return points;
+}
+
+Patches::Columns Rectangle(int width, int height)
+{
+  return Patches::FromPicture(std::vector<std::string>(std::size_t(height), std::string(std::size_t(width), '#')));
+}
+
+SurfacePoints RandomPoints(int n, Patches::Random& random)
+{
+  const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+  const bool isNoise = n % 3 == 0;
+  return MakePoints(
+    columns, [&](const PlanePoint& column) { return isNoise ? std::floor(9.0 * random.Fraction()) : Fold(column); });
+}
+
+SurfaceOptions Within(double error)
+{
+  SurfaceOptions options;
+  options.MaximumError = error;
+  return options;
+}
+
+SurfaceOptions AtMost(std::size_t triangles)
+{
+  SurfaceOptions options;
+  options.MaximumNumberOfTriangles = triangles;
+  return options;
+}
+
+std::size_t CountTriangles(const Surface& surface)
+{
+  return surface.Mesh.Triangles.size() / 3;
+}
+
+/// The three methods, one after the other, with the parameters of a surface; as a text, the mesh over the points that
+/// were given.
+std::string RunMethods(const SurfacePoints& points, const SurfaceOptions& given, const SurfaceParameters& parameters)
+{
+  BoundaryOptions boundary;
+  boundary.Radius = parameters.Radius;
+  boundary.Growth = given.Growth;
+  boundary.HoleBoundaries = given.HoleBoundaries;
+  boundary.SmallestHoleSize = parameters.SmallestHoleSize;
+  boundary.MinimumPatchSize = given.MinimumPatchSize;
+  const BoundedHorizon horizon = TestHorizons::MakeHorizon(points.Columns, points.Height, boundary);
+  BoundarySimplificationOptions straight;
+  straight.Method = OutlineMethod::FewestPoints;
+  straight.OutlineTolerance = parameters.OutlineTolerance;
+  straight.DistanceThreshold = parameters.DistanceThreshold;
+  const BoundarySimplification simplified = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, straight);
+  DecimationOptions decimation;
+  decimation.MaximumError = parameters.MaximumNumberOfPoints > 0 ? 0.0 : parameters.MaximumError;
+  decimation.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
+  decimation.Effort = given.Effort;
+  const BoundedHorizon dropped = TestHorizons::Drop(horizon, simplified);
+  const Decimation mesh = Decimate(dropped, decimation);
+  std::ostringstream text;
+  for (const PointId vertex : mesh.Triangles)
+  {
+    const PlanePoint& place = mesh.Points.Plane[std::size_t(vertex)];
+    text << place.X << ' ' << place.Y << ' ' << mesh.Points.Height[std::size_t(vertex)] << ' ';
+  }
+  const std::vector<std::int64_t> counts = TestHorizons::Reduce(dropped, mesh.Points).Count;
+  for (const std::int64_t count : counts)
+  {
+    text << count << ' ';
+  }
+  text << mesh.LargestError << ' ' << mesh.MeanError << ' ' << simplified.OutlineDeviation;
+  return text.str();
+}
+
+/// The same text of a surface.
+std::string Tell(const SurfacePoints& points, const Surface& surface)
+{
+  std::ostringstream text;
+  const Reduction& vertices = surface.Mesh.Points;
+  for (const PointId vertex : surface.Mesh.Triangles)
+  {
+    const PlanePoint& place = vertices.Plane[std::size_t(vertex)];
+    text << place.X << ' ' << place.Y << ' ' << vertices.Height[std::size_t(vertex)] << ' ';
+    const PointId source = surface.Kept[std::size_t(vertices.Source[std::size_t(vertex)])];
+    CHECK(points.Plane[std::size_t(source)] == place);
+  }
+  std::vector<std::int64_t> counts(vertices.Source.size(), 0);
+  for (const PointId target : vertices.Target)
+  {
+    ++counts[std::size_t(target)];
+  }
+  for (const std::int64_t count : counts)
+  {
+    text << count << ' ';
+  }
+  text << surface.Mesh.LargestError << ' ' << surface.Mesh.MeanError << ' ' << surface.OutlineDeviation;
+  return text.str();
+}
+
+void TestSameAsMethods()
+{
+  Patches::Random random(5);
+  for (int n = 0; n < 300; ++n)
+  {
+    const SurfacePoints points = RandomPoints(n, random);
+    SurfaceOptions options = n % 2 == 0 ? Within(0.3 * random.Below(8)) : AtMost(std::size_t(500 + random.Below(500)));
+    options.Growth = n % 5 == 0 ? GrowthStrategy::Distance : GrowthStrategy::Clockwise;
+    options.HoleBoundaries = n % 4 != 3;
+    options.Effort = n % 7 < 3 ? DecimationEffort::Fast : DecimationEffort::Best;
+    const Surface surface = MakeSurface(points, options);
+    CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface.Parameters));
+    CHECK_EQUAL(surface.Parameters.OutlineTolerance, surface.Parameters.MaximumError);
+    CHECK_EQUAL(surface.Parameters.DistanceThreshold, surface.Parameters.MaximumError);
+  }
+}
+
+void TestGivenParameters()
+{
+  const SurfacePoints points = MakePoints(Rectangle(30, 20), Fold);
+  SurfaceOptions options = Within(1.0);
+  options.Radius = 3;
+  options.SmallestHoleSize = 7;
+  options.OutlineTolerance = 0.0;
+  options.DistanceThreshold = 0.25;
+  const Surface surface = MakeSurface(points, options);
+  CHECK_EQUAL(surface.Parameters.Radius, 3);
+  CHECK_EQUAL(surface.Parameters.SmallestHoleSize, 7);
+  CHECK_EQUAL(surface.Parameters.OutlineTolerance, 0.0);
+  CHECK_EQUAL(surface.Parameters.DistanceThreshold, 0.25);
+  CHECK_EQUAL(surface.Parameters.MaximumError, 1.0);
+  CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface.Parameters));
+  // With both tolerances there is no error to search for.
+  options.MaximumNumberOfTriangles = 400;
+  const Surface byNumber = MakeSurface(points, options);
+  CHECK_EQUAL(byNumber.Parameters.MaximumError, 0.0);
+  CHECK(CountTriangles(byNumber) <= 400 && CountTriangles(byNumber) >= 399);
+}
+
+/// Single missing points are closed, a hole of 6 by 6 columns stays open; on every second line of twice the size.
+void TestHoles()
+{
+  for (const int step : { 1, 2 })
+  {
+    Patches::Columns columns;
+    for (const PlanePoint& column : Rectangle(40, 40))
+    {
+      const bool isHole = column.X > 20 && column.X < 27 && column.Y > 20 && column.Y < 27;
+      const bool isDropout = column.X % 10 == 5 && column.Y % 10 == 5;
+      if (!isHole && !isDropout)
+      {
+        columns.push_back({ column.X * step, column.Y * step });
+      }
+    }
+    const Surface surface = MakeSurface(MakePoints(columns, Fold), Within(0.75));
+    CHECK_EQUAL(surface.Parameters.Radius, step);
+    CHECK_EQUAL(surface.Parameters.SmallestHoleSize, (2 * step + 1) * (2 * step + 1));
+    CHECK_EQUAL(surface.Boundary.NumberOfPatches, 1u);
+    CHECK_EQUAL(surface.Boundary.Boundary.Size(), 2u);
+  }
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 0.0), 9);
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 1.5), 9);
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 2.0), 16);
+  CHECK_EQUAL(ChooseSmallestHoleSize(3, 2.0), 49);
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 1e300), std::int64_t(1) << 28);
+}
+
+/// At most so many; just as many, but for one, where there are points enough.
+void TestNumberOfTriangles()
+{
+  const auto wavy = [](const PlanePoint& column)
+  { return 20.0 + 6.0 * std::sin(0.3 * column.X) * std::cos(0.25 * column.Y); };
+  const SurfacePoints points = MakePoints(Rectangle(60, 50), wavy);
+  for (const std::size_t most : { 20, 101, 1000, 3000 })
+  {
+    const Surface surface = MakeSurface(points, AtMost(most));
+    CHECK(CountTriangles(surface) <= most && CountTriangles(surface) + 1 >= most);
+  }
+  CHECK_EQUAL(MakeSurface(points, AtMost(1000000)).Mesh.LargestError, 0.0);
+}
+
+void TestNumberOnRandomPatches()
+{
+  Patches::Random random(23);
+  int refused = 0;
+  for (int n = 0; n < 300; ++n)
+  {
+    const SurfacePoints points = RandomPoints(n, random);
+    const std::size_t most = std::size_t(1 + random.Below(n % 2 == 0 ? 40 : 400));
+    try
+    {
+      CHECK(CountTriangles(MakeSurface(points, AtMost(most))) <= most);
+    }
+    catch (const InputError& error)
+    {
+      // What it says is enough is so.
+      const std::string text = error.what();
+      const std::string start = "maximum number of triangles " + std::to_string(most) + ", expected at least the ";
+      CHECK_EQUAL(text.substr(0, start.size()), start);
+      const std::size_t least = std::stoul(text.substr(start.size()));
+      CHECK(least > most && CountTriangles(MakeSurface(points, AtMost(least))) <= least);
+      ++refused;
+    }
+  }
+  CHECK(refused > 20 && refused < 200);
+}
+
+void TestPlaneAndFewPoints()
+{
+  const auto slope = [](const PlanePoint& column) { return 0.5 * column.X; };
+  for (const SurfaceOptions& options : { Within(0.75), Within(0.0), AtMost(20000), AtMost(2) })
+  {
+    CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints(Rectangle(30, 20), slope), options)), 2u);
+    CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints({ { 4, 4 } }, slope), options)), 0u);
+    CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints(Rectangle(9, 1), slope), options)), 0u);
+  }
+  CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints(Rectangle(2, 2), slope), AtMost(20000))), 2u);
+  CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), AtMost(1)), "expected at least the 2 that");
+}
+
+/// Specks are dropped first, and when nothing else is there, nothing is left.
+void TestSpecks()
+{
+  Patches::Columns columns = Rectangle(20, 20);
+  columns.insert(columns.begin() + 77, { 40, 3 });
+  const SurfacePoints points = MakePoints(columns, Fold);
+  for (SurfaceOptions options : { Within(0.75), AtMost(300) })
+  {
+    options.MinimumPatchSize = 2;
+    const Surface surface = MakeSurface(points, options);
+    CHECK_EQUAL(surface.Kept.size(), 400u);
+    CHECK_EQUAL(surface.Kept[77], 78);
+    CHECK_EQUAL(surface.Mesh.Points.Target.size(), 400u);
+    options.MinimumPatchSize = 401;
+    const Surface nothing = MakeSurface(points, options);
+    CHECK(nothing.Kept.empty() && nothing.Mesh.Triangles.empty() && nothing.Boundary.NumberOfPatches == 0);
+  }
+}
+
+void TestThreads()
+{
+  const SurfacePoints points = MakePoints(Rectangle(60, 50), Fold);
+  for (const SurfaceOptions& options : { Within(0.75), AtMost(700) })
+  {
+    Detail::NumberOfThreads() = 1;
+    const std::string onOne = Tell(points, MakeSurface(points, options));
+    Detail::NumberOfThreads() = 3;
+    CHECK_EQUAL(Tell(points, MakeSurface(points, options)), onOne);
+    Detail::NumberOfThreads() = 0;
+  }
+}
+
+void TestErrors()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const SurfacePoints points = MakePoints(Rectangle(9, 9), Fold);
+  CHECK_THROWS_WITH(MakeSurface(points, Within(-1.0)), "maximum error -1, expected at least 0 lattice units");
+  CHECK_THROWS_WITH(MakeSurface(points, Within(nan)), "maximum error nan, expected a finite number");
+  const auto refuse = [&](const std::string& message, void (*change)(SurfaceOptions&))
+  {
+    SurfaceOptions options;
+    change(options);
+    CHECK_THROWS_WITH(MakeSurface(points, options), message);
+  };
+  refuse("radius 0, expected 1 to 32 columns", [](SurfaceOptions& options) { options.Radius = 0; });
+  refuse("smallest hole size 0, expected", [](SurfaceOptions& options) { options.SmallestHoleSize = 0; });
+  refuse("outline tolerance -2, expected", [](SurfaceOptions& options) { options.OutlineTolerance = -2.0; });
+  refuse("distance threshold -3, expected", [](SurfaceOptions& options) { options.DistanceThreshold = -3.0; });
+  refuse("smallest angle 61, expected", [](SurfaceOptions& options) { options.SmallestAngle = 61.0; });
+  CHECK_THROWS_WITH(MakeSurface(MakePoints({ { 1, 1 }, { 1, 1 } }, Fold)), "points 0 and 1");
+}
+
+void TestMonitor()
+{
+  const SurfacePoints points = MakePoints(Rectangle(60, 50), Fold);
+  for (const SurfaceOptions& options : { Within(0.75), AtMost(700) })
+  {
+    CHECK_EQUAL(
+      MonitorChecker::Check(10, [&](const Monitor& monitor) { MakeSurface(points, options, monitor); }), std::string());
+  }
+}
+}
+
+int TestSurface(int, char*[])
+{
+  TestSameAsMethods();
+  TestGivenParameters();
+  TestHoles();
+  TestNumberOfTriangles();
+  TestNumberOnRandomPatches();
+  TestPlaneAndFewPoints();
+  TestSpecks();
+  TestThreads();
+  TestErrors();
+  TestMonitor();
+  return Check::Result();
+}
