@@ -113,8 +113,8 @@ def _add_reader_options(group):
 def _add_stage_options(group):
     target = group.add_mutually_exclusive_group()
     target.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
-                        help="few triangles, with no point farther from the mesh than this, vertically, in place of the "
-                        "stages below; outlines may move by as much; 0.75 suits horizons of whole voxels; lattice "
+                        help="few triangles, with no point farther from the mesh than this, vertically, in place of "
+                        "the stages below; outlines may move by as much; 0.75 suits horizons of whole voxels; lattice "
                         "units")
     target.add_argument("--triangles", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
                         help="the same with at most N triangles in each mesh, as near to its horizon as it then can be")
@@ -130,8 +130,8 @@ def _add_stage_options(group):
                        help="give holes an outline of their own, so that they stay open in the mesh; with "
                        "--largest-error or --triangles they always have one")
     group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
-                       help="holes of fewer columns are closed all the same (default: 1; chosen with --largest-error or "
-                       "--triangles)")
+                       help="holes of fewer columns are closed all the same (default: 1; chosen with --largest-error "
+                       "or --triangles)")
     group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS,
                        metavar="T",
                        help="how far the outline may move on the map when its corners are dropped; lattice units "

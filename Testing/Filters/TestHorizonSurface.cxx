@@ -102,7 +102,8 @@ bool IsSame(vtkAbstractArray* a, vtkAbstractArray* b)
   }
   if (auto* const texts = vtkStringArray::SafeDownCast(a))
   {
-    return std::equal(texts->Begin(), texts->End(), vtkStringArray::SafeDownCast(b)->Begin());
+    vtkStdString* const values = texts->GetPointer(0);
+    return std::equal(values, values + texts->GetNumberOfValues(), vtkStringArray::SafeDownCast(b)->GetPointer(0));
   }
   return std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
            std::size_t(a->GetNumberOfValues()) * std::size_t(a->GetDataTypeSize())) == 0;

@@ -109,6 +109,10 @@ private:
     parameters.OutlineTolerance = this->Options.OutlineTolerance.value_or(error);
     parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(error);
     this->FindBoundary(monitor.Step(0.0, 0.5));
+    if (this->Result.Kept.empty())
+    {
+      return;
+    }
     BoundarySimplificationOptions options;
     options.Method = OutlineMethod::FewestPoints;
     options.OutlineTolerance = parameters.OutlineTolerance;

@@ -6,6 +6,7 @@
 #include "Surface/ErrorSearch.h"
 #include "Tools/Check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -27,7 +28,8 @@ Found Find(std::size_t most, double largest, const TriangleCounter& count)
     [&](double tried)
     {
       ++runs;
-      CHECK(tried >= SmallestSearchedError * (1.0 - 1e-12) && tried <= largest * (1.0 + 1e-12));
+      CHECK(tried >= SmallestSearchedError * (1.0 - 1e-12) &&
+        tried <= std::max(largest, SmallestSearchedError) * (1.0 + 1e-12));
       return count(tried);
     });
   return { error, count(error), runs };

@@ -211,7 +211,7 @@ void TestNumberOfTriangles()
     const Surface surface = MakeSurface(points, AtMost(most));
     CHECK(CountTriangles(surface) <= most && CountTriangles(surface) + 1 >= most);
   }
-  CHECK_EQUAL(MakeSurface(points, AtMost(1000000)).Mesh.LargestError, 0.0);
+  CHECK(MakeSurface(points, AtMost(1000000)).Mesh.LargestError < 1e-12);
 }
 
 void TestNumberOnRandomPatches()
@@ -221,7 +221,7 @@ void TestNumberOnRandomPatches()
   for (int n = 0; n < 300; ++n)
   {
     const SurfacePoints points = RandomPoints(n, random);
-    const std::size_t most = std::size_t(1 + random.Below(n % 2 == 0 ? 40 : 400));
+    const std::size_t most = std::size_t(1 + random.Below(n % 2 == 0 ? 8 : 400));
     try
     {
       CHECK(CountTriangles(MakeSurface(points, AtMost(most))) <= most);
@@ -238,19 +238,25 @@ void TestNumberOnRandomPatches()
     }
   }
   CHECK(refused > 20 && refused < 200);
+  std::cerr << "refused " << refused << "\n";
 }
 
 void TestPlaneAndFewPoints()
 {
   const auto slope = [](const PlanePoint& column) { return 0.5 * column.X; };
-  for (const SurfaceOptions& options : { Within(0.75), Within(0.0), AtMost(20000), AtMost(2) })
+  for (const SurfaceOptions& options : { Within(0.75), AtMost(20000), AtMost(2) })
   {
     CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints(Rectangle(30, 20), slope), options)), 2u);
     CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints({ { 4, 4 } }, slope), options)), 0u);
     CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints(Rectangle(9, 1), slope), options)), 0u);
   }
   CHECK_EQUAL(CountTriangles(MakeSurface(MakePoints(Rectangle(2, 2), slope), AtMost(20000))), 2u);
-  CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), AtMost(1)), "expected at least the 2 that");
+  SurfaceOptions none = AtMost(1);
+  none.OutlineTolerance = 0.0;
+  CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), none),
+    "maximum number of triangles 1, expected at least the 2 that the outlines alone take");
+  none.DistanceThreshold = 0.0;
+  CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), none), "expected at least the 2 that");
 }
 
 /// Specks are dropped first, and when nothing else is there, nothing is left.
