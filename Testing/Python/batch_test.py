@@ -135,9 +135,25 @@ class BatchTest(unittest.TestCase):
             self.assertEqual(int(row[1]), mesh_checks.array(mesh, "PointCount").sum())
             # Outlines move sideways, too.
             self.assertLess(float(row[-4]), 1.5 * float(error))
+            self.assertEqual(row[-7:-4], ["1", "9" if error == "0.75" else "16", "%.3f" % float(error)])
             triangles.append(mesh.GetNumberOfPolys())
         self.assertGreater(triangles[0], 2 * triangles[1])
         self.assertIn("takes the place of", self.refused(SAMPLE, "--largest-error", "1", "--elaborate"))
+
+    def test_triangles(self):
+        """At most so many in each mesh; what is given is not chosen. The picture has the panels of what was made."""
+        done = self.succeed(SAMPLE, "--triangles", "400", "--radius", "2")
+        self.assertIn("smallest hole", done.stdout)
+        for path in self.output.glob("*.vtp"):
+            mesh = read(path)
+            self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+            row = printed_row(done, path.stem.split("_")[-1])
+            self.assertEqual(int(row[6]), mesh.GetNumberOfPolys())
+            self.assertIn(mesh.GetNumberOfPolys(), (399, 400))
+            self.assertEqual(row[-3], "2")
+        self.assertEqual(image_compare.load(self.output / "sample.png").shape[1], 3 * 480)
+        self.assertIn("that the outlines alone take", self.refused(SAMPLE, "--no-pictures", "--triangles", "5"))
+        self.assertIn("not allowed with", self.refused(SAMPLE, "--triangles", "5", "--largest-error", "1"))
 
     def test_outlines(self):
         """A larger radius takes fewer outline points, and a tolerance leaves fewer still."""
@@ -309,6 +325,7 @@ class BatchTest(unittest.TestCase):
                        "--duplicate-policy", "--horizons",
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",
                        "--smallest-hole-size", "--outline-tolerance", "--bound-deviation", "--fewest-outline-points",
+                       "--largest-error", "--triangles",
                        "--skip-rough", "--elaborate", "--elaborate-cell-size", "--flatness-threshold",
                        "--representative", "--measure-error", "--distance-unit", "--samples-per-point",
                        "--no-pictures", "--leave-out-invalid", "--threads"):

@@ -8,7 +8,7 @@ With --changed a parameter is slightly off, and the picture has to differ: this 
 import image_compare
 import seismichorizons as sh
 from seismichorizons import pictures
-from seismichorizons.pipeline import read_first
+from seismichorizons.pipeline import read_first, surface
 from seismichorizons.stage import apply
 
 SIZE = (480, 420)
@@ -60,6 +60,8 @@ def panel(scene, sample, changed):
                          DistanceThreshold=0.75, OutlineTolerance=0.75)
         mesh = apply(sh.vtkHorizonDecimation(), straight, MaximumError=own.maximum_error)
         return pictures.Panel("", "", mesh, pictures.MESH)
+    if scene == "Surface":
+        return pictures.Panel("", "", surface(data, largest_error=own.maximum_error)[0], pictures.MESH)
     mesh = apply(sh.vtkHorizonTriangulation(), rough(data, own))
     if scene == "SurfaceDistance":
         meter = sh.vtkHorizonSurfaceDistance()

@@ -85,6 +85,7 @@ def check_mesh(mesh):
         vertices = (patches == patch).sum()
         sides = (patches[all_edges[:, 0]] == patch).sum()
         faces = (patches[corners[:, 0]] == patch).sum() if len(corners) else 0
-        assert vertices - sides + faces == 1, "patch %d: %d - %d + %d, expected 1 (Euler)" % (
-            patch, vertices, sides, faces)
+        expected = 2 - sum(patches[loop[0]] == patch for loop in loops(mesh))  # an outline and its holes
+        assert vertices - sides + faces == expected, "patch %d: %d - %d + %d, expected %d (Euler)" % (
+            patch, vertices, sides, faces, expected)
     return len(corners)

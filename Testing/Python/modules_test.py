@@ -100,6 +100,31 @@ class StageTest(unittest.TestCase):
             self.assertEqual(bool(log.getvalue()), told, log.getvalue())
 
 
+class SurfaceTest(unittest.TestCase):
+    def test_surface(self):
+        """A plane is two triangles, and all is chosen; what is given is kept."""
+        mesh, chosen = pipeline.surface(plane(), largest_error=0.5)
+        self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()), (4, 2))
+        self.assertEqual(chosen, {"Radius": 1, "SmallestHoleSize": 9, "OutlineTolerance": 0.5, "DistanceThreshold": 0.5,
+                                  "MaximumError": 0.5, "MaximumNumberOfPoints": 0})
+        chosen = pipeline.surface(plane(), triangles=10, Radius=2, Effort="Fast")[1]
+        self.assertEqual((chosen["Radius"], chosen["MaximumNumberOfPoints"]), (2, 8))
+        self.assertEqual(pipeline.surface(plane())[1]["MaximumError"], 0.75)
+        with self.assertRaisesRegex(HorizonError, "Horizon 1: radius 33, expected 1 to 32 columns"):
+            pipeline.surface(plane(), Radius=33)
+        with self.assertRaises(ValueError):
+            pipeline.surface(plane(), largest_error=1.0, triangles=10)
+
+    def test_settings(self):
+        """One stage gives the mesh, and outlines to measure it against."""
+        settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=0.5), error={})
+        result = pipeline.run("a file", 1, plane(), settings)
+        self.assertEqual(sorted(result.data), ["boundary", "mesh", "points"])
+        self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
+        self.assertLess(largest_error(result.figures), ROUNDING)
+        self.assertEqual(tables.row(result)[2:5], ("1", "14", "4"))
+
+
 def listen(test):
     """Has signals noted as long as a test runs."""
     for number in (signal.SIGINT, signal.SIGTERM):

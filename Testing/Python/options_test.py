@@ -58,21 +58,33 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
 
     def test_largest_error(self):
-        """One error for mesh and outline, where that has none of its own."""
+        """One stage, whose parameters are chosen unless they are given."""
         settings = self.settings("--largest-error", "1.5")
-        names = [algorithm.GetClassName() for _, algorithm in settings.make_stages()]
-        self.assertEqual(names, ["vtkHorizonExteriorBoundary", "vtkHorizonBoundarySimplification",
-                                 "vtkHorizonDecimation"])
-        self.assertEqual(settings.decimation, {"MaximumError": 1.5})
-        self.assertEqual(settings.simplified, {"Method": "Threshold", "OutlineTolerance": 1.5, "DistanceThreshold": 1.5,
-                                               "BoundDeviation": True})
-        own = self.settings("--largest-error", "1.5", "--outline-tolerance", "2")
-        self.assertEqual(own.simplified["OutlineTolerance"], 2.0)
-        self.assertIsNone(self.settings().decimation)
+        (name, surface), = settings.make_stages()
+        self.assertEqual((name, surface.GetClassName()), ("mesh", "vtkHorizonSurface"))
+        self.assertEqual(settings.surface, {"MaximumError": 1.5, "GrowthStrategy": "Clockwise", "MinimumPatchSize": 1})
+        own = self.settings("--largest-error", "1.5", "--radius", "1", "--outline-tolerance", "2",
+                            "--smallest-hole-size", "40", "--distance-threshold", "0.4", "--minimum-patch-size", "9",
+                            "--growth-strategy", "Distance", "--leave-out-invalid")
+        (_, surface), = own.make_stages()
+        given = {"Radius": 1, "SmallestHoleSize": 40, "OutlineTolerance": 2.0, "DistanceThreshold": 0.4}
+        for key, value in given.items():
+            self.assertEqual(getattr(surface, "Get" + key)(), value)
+            self.assertFalse(getattr(surface, "GetAutomatic" + key)())
+        self.assertEqual((surface.GetMinimumPatchSize(), surface.GetGrowthStrategy()), (9, surface.Distance))
+        self.assertEqual(surface.GetInvalidHorizons(), sh.vtkHorizonStage.LeaveOut)
+        self.assertIsNone(self.settings("--radius", "2").surface)
+
+    def test_triangles(self):
+        (_, surface), = self.settings("--triangles", "5000").make_stages()
+        self.assertEqual(surface.GetTarget(), surface.NumberOfTriangles)
+        self.assertEqual(surface.GetMaximumNumberOfTriangles(), 5000)
+        self.assertTrue(surface.GetAutomaticRadius())
 
     def test_fewest_outline_points(self):
         settings = self.settings("--fewest-outline-points", "--outline-tolerance", "0.5")
-        self.assertEqual((settings.simplified["Method"], settings.simplified["OutlineTolerance"]), ("FewestPoints", 0.5))
+        self.assertEqual(settings.simplified["Method"], "FewestPoints")
+        self.assertEqual(settings.simplified["OutlineTolerance"], 0.5)
         straight = dict(settings.make_stages())["simplified"]
         self.assertEqual(straight.GetMethod(), straight.FewestPoints)
 
@@ -85,7 +97,7 @@ class OptionsTest(unittest.TestCase):
         lines = [line for page in pages for line in page.splitlines() if "horizon_mesh.py" in line]
         options = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
         self.assertIn("--measure-error", options)
-        for word in {*options, "--leave-out-invalid"}:
+        for word in {*options, "--leave-out-invalid", "--triangles"}:
             self.assertIn(word, help_text)
         for word in ("x_horizon_1.vtp", "x_error.csv", "a_x.png", "b_x.png", "130", "143", "--leave-out-invalid"):
             self.assertTrue(word in help_text and word in read_me, word)
