@@ -168,6 +168,62 @@ void DecimateWhole(const BoundedHorizon& horizon, StageInput& input)
   }
 }
 
+bool IsValid(const SurfaceOptions& options)
+{
+  const int radius = options.Radius.value_or(1);
+  return (options.MaximumNumberOfTriangles > 0 || IsLength(options.MaximumError)) && radius >= 1 &&
+    radius <= LargestRadius && options.SmallestHoleSize.value_or(1) >= 1 && options.MinimumPatchSize >= 1 &&
+    IsLength(options.OutlineTolerance.value_or(0.0)) && IsLength(options.DistanceThreshold.value_or(0.0));
+}
+
+/// False when outlines alone take more triangles than there may be; that no other message says.
+bool IsEnough(const SurfacePoints& points, const SurfaceOptions& options)
+{
+  try
+  {
+    MakeSurface(points, options);
+    return true;
+  }
+  catch (const InputError& error)
+  {
+    return std::string(error.what()).find("that the outlines alone take") == std::string::npos;
+  }
+}
+
+/// From points to a mesh in one; with a number of triangles that may be too small for the outlines.
+void MeshAtOnce(const BoundedHorizon& horizon, StageInput& input)
+{
+  const SurfaceOptions options = input.TakeSurfaceOptions();
+  SurfacePoints points{ {}, horizon.Plane, horizon.Height, horizon.SubVoxelsPerColumn };
+  for (const PlanePoint& place : horizon.Plane)
+  {
+    points.Columns.push_back({ place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn });
+  }
+  const bool isByNumber = options.MaximumNumberOfTriangles > 0;
+  const auto isSame = [](const Surface& a, const Surface& b)
+  { return a.Mesh.Triangles == b.Mesh.Triangles && a.Mesh.Points.Height == b.Mesh.Points.Height; };
+  const auto make = [&]() { return MakeSurface(points, options); };
+  const auto result = RunOn(
+    IsValid(options) && IsEnough(points, options), "surface", [&]() { return OnAnyThreads(make, isSame, "surface"); });
+  if (result && !result->Kept.empty())
+  {
+    const std::size_t triangles = result->Mesh.Triangles.size() / 3;
+    Require(!isByNumber || triangles <= options.MaximumNumberOfTriangles, "surface: too many triangles");
+    const double most = options.MaximumError + 1e-12 * HeightRange(horizon);
+    Require(isByNumber || result->Mesh.LargestError <= most, "surface: the error is larger than asked for");
+    BoundedHorizon mesh = horizon; // with the vertices alone
+    mesh.Plane = result->Mesh.Points.Plane;
+    mesh.Height = result->Mesh.Points.Height;
+    mesh.Boundary = result->Mesh.Points.Boundary;
+    mesh.Patch.clear();
+    for (const PointId source : result->Mesh.Points.Source)
+    {
+      mesh.Patch.push_back(result->Boundary.Patch[std::size_t(source)]);
+    }
+    CheckAnyMesh(mesh, result->Mesh.Triangles);
+  }
+}
+
 /// The hull of all points, and what is left of it when triangles outside are taken off.
 void PeelHull(const BoundedHorizon& horizon, StageInput& input)
 {
@@ -240,5 +296,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     Measure(*taken, horizon, input);
   }
+  MeshAtOnce(*taken, input);
   return 0;
 }

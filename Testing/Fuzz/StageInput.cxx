@@ -200,6 +200,34 @@ DecimationOptions StageInput::TakeDecimationOptions()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SurfaceOptions StageInput::TakeSurfaceOptions()
+{
+  SurfaceOptions options;
+  options.MaximumError = this->TakeNumber(0.0, 10.0);
+  options.MaximumNumberOfTriangles = this->TakeBool() ? 0 : std::size_t(1 + this->TakeBelow(1000));
+  const BoundaryOptions boundary = this->TakeBoundaryOptions();
+  options.Growth = boundary.Growth;
+  options.HoleBoundaries = boundary.HoleBoundaries;
+  options.MinimumPatchSize = boundary.MinimumPatchSize;
+  const BoundarySimplificationOptions simplification = this->TakeBoundarySimplificationOptions();
+  if (this->TakeBool())
+  {
+    options.Radius = boundary.Radius;
+    options.OutlineTolerance = simplification.OutlineTolerance;
+  }
+  if (this->TakeBool())
+  {
+    options.SmallestHoleSize = boundary.SmallestHoleSize;
+    options.DistanceThreshold = simplification.DistanceThreshold;
+  }
+  const DecimationOptions decimation = this->TakeDecimationOptions();
+  options.FitHeights = decimation.FitHeights;
+  options.Effort = decimation.Effort;
+  options.Priority = decimation.Priority;
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 SurfaceDistanceOptions StageInput::TakeSurfaceDistanceOptions()
 {
   SurfaceDistanceOptions options;

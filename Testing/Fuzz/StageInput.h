@@ -10,6 +10,7 @@
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "CellSimplification/ElaborateSimplification.h"
 #include "Decimation/Decimation.h"
+#include "Surface/Surface.h"
 #include "SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Patches.h"
 #include "Triangulation/OutsideTriangles.h"
@@ -37,6 +38,7 @@ public:
   SeismicHorizons::ElaborateOptions TakeCellOptions();
   SeismicHorizons::BoundaryLimits TakeBoundaryLimits();
   SeismicHorizons::DecimationOptions TakeDecimationOptions();
+  SeismicHorizons::SurfaceOptions TakeSurfaceOptions();
   SeismicHorizons::SurfaceDistanceOptions TakeSurfaceDistanceOptions();
   bool TakeBool() { return this->Bytes.ConsumeBool(); }
   /// From 0 to below `bound`.
