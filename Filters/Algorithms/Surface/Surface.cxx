@@ -59,6 +59,8 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.4 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
+      this->Plane = std::vector<PlanePoint>(); // memory that the decimation can use
+      this->Height = std::vector<double>();
       this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
@@ -124,10 +126,10 @@ private:
     this->Result.OutlineDeviation = simplified.OutlineDeviation;
     this->Simplified = ToReduction(simplified, this->Plane, this->Height);
     this->Horizon.SubVoxelsPerColumn = this->Points.SubVoxelsPerColumn;
-    this->Horizon.Plane = this->Simplified.Plane;
-    this->Horizon.Height = this->Simplified.Height;
+    this->Horizon.Plane = std::move(this->Simplified.Plane);
+    this->Horizon.Height = std::move(this->Simplified.Height);
     this->Horizon.Patch = Select(this->Result.Boundary.Patch, this->Simplified.Source);
-    this->Horizon.Boundary = this->Simplified.Boundary;
+    this->Horizon.Boundary = std::move(this->Simplified.Boundary);
   }
 
   void FindBoundary(const Monitor& monitor)
@@ -205,7 +207,7 @@ private:
   bool HasBoundary = false;
   std::vector<PlanePoint> Plane; // of the points that have a patch, as their heights
   std::vector<double> Height;
-  Reduction Simplified; // of these
+  Reduction Simplified; // of these; its places and loops are those of the horizon
   BoundedHorizon Horizon; // the same, to be decimated
 };
 }
@@ -227,6 +229,7 @@ Surface MakeSurface(const SurfacePoints& points, const SurfaceOptions& options, 
     CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
   }
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
+  CheckAtLeast("distance threshold", options.DistanceThreshold.value_or(0.0), 0.0, " lattice units");
   return SurfaceMaker(points, options).Run(monitor);
 }
 }
