@@ -72,6 +72,27 @@ def check_distance(reader, mesh):
     assert more > 2 * samples, (samples, more)
 
 
+def check_surface(reader):
+    """Straight from the points; the choices of the panel reach the filter, and both outputs have all horizons."""
+    from paraview import simple
+
+    surface = simple.HorizonSurface(Input=reader, Target="Number of Triangles", MaximumNumberOfTriangles=700,
+                                    AutomaticRadius=0, Radius=3)
+    surface.UpdatePipeline()
+    algorithm = surface.GetClientSideObject()
+    meshes, outlines = (mesh_checks.blocks(algorithm.GetOutputDataObject(port)) for port in (0, 1))
+    assert list(meshes) == list(outlines) == list(fetch(reader)), (meshes, outlines)
+    for name, mesh in meshes.items():
+        assert 699 <= mesh_checks.check_mesh(mesh) <= 700, name
+        assert mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0) == 3
+        assert outlines[name].GetNumberOfPoints() == fetch(reader)[name].GetNumberOfPoints()
+    surface.Target = "Largest Error"
+    surface.UpdatePipeline()
+    for mesh in mesh_checks.blocks(algorithm.GetOutputDataObject(0)).values():
+        assert 0.5 < mesh.GetFieldData().GetArray("LargestError").GetValue(0) <= 0.75 + 1e-9
+    simple.Delete(surface)
+
+
 def check_warped_maps(reader):
     """Maps that are warped by their elevation lie where the points are."""
     from paraview import simple
@@ -138,6 +159,7 @@ def main():
         print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
         pipelines.assert_same(mesh, direct[name])
     check_distance(proxies[0], proxies[-1])
+    check_surface(proxies[0])
     check_selection(proxies[0], names)
     check_reader_properties(proxies[0])
 
