@@ -139,7 +139,7 @@ void TestSameAsMethods()
   for (int n = 0; n < 300; ++n)
   {
     const SurfacePoints points = RandomPoints(n, random);
-    SurfaceOptions options = n % 2 == 0 ? Within(0.3 * random.Below(8)) : AtMost(std::size_t(500 + random.Below(500)));
+    SurfaceOptions options = n % 2 == 0 ? Within(0.3 * random.Below(8)) : AtMost(std::size_t(60 + random.Below(500)));
     options.Growth = n % 5 == 0 ? GrowthStrategy::Distance : GrowthStrategy::Clockwise;
     options.HoleBoundaries = n % 4 != 3;
     options.Effort = n % 7 < 3 ? DecimationEffort::Fast : DecimationEffort::Best;
@@ -147,6 +147,8 @@ void TestSameAsMethods()
     CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface.Parameters));
     CHECK_EQUAL(surface.Parameters.OutlineTolerance, surface.Parameters.MaximumError);
     CHECK_EQUAL(surface.Parameters.DistanceThreshold, surface.Parameters.MaximumError);
+    CHECK_EQUAL(surface.Parameters.SmallestHoleSize,
+      ChooseSmallestHoleSize(surface.Parameters.Radius, surface.Parameters.OutlineTolerance));
   }
 }
 
