@@ -64,7 +64,7 @@ def check_default(where, prop, algorithm, documented):
     text = documented.get(name, "")
     entries = {e.get("value"): e.get("text").replace(" ", "") for e in prop.iter("Entry")}
     if entries:
-        expect(text.lower() in (default, entries[default].lower()),
+        expect(text in (default, entries[default]),
                "%s: %s is %s in the XML, but %r in the documentation" % (where, name, entries[default], text))
     else:
         expect(numbers(text) == numbers(default),

@@ -76,7 +76,7 @@ def check_surface(reader):
     """Straight from the points; the choices of the panel reach the filter, and both outputs have all horizons."""
     from paraview import simple
 
-    surface = simple.HorizonSurface(Input=reader, Target="Number of Triangles", MaximumNumberOfTriangles=700,
+    surface = simple.HorizonSurface(Input=reader, Target="Number Of Triangles", MaximumNumberOfTriangles=700,
                                     AutomaticRadius=0, Radius=3)
     surface.UpdatePipeline()
     algorithm = surface.GetClientSideObject()
