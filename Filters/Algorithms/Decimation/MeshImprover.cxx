@@ -23,6 +23,7 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
   const double error = options.MaximumError;
   MeshCost cost(DecimationPriority::LargestError, error, options.SmallestAngle);
   cost.LargestError = error + mesh.Rounding();
+  mesh.Triangles().SortByPlace();
   for (int round = 0; round < Rounds; ++round)
   {
     const Monitor step = monitor.Step(double(round) / Rounds, double(round + 1) / Rounds);
@@ -39,6 +40,7 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
 //----------------------------------------------------------------------------------------------------------------------
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor)
 {
+  mesh.Triangles().SortByPlace();
   const double largest = mesh.FindLargestError();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));

@@ -90,6 +90,9 @@ public:
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoPoint; }
   /// Numbers the triangles that are left anew, in their order; gives their numbers so far.
   std::vector<TriangleId> Compact();
+  /// Numbers triangles by place, band by band: those of successive numbers are near each other, and so is what is read
+  /// for them.
+  void SortByPlace();
 
 private:
   struct Triangle
@@ -99,6 +102,7 @@ private:
   };
 
   void Connect();
+  void Reorder(const std::vector<TriangleId>& order);
   void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);
   void Split(PointId point, TriangleId triangle, std::vector<TriangleId>& parts);
   bool IsDelaunay(TriangleId triangle, int side) const;

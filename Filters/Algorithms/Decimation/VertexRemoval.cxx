@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -51,9 +52,9 @@ public:
     while (isPossible && this->Mesh.NumberOfVertices() > leastVertices)
     {
       this->TryOld();
-      const std::size_t size = this->FindCheapest();
-      this->RemoveCheapest(size, leastVertices);
-      isPossible = size > 0;
+      const std::vector<Candidate> cheapest = this->FindCheapest();
+      this->RemoveAll(cheapest, leastVertices);
+      isPossible = !cheapest.empty();
       monitor.Progress(1.0 - 0.95 * double(this->Mesh.NumberOfVertices()) / first);
     }
     this->Mesh.Compact();
@@ -89,18 +90,22 @@ private:
     this->IsOld.assign(this->TriangleAt.size(), 1);
   }
 
-  /// Puts the vertices that could go and seem cheapest first, and gives how many they are.
-  std::size_t FindCheapest()
+  /// The cheapest of those that can go, in their order.
+  std::vector<Candidate> FindCheapest() const
   {
-    const auto end = std::partition(
-      this->Candidates.begin(), this->Candidates.end(), [](const Candidate& one) { return one.Cost < Infinity; });
-    const std::size_t size = std::size_t(std::ceil(PartOfRound * double(end - this->Candidates.begin())));
+    const auto isCheaper = [](const Candidate& a, const Candidate& b)
+    { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); };
+    std::vector<Candidate> possible;
+    std::copy_if(this->Candidates.begin(), this->Candidates.end(), std::back_inserter(possible),
+      [](const Candidate& one) { return one.Cost < Infinity; });
+    const auto size = std::ptrdiff_t(std::ceil(PartOfRound * double(possible.size())));
     if (size > 0)
     {
-      std::nth_element(this->Candidates.begin(), this->Candidates.begin() + std::ptrdiff_t(size - 1), end,
-        [](const Candidate& a, const Candidate& b) { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); });
+      std::nth_element(possible.begin(), possible.begin() + (size - 1), possible.end(), isCheaper);
     }
-    return size;
+    possible.resize(std::size_t(size));
+    std::sort(possible.begin(), possible.end(), isCheaper);
+    return possible;
   }
 
   void TryOld()
@@ -238,15 +243,16 @@ private:
   }
 
   /// Those of a round, up to a cost.
-  void RemoveCheapest(std::size_t size, std::size_t leastVertices)
+  void RemoveAll(const std::vector<Candidate>& cheapest, std::size_t leastVertices)
   {
-    std::sort(this->Candidates.begin(), this->Candidates.begin() + std::ptrdiff_t(size),
-      [](const Candidate& a, const Candidate& b) { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); });
     this->IsChanged.assign(std::size_t(this->Mesh.Triangles().Size()), 0);
     this->Changed.clear();
-    for (std::size_t n = 0; n<size&& this->Mesh.NumberOfVertices()> leastVertices; ++n)
+    for (const Candidate& candidate : cheapest)
     {
-      this->Remove(this->Candidates[n]);
+      if (this->Mesh.NumberOfVertices() > leastVertices)
+      {
+        this->Remove(candidate);
+      }
     }
     this->Mesh.Measure(this->Changed, this->Cost.Power, Monitor());
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
@@ -286,7 +292,7 @@ private:
   HeightMesh& Mesh;
   const MeshCost& Cost;
   std::vector<TriangleId> TriangleAt; // by point: one of its triangles
-  std::vector<Candidate> Candidates; // the vertices inside
+  std::vector<Candidate> Candidates; // the vertices inside, in the order of their points: those next are near
   std::vector<unsigned char> IsOld; // by point: triangles around have changed since it was tried
   std::vector<unsigned char> IsChanged; // by triangle, in one round
   std::vector<TriangleId> Changed; // in one round
