@@ -118,7 +118,7 @@ def vertex_worth(curves, title, path):
         for axis, what in zip(axes, ("largest", "mean", "outline")):
             values = sorted((w.vertices, getattr(w, what)) for w in worths)
             axis.plot(*zip(*values), "o-" if mine else "^--", color=COLORS[number % len(COLORS)],
-                      linewidth=2.4 if mine else 1.2, label=("ours, %s" % name) if mine else name)
+                      linewidth=2.4 if mine else 1.2, label="ours, %s" % name.replace("our ", "") if mine else name)
     for axis, label in zip(axes, ("largest error / diagonal", "mean error / diagonal", "outline off (columns)")):
         axis.set_xscale("log")
         logarithmic(axis.xaxis)
