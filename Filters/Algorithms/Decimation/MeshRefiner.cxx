@@ -46,6 +46,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
     part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
     monitor.Progress(part);
     this->InsertRound(urgent);
+    this->SortNew();
     this->Mesh.Measure(this->New, this->Power, Monitor());
   }
 }
@@ -66,6 +67,15 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
     this->InsertRound(far);
     this->Mesh.MeasureWithSides(this->New, Monitor());
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// By the points that made them, which come row by row: what is measured next is near then, for large horizons a fifth
+// of the time.
+void MeshRefiner::SortNew()
+{
+  const auto point = [this](TriangleId triangle) { return this->Mesh.Triangles().Corner(triangle, 2); };
+  std::sort(this->New.begin(), this->New.end(), [&point](TriangleId a, TriangleId b) { return point(a) < point(b); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ private:
   void InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
   void AddNew(TriangleId triangle);
+  void SortNew();
 
   HeightMesh& Mesh;
   const std::size_t MostVertices;
