@@ -24,16 +24,10 @@ void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const char* const targets[] = { "LargestError", "NumberOfPoints", "Reduction" };
-  const char* const units[] = { "Lattice", "World", "Diagonal" };
   os << indent << "Target: " << targets[this->Target] << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "ErrorUnit: " << units[this->ErrorUnit] << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "TargetReduction: " << this->TargetReduction << "\n";
-  os << indent << "FitHeights: " << (this->FitHeights ? "On" : "Off") << "\n";
-  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
-  os << indent << "Priority: " << (this->Priority == LargestErrors ? "LargestErrors" : "SumOfSquares") << "\n";
-  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
+  os << indent << "FitHeights: " << (this->GetFitHeights() ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -42,15 +36,10 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
 {
   DecimationOptions options;
   options.MaximumError = 0.0;
-  options.FitHeights = this->FitHeights;
-  options.Effort = this->Effort == Fast ? DecimationEffort::Fast : DecimationEffort::Best;
-  options.Priority =
-    this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
-  options.SmallestAngle = this->SmallestAngle;
+  static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = ErrorInLatticeUnits(this->MaximumError,
-      static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), horizon.Plane, horizon.Height, grid);
+    options.MaximumError = this->FindMaximumError(horizon.Plane, horizon.Height, grid);
   }
   else if (this->Target == NumberOfPoints)
   {

@@ -36,7 +36,7 @@
 #ifndef vtkHorizonDecimation_h
 #define vtkHorizonDecimation_h
 
-#include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 namespace SeismicHorizons
@@ -46,11 +46,11 @@ struct BoundedHorizon;
 struct DecimationOptions;
 }
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonDecimation : public vtkHorizonAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonDecimation : public vtkHorizonReducedMesh
 {
 public:
   static vtkHorizonDecimation* New();
-  vtkTypeMacro(vtkHorizonDecimation, vtkHorizonAlgorithm);
+  vtkTypeMacro(vtkHorizonDecimation, vtkHorizonReducedMesh);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What decides how many points are left.
@@ -75,35 +75,6 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point from the mesh, in ErrorUnit; at least 0. For horizons of whole voxels,
-   * whose heights are rounded by up to half a voxel, 0.75 brings the mesh nearest to what was rounded. Default: 0.75.
-   */
-  vtkSetMacro(MaximumError, double);
-  vtkGetMacro(MaximumError, double);
-  ///@}
-
-  /// The unit of MaximumError.
-  enum ErrorUnits
-  {
-    Lattice = 0,
-    World = 1,
-    Diagonal = 2
-  };
-
-  ///@{
-  /**
-   * The unit of MaximumError: Lattice (1 is one vertical index), World (that of z), or Diagonal (1 is the diagonal of
-   * the bounding box of the horizon, in lattice units). Default: Lattice.
-   */
-  vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
-  vtkGetMacro(ErrorUnit, int);
-  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
-  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
-  void SetErrorUnitToDiagonal() { this->SetErrorUnit(Diagonal); }
-  ///@}
-
-  ///@{
-  /**
    * How many points each horizon has at most, those of its loops included, of which there can be no fewer. Default:
    * 10000.
    */
@@ -117,62 +88,6 @@ public:
    */
   vtkSetMacro(TargetReduction, double);
   vtkGetMacro(TargetReduction, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether heights of vertices inside are fitted to the points around them, which takes fewer vertices for the same
-   * error; attributes are then averaged. Off: every vertex is a point of the input with its attributes. Default: on.
-   */
-  vtkSetMacro(FitHeights, bool);
-  vtkGetMacro(FitHeights, bool);
-  vtkBooleanMacro(FitHeights, bool);
-  ///@}
-
-  /// How much is done for few points.
-  enum Efforts
-  {
-    Fast = 0,
-    Best = 1
-  };
-
-  ///@{
-  /**
-   * How much is done for few points. Fast: points are inserted where the mesh is farthest from the horizon. Best: then
-   * edges are flipped, heights fitted and vertices removed, which takes some times as long and a quarter to a half
-   * fewer points for an error, or a smaller mean error for a number of points. Default: Best.
-   */
-  vtkSetClampMacro(Effort, int, Fast, Best);
-  vtkGetMacro(Effort, int);
-  void SetEffortToFast() { this->SetEffort(Fast); }
-  void SetEffortToBest() { this->SetEffort(Best); }
-  ///@}
-
-  /// Which error becomes small for a number of points.
-  enum Priorities
-  {
-    LargestErrors = 0,
-    SumOfSquares = 1
-  };
-
-  ///@{
-  /**
-   * With NumberOfPoints or Reduction as the target, which error becomes small: the largest one (LargestErrors), or the
-   * sum of the squares of all (SumOfSquares), and with it the mean. Default: SumOfSquares.
-   */
-  vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
-  vtkGetMacro(Priority, int);
-  void SetPriorityToLargestErrors() { this->SetPriority(LargestErrors); }
-  void SetPriorityToSumOfSquares() { this->SetPriority(SumOfSquares); }
-  ///@}
-
-  ///@{
-  /**
-   * With the Effort Best, in degrees, seen from above on the lattice, from 0 to 60: no flip and no removal makes a
-   * smaller angle, but where there was a smaller one before. Large ones take more points. Default: 2.
-   */
-  vtkSetMacro(SmallestAngle, double);
-  vtkGetMacro(SmallestAngle, double);
   ///@}
 
 protected:
@@ -189,14 +104,8 @@ private:
     const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const;
 
   int Target = LargestError;
-  double MaximumError = 0.75;
-  int ErrorUnit = Lattice;
   int MaximumNumberOfPoints = 10000;
   double TargetReduction = 0.95;
-  bool FitHeights = true;
-  int Effort = Best;
-  int Priority = SumOfSquares;
-  double SmallestAngle = 2.0;
 };
 
 #endif

@@ -58,12 +58,9 @@ vtkHorizonSurface::vtkHorizonSurface()
 //------------------------------------------------------------------------------
 void vtkHorizonSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const char* const units[] = { "Lattice", "World", "Diagonal" };
   const auto tell = [](bool isOn) { return isOn ? "on" : "off"; };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Target: " << (this->Target == LargestError ? "LargestError" : "NumberOfTriangles") << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "ErrorUnit: " << units[this->ErrorUnit] << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
   os << indent << "AutomaticRadius: " << tell(this->AutomaticRadius) << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
@@ -76,20 +73,17 @@ void vtkHorizonSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineTolerance: " << this->OutlineTolerance << "\n";
   os << indent << "AutomaticDistanceThreshold: " << tell(this->AutomaticDistanceThreshold) << "\n";
   os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
-  os << indent << "FitHeights: " << tell(this->FitHeights) << "\n";
-  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
-  os << indent << "Priority: " << (this->Priority == LargestErrors ? "LargestErrors" : "SumOfSquares") << "\n";
-  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
+  os << indent << "FitHeights: " << tell(this->GetFitHeights()) << "\n";
 }
 
 //------------------------------------------------------------------------------
 SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
 {
   SurfaceOptions options;
+  static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = ErrorInLatticeUnits(this->MaximumError,
-      static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), points.Plane, points.Height, points.Grid);
+    options.MaximumError = this->FindMaximumError(points.Plane, points.Height, points.Grid);
   }
   else
   {
@@ -103,11 +97,6 @@ SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
   options.MinimumPatchSize = this->MinimumPatchSize;
   options.OutlineTolerance = UnlessAutomatic<double>(this->AutomaticOutlineTolerance, this->OutlineTolerance);
   options.DistanceThreshold = UnlessAutomatic<double>(this->AutomaticDistanceThreshold, this->DistanceThreshold);
-  options.FitHeights = this->FitHeights;
-  options.Effort = this->Effort == Fast ? DecimationEffort::Fast : DecimationEffort::Best;
-  options.Priority =
-    this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
-  options.SmallestAngle = this->SmallestAngle;
   return options;
 }
 

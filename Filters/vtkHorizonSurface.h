@@ -9,9 +9,9 @@
  *
  * The filter does what vtkHorizonExteriorBoundary, vtkHorizonBoundarySimplification (FewestPoints) and
  * vtkHorizonDecimation do one after the other, with the same result to the byte, and without data in between. You
- * choose how far the mesh may be from the horizon, or how many triangles it may have; the rest follows from that and
- * from the points, unless you switch it off (Automatic...). What was chosen is new field data of the mesh, one value
- * each, with which the single stages give the same:
+ * choose how far the mesh may be from the horizon (outlines may be as far off sideways), or how many triangles it may
+ * have; the rest follows from that and from the points, unless you switch it off (Automatic...). What was chosen is new
+ * field data of the mesh, one value each, with which the single stages give the same:
  *  - ChosenRadius (int), ChosenSmallestHoleSize (vtkIdType, columns);
  *  - ChosenOutlineTolerance (double, columns), ChosenDistanceThreshold (double, lattice units);
  *  - ChosenMaximumError (double, lattice units): the error of the mesh, or, with NumberOfTriangles, the one that the
@@ -34,7 +34,7 @@
 #ifndef vtkHorizonSurface_h
 #define vtkHorizonSurface_h
 
-#include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 namespace SeismicHorizons
@@ -43,11 +43,11 @@ struct LatticePoints;
 struct SurfaceOptions;
 }
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonReducedMesh
 {
 public:
   static vtkHorizonSurface* New();
-  vtkTypeMacro(vtkHorizonSurface, vtkHorizonAlgorithm);
+  vtkTypeMacro(vtkHorizonSurface, vtkHorizonReducedMesh);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What decides how many triangles the mesh has.
@@ -66,35 +66,6 @@ public:
   vtkGetMacro(Target, int);
   void SetTargetToLargestError() { this->SetTarget(LargestError); }
   void SetTargetToNumberOfTriangles() { this->SetTarget(NumberOfTriangles); }
-  ///@}
-
-  ///@{
-  /**
-   * The largest vertical distance of a point from the mesh, in ErrorUnit; at least 0. Outlines that follow it may be as
-   * far off sideways. For horizons of whole voxels 0.75 brings the mesh nearest to what was rounded. Default: 0.75.
-   */
-  vtkSetMacro(MaximumError, double);
-  vtkGetMacro(MaximumError, double);
-  ///@}
-
-  /// The unit of MaximumError.
-  enum ErrorUnits
-  {
-    Lattice = 0,
-    World = 1,
-    Diagonal = 2
-  };
-
-  ///@{
-  /**
-   * The unit of MaximumError: Lattice (1 is one vertical index), World (that of z), or Diagonal (1 is the diagonal of
-   * the bounding box of the horizon, in lattice units). Default: Lattice.
-   */
-  vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
-  vtkGetMacro(ErrorUnit, int);
-  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
-  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
-  void SetErrorUnitToDiagonal() { this->SetErrorUnit(Diagonal); }
   ///@}
 
   ///@{
@@ -211,58 +182,6 @@ public:
   vtkGetMacro(DistanceThreshold, double);
   ///@}
 
-  ///@{
-  /**
-   * Whether heights of vertices inside are fitted to the points around them (vtkHorizonDecimation). Default: on.
-   */
-  vtkSetMacro(FitHeights, bool);
-  vtkGetMacro(FitHeights, bool);
-  vtkBooleanMacro(FitHeights, bool);
-  ///@}
-
-  /// How much is done for few triangles.
-  enum Efforts
-  {
-    Fast = 0,
-    Best = 1
-  };
-
-  ///@{
-  /**
-   * How much is done for few triangles (vtkHorizonDecimation). Default: Best.
-   */
-  vtkSetClampMacro(Effort, int, Fast, Best);
-  vtkGetMacro(Effort, int);
-  void SetEffortToFast() { this->SetEffort(Fast); }
-  void SetEffortToBest() { this->SetEffort(Best); }
-  ///@}
-
-  /// Which error becomes small for a number of triangles.
-  enum Priorities
-  {
-    LargestErrors = 0,
-    SumOfSquares = 1
-  };
-
-  ///@{
-  /**
-   * With NumberOfTriangles, which error becomes small: the largest one, or the sum of the squares of all, and with it
-   * the mean. Default: SumOfSquares.
-   */
-  vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
-  vtkGetMacro(Priority, int);
-  void SetPriorityToLargestErrors() { this->SetPriority(LargestErrors); }
-  void SetPriorityToSumOfSquares() { this->SetPriority(SumOfSquares); }
-  ///@}
-
-  ///@{
-  /**
-   * With the Effort Best, the smallest angle that is made, in degrees, from 0 to 60 (vtkHorizonDecimation). Default: 2.
-   */
-  vtkSetMacro(SmallestAngle, double);
-  vtkGetMacro(SmallestAngle, double);
-  ///@}
-
 protected:
   vtkHorizonSurface();
   ~vtkHorizonSurface() override = default;
@@ -276,8 +195,6 @@ private:
   SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::LatticePoints& points) const;
 
   int Target = LargestError;
-  double MaximumError = 0.75;
-  int ErrorUnit = Lattice;
   int MaximumNumberOfTriangles = 20000;
   bool AutomaticRadius = true;
   int Radius = 1;
@@ -290,10 +207,6 @@ private:
   double OutlineTolerance = 0.0;
   bool AutomaticDistanceThreshold = true;
   double DistanceThreshold = 0.4;
-  bool FitHeights = true;
-  int Effort = Best;
-  int Priority = SumOfSquares;
-  double SmallestAngle = 2.0;
 };
 
 #endif

@@ -319,9 +319,9 @@ void TestComposite()
   }
 }
 
-template <typename Value>
-void CheckRefused(
-  void (vtkHorizonSurface::*set)(Value), Value value, const std::string& message, bool isByNumber = false)
+/// The setter is that of the filter or of a class it is derived from.
+template <typename Filter, typename Value>
+void CheckRefused(void (Filter::*set)(Value), Value value, const std::string& message, bool isByNumber = false)
 {
   vtkNew<vtkHorizonSurface> surface;
   surface->SetInputData(MakeHorizon(UnitSurvey()));

@@ -42,14 +42,9 @@ enum class DecimationPriority
   SumOfSquares // of the errors of all points, and with it their mean
 };
 
-struct DecimationOptions
+/// What a mesh with few points is like, however many these are.
+struct DecimationQuality
 {
-  /// The largest vertical distance of a point from the mesh, and of a side of the mesh from the line between two
-  /// neighbouring columns that it crosses, in lattice units: at least 0. Heights that are rounded to whole voxels are
-  /// half a voxel off; three quarters bring the mesh nearest to what was rounded.
-  double MaximumError = 0.75;
-  /// Not 0, the target instead of an error, which then is 0: so many points at most, at least those of the loops.
-  std::size_t MaximumNumberOfPoints = 0;
   /// Whether heights of inner vertices are fitted to the points around them (HeightFit.h), which takes fewer vertices;
   /// else every vertex is a point of the horizon.
   bool FitHeights = true;
@@ -58,6 +53,16 @@ struct DecimationOptions
   /// With the best effort, 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
   /// a smaller one before.
   double SmallestAngle = 2.0;
+};
+
+struct DecimationOptions : DecimationQuality
+{
+  /// The largest vertical distance of a point from the mesh, and of a side of the mesh from the line between two
+  /// neighbouring columns that it crosses, in lattice units: at least 0. Heights that are rounded to whole voxels are
+  /// half a voxel off; three quarters bring the mesh nearest to what was rounded.
+  double MaximumError = 0.75;
+  /// Not 0, the target instead of an error, which then is 0: so many points at most, at least those of the loops.
+  std::size_t MaximumNumberOfPoints = 0;
 };
 
 struct Decimation

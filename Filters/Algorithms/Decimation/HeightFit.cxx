@@ -3,8 +3,6 @@
 
 #include "HeightFit.h"
 
-#include "Common/Parallel.h"
-
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
@@ -29,8 +27,6 @@ constexpr double LeastError = 1e-2;
 // Heights need not be exact, as each step goes a part of the way.
 constexpr double Precision = 1e-3;
 constexpr int MostIterations = 100;
-
-constexpr std::int64_t Grain = 64;
 
 /// The part of one triangle in the equations: what its corners weigh together, and with the errors of its points.
 struct Element
@@ -92,14 +88,8 @@ private:
   std::vector<Element> MakeElements(int power) const
   {
     std::vector<Element> elements(std::size_t(this->Mesh.Size()));
-    ParallelFor(this->Mesh.Size(), Grain,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
-        {
-          elements[std::size_t(triangle)] = this->MakeElement(triangle, power);
-        }
-      });
+    this->Surface.ForEachTriangle(
+      Monitor(), [&](TriangleId triangle) { elements[std::size_t(triangle)] = this->MakeElement(triangle, power); });
     return elements;
   }
 

@@ -225,38 +225,15 @@ double HeightMesh::HeightRange() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double HeightMesh::FindLargestError() const
-{
-  std::vector<double> largest(std::size_t(this->Mesh.Size()), 0.0);
-  this->ForEachTriangle([&](TriangleId triangle) { largest[std::size_t(triangle)] = this->Measure(triangle).Largest; });
-  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 double HeightMesh::SumOfErrors() const
 {
   std::vector<double> sums(std::size_t(this->Mesh.Size()), 0.0);
-  this->ForEachTriangle(
+  this->ForEachTriangle(Monitor(),
     [&](TriangleId triangle)
     {
       this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
         [&](PointId, double error, const std::array<double, 3>&) { sums[std::size_t(triangle)] += std::abs(error); });
     });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// On threads.
-template <typename Call>
-void HeightMesh::ForEachTriangle(Call&& call) const
-{
-  ParallelFor(this->Mesh.Size(), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
-      {
-        call(triangle);
-      }
-    });
 }
 }

@@ -8,10 +8,12 @@
 
 #include "Common/BoundedHorizon.h"
 #include "Common/Monitor.h"
+#include "Common/Parallel.h"
 #include "HeightRaster.h"
 #include "PlaneMesh.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -86,10 +88,12 @@ public:
   void MeasureAllWithSides(const Monitor& monitor);
   const HeightError& Error(TriangleId triangle) const { return this->Errors[std::size_t(triangle)]; }
   void SetError(TriangleId triangle, const HeightError& error) { this->Errors[std::size_t(triangle)] = error; }
-  /// Of those that are kept.
+  /// Of those that are kept: of all triangles, when all were measured after the last change.
   double LargestError() const;
-  /// Of all triangles, with the heights as they are.
-  double FindLargestError() const;
+
+  /// Calls call(triangle) for all triangles, on threads.
+  template <typename Call>
+  void ForEachTriangle(const Monitor& monitor, Call&& call) const;
 
   /// The sum of the errors of all points; points on sides count twice.
   double SumOfErrors() const;
@@ -101,8 +105,6 @@ public:
 private:
   void MakeRasters();
   std::vector<TriangleId> AllTriangles() const;
-  template <typename Call>
-  void ForEachTriangle(Call&& call) const;
   HeightError MeasureWithSides(TriangleId triangle) const;
   template <typename Measuring>
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
@@ -119,6 +121,21 @@ private:
   double RoundingError;
   std::vector<HeightError> Errors; // by triangle
 };
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Call>
+void HeightMesh::ForEachTriangle(const Monitor& monitor, Call&& call) const
+{
+  constexpr std::int64_t Grain = 64; // triangles a thread looks at at a time
+  ParallelFor(this->Mesh.Size(), Grain, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+      {
+        call(triangle);
+      }
+    });
+}
 }
 
 #endif

@@ -40,8 +40,8 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
 //----------------------------------------------------------------------------------------------------------------------
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor)
 {
+  const double largest = mesh.LargestError();
   mesh.Triangles().SortByPlace();
-  const double largest = mesh.FindLargestError();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
   if (options.FitHeights)
@@ -61,7 +61,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 //----------------------------------------------------------------------------------------------------------------------
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
-  const double largest = mesh.FindLargestError();
+  const double largest = mesh.LargestError();
   const std::vector<double> heights = FitHeights(mesh, priority, largest, monitor);
   if (priority == DecimationPriority::LargestError)
   {

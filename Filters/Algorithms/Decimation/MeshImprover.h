@@ -17,11 +17,12 @@ namespace SeismicHorizons
 /// Of a mesh that keeps the error of the options, at columns and at inner sides, and still does so after it.
 void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor);
 
-/// Until so many vertices are left, or none can go.
+/// Until so many vertices are left, or none can go. All triangles were measured after the last change.
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
 
-/// Fits heights, so that the largest error becomes no larger, or, by least squares, when the mean error becomes
-/// smaller: heights that are whole numbers can fit best as they are, as many points then lie right on the mesh.
+/// All triangles were measured after the last change. Fits heights, so that the largest error becomes no larger, or, by
+/// least squares, when the mean error becomes smaller: heights that are whole numbers can fit best as they are, as many
+/// points then lie right on the mesh.
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor);
 }
 

@@ -31,10 +31,6 @@ MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationP
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
-  if (this->IsFull())
-  {
-    return;
-  }
   this->Mesh.MeasureAll(this->Power, monitor.Step(0.0, 0.1));
   const double bound = error + this->Mesh.Rounding();
   const double first = this->Mesh.LargestError();
@@ -54,10 +50,6 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
 {
-  if (this->IsFull())
-  {
-    return;
-  }
   this->Mesh.MeasureAllWithSides(monitor.Step(0.0, 0.8));
   const double bound = error + this->Mesh.Rounding();
   double limit = 0.0;

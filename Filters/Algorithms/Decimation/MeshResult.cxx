@@ -3,7 +3,6 @@
 
 #include "MeshResult.h"
 
-#include "Common/Parallel.h"
 #include "Common/Types.h"
 #include "Selection.h"
 
@@ -18,9 +17,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// How many triangles a thread measures at a time.
-constexpr std::int64_t Grain = 64;
-
 class Collector
 {
 public:
@@ -75,14 +71,8 @@ private:
   {
     this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
     std::vector<double> sums(this->Result.Errors.size(), 0.0);
-    ParallelFor(this->Mesh.Size(), Grain, monitor,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
-        {
-          sums[std::size_t(triangle)] = this->AssignPointsOf(triangle);
-        }
-      });
+    this->Surface.ForEachTriangle(
+      monitor, [&](TriangleId triangle) { sums[std::size_t(triangle)] = this->AssignPointsOf(triangle); });
     const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
     this->Result.MeanError = this->Horizon.Plane.empty() ? 0.0 : sum / double(this->Horizon.Plane.size());
     const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());

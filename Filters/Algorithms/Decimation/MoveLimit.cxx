@@ -3,10 +3,7 @@
 
 #include "MoveLimit.h"
 
-#include "Common/Parallel.h"
-
-#include <algorithm>
-#include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -14,9 +11,6 @@ namespace
 {
 // What part of its way a vertex moves at least, if it moves.
 constexpr double LeastPart = 0.25;
-
-// How many triangles a thread measures at a time.
-constexpr std::int64_t Grain = 64;
 
 class MoveLimit
 {
@@ -44,16 +38,10 @@ public:
 private:
   void FindFar()
   {
-    const TriangleId size = this->Mesh.Triangles().Size();
-    this->IsFar.resize(std::size_t(size));
-    ParallelFor(size, Grain,
-      [this](std::int64_t first, std::int64_t last)
-      {
-        for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
-        {
-          this->IsFar[std::size_t(triangle)] = this->Mesh.LargestWithSides(triangle) > this->Error ? 1 : 0;
-        }
-      });
+    this->IsFar.resize(std::size_t(this->Mesh.Triangles().Size()));
+    this->Mesh.ForEachTriangle(Monitor(),
+      [this](TriangleId triangle)
+      { this->IsFar[std::size_t(triangle)] = this->Mesh.LargestWithSides(triangle) > this->Error ? 1 : 0; });
   }
 
   /// The corners of triangles that are too far; false when none of them can go back.

@@ -45,6 +45,10 @@ public:
 
   void Run(std::size_t leastVertices, const Monitor& monitor)
   {
+    if (this->Mesh.NumberOfVertices() <= leastVertices)
+    {
+      return;
+    }
     this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.05));
     this->FindVertices();
     const double first = double(this->Mesh.NumberOfVertices());
@@ -231,8 +235,7 @@ private:
     const RaisedPoint& to = ring.End(end);
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
     {
-      const bool isInner =
-        n > end + 1; // the side to this end: the first and the last are of triangles beyond the ring, too
+      const bool isInner = n > end + 1; // the side to this end: the first one is that of the ring
       if (!add(raster.Measure({ to, ring.End(n), ring.End(n + 1) }, this->Cost.Power)) ||
         (isInner && !add(this->Cost.MeasureSide(raster, to, ring.End(n)))))
       {
@@ -242,7 +245,7 @@ private:
     return sum;
   }
 
-  /// Those of a round, up to a cost.
+  /// Those of a round, until so many vertices are left.
   void RemoveAll(const std::vector<Candidate>& cheapest, std::size_t leastVertices)
   {
     this->IsChanged.assign(std::size_t(this->Mesh.Triangles().Size()), 0);

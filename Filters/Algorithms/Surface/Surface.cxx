@@ -159,10 +159,7 @@ private:
   {
     DecimationOptions options;
     options.MaximumError = 0.0;
-    options.FitHeights = this->Options.FitHeights;
-    options.Effort = this->Options.Effort;
-    options.Priority = this->Options.Priority;
-    options.SmallestAngle = this->Options.SmallestAngle;
+    static_cast<DecimationQuality&>(options) = this->Options;
     return options;
   }
 

@@ -31,7 +31,7 @@ namespace SeismicHorizons
 {
 /// Parameters of the boundary and of its simplification without a value are chosen. Messages about wrong ones are those
 /// of the methods.
-struct SurfaceOptions
+struct SurfaceOptions : DecimationQuality
 {
   /// In lattice units, at least 0.
   double MaximumError = 0.75;
@@ -44,10 +44,6 @@ struct SurfaceOptions
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
-  bool FitHeights = true;
-  DecimationEffort Effort = DecimationEffort::Best;
-  DecimationPriority Priority = DecimationPriority::SumOfSquares;
-  double SmallestAngle = 2.0;
 };
 
 /// What the three methods were run with.

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonReducedMesh.h"
+
+#include "Decimation/Decimation.h"
+#include "Marshalling/DecimationOutput.h"
+
+using namespace SeismicHorizons;
+
+//------------------------------------------------------------------------------
+void vtkHorizonReducedMesh::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const units[] = { "Lattice", "World", "Diagonal" };
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "ErrorUnit: " << units[this->ErrorUnit] << "\n";
+  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
+  os << indent << "Priority: " << (this->Priority == LargestErrors ? "LargestErrors" : "SumOfSquares") << "\n";
+  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
+}
+
+//------------------------------------------------------------------------------
+DecimationQuality vtkHorizonReducedMesh::MakeQuality() const
+{
+  DecimationQuality quality;
+  quality.FitHeights = this->FitHeights;
+  quality.Effort = this->Effort == Fast ? DecimationEffort::Fast : DecimationEffort::Best;
+  quality.Priority =
+    this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
+  quality.SmallestAngle = this->SmallestAngle;
+  return quality;
+}
+
+//------------------------------------------------------------------------------
+double vtkHorizonReducedMesh::FindMaximumError(
+  const std::vector<PlanePoint>& plane, const std::vector<double>& height, const SeismicHorizons::Lattice& grid) const
+{
+  return ErrorInLatticeUnits(
+    this->MaximumError, static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), plane, height, grid);
+}
