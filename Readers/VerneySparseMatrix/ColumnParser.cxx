@@ -3,8 +3,8 @@
 
 #include "ColumnParser.h"
 
-#include "LineErrors.h"
-#include "SparseMatrixNumbers.h"
+#include "Common/LineErrors.h"
+#include "Common/TextNumbers.h"
 
 #include <algorithm>
 #include <array>

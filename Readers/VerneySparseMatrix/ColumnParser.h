@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsColumnParser_h
 #define SeismicHorizonsColumnParser_h
 
-#include "LineBuffer.h"
+#include "Common/LineBuffer.h"
 #include "SparseMatrixVisitor.h"
 
 namespace SeismicHorizons

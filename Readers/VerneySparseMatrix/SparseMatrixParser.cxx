@@ -4,11 +4,11 @@
 #include "SparseMatrixParser.h"
 
 #include "ColumnParser.h"
+#include "Common/LineBuffer.h"
+#include "Common/LineErrors.h"
+#include "Common/TextNumbers.h"
 #include "CountingVisitor.h"
-#include "LineBuffer.h"
-#include "LineErrors.h"
 #include "LoadingVisitor.h"
-#include "SparseMatrixNumbers.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tokens and numbers of the sparse-matrix format, independent of the locale. All text ends in a newline, which also
+// Tokens and numbers of text files, independent of the locale. All text ends in a newline, which also
 // ends a token. So functions stop there, and do not take the end of the text.
 
-#ifndef SeismicHorizonsSparseMatrixNumbers_h
-#define SeismicHorizonsSparseMatrixNumbers_h
+#ifndef SeismicHorizonsTextNumbers_h
+#define SeismicHorizonsTextNumbers_h
 
 #include <algorithm>
 #include <array>

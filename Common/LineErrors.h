@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsLineErrors_h
 #define SeismicHorizonsLineErrors_h
 
-#include "Common/Errors.h"
+#include "Errors.h"
 
 #include <cstdint>
 #include <string>

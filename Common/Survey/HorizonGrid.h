@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsHorizonGrid_h
+#define SeismicHorizonsHorizonGrid_h
+
+#include "SurveyDescription.h"
+#include "SurveyLattice.h"
+
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A horizon with a z for each column of a lattice, as gridding programs have it.
+struct HorizonGrid
+{
+  std::string Name; // empty where there is none
+  SurveyDescription Survey;
+  SurveyLattice Lattice;
+  std::vector<double> Z; // of column (i, j) at i + j * Columns[0], in the file's unit and sign; nan where there is none
+};
+}
+
+#endif
