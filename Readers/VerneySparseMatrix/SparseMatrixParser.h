@@ -13,6 +13,7 @@
 #ifndef SeismicHorizonsSparseMatrixParser_h
 #define SeismicHorizonsSparseMatrixParser_h
 
+#include "Common/DuplicatePolicy.h"
 #include "Common/Monitor.h"
 
 #include <array>
@@ -62,14 +63,6 @@ struct SparseMatrixSummary
 /// Checks a whole file and lists the horizons it has. Progress is by bytes, where the stream can tell its length.
 SparseMatrixSummary ScanSparseMatrix(
   std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
-
-/// Which voxel is kept when a horizon has several in one column.
-enum class DuplicatePolicy
-{
-  StrongestAmplitude, ///< the largest absolute amplitude; of equal ones the smallest vertical index
-  Topmost, ///< the smallest vertical index
-  Lowest ///< the largest vertical index
-};
 
 /// A horizon as parallel arrays, one entry per voxel in the order of the file, at most one voxel per column.
 struct HorizonVoxels

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsDuplicatePolicy_h
+#define SeismicHorizonsDuplicatePolicy_h
+
+namespace SeismicHorizons
+{
+/// Which voxel is kept when a horizon has several in one column.
+enum class DuplicatePolicy
+{
+  StrongestAmplitude, ///< the largest absolute amplitude; of equal ones the topmost
+  Topmost,
+  Lowest
+};
+}
+
+#endif

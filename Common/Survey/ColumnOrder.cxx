@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ColumnOrder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+bool IsAmplitude(const std::string& name)
+{
+  const std::string amplitude = "amplitude";
+  return name.size() == amplitude.size() &&
+    std::equal(name.begin(), name.end(), amplitude.begin(),
+      [](char own, char other) { return std::tolower(static_cast<unsigned char>(own)) == other; });
+}
+
+/// The attribute that policies look at, or null.
+const std::vector<double>* FindAmplitude(const PickTable& picks)
+{
+  const auto found = std::find_if(picks.Attributes.begin(), picks.Attributes.end(),
+    [](const PickAttribute& attribute) { return IsAmplitude(attribute.Name); });
+  return found == picks.Attributes.end() ? nullptr : &found->Values;
+}
+
+/// Says which of two picks in one column stays.
+class Preference
+{
+public:
+  Preference(const PickTable& picks, const PlacementOptions& options)
+    : Z(picks.Z)
+    , Amplitude(options.Policy == DuplicatePolicy::StrongestAmplitude ? FindAmplitude(picks) : nullptr)
+    , PrefersSmallZ((options.Direction == VerticalDirection::Down) == (options.Policy != DuplicatePolicy::Lowest))
+  {
+  }
+
+  bool Prefers(std::int32_t pick, std::int32_t other) const
+  {
+    const double strength = this->Strength(pick);
+    const double otherStrength = this->Strength(other);
+    if (strength != otherStrength)
+    {
+      return strength > otherStrength;
+    }
+    const double z = this->Z[std::size_t(pick)];
+    const double otherZ = this->Z[std::size_t(other)];
+    return this->PrefersSmallZ ? z < otherZ : z > otherZ;
+  }
+
+private:
+  /// 0 where there is no amplitude.
+  double Strength(std::int32_t pick) const
+  {
+    const double strength = this->Amplitude ? std::abs((*this->Amplitude)[std::size_t(pick)]) : 0.0;
+    return std::isnan(strength) ? 0.0 : strength;
+  }
+
+  const std::vector<double>& Z;
+  const std::vector<double>* const Amplitude;
+  const bool PrefersSmallZ;
+};
+
+/// The picks of a horizon that have a z, in the order of the file.
+ColumnOrder ListPicks(const PickTable& picks, int number)
+{
+  ColumnOrder list;
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    if (!picks.Horizon.empty() && picks.Horizon[pick] != number)
+    {
+      continue;
+    }
+    if (std::isnan(picks.Z[pick]))
+    {
+      ++list.Nulls;
+      continue;
+    }
+    list.Picks.push_back(std::int32_t(pick));
+  }
+  return list;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ColumnOrder OrderPicks(const PickTable& picks, int number, const ColumnList& columns, const PlacementOptions& options)
+{
+  ColumnOrder order = ListPicks(picks, number);
+  const auto column = [&columns](std::int32_t pick)
+  { return std::pair<int, int>(columns.J[std::size_t(pick)], columns.I[std::size_t(pick)]); };
+  const auto isBefore = [&column](std::int32_t a, std::int32_t b) { return column(a) < column(b); };
+  // Files are often in this order already. Equal picks keep theirs, so that the first of them stays.
+  if (!std::is_sorted(order.Picks.begin(), order.Picks.end(), isBefore))
+  {
+    std::stable_sort(order.Picks.begin(), order.Picks.end(), isBefore);
+  }
+  const Preference preference(picks, options);
+  std::size_t kept = 0;
+  for (const std::int32_t pick : order.Picks)
+  {
+    if (kept == 0 || column(order.Picks[kept - 1]) != column(pick))
+    {
+      order.Picks[kept++] = pick;
+      continue;
+    }
+    ++order.Duplicates;
+    if (preference.Prefers(pick, order.Picks[kept - 1]))
+    {
+      order.Picks[kept - 1] = pick;
+    }
+  }
+  order.Picks.resize(kept);
+  return order;
+}
+}

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LatticeSearch.h"
+
+#include "Common/Errors.h"
+#include "Common/FixedChunks.h"
+#include "Common/LatticePlacement.h"
+#include "PointWindow.h"
+#include "ShortSteps.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t ChunkSize = 1 << 16;
+constexpr std::int64_t WindowSize = 1 << 14; // points
+constexpr double FirstReach = 8.0; // columns
+// How far points may be off their columns, root mean square in columns. Places that have nothing to do with a lattice
+// are sqrt(1/6) = 0.41 off, and half of the points on the lines between give 0.35.
+constexpr double LargestSpread = 0.2;
+// Steps that were found may be this many times those of the lattice, where the points of the window are on some lines
+// only.
+constexpr int MostPartsOfStep = 4;
+
+/// Points near the first column, numbered by a map.
+struct Numbered
+{
+  PlaneFit Fit;
+  double Squares = 0.0; // of the distances to the columns, in columns
+  std::int64_t Beyond = 0; // how many points are farther away
+
+  void Add(const Numbered& other)
+  {
+    this->Fit.Add(other.Fit);
+    this->Squares += other.Squares;
+    this->Beyond += other.Beyond;
+  }
+
+  /// Root mean square of the distances.
+  double Spread() const { return std::sqrt(this->Squares / double(std::max<std::int64_t>(this->Fit.Size(), 1))); }
+};
+
+/// Numbers the points up to `reach` columns away from the first one.
+Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reach, const Monitor& monitor)
+{
+  const Eigen::Matrix2d toColumns = map.Steps.inverse();
+  std::vector<Numbered> parts(CountChunks(points.Size(), ChunkSize));
+  ForEachChunk(points.Size(), ChunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      Numbered part;
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        const Eigen::Vector2d place = points[point];
+        const Eigen::Vector2d column = toColumns * (place - map.Origin);
+        if (column.cwiseAbs().maxCoeff() > reach)
+        {
+          ++part.Beyond;
+          continue;
+        }
+        const Eigen::Vector2d index = column.array().round();
+        part.Fit.Add(index, place);
+        part.Squares += (column - index).squaredNorm();
+      }
+      parts[chunk] = part;
+    });
+  Numbered all;
+  for (const Numbered& part : parts)
+  {
+    all.Add(part);
+  }
+  return all;
+}
+
+[[noreturn]] void RefuseSpread(std::int64_t points, const PlaneMap& map, double spread)
+{
+  std::ostringstream text;
+  text << points << " points without a lattice: the best steps, " << ToText(map.Steps.col(0)) << " and "
+       << ToText(map.Steps.col(1)) << ", leave them " << std::round(100.0 * spread)
+       << " % of a step away from its columns on the average; expected the regular lattice of a survey";
+  throw InputError(text.str());
+}
+
+/// The map with the longest parts of the steps on whose columns the points are.
+PlaneMap DivideSteps(const PlaneCloud& points, const PlaneMap& map, double reach, double spread, const Monitor& monitor)
+{
+  for (int parts = 2; parts <= MostPartsOfStep * MostPartsOfStep; ++parts)
+  {
+    for (int columnParts = 1; columnParts <= MostPartsOfStep; ++columnParts)
+    {
+      const int rowParts = parts / columnParts;
+      if (columnParts * rowParts != parts || rowParts > MostPartsOfStep)
+      {
+        continue;
+      }
+      PlaneMap divided = map;
+      divided.Steps.col(0) /= columnParts;
+      divided.Steps.col(1) /= rowParts;
+      if (NumberPoints(points, divided, reach * std::max(columnParts, rowParts), monitor).Spread() <= LargestSpread)
+      {
+        return divided;
+      }
+    }
+  }
+  RefuseSpread(points.Size(), map, spread);
+}
+
+/// Makes a map that holds near its origin one that holds for all points.
+PlaneMap Grow(const PlaneCloud& points, PlaneMap map, const Monitor& monitor)
+{
+  for (double reach = FirstReach;; reach *= 2.0)
+  {
+    Numbered near = NumberPoints(points, map, reach, monitor);
+    if (near.Spread() > LargestSpread)
+    {
+      map = DivideSteps(points, map, reach, near.Spread(), monitor);
+      near = NumberPoints(points, map, reach, monitor);
+    }
+    if (const std::optional<PlaneMap> fitted = near.Fit.Solve())
+    {
+      map = *fitted;
+    }
+    if (near.Beyond == 0)
+    {
+      return map;
+    }
+  }
+}
+
+/// The same lattice with the step along i near the direction of x, and that along j to the left of it.
+PlaneMap Turn(const PlaneMap& map)
+{
+  Eigen::Vector2d along = map.Steps.col(0);
+  Eigen::Vector2d across = map.Steps.col(1);
+  if (std::abs(across.x()) * along.norm() > std::abs(along.x()) * across.norm())
+  {
+    std::swap(along, across);
+  }
+  along = along.x() < 0.0 ? Eigen::Vector2d(-along) : along;
+  const double turn = along.x() * across.y() - along.y() * across.x();
+  PlaneMap turned = map;
+  turned.Steps << along, turn < 0.0 ? Eigen::Vector2d(-across) : across;
+  return turned;
+}
+
+Eigen::Vector2d Mean(const std::vector<Eigen::Vector2d>& points)
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& point : points)
+  {
+    sum += point;
+  }
+  return sum / double(points.size());
+}
+
+/// The point of a window that is nearest to its mean.
+Eigen::Vector2d MiddlePoint(const std::vector<Eigen::Vector2d>& window)
+{
+  const Eigen::Vector2d mean = Mean(window);
+  return *std::min_element(window.begin(), window.end(),
+    [&](const auto& a, const auto& b) { return (a - mean).squaredNorm() < (b - mean).squaredNorm(); });
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y, const Monitor& monitor)
+{
+  if (x.size() < 3)
+  {
+    throw InputError(std::to_string(x.size()) + " points, expected at least three to find a lattice through them");
+  }
+  PlaneCloud points = { x, y, Eigen::Vector2d(x.front(), y.front()) };
+  const std::vector<Eigen::Vector2d> window = CrowdedWindow(points, WindowSize, monitor.Step(0.0, 0.3));
+  PlaneMap map;
+  map.Steps = FindShortSteps(window);
+  // All sums are made around a point of the window, which is column (0, 0).
+  points.Middle += MiddlePoint(window);
+  map = Turn(Grow(points, map, monitor.Step(0.3, 1.0)));
+  map.Origin += points.Middle;
+  return map;
+}
+}

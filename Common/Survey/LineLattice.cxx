@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LineLattice.h"
+
+#include "Common/Errors.h"
+#include "Common/FixedChunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t ChunkSize = 1 << 16;
+constexpr double Decimals = 1000.0; // line numbers are whole multiples of its inverse
+// How far a number may be off such a multiple, in parts of it: what is left of a number with that many decimals.
+constexpr double Rounding = 1e-3;
+constexpr double LargestLine = 1e12;
+
+/// Least and largest of some lines in parts, and the largest number of which all differences are multiples.
+struct LineRange
+{
+  std::int64_t First = std::numeric_limits<std::int64_t>::max();
+  std::int64_t Last = std::numeric_limits<std::int64_t>::min();
+  std::int64_t Step = 0;
+
+  void Add(std::int64_t line)
+  {
+    if (this->First > this->Last)
+    {
+      this->First = this->Last = line;
+    }
+    this->Step = std::gcd(this->Step, line - this->First);
+    this->First = std::min(this->First, line);
+    this->Last = std::max(this->Last, line);
+  }
+
+  void Add(const LineRange& other)
+  {
+    this->Add(other.First);
+    this->Add(other.Last);
+    this->Step = std::gcd(this->Step, other.Step);
+  }
+};
+
+std::int64_t ToParts(const char* name, double line)
+{
+  const double parts = line * Decimals;
+  if (!(std::abs(line) <= LargestLine) || std::abs(parts - std::round(parts)) > Rounding)
+  {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << name << ' ' << line << ", expected a line number with at most three decimals";
+    throw InputError(text.str());
+  }
+  return std::llround(parts);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LineSteps FindLineSteps(const char* name, const std::vector<double>& lines, const Monitor& monitor)
+{
+  const auto size = std::int64_t(lines.size());
+  std::vector<LineRange> ranges(CountChunks(size, ChunkSize));
+  ForEachChunk(size, ChunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        ranges[chunk].Add(ToParts(name, lines[std::size_t(n)]));
+      }
+    });
+  LineRange all;
+  for (const LineRange& range : ranges)
+  {
+    all.Add(range);
+  }
+  return { double(all.First) / Decimals, all.Step == 0 ? 1.0 : double(all.Step) / Decimals };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LineNumbering FindLineNumbering(
+  const std::vector<double>& crosslines, const std::vector<double>& inlines, const Monitor& monitor)
+{
+  const LineSteps along = FindLineSteps("crossline", crosslines, monitor.Step(0.0, 0.5));
+  const LineSteps across = FindLineSteps("inline", inlines, monitor.Step(0.5, 1.0));
+  return { along.First, along.Step, across.First, across.Step };
+}
+}

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PickPlacement.h"
+
+#include "ColumnOrder.h"
+#include "Common/Errors.h"
+#include "Common/FixedChunks.h"
+#include "LineLattice.h"
+#include "SurveyMap.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t ChunkSize = 1 << 16;
+constexpr double MostColumns = double((1 << 28) - 1); // along a side, as Lattice.h has it
+
+void CheckOptions(const PlacementOptions& options)
+{
+  if (!(options.Tolerance > 0.0 && options.Tolerance < 0.5))
+  {
+    std::ostringstream text;
+    text << "LatticeTolerance " << options.Tolerance << ", expected more than 0 and less than 0.5 columns";
+    throw InputError(text.str());
+  }
+}
+
+/// The columns of picks, before it is known which of them is the first.
+class ColumnFinder
+{
+public:
+  ColumnFinder(const PickTable& picks, const SurveyMap& map)
+    : Picks(picks)
+    , Map(map)
+    , ToColumns(map.ToWorld.Steps.inverse())
+  {
+  }
+
+  Eigen::Vector2d Index(std::size_t pick) const
+  {
+    const Eigen::Vector2d index = this->Map.Lines
+      ? LineIndex(*this->Map.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick])
+      : this->Place(pick);
+    return index.array().round();
+  }
+
+  /// How far a pick is from its column, in columns along the axis where it is more.
+  double Distance(std::size_t pick, const Eigen::Vector2d& index) const
+  {
+    return this->Picks.HasPlaces() ? (this->Place(pick) - index).cwiseAbs().maxCoeff() : 0.0;
+  }
+
+private:
+  Eigen::Vector2d Place(std::size_t pick) const
+  {
+    const Eigen::Vector2d place(this->Picks.X[pick], this->Picks.Y[pick]);
+    return this->ToColumns * (place - this->Map.ToWorld.Origin);
+  }
+
+  const PickTable& Picks;
+  const SurveyMap& Map;
+  const Eigen::Matrix2d ToColumns;
+};
+
+/// What all columns of some picks have together.
+struct ColumnRange
+{
+  Eigen::Vector2d First = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d Last = -First;
+  double LargestDistance = 0.0;
+  std::int64_t OffLattice = 0; // picks
+
+  void Add(const Eigen::Vector2d& index, double distance, double tolerance)
+  {
+    this->First = this->First.cwiseMin(index);
+    this->Last = this->Last.cwiseMax(index);
+    this->LargestDistance = std::max(this->LargestDistance, distance);
+    this->OffLattice += distance <= tolerance ? 0 : 1;
+  }
+
+  void Add(const ColumnRange& other)
+  {
+    this->First = this->First.cwiseMin(other.First);
+    this->Last = this->Last.cwiseMax(other.Last);
+    this->LargestDistance = std::max(this->LargestDistance, other.LargestDistance);
+    this->OffLattice += other.OffLattice;
+  }
+};
+
+ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double tolerance, const Monitor& monitor)
+{
+  std::vector<ColumnRange> ranges(CountChunks(picks, ChunkSize));
+  ForEachChunk(picks, ChunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
+      {
+        const Eigen::Vector2d index = columns.Index(pick);
+        ranges[chunk].Add(index, columns.Distance(pick, index), tolerance);
+      }
+    });
+  ColumnRange all;
+  for (const ColumnRange& range : ranges)
+  {
+    all.Add(range);
+  }
+  return all;
+}
+
+void CheckRange(const ColumnRange& range, std::int64_t picks, const PlaneMap& map, double tolerance)
+{
+  if (range.OffLattice > 0)
+  {
+    std::ostringstream text;
+    text << range.OffLattice << " of " << picks << " picks off the lattice with the steps " << ToText(map.Steps.col(0))
+         << " and " << ToText(map.Steps.col(1)) << ", the farthest by " << range.LargestDistance
+         << " columns; expected at most LatticeTolerance, " << tolerance;
+    throw InputError(text.str());
+  }
+  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  if (!(columns.maxCoeff() <= MostColumns))
+  {
+    std::ostringstream text;
+    text.precision(15);
+    text << "lattice of " << columns.x() << " x " << columns.y() << " columns with the steps "
+         << ToText(map.Steps.col(0)) << " and " << ToText(map.Steps.col(1))
+         << ", expected less than 2^28 along a side; is there a pick far away from all others?";
+    throw InputError(text.str());
+  }
+}
+
+/// The lattice that begins at the first column of the picks.
+SurveyLattice MakeLattice(const SurveyMap& map, const ColumnRange& range)
+{
+  SurveyLattice lattice;
+  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  lattice.Columns = { int(columns.x()), int(columns.y()) };
+  lattice.ColumnStep = map.ToWorld.Steps.col(0);
+  lattice.RowStep = map.ToWorld.Steps.col(1);
+  lattice.Origin = map.ToWorld.Origin + map.ToWorld.Steps * range.First;
+  lattice.Lines = map.Lines; // they begin at the first lines, and so does the range
+  return lattice;
+}
+
+/// Puts each pick on its column.
+ColumnList ListColumns(
+  const ColumnFinder& columns, std::int64_t picks, const Eigen::Vector2d& first, const Monitor& monitor)
+{
+  ColumnList list = { std::vector<int>(std::size_t(picks)), std::vector<int>(std::size_t(picks)) };
+  ForEachChunk(picks, ChunkSize, monitor,
+    [&](std::size_t, std::int64_t begin, std::int64_t end)
+    {
+      for (auto pick = std::size_t(begin); pick < std::size_t(end); ++pick)
+      {
+        const Eigen::Vector2d index = columns.Index(pick) - first;
+        list.I[pick] = int(index.x());
+        list.J[pick] = int(index.y());
+      }
+    });
+  return list;
+}
+
+template <typename Value>
+std::vector<Value> Gather(const std::vector<Value>& values, const std::vector<std::int32_t>& picks)
+{
+  std::vector<Value> gathered(picks.size());
+  std::transform(
+    picks.begin(), picks.end(), gathered.begin(), [&values](std::int32_t pick) { return values[std::size_t(pick)]; });
+  return gathered;
+}
+
+/// The horizon of some picks, which are in the order of their columns.
+LatticeHorizon MakeHorizon(const PickTable& picks, const ColumnList& columns, const std::vector<std::int32_t>& kept)
+{
+  LatticeHorizon horizon;
+  horizon.I = Gather(columns.I, kept);
+  horizon.J = Gather(columns.J, kept);
+  horizon.Z = Gather(picks.Z, kept);
+  for (const PickAttribute& attribute : picks.Attributes)
+  {
+    horizon.Attributes.push_back({ attribute.Name, Gather(attribute.Values, kept) });
+  }
+  return horizon;
+}
+
+void Free(std::vector<double>& values)
+{
+  values = std::vector<double>();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlacedPicks PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor)
+{
+  CheckOptions(options);
+  const auto size = std::int64_t(picks.Size());
+  if (size == 0 || size > std::numeric_limits<std::int32_t>::max())
+  {
+    throw InputError(std::to_string(size) + " picks, expected at least 1 and less than 2^31");
+  }
+  const SurveyMap map = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
+  const ColumnFinder finder(picks, map);
+  const ColumnRange range = FindRange(finder, size, options.Tolerance, monitor.Step(0.5, 0.6));
+  CheckRange(range, size, map.ToWorld, options.Tolerance);
+  PlacedPicks placed;
+  placed.Lattice = MakeLattice(map, range);
+  placed.LargestDistance = range.LargestDistance;
+  const ColumnList columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
+  Free(picks.X);
+  Free(picks.Y);
+  Free(picks.Inline);
+  Free(picks.Crossline);
+  for (std::size_t number = 0; number < picks.Names.size(); ++number)
+  {
+    monitor.Progress(0.7 + 0.3 * double(number) / double(picks.Names.size()));
+    ColumnOrder order = OrderPicks(picks, int(number), columns, options);
+    placed.Horizons.push_back(MakeHorizon(picks, columns, order.Picks));
+    placed.Horizons.back().Name = picks.Names[number];
+    placed.Horizons.back().DroppedDuplicates = order.Duplicates;
+    placed.Horizons.back().DroppedNulls = order.Nulls;
+  }
+  return placed;
+}
+}

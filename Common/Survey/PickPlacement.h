@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Brings picks onto the columns of the lattice of their survey.
+
+#ifndef SeismicHorizonsPickPlacement_h
+#define SeismicHorizonsPickPlacement_h
+
+#include "Common/Monitor.h"
+#include "LatticeHorizon.h"
+#include "PlacementOptions.h"
+#include "SurveyLattice.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct PlacedPicks
+{
+  SurveyLattice Lattice;
+  double LargestDistance = 0.0; // of a pick to its column, in columns
+  std::vector<LatticeHorizon> Horizons; // in the order of the names
+};
+
+/// Takes the picks, whose memory is freed on the way. The lattice is found through all of them, also those without z,
+/// which are left out after that. Throws InputError where there is no lattice, and where picks are off it.
+PlacedPicks PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor = Monitor());
+}
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsPickTable_h
+#define SeismicHorizonsPickTable_h
+
+#include "SurveyDescription.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A number for each point; nan where there is none.
+struct PickAttribute
+{
+  std::string Name;
+  std::vector<double> Values;
+};
+
+/// Points of horizons before it is known on which columns they stand, as parallel arrays.
+struct PickTable
+{
+  SurveyDescription Survey;
+  std::vector<std::string> Names; // of the horizons; at least one
+  std::vector<int> Horizon; // of each pick the number of its horizon; empty where there is only one
+  std::vector<double> X, Y; // in the world; empty where only line numbers are known
+  std::vector<double> Inline, Crossline; // empty where only places in the world are known
+  std::vector<double> Z; // in the unit and with the sign of the file; nan where there is none
+  std::vector<PickAttribute> Attributes;
+
+  std::size_t Size() const { return this->Z.size(); }
+  bool HasPlaces() const { return !this->X.empty(); }
+  bool HasLines() const { return !this->Inline.empty(); }
+};
+}
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurveyMap.h"
+
+#include "Common/Errors.h"
+#include "Common/FixedChunks.h"
+#include "Common/Lattice.h"
+#include "LatticeSearch.h"
+#include "LineLattice.h"
+
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t ChunkSize = 1 << 16;
+
+[[noreturn]] void RefuseLine(const char* what)
+{
+  throw InputError(std::string(what) + " on one line, expected some that span a lattice");
+}
+
+/// The map through picks with line numbers and places.
+PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor)
+{
+  const Eigen::Vector2d middle(picks.X.front(), picks.Y.front());
+  std::vector<PlaneFit> fits(CountChunks(std::int64_t(picks.Size()), ChunkSize));
+  ForEachChunk(std::int64_t(picks.Size()), ChunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
+      {
+        fits[chunk].Add(LineIndex(lines, picks.Crossline[pick], picks.Inline[pick]),
+          Eigen::Vector2d(picks.X[pick], picks.Y[pick]) - middle);
+      }
+    });
+  PlaneFit all;
+  for (const PlaneFit& fit : fits)
+  {
+    all.Add(fit);
+  }
+  std::optional<PlaneMap> map = all.Solve();
+  if (!map)
+  {
+    RefuseLine("all picks");
+  }
+  map->Origin += middle;
+  return *map;
+}
+
+PlaneMap FitCorners(const std::array<CornerPoint, 3>& corners, const LineNumbering& lines)
+{
+  PlaneFit fit;
+  const Eigen::Vector2d first(corners[0].X, corners[0].Y);
+  for (const CornerPoint& corner : corners)
+  {
+    fit.Add(LineIndex(lines, corner.Crossline, corner.Inline), Eigen::Vector2d(corner.X, corner.Y) - first);
+  }
+  std::optional<PlaneMap> map = fit.Solve();
+  if (!map)
+  {
+    RefuseLine("three corner points whose line numbers are");
+  }
+  map->Origin += first;
+  return *map;
+}
+
+/// Columns stand where the numbers of their lines are.
+PlaneMap LinesAsPlaces(const LineNumbering& lines)
+{
+  PlaneMap map;
+  map.Origin = { lines.FirstCrossline, lines.FirstInline };
+  map.Steps = Eigen::Vector2d(lines.CrosslineStep, lines.InlineStep).asDiagonal();
+  return map;
+}
+
+PlaneMap GivenMap(const PlacementOptions& options)
+{
+  PlaneMap map;
+  map.Origin = options.Origin;
+  map.Steps << options.ColumnStep, options.RowStep;
+  return map;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurveyMap FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
+{
+  SurveyMap map;
+  if (picks.HasLines())
+  {
+    map.Lines = FindLineNumbering(picks.Crossline, picks.Inline, monitor.Step(0.0, 0.5));
+  }
+  else if (options.Source == LatticeSource::CornerPoints)
+  {
+    throw InputError("corner points for picks without line numbers, expected picks with inlines and crosslines");
+  }
+  if (options.Source == LatticeSource::OriginAndSteps)
+  {
+    map.ToWorld = GivenMap(options);
+  }
+  else if (options.Source == LatticeSource::CornerPoints)
+  {
+    map.ToWorld = FitCorners(options.Corners, *map.Lines);
+  }
+  else if (!map.Lines)
+  {
+    map.ToWorld = FindLattice(picks.X, picks.Y, monitor);
+  }
+  else
+  {
+    map.ToWorld = picks.HasPlaces() ? FitPlaces(picks, *map.Lines, monitor.Step(0.5, 1.0)) : LinesAsPlaces(*map.Lines);
+  }
+  if (AreParallel(map.ToWorld.Steps.col(0), map.ToWorld.Steps.col(1)))
+  {
+    RefuseLine("places of picks");
+  }
+  return map;
+}
+}

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "VerticalSampling.h"
+
+#include "Common/Errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// A median needs no more, and takes time.
+constexpr std::size_t MostDifferences = 1 << 20;
+
+/// Collects the differences of z between the columns of a horizon and their neighbours along i and j.
+class DifferenceList
+{
+public:
+  explicit DifferenceList(std::size_t points)
+    : Stride(points / MostDifferences + 1)
+  {
+  }
+
+  void Add(const LatticeHorizon& horizon)
+  {
+    std::size_t above = 0; // runs along the row after that of the column
+    for (std::size_t n = 0; n < horizon.Z.size(); ++n)
+    {
+      const int i = horizon.I[n];
+      const int j = horizon.J[n];
+      if (n + 1 < horizon.Z.size() && horizon.J[n + 1] == j && horizon.I[n + 1] == i + 1)
+      {
+        this->Add(horizon.Z[n + 1] - horizon.Z[n]);
+      }
+      while (above < horizon.Z.size() && (horizon.J[above] <= j || (horizon.J[above] == j + 1 && horizon.I[above] < i)))
+      {
+        ++above;
+      }
+      if (above < horizon.Z.size() && horizon.J[above] == j + 1 && horizon.I[above] == i)
+      {
+        this->Add(horizon.Z[above] - horizon.Z[n]);
+      }
+    }
+  }
+
+  /// The median of those that are not 0; 0 where there are none.
+  double Median()
+  {
+    if (this->Differences.empty())
+    {
+      return 0.0;
+    }
+    const auto middle = this->Differences.begin() + std::ptrdiff_t(this->Differences.size() / 2);
+    std::nth_element(this->Differences.begin(), middle, this->Differences.end());
+    return *middle;
+  }
+
+private:
+  void Add(double difference)
+  {
+    if (difference != 0.0 && this->Count++ % this->Stride == 0)
+    {
+      this->Differences.push_back(std::abs(difference));
+    }
+  }
+
+  const std::size_t Stride;
+  std::size_t Count = 0;
+  std::vector<double> Differences;
+};
+
+/// The nearest of 1, 2 and 5 times a power of ten, by the ratio.
+double RoundStep(double step)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  const double digits = step / power; // 1 to 10
+  const double rounded = digits < std::sqrt(2.0) ? 1.0
+    : digits < std::sqrt(10.0)                   ? 2.0
+    : digits < std::sqrt(50.0)                   ? 5.0
+                                                 : 10.0;
+  return rounded * power;
+}
+
+double SuitableStep(const std::vector<LatticeHorizon>& horizons)
+{
+  std::size_t points = 0;
+  for (const LatticeHorizon& horizon : horizons)
+  {
+    points += horizon.Z.size();
+  }
+  DifferenceList differences(2 * points);
+  for (const LatticeHorizon& horizon : horizons)
+  {
+    differences.Add(horizon);
+  }
+  const double median = differences.Median();
+  return median > 0.0 && std::isfinite(median) ? RoundStep(median) : 1.0;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+VerticalSampling FindVerticalSampling(const std::vector<LatticeHorizon>& horizons, double step, const Monitor& monitor)
+{
+  if (!(step >= 0.0 && std::isfinite(step)))
+  {
+    std::ostringstream text;
+    text << "VerticalStep " << step << ", expected a positive number, or 0 for one that suits the data";
+    throw InputError(text.str());
+  }
+  monitor.Progress(0.0);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const LatticeHorizon& horizon : horizons)
+  {
+    for (const double z : horizon.Z)
+    {
+      least = std::min(least, z);
+      most = std::max(most, z);
+    }
+  }
+  VerticalSampling sampling;
+  sampling.Step = step > 0.0 ? step : SuitableStep(horizons);
+  if (!(least <= most))
+  {
+    return sampling;
+  }
+  sampling.First = std::floor(least / sampling.Step) * sampling.Step;
+  const double indices = std::ceil((most - sampling.First) / sampling.Step) + 1.0;
+  if (!(indices <= double(std::numeric_limits<int>::max())))
+  {
+    std::ostringstream text;
+    text << "VerticalStep " << sampling.Step << " for z from " << least << " to " << most
+         << ", expected one that makes less than 2^31 vertical indices";
+    throw InputError(text.str());
+  }
+  sampling.Indices = int(indices);
+  return sampling;
+}
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Vertical indices for horizons that come with z alone. The thresholds of the stages are in lattice units, of which the
+// vertical step is one, so that there has to be one.
+
+#ifndef SeismicHorizonsVerticalSampling_h
+#define SeismicHorizonsVerticalSampling_h
+
+#include "Common/Monitor.h"
+#include "LatticeHorizon.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct VerticalSampling
+{
+  double First = 0.0; // z of vertical index 0: a multiple of the step, at most the least z of all horizons
+  double Step = 1.0; // from an index to the next, in the unit of z; above 0
+  int Indices = 1; // how many it takes to reach the largest z
+};
+
+/// By the given step, or where that is 0 by one that suits the data: the median of the differences between neighbouring
+/// columns that have different z, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where there are none.
+/// Throws InputError on a step that is negative or not finite, and on one that makes more than 2^31 indices.
+VerticalSampling FindVerticalSampling(
+  const std::vector<LatticeHorizon>& horizons, double step, const Monitor& monitor = Monitor());
+}
+
+#endif

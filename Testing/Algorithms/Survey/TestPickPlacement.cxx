@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Common/Survey/PickPlacement.h"
+#include "Tools/Check.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+const double Null = std::nan("");
+
+/// Inlines 100, 104, 108 and crosslines 20 to 28 in steps of 2, by ascending inline and then crossline; z tells both.
+PickTable LineTable()
+{
+  PickTable picks;
+  picks.Names = { "Top" };
+  for (const double inlineNumber : { 100.0, 104.0, 108.0 })
+  {
+    for (const double crossline : { 20.0, 22.0, 24.0, 26.0, 28.0 })
+    {
+      picks.Inline.push_back(inlineNumber);
+      picks.Crossline.push_back(crossline);
+      picks.Z.push_back(1000.0 * inlineNumber + crossline);
+    }
+  }
+  return picks;
+}
+
+/// The same with places: crosslines run to the north, inlines to the east, so that the lattice is left-handed.
+PickTable TurnedTable()
+{
+  PickTable picks = LineTable();
+  for (std::size_t n = 0; n < picks.Size(); ++n)
+  {
+    picks.X.push_back(500000.0 + 12.5 * picks.Inline[n]);
+    picks.Y.push_back(6000000.0 + 25.0 * picks.Crossline[n]);
+  }
+  return picks;
+}
+
+bool IsNear(const Eigen::Vector2d& a, double x, double y)
+{
+  return (a - Eigen::Vector2d(x, y)).norm() < 1e-6;
+}
+
+void TestLinesAlone()
+{
+  const PlacedPicks placed = PlacePicks(LineTable(), {});
+  CHECK_EQUAL(placed.Lattice.Columns[0], 5);
+  CHECK_EQUAL(placed.Lattice.Columns[1], 3);
+  CHECK(IsNear(placed.Lattice.Origin, 20.0, 100.0));
+  CHECK(IsNear(placed.Lattice.ColumnStep, 2.0, 0.0));
+  CHECK(IsNear(placed.Lattice.RowStep, 0.0, 4.0));
+  CHECK_EQUAL(placed.Lattice.Lines->FirstInline, 100.0);
+  CHECK_EQUAL(placed.Lattice.Lines->InlineStep, 4.0);
+  CHECK_EQUAL(placed.Horizons.size(), std::size_t(1));
+  const LatticeHorizon& horizon = placed.Horizons.front();
+  CHECK_EQUAL(horizon.Name, std::string("Top"));
+  CHECK_EQUAL(horizon.I[6], 1);
+  CHECK_EQUAL(horizon.J[6], 1);
+  CHECK_EQUAL(horizon.Z[6], 104022.0);
+}
+
+void TestLinesAndPlaces()
+{
+  const PlacedPicks placed = PlacePicks(TurnedTable(), {});
+  CHECK(IsNear(placed.Lattice.Origin, 501250.0, 6000500.0));
+  CHECK(IsNear(placed.Lattice.ColumnStep, 0.0, 50.0));
+  CHECK(IsNear(placed.Lattice.RowStep, 50.0, 0.0));
+  CHECK(placed.LargestDistance < 1e-9);
+}
+
+void TestPlacesAlone()
+{
+  PickTable picks = TurnedTable();
+  picks.Inline.clear();
+  picks.Crossline.clear();
+  const PlacedPicks placed = PlacePicks(picks, {});
+  CHECK(!placed.Lattice.Lines);
+  CHECK_EQUAL(placed.Lattice.Columns[0], 3);
+  CHECK_EQUAL(placed.Lattice.Columns[1], 5);
+  CHECK(IsNear(placed.Lattice.Origin, 501250.0, 6000500.0));
+  CHECK(IsNear(placed.Lattice.ColumnStep, 50.0, 0.0));
+  const LatticeHorizon& horizon = placed.Horizons.front();
+  CHECK_EQUAL(horizon.Z[1], 104020.0); // by ascending j, then i
+  CHECK_EQUAL(horizon.I[1], 1);
+}
+
+/// Steps of three decimals, and what is not one.
+void TestFractions()
+{
+  PickTable picks = LineTable();
+  picks.Crossline[3] = 25.5;
+  CHECK(IsNear(PlacePicks(picks, {}).Lattice.ColumnStep, 0.5, 0.0));
+  picks.Crossline[3] = 1.0 / 3.0;
+  CHECK_THROWS_WITH(
+    PlacePicks(picks, {}), "crossline 0.33333333333333331, expected a line number with at most three decimals");
+  picks.Crossline[3] = 1e13;
+  CHECK_THROWS_WITH(PlacePicks(picks, {}), "crossline 10000000000000, expected");
+}
+
+void TestCorners()
+{
+  PlacementOptions options;
+  options.Source = LatticeSource::CornerPoints;
+  options.Corners = { CornerPoint{ 100.0, 20.0, 0.0, 0.0 }, { 100.0, 40.0, 100.0, 0.0 }, { 300.0, 20.0, 0.0, 400.0 } };
+  const PlacedPicks placed = PlacePicks(LineTable(), options);
+  CHECK(IsNear(placed.Lattice.Origin, 0.0, 0.0));
+  CHECK(IsNear(placed.Lattice.ColumnStep, 10.0, 0.0));
+  CHECK(IsNear(placed.Lattice.RowStep, 0.0, 8.0));
+  options.Corners[2] = { 100.0, 60.0, 200.0, 0.0 };
+  CHECK_THROWS_WITH(PlacePicks(LineTable(), options), "three corner points whose line numbers are on one line");
+  PickTable places = TurnedTable();
+  places.Inline.clear();
+  places.Crossline.clear();
+  CHECK_THROWS_WITH(PlacePicks(places, options), "corner points for picks without line numbers, expected");
+}
+
+void TestGivenSteps()
+{
+  PlacementOptions options;
+  options.Source = LatticeSource::OriginAndSteps;
+  options.Origin = { 7.0, 8.0 };
+  options.ColumnStep = { 3.0, 4.0 };
+  options.RowStep = { -4.0, 3.0 };
+  const SurveyLattice lattice = PlacePicks(LineTable(), options).Lattice;
+  CHECK(IsNear(lattice.Origin, 7.0, 8.0));
+  CHECK(IsNear(lattice.ColumnStep, 3.0, 4.0));
+  // Places of the picks have to be on that lattice.
+  CHECK_THROWS_WITH(
+    PlacePicks(TurnedTable(), options), "15 of 15 picks off the lattice with the steps (3, 4) and (-4, 3)");
+}
+
+void TestDuplicatesAndNulls()
+{
+  PickTable picks;
+  picks.Names = { "A", "B" };
+  picks.Horizon = { 0, 0, 0, 1, 1, 1, 0 };
+  picks.Inline = { 1, 1, 2, 1, 1, 1, 1 };
+  picks.Crossline = { 2, 1, 1, 2, 2, 1, 2 };
+  picks.Z = { 10.0, 11.0, 12.0, Null, 20.0, 21.0, 13.0 };
+  picks.Attributes = { { "amplitude", { -5.0, 1.0, 1.0, 1.0, 1.0, 1.0, 4.0 } } };
+  PlacementOptions options;
+  const PlacedPicks strongest = PlacePicks(picks, options);
+  const LatticeHorizon& a = strongest.Horizons[0];
+  CHECK(a.Z == std::vector<double>({ 11.0, 10.0, 12.0 }));
+  CHECK(a.I == std::vector<int>({ 0, 1, 0 }));
+  CHECK(a.J == std::vector<int>({ 0, 0, 1 }));
+  CHECK(a.Attributes[0].Values == std::vector<double>({ 1.0, -5.0, 1.0 }));
+  CHECK_EQUAL(a.DroppedDuplicates, 1);
+  CHECK_EQUAL(a.DroppedNulls, 0);
+  const LatticeHorizon& b = strongest.Horizons[1];
+  CHECK(b.Z == std::vector<double>({ 21.0, 20.0 }));
+  CHECK_EQUAL(b.DroppedDuplicates, 0);
+  CHECK_EQUAL(b.DroppedNulls, 1);
+  options.Policy = DuplicatePolicy::Lowest;
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 13.0);
+  options.Direction = VerticalDirection::Up;
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 10.0);
+  options.Policy = DuplicatePolicy::Topmost;
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 13.0);
+}
+
+void TestOffLattice()
+{
+  PickTable picks = TurnedTable();
+  picks.X[7] += 10.0;
+  CHECK_THROWS_WITH(PlacePicks(picks, {}), "1 of 15 picks off the lattice with the steps (");
+  PlacementOptions options;
+  options.Tolerance = 0.3;
+  CHECK(PlacePicks(picks, options).LargestDistance > 0.15);
+  options.Tolerance = 0.5;
+  CHECK_THROWS_WITH(PlacePicks(picks, options), "LatticeTolerance 0.5, expected more than 0 and less than 0.5 columns");
+  options.Tolerance = Null;
+  CHECK_THROWS_WITH(PlacePicks(picks, options), "LatticeTolerance nan, expected");
+}
+
+void TestRefusals()
+{
+  PickTable none;
+  none.Names = { "none" };
+  CHECK_THROWS_WITH(PlacePicks(none, {}), "0 picks, expected at least 1 and less than 2^31");
+  PickTable line = TurnedTable();
+  line.Inline.assign(line.Size(), 100.0);
+  CHECK_THROWS_WITH(PlacePicks(line, {}), "all picks on one line, expected some that span a lattice");
+  PickTable samePlace = TurnedTable();
+  samePlace.X.assign(line.Size(), 1.0);
+  CHECK_THROWS_WITH(PlacePicks(samePlace, {}), "places of picks on one line, expected some that span a lattice");
+  PickTable farAway = LineTable();
+  farAway.Inline[3] = 4e9;
+  CHECK_THROWS_WITH(
+    PlacePicks(farAway, {}), "lattice of 5 x 999999976 columns with the steps (2, 0) and (0, 4), expected");
+}
+}
+
+int TestPickPlacement(int, char*[])
+{
+  TestLinesAlone();
+  TestLinesAndPlaces();
+  TestPlacesAlone();
+  TestFractions();
+  TestCorners();
+  TestGivenSteps();
+  TestDuplicatesAndNulls();
+  TestOffLattice();
+  TestRefusals();
+  return Check::Result();
+}

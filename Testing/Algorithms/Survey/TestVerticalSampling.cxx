@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Common/Survey/VerticalSampling.h"
+#include "Tools/Check.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// 30 x 20 columns on a slope.
+LatticeHorizon Slope(double first, double alongI, double alongJ)
+{
+  LatticeHorizon horizon;
+  for (int j = 0; j < 20; ++j)
+  {
+    for (int i = 0; i < 30; ++i)
+    {
+      horizon.I.push_back(i);
+      horizon.J.push_back(j);
+      horizon.Z.push_back(first + alongI * i + alongJ * j);
+    }
+  }
+  return horizon;
+}
+
+double StepOf(const LatticeHorizon& horizon)
+{
+  return FindVerticalSampling({ horizon }, 0.0).Step;
+}
+
+void TestStep()
+{
+  CHECK_EQUAL(StepOf(Slope(0.0, 4.0, 0.0)), 5.0);
+  CHECK_EQUAL(StepOf(Slope(0.0, 0.0, -3.0)), 2.0); // 3 is nearer to 2 than to 5, by the ratio
+  CHECK_EQUAL(StepOf(Slope(0.0, 0.75, 0.75)), 1.0);
+  CHECK_EQUAL(StepOf(Slope(0.0, 0.05, 0.05)), 0.05);
+  CHECK_EQUAL(StepOf(Slope(1e6, 190.0, 190.0)), 200.0);
+  CHECK_EQUAL(StepOf(Slope(7.0, 0.0, 0.0)), 1.0); // flat
+  CHECK_EQUAL(FindVerticalSampling({}, 0.0).Step, 1.0);
+}
+
+void TestNeighboursOnly()
+{
+  LatticeHorizon horizon; // steps over gaps do not count
+  horizon.I = { 0, 1, 5, 0, 5 };
+  horizon.J = { 0, 0, 0, 1, 2 };
+  horizon.Z = { 0.0, 2.0, 99.0, 2.0, 1000.0 };
+  CHECK_EQUAL(StepOf(horizon), 2.0);
+}
+
+void TestIndices()
+{
+  const VerticalSampling given = FindVerticalSampling({ Slope(-7.0, 1.0, 0.0) }, 4.0);
+  CHECK_EQUAL(given.First, -8.0);
+  CHECK_EQUAL(given.Step, 4.0);
+  CHECK_EQUAL(given.Indices, 9); // -8 to 24, over 22
+  const VerticalSampling flat = FindVerticalSampling({ Slope(8.0, 0.0, 0.0) }, 4.0);
+  CHECK_EQUAL(flat.First, 8.0);
+  CHECK_EQUAL(flat.Indices, 1);
+}
+
+void TestRefusals()
+{
+  const char* const expected = ", expected a positive number, or 0";
+  CHECK_THROWS_WITH(FindVerticalSampling({}, -1.0), std::string("VerticalStep -1") + expected);
+  CHECK_THROWS_WITH(
+    FindVerticalSampling({}, std::numeric_limits<double>::infinity()), std::string("VerticalStep inf") + expected);
+  CHECK_THROWS_WITH(FindVerticalSampling({}, std::nan("")), expected);
+  CHECK_THROWS_WITH(FindVerticalSampling({ Slope(0.0, 1e6, 0.0) }, 1e-6),
+    "VerticalStep 1e-06 for z from 0 to 2.9e+07, expected one that makes less than 2^31 vertical indices");
+}
+}
+
+int TestVerticalSampling(int, char*[])
+{
+  TestStep();
+  TestNeighboursOnly();
+  TestIndices();
+  TestRefusals();
+  return Check::Result();
+}
