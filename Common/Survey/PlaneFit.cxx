@@ -18,6 +18,25 @@ void PlaneFit::Add(const PlaneFit& other)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+Eigen::Matrix2d PlaneFit::IndexSpread() const
+{
+  const Eigen::Vector2d mean = this->MeanIndex();
+  return this->IndexProducts / double(this->Count) - mean * mean.transpose();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Eigen::Matrix2d PlaneFit::PlaceSpread() const
+{
+  return this->PlaceProducts / double(this->Count) - this->MeanPlace() * this->MeanIndex().transpose();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlaneMap PlaneFit::MapWithSteps(const Eigen::Matrix2d& steps) const
+{
+  return { this->MeanPlace() - steps * this->MeanIndex(), steps };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::optional<PlaneMap> PlaneFit::Solve() const
 {
   // Where all indices are on one line the determinant is 0 but for rounding, which is some 1e-16 of the squared trace;
@@ -27,17 +46,33 @@ std::optional<PlaneMap> PlaneFit::Solve() const
   {
     return std::nullopt;
   }
-  const double n = double(this->Count);
-  const Eigen::Vector2d meanIndex = this->IndexSum / n;
-  const Eigen::Vector2d meanPlace = this->PlaceSum / n;
-  const Eigen::Matrix2d spread = this->IndexProducts / n - meanIndex * meanIndex.transpose();
+  const Eigen::Matrix2d spread = this->IndexSpread();
   if (!(spread.determinant() > SmallestRelativeDeterminant * spread.trace() * spread.trace()))
   {
     return std::nullopt;
   }
-  PlaneMap map;
-  map.Steps = (this->PlaceProducts / n - meanPlace * meanIndex.transpose()) * spread.inverse();
-  map.Origin = meanPlace - map.Steps * meanIndex;
-  return map;
+  return this->MapWithSteps(this->PlaceSpread() * spread.inverse());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<PlaneMap> PlaneFit::SolveAlongLine() const
+{
+  constexpr double SmallestSpread = 1e-12; // indices are whole
+  if (this->Count < 2)
+  {
+    return std::nullopt;
+  }
+  const Eigen::Matrix2d spread = this->IndexSpread();
+  const bool isAlongI = spread(1, 1) < SmallestSpread;
+  const int along = isAlongI ? 0 : 1;
+  if (!(spread(along, along) > SmallestSpread) || spread(1 - along, 1 - along) > SmallestSpread)
+  {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d step = this->PlaceSpread().col(along) / spread(along, along);
+  Eigen::Matrix2d steps;
+  steps.col(along) = step;
+  steps.col(1 - along) = isAlongI ? Eigen::Vector2d(-step.y(), step.x()) : Eigen::Vector2d(step.y(), -step.x());
+  return this->MapWithSteps(steps);
 }
 }

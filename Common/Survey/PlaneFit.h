@@ -41,7 +41,18 @@ public:
   /// The map with the least sum of squared distances; nothing when all indices are on one line.
   std::optional<PlaneMap> Solve() const;
 
+  /// The map for indices of which one component is the same for all: the step along the other is fitted, and that across
+  /// is as long and perpendicular, so that the two are right-handed. Nothing for others.
+  std::optional<PlaneMap> SolveAlongLine() const;
+
 private:
+  Eigen::Vector2d MeanIndex() const { return this->IndexSum / double(this->Count); }
+  Eigen::Vector2d MeanPlace() const { return this->PlaceSum / double(this->Count); }
+  /// Mean products of the differences from the means.
+  Eigen::Matrix2d IndexSpread() const;
+  Eigen::Matrix2d PlaceSpread() const;
+  PlaneMap MapWithSteps(const Eigen::Matrix2d& steps) const;
+
   std::int64_t Count = 0;
   Eigen::Vector2d IndexSum = Eigen::Vector2d::Zero();
   Eigen::Vector2d PlaceSum = Eigen::Vector2d::Zero();

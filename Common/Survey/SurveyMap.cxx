@@ -44,7 +44,11 @@ PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Mon
   std::optional<PlaneMap> map = all.Solve();
   if (!map)
   {
-    RefuseLine("all picks");
+    map = all.SolveAlongLine();
+  }
+  if (!map)
+  {
+    RefuseLine("picks");
   }
   map->Origin += middle;
   return *map;

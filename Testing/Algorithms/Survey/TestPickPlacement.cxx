@@ -91,6 +91,27 @@ void TestPlacesAlone()
   CHECK_EQUAL(horizon.I[1], 1);
 }
 
+/// Picks of one inline do not tell the step to the next: it is as long as that along the line, and to its left.
+void TestOneLine()
+{
+  PickTable picks;
+  picks.Names = { "Line" };
+  picks.Inline = { 7.0, 7.0, 7.0 };
+  picks.Crossline = { 1.0, 2.0, 4.0 };
+  picks.X = { 103.0, 106.0, 112.0 };
+  picks.Y = { 204.0, 208.0, 216.0 };
+  picks.Z = { 1.0, 2.0, 3.0 };
+  const SurveyLattice lattice = PlacePicks(picks, {}).Lattice;
+  CHECK_EQUAL(lattice.Columns[0], 4);
+  CHECK_EQUAL(lattice.Columns[1], 1);
+  CHECK(IsNear(lattice.Origin, 103.0, 204.0));
+  CHECK(IsNear(lattice.ColumnStep, 3.0, 4.0));
+  CHECK(IsNear(lattice.RowStep, -4.0, 3.0));
+  std::swap(picks.Inline, picks.Crossline);
+  CHECK(IsNear(PlacePicks(picks, {}).Lattice.RowStep, 3.0, 4.0));
+  CHECK(IsNear(PlacePicks(picks, {}).Lattice.ColumnStep, 4.0, -3.0));
+}
+
 /// Steps of three decimals, and what is not one.
 void TestFractions()
 {
@@ -185,11 +206,11 @@ void TestRefusals()
   PickTable none;
   none.Names = { "none" };
   CHECK_THROWS_WITH(PlacePicks(none, {}), "0 picks, expected at least 1 and less than 2^31");
-  PickTable line = TurnedTable();
-  line.Inline.assign(line.Size(), 100.0);
-  CHECK_THROWS_WITH(PlacePicks(line, {}), "all picks on one line, expected some that span a lattice");
+  PickTable diagonal = TurnedTable();
+  diagonal.Inline = diagonal.Crossline;
+  CHECK_THROWS_WITH(PlacePicks(diagonal, {}), "picks on one line, expected some that span a lattice");
   PickTable samePlace = TurnedTable();
-  samePlace.X.assign(line.Size(), 1.0);
+  samePlace.X.assign(samePlace.Size(), 1.0);
   CHECK_THROWS_WITH(PlacePicks(samePlace, {}), "places of picks on one line, expected some that span a lattice");
   PickTable farAway = LineTable();
   farAway.Inline[3] = 4e9;
@@ -203,6 +224,7 @@ int TestPickPlacement(int, char*[])
   TestLinesAlone();
   TestLinesAndPlaces();
   TestPlacesAlone();
+  TestOneLine();
   TestFractions();
   TestCorners();
   TestGivenSteps();

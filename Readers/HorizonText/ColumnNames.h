@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the columns of a table hold, by their names.
+
+#ifndef SeismicHorizonsColumnNames_h
+#define SeismicHorizonsColumnNames_h
+
+#include "TextLayout.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// The word for a role, as users write it: "X", "Inline", "Name"; "-" for what is ignored.
+const char* RoleWord(ColumnRole role);
+
+/// The column of a name as programs write it over a column: "Easting (m)" is X, "IL" an inline, "Depth" a z. Any other
+/// is that of an attribute.
+TextColumn ColumnOfName(std::string_view name);
+
+/// The columns that a user names, separated by commas, or where there is none by blanks; "-" leaves one out. Throws
+/// InputError where a role is there twice, and where z or the place is missing.
+std::vector<TextColumn> ParseColumnList(const std::string& list);
+
+/// Makes columns complete and free of doubles: of several of one role the first has it, and the others become
+/// attributes; where there is no z, the first attribute is it.
+void SettleRoles(std::vector<TextColumn>& columns);
+
+/// Throws InputError where z or the place is missing; the message names the columns there are.
+void CheckRoles(const std::vector<TextColumn>& columns);
+
+/// "X, Y, Z, Amplitude".
+std::string ListNames(const std::vector<TextColumn>& columns);
+}
+
+#endif

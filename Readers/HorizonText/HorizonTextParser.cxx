@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonTextParser.h"
+
+#include "Common/LineBuffer.h"
+#include "Common/LineErrors.h"
+#include "Common/Parallel.h"
+#include "IesxParser.h"
+#include "PickBlock.h"
+#include "PickCollector.h"
+
+#include <string>
+#include <string_view>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t LookAhead = 256 * 1024; // bytes that the layout is found from
+constexpr std::size_t BufferSize = 8 * 1024 * 1024; // bytes in memory at a time
+constexpr std::size_t BlockSize = 256 * 1024; // bytes that a thread parses at a time
+
+/// Calls take(lines) with some complete lines after the other.
+template <typename Take>
+void ForEachPiece(std::istream& stream, const Monitor& monitor, Take&& take)
+{
+  stream.clear();
+  stream.seekg(0);
+  LineBuffer lines(stream, BufferSize);
+  while (!lines.AtEnd())
+  {
+    if (!lines.Read())
+    {
+      throw InputError("reading failed");
+    }
+    take(std::string_view(lines.First(), std::size_t(lines.Last() - lines.First())), lines.PartRead());
+    monitor.Progress(lines.PartRead());
+  }
+}
+
+/// The text from the line behind the first `count` ones; those left out are taken off the count.
+std::string_view SkipLines(std::string_view text, std::int64_t& count)
+{
+  while (count > 0 && !text.empty())
+  {
+    text.remove_prefix(text.find('\n') + 1);
+    --count;
+  }
+  return text;
+}
+
+/// Cuts lines into blocks.
+std::vector<std::string_view> MakeBlocks(std::string_view text)
+{
+  std::vector<std::string_view> blocks;
+  while (!text.empty())
+  {
+    const std::size_t end = BlockSize < text.size() ? text.find('\n', BlockSize) + 1 : text.size();
+    blocks.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return blocks;
+}
+
+PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Monitor& monitor)
+{
+  PickCollector picks(layout);
+  std::int64_t headerLines = layout.HeaderLines;
+  ForEachPiece(stream, monitor,
+    [&](std::string_view text, double partRead)
+    {
+      const std::vector<std::string_view> blocks = MakeBlocks(SkipLines(text, headerLines));
+      std::vector<PickBlock> parsed(blocks.size());
+      ParallelFor(std::int64_t(blocks.size()), 1,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (auto block = std::size_t(first); block < std::size_t(last); ++block)
+          {
+            parsed[block] = ParsePicks(blocks[block], layout);
+          }
+        });
+      const bool isFirst = picks.Size() == 0;
+      for (const PickBlock& block : parsed)
+      {
+        picks.Add(block);
+      }
+      if (isFirst && partRead > 0.0)
+      {
+        // A little more than it will take, so that columns need not grow, for which they would be in memory twice.
+        picks.Reserve(std::size_t(1.05 * double(picks.Size()) / partRead));
+      }
+    });
+  return picks.Take();
+}
+
+PickTable ReadIesx(std::istream& stream, const TextLayout& layout, const Monitor& monitor)
+{
+  IesxParser picks(layout.Nulls);
+  ForEachPiece(stream, monitor, [&](std::string_view text, double) { picks.Parse(text); });
+  return picks.Take();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
+{
+  std::string text(LookAhead, '\0');
+  stream.read(text.data(), std::streamsize(text.size()));
+  text.resize(std::size_t(stream.gcount()));
+  const bool isWhole = stream.eof();
+  stream.clear();
+  stream.seekg(0);
+  if (text.find('\0') != std::string::npos)
+  {
+    throw InputError("bytes of 0, expected text");
+  }
+  if (isWhole && !text.empty() && text.back() != '\n')
+  {
+    text += '\n';
+  }
+  TextLines lines;
+  for (std::size_t first = 0, end = text.find('\n'); end != std::string::npos; end = text.find('\n', first))
+  {
+    lines.push_back(std::string_view(text).substr(first, end - first));
+    first = end + 1;
+  }
+  return FindTextLayout(lines, options);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor)
+{
+  return layout.Kind == TextKind::Iesx ? ReadIesx(stream, layout, monitor) : ReadColumns(stream, layout, monitor);
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reads picks of horizons from text files: Documentation/HorizonText.md has the formats and all messages.
+//
+// Some megabytes of a file are in memory at a time, beside the result, and blocks of them are parsed on all threads.
+// Numbers are read independently of the locale and rounded correctly. A file that breaks its format gives an
+// InputError whose text starts with the number of the line, as "line 17: ".
+
+#ifndef SeismicHorizonsHorizonTextParser_h
+#define SeismicHorizonsHorizonTextParser_h
+
+#include "Common/Monitor.h"
+#include "Common/Survey/PickTable.h"
+#include "LayoutFinder.h"
+
+#include <istream>
+
+namespace SeismicHorizons
+{
+/// Looks at the beginning of a file, and goes back there.
+TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
+
+/// Reads the picks of a file with its layout, from the beginning. Progress is by bytes.
+PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor = Monitor());
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// IESX, also called GeoQuest: a line PROFILE with the name of a horizon, then a line for each pick whose numbers stand
+// at fixed places, and EOD at the end. Newer versions of OpendTect write EOD before each pick but the first, and after
+// each pick a line that begins with a tab and has z and the attribute with all their digits.
+
+#ifndef SeismicHorizonsIesxParser_h
+#define SeismicHorizonsIesxParser_h
+
+#include "Common/Survey/PickTable.h"
+#include "NullValues.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace SeismicHorizons
+{
+class IesxParser
+{
+public:
+  explicit IesxParser(const NullValues& nulls)
+    : Nulls(nulls)
+  {
+  }
+
+  /// Takes the next lines, of which the last character is a newline. Throws InputError with the number of the line.
+  void Parse(std::string_view lines);
+
+  /// All picks. An attribute that all are without is left out. Throws InputError where the end of the file is missing.
+  PickTable Take();
+
+private:
+  void ParseLine(std::string_view line);
+  void ParseProfile(std::string_view line);
+  void ParsePick(std::string_view line);
+  void ParseDigits(std::string_view line);
+  double Number(std::string_view line, std::size_t first, std::size_t last, const char* name) const;
+  double OrNull(double value) const;
+
+  const NullValues& Nulls;
+  PickTable Table;
+  std::vector<double> Amplitudes;
+  std::int64_t Line = 0; // from 1
+  int Profile = -1;
+  bool HasEnded = false;
+};
+}
+
+#endif

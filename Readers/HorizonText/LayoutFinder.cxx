@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayoutFinder.h"
+
+#include "ColumnNames.h"
+#include "Common/LineErrors.h"
+#include "Common/Survey/PlaneFit.h"
+#include "TextFields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t MostSampleLines = 100;
+// Whole numbers up to here may be line numbers; coordinates of surveys are larger.
+constexpr double LargestLineNumber = 99999.0;
+constexpr double LeastCoordinate = 1e4;
+// How far places may be off those that line numbers give, as a part of a step: they are rounded, but to less than that.
+constexpr double LargestMisfit = 0.1;
+
+using Fields = std::vector<std::string_view>;
+
+Fields Split(std::string_view line, FieldSeparator separator)
+{
+  Fields fields;
+  FieldCursor cursor(line, separator);
+  std::string_view field;
+  while (cursor.Next(field))
+  {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+/// Some lines behind the header that are not empty, up to the end mark of a file.
+TextLines SampleLines(const TextLines& lines, std::int64_t first)
+{
+  TextLines sample;
+  for (auto line = std::size_t(first); line < lines.size() && sample.size() < MostSampleLines; ++line)
+  {
+    if (IsEndMark(lines[line]))
+    {
+      break;
+    }
+    if (!Trim(lines[line]).empty())
+    {
+      sample.push_back(lines[line]);
+    }
+  }
+  return sample;
+}
+
+/// The first of tabs, commas and semicolons that cuts all lines into equally many fields, at least three; else blanks.
+FieldSeparator FindSeparator(const TextLines& sample)
+{
+  for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
+  {
+    const std::size_t fields = Split(sample.front(), separator).size();
+    const bool isSame = std::all_of(
+      sample.begin(), sample.end(), [&](std::string_view line) { return Split(line, separator).size() == fields; });
+    if (fields >= 3 && isSame)
+    {
+      return separator;
+    }
+  }
+  return FieldSeparator::Blanks;
+}
+
+/// What the values of a column are like.
+struct ColumnValues
+{
+  bool AreNumbers = true; // or null
+  bool AreLines = true; // whole, and as small as line numbers are
+};
+
+ColumnValues LookAt(const TextLines& sample, FieldSeparator separator, std::size_t column)
+{
+  ColumnValues values;
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, separator);
+    double value = 0.0;
+    if (column >= fields.size())
+    {
+      continue; // reading the line will say so
+    }
+    const bool isNumber = ReadAnyNumber(fields[column], value) != NumberKind::NotANumber;
+    values.AreNumbers = values.AreNumbers && (isNumber || NullValues().IsNullText(fields[column]));
+    values.AreLines =
+      values.AreLines && isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber;
+  }
+  return values;
+}
+
+/// Whether two columns hold places that belong to the line numbers in two others: an affine map leads from those to
+/// these. Where the lines have too few numbers to tell, coordinates are taken for what they mostly are: large.
+bool ArePlacesOfLines(const TextLines& sample, FieldSeparator separator, std::size_t lines, std::size_t places)
+{
+  struct Pair
+  {
+    Eigen::Vector2d Index, Place;
+  };
+  std::vector<Pair> pairs;
+  PlaneFit fit;
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, separator);
+    std::array<double, 4> values = {};
+    for (const std::size_t n : { 0, 1, 2, 3 })
+    {
+      const std::size_t column = n < 2 ? lines + n : places + n - 2;
+      if (column >= fields.size() || ReadAnyNumber(fields[column], values[n]) != NumberKind::Finite)
+      {
+        return false;
+      }
+    }
+    pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
+    fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
+  }
+  const std::optional<PlaneMap> map = fit.Solve();
+  return std::all_of(pairs.begin(), pairs.end(),
+    [&](const Pair& pair)
+    {
+      if (!map)
+      {
+        return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate;
+      }
+      const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
+      const double step = map->Steps.colwise().norm().minCoeff();
+      return (pair.Place - pairs.front().Place - expected).norm() <= LargestMisfit * step;
+    });
+}
+
+/// Columns without names, by their values: a name first where it is text; x y il xl, il xl x y, il xl or x y; z, and
+/// attributes.
+std::vector<TextColumn> GuessColumns(const TextLines& sample, FieldSeparator separator)
+{
+  const std::size_t count = Split(sample.front(), separator).size();
+  std::vector<TextColumn> columns;
+  std::size_t first = 0;
+  if (count > 0 && !LookAt(sample, separator, 0).AreNumbers)
+  {
+    columns.push_back({ ColumnRole::HorizonName, "Name" });
+    first = 1;
+  }
+  const auto areLines = [&](std::size_t column)
+  {
+    return LookAt(sample, separator, first + column).AreLines && LookAt(sample, separator, first + column + 1).AreLines;
+  };
+  const auto areBoth = [&](std::size_t lines, std::size_t places) {
+    return count >= first + 5 && areLines(lines) && ArePlacesOfLines(sample, separator, first + lines, first + places);
+  };
+  using Role = ColumnRole;
+  std::vector<Role> roles = { Role::X, Role::Y, Role::Z };
+  if (areBoth(0, 2))
+  {
+    roles = { Role::Inline, Role::Crossline, Role::X, Role::Y, Role::Z };
+  }
+  else if (areBoth(2, 0))
+  {
+    roles = { Role::X, Role::Y, Role::Inline, Role::Crossline, Role::Z };
+  }
+  else if (areLines(0))
+  {
+    roles = { Role::Inline, Role::Crossline, Role::Z };
+  }
+  for (std::size_t column = 0; first + column < count; ++column)
+  {
+    const Role role = column < roles.size() ? roles[column] : Role::Attribute;
+    const bool isText = !LookAt(sample, separator, first + column).AreNumbers;
+    columns.push_back({ isText ? Role::Ignored : role,
+      role == Role::Attribute ? "Attribute " + std::to_string(column - roles.size() + 1) : RoleWord(role) });
+  }
+  return columns;
+}
+
+[[noreturn]] void RefuseCount(const TextLayout& layout, std::size_t fields)
+{
+  throw ErrorAt(layout.HeaderLines + 1,
+    std::to_string(fields) + " fields, expected one for each of the columns " + ListNames(layout.Columns));
+}
+
+/// Brings the columns of the header into line with the fields of the picks.
+void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
+{
+  const Fields fields = Split(sample.front(), layout.Separator);
+  if (fields.size() == layout.Columns.size() + 1 && !IsNumber(fields.front()))
+  {
+    // OpendTect does not list the names of horizons in front of their picks.
+    layout.Columns.insert(layout.Columns.begin(), { ColumnRole::HorizonName, "Name" });
+  }
+  if (fields.size() != layout.Columns.size())
+  {
+    if (areRequired)
+    {
+      RefuseCount(layout, fields.size());
+    }
+    layout.Columns.clear();
+  }
+  for (std::size_t column = 0; column < layout.Columns.size(); ++column)
+  {
+    const bool isText = !LookAt(sample, layout.Separator, column).AreNumbers;
+    if (isText && layout.Columns[column].Role != ColumnRole::HorizonName)
+    {
+      layout.Columns[column].Role = ColumnRole::Ignored;
+    }
+  }
+}
+
+/// Charisma has words between the numbers: "INLINE : 476 XLINE : 320 626540.48 6073670.99 1236.45".
+bool IsCharisma(std::string_view line)
+{
+  const Fields fields = Split(line, FieldSeparator::Colons);
+  return fields.size() == 7 && ToLower(fields[0]) == "inline" && !IsNumber(fields[2]);
+}
+
+/// "nx ny n" and, behind it, columns within nx and ny.
+bool IsLatticeSize(const TextLines& sample)
+{
+  const Fields sizes = Split(sample.front(), FieldSeparator::Blanks);
+  if (sizes.size() != 3 || sample.size() < 2)
+  {
+    return false;
+  }
+  const int columns = ReadPositiveInteger(sizes[0]);
+  const int rows = ReadPositiveInteger(sizes[1]);
+  const int picks = ReadPositiveInteger(sizes[2]);
+  return picks > 0 && picks <= double(columns) * rows &&
+    std::all_of(sample.begin() + 1, sample.end(),
+      [&](std::string_view line)
+      {
+        const Fields fields = Split(line, FieldSeparator::Blanks);
+        double i = 0.0;
+        double j = 0.0;
+        return fields.size() == 3 && ReadAnyNumber(fields[0], i) == NumberKind::Finite &&
+          ReadAnyNumber(fields[1], j) == NumberKind::Finite && i >= 0.0 && i < columns && j >= 0.0 && j < rows &&
+          i == std::round(i) && j == std::round(j);
+      });
+}
+
+/// Whether columns say where picks are.
+bool HavePlaces(const TextLayout& layout)
+{
+  return (layout.Find(ColumnRole::X) >= 0 && layout.Find(ColumnRole::Y) >= 0) ||
+    (layout.Find(ColumnRole::Inline) >= 0 && layout.Find(ColumnRole::Crossline) >= 0);
+}
+
+/// Layouts of which the first line behind the header tells all. False where it does not.
+bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
+{
+  using Role = ColumnRole;
+  if (Split(sample.front(), FieldSeparator::Blanks).front() == "PROFILE")
+  {
+    layout.Kind = TextKind::Iesx;
+    layout.Columns = { { Role::X, "X" }, { Role::Y, "Y" }, { Role::Z, "Z" }, { Role::Crossline, "Crossline" },
+      { Role::Inline, "Inline" }, { Role::Attribute, "Amplitude" } };
+    return true;
+  }
+  if (IsCharisma(sample.front()))
+  {
+    layout.Kind = TextKind::Charisma;
+    layout.Separator = FieldSeparator::Colons;
+    layout.Columns = { { Role::Ignored, "-" }, { Role::Inline, "Inline" }, { Role::Ignored, "-" },
+      { Role::Crossline, "Crossline" }, { Role::X, "X" }, { Role::Y, "Y" }, { Role::Z, "Z" } };
+    return true;
+  }
+  if (layout.Kind == TextKind::Plain && IsLatticeSize(sample))
+  {
+    layout.Kind = TextKind::LatticeIndices;
+    layout.Picks = ReadPositiveInteger(Split(sample.front(), FieldSeparator::Blanks)[2]);
+    layout.Columns = { { Role::Crossline, "i" }, { Role::Inline, "j" }, { Role::Z, "Z" } };
+    return true;
+  }
+  return false;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
+{
+  TextLayout layout = ReadTextHeader(lines);
+  const TextLines sample = SampleLines(lines, layout.HeaderLines);
+  if (sample.empty())
+  {
+    throw InputError("no picks after " + std::to_string(layout.HeaderLines) + " lines, expected lines of numbers");
+  }
+  const bool isFixed = options.Columns.empty() && FindFixedLayout(layout, sample);
+  if (!isFixed)
+  {
+    layout.Separator = FindSeparator(sample);
+    const bool hasNames = layout.Kind != TextKind::Plain && !layout.Columns.empty();
+    if (!options.Columns.empty())
+    {
+      layout.Columns = ParseColumnList(options.Columns);
+    }
+    MatchColumns(layout, sample, hasNames || !options.Columns.empty());
+    if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !HavePlaces(layout)))
+    {
+      layout.Columns = GuessColumns(sample, layout.Separator);
+    }
+    SettleRoles(layout.Columns);
+  }
+  CheckRoles(layout.Columns);
+  layout.Nulls.Add(NullValues(options.NullValues));
+  if (layout.Picks >= 0)
+  {
+    // The size is the first of the sample.
+    while (Trim(lines[std::size_t(layout.HeaderLines++)]).empty())
+    {
+    }
+  }
+  return layout;
+}
+}

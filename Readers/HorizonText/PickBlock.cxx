@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PickBlock.h"
+
+#include "ColumnNames.h"
+#include "Common/LineErrors.h"
+#include "TextFields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double Null = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t MostNumberCharacters = 64;
+
+/// Reads a number that may have an exponent as in Fortran, 1.5D+03.
+bool ReadNumber(std::string_view field, double& value)
+{
+  if (ReadPlainNumber(field.data(), value) == field.data() + field.size() && !field.empty())
+  {
+    return true;
+  }
+  const NumberKind kind = ReadAnyNumber(field, value);
+  if (kind != NumberKind::NotANumber || field.size() > MostNumberCharacters)
+  {
+    return kind != NumberKind::NotANumber;
+  }
+  std::string number(field);
+  std::replace_if(
+    number.begin(), number.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
+  return ReadAnyNumber(number, value) != NumberKind::NotANumber;
+}
+
+/// Holds the state between the lines of a block. Functions are defined inside the class, where compilers inline them.
+class BlockParser
+{
+public:
+  explicit BlockParser(const TextLayout& layout)
+    : Layout(layout)
+  {
+    this->Block.Values.resize(layout.Columns.size());
+  }
+
+  PickBlock Parse(std::string_view lines)
+  {
+    const char* line = lines.data();
+    const char* const last = line + lines.size();
+    while (line != last && this->Block.ErrorLine < 0)
+    {
+      const auto* const end = static_cast<const char*>(std::memchr(line, '\n', std::size_t(last - line)));
+      this->ParseLine(std::string_view(line, std::size_t(end - line)));
+      line = end + 1;
+      ++this->Block.Lines;
+    }
+    return std::move(this->Block);
+  }
+
+private:
+  void ParseLine(std::string_view line)
+  {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos || line[first] == '#' || line[first] == '!')
+    {
+      return;
+    }
+    if (this->Block.EndLine >= 0)
+    {
+      this->Fail("more lines after the end mark, expected none");
+      return;
+    }
+    if (line[first] == 'E' && IsEndMark(line))
+    {
+      this->Block.EndLine = this->Block.Lines;
+      return;
+    }
+    this->ParsePick(line);
+  }
+
+  void ParsePick(std::string_view line)
+  {
+    FieldCursor fields(line, this->Layout.Separator);
+    std::size_t column = 0;
+    std::string_view field;
+    while (fields.Next(field))
+    {
+      if (column < this->Layout.Columns.size() && !this->ParseField(column, field))
+      {
+        return;
+      }
+      ++column;
+    }
+    if (column != this->Layout.Columns.size())
+    {
+      this->Fail(
+        std::to_string(column) + " fields, expected one for each of the columns " + ListNames(this->Layout.Columns));
+    }
+  }
+
+  bool ParseField(std::size_t column, std::string_view field)
+  {
+    const ColumnRole role = this->Layout.Columns[column].Role;
+    if (role == ColumnRole::Ignored)
+    {
+      return true;
+    }
+    if (role == ColumnRole::HorizonName)
+    {
+      this->Block.Horizon.push_back(this->NumberOfName(field));
+      return true;
+    }
+    double value = Null;
+    const bool isNumber = ReadNumber(field, value) && std::isfinite(value);
+    if (!isNumber && !this->Layout.Nulls.IsNullText(field))
+    {
+      this->Fail(Quote(field) + " as " + RoleWord(role) + ", expected a number");
+      return false;
+    }
+    const bool mayBeNull = role == ColumnRole::Z || role == ColumnRole::Attribute;
+    if (!isNumber || (mayBeNull && this->Layout.Nulls.IsNullNumber(value)))
+    {
+      value = Null;
+    }
+    if (!isNumber && !mayBeNull)
+    {
+      this->Fail(Quote(field) + " as " + RoleWord(role) + ", expected a number: only Z and attributes may be missing");
+      return false;
+    }
+    this->Block.Values[column].push_back(value);
+    return true;
+  }
+
+  /// Names of neighbouring lines are mostly the same.
+  int NumberOfName(std::string_view name)
+  {
+    std::vector<std::string>& names = this->Block.Names;
+    if (!this->Block.Horizon.empty() && names[std::size_t(this->Block.Horizon.back())] == name)
+    {
+      return this->Block.Horizon.back();
+    }
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+    {
+      names.emplace_back(name);
+      return int(names.size()) - 1;
+    }
+    return int(found - names.begin());
+  }
+
+  void Fail(const std::string& text)
+  {
+    this->Block.ErrorLine = this->Block.Lines;
+    this->Block.Error = text;
+  }
+
+  const TextLayout& Layout;
+  PickBlock Block;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PickBlock ParsePicks(std::string_view lines, const TextLayout& layout)
+{
+  return BlockParser(layout).Parse(lines);
+}
+}

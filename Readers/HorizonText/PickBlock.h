@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Parses some lines of picks. Blocks of lines do not depend on each other, so that several are parsed at a time.
+
+#ifndef SeismicHorizonsPickBlock_h
+#define SeismicHorizonsPickBlock_h
+
+#include "TextLayout.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// What is in a block of lines.
+struct PickBlock
+{
+  std::vector<std::vector<double>> Values; // for each column of the layout its numbers; nan where null
+  std::vector<std::string> Names; // of horizons, in the order they come
+  std::vector<int> Horizon; // of each pick the number of its name; empty where no column has names
+  std::int64_t Lines = 0;
+  std::int64_t EndLine = -1; // that of an end mark, from 0
+  std::int64_t ErrorLine = -1; // from 0; lines behind it are not parsed
+  std::string Error; // what is wrong there
+};
+
+/// Parses complete lines: the last character is a newline.
+PickBlock ParsePicks(std::string_view lines, const TextLayout& layout);
+}
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The fields of a line of text.
+
+#ifndef SeismicHorizonsTextFields_h
+#define SeismicHorizonsTextFields_h
+
+#include "Common/TextNumbers.h"
+#include "FieldSeparator.h"
+
+#include <string>
+#include <string_view>
+
+namespace SeismicHorizons
+{
+/// The same text with capital letters made small.
+std::string ToLower(std::string_view text);
+
+/// The text without blanks at both ends.
+std::string_view Trim(std::string_view text);
+
+/// Whether a line is one that some programs end a file with: EOB, EOD or EOF.
+bool IsEndMark(std::string_view line);
+
+/// Visits the fields of a line. Text in quotes is one field, without the quotes, whatever is in it. Defined here, where
+/// compilers inline it: this is what reading takes its time for.
+class FieldCursor
+{
+public:
+  FieldCursor(std::string_view line, FieldSeparator separator)
+    : Place(line.data())
+    , Last(line.data() + line.size())
+    , Separator(SeparatorOf(separator))
+    , SkipsColons(separator == FieldSeparator::Colons)
+  {
+  }
+
+  /// Gives the next field, and false after the last. Between two commas there is an empty field, and blanks around
+  /// fields are left out; at the end of the line, one comma more or less makes no field.
+  bool Next(std::string_view& field)
+  {
+    this->SkipBlanks();
+    if (this->Place == this->Last)
+    {
+      return false;
+    }
+    if (*this->Place == '"' || *this->Place == '\'')
+    {
+      field = this->Quoted();
+    }
+    else
+    {
+      field = this->Unquoted();
+    }
+    if (this->Separator != 0)
+    {
+      this->SkipBlanks();
+      this->Place += this->Place != this->Last && this->IsSeparator(*this->Place) ? 1 : 0;
+    }
+    return true;
+  }
+
+private:
+  /// The character, or 0 where blanks separate.
+  static char SeparatorOf(FieldSeparator separator)
+  {
+    switch (separator)
+    {
+      case FieldSeparator::Tab:
+        return '\t';
+      case FieldSeparator::Comma:
+        return ',';
+      case FieldSeparator::Semicolon:
+        return ';';
+      default:
+        return 0;
+    }
+  }
+
+  bool IsSeparator(char c) const { return this->Separator != 0 && c == this->Separator; }
+
+  bool IsSkipped(char c) const { return (IsBlank(c) && c != this->Separator) || (this->SkipsColons && c == ':'); }
+
+  void SkipBlanks()
+  {
+    while (this->Place != this->Last && this->IsSkipped(*this->Place))
+    {
+      ++this->Place;
+    }
+  }
+
+  std::string_view Quoted()
+  {
+    const char quote = *this->Place++;
+    const char* const first = this->Place;
+    while (this->Place != this->Last && *this->Place != quote)
+    {
+      ++this->Place;
+    }
+    const std::string_view field(first, std::size_t(this->Place - first));
+    this->Place += this->Place != this->Last ? 1 : 0;
+    return field;
+  }
+
+  std::string_view Unquoted()
+  {
+    const char* const first = this->Place;
+    const char* last = first; // of the field, blanks at its end left out
+    while (this->Place != this->Last && !this->IsSeparator(*this->Place))
+    {
+      if (!this->IsSkipped(*this->Place))
+      {
+        last = this->Place + 1;
+      }
+      else if (this->Separator == 0)
+      {
+        break;
+      }
+      ++this->Place;
+    }
+    return std::string_view(first, std::size_t(last - first));
+  }
+
+  const char* Place;
+  const char* const Last;
+  const char Separator;
+  const bool SkipsColons;
+};
+}
+
+#endif

@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TextHeader.h"
+
+#include "ColumnNames.h"
+#include "TextFields.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace SeismicHorizons
+{
+namespace
+{
+bool StartsWith(std::string_view text, std::string_view start)
+{
+  return text.substr(0, start.size()) == start;
+}
+
+bool IsComment(std::string_view line)
+{
+  return !line.empty() && (line[0] == '#' || line[0] == '!' || line[0] == '@');
+}
+
+/// The unit in short, where it is a known one.
+std::string ShortUnit(std::string_view unit)
+{
+  struct Name
+  {
+    std::string_view Long, Short;
+  };
+  constexpr std::array<Name, 9> names = { { { "meters", "m" }, { "metres", "m" }, { "meter", "m" }, { "metre", "m" },
+    { "feet", "ft" }, { "foot", "ft" }, { "milliseconds", "ms" }, { "msec", "ms" }, { "seconds", "s" } } };
+  const std::string lower = ToLower(Trim(unit));
+  const auto found =
+    std::find_if(names.begin(), names.end(), [&lower](const Name& name) { return name.Long == lower; });
+  return found == names.end() ? lower : std::string(found->Short);
+}
+
+void SetVerticalUnit(SurveyDescription& survey, std::string_view unit)
+{
+  survey.VerticalUnit = ShortUnit(unit);
+  if (survey.VerticalDomain.empty() && !survey.VerticalUnit.empty())
+  {
+    survey.VerticalDomain = survey.VerticalUnit == "ms" || survey.VerticalUnit == "s" ? "time" : "depth";
+  }
+}
+
+/// Takes the lines of a header one after the other.
+class HeaderReader
+{
+public:
+  explicit HeaderReader(const TextLines& lines)
+    : Lines(lines)
+  {
+  }
+
+  TextLayout Read()
+  {
+    while (this->Line < this->Lines.size() && this->TakeLine(Trim(this->Lines[this->Line])))
+    {
+      ++this->Line;
+    }
+    this->Layout.HeaderLines = std::int64_t(this->Line);
+    this->TakeNames();
+    return this->Layout;
+  }
+
+private:
+  /// False at the first line that is no part of a header.
+  bool TakeLine(std::string_view line)
+  {
+    if (line.empty())
+    {
+      return true;
+    }
+    if (this->InPetrelHeader)
+    {
+      return this->TakePetrelLine(line);
+    }
+    if (StartsWith(line, "VERSION") || StartsWith(line, "BEGIN HEADER"))
+    {
+      this->InPetrelHeader = StartsWith(line, "BEGIN HEADER");
+      return true;
+    }
+    return IsComment(line) ? this->TakeComment(line) : this->TakeRmsAttribute(line);
+  }
+
+  bool TakePetrelLine(std::string_view line)
+  {
+    this->InPetrelHeader = !StartsWith(line, "END HEADER");
+    if (this->InPetrelHeader)
+    {
+      this->Layout.Kind = TextKind::PetrelPoints;
+      this->AddColumn(line.substr(line.find(',') + 1)); // "FLOAT,name", or the name
+    }
+    return true;
+  }
+
+  /// "Float name" over points of RMS, which have x, y and z before their attributes.
+  bool TakeRmsAttribute(std::string_view line)
+  {
+    constexpr std::array<std::string_view, 4> types = { "Float", "Int", "String", "Discrete" };
+    const std::string_view type = line.substr(0, line.find(' '));
+    if (std::find(types.begin(), types.end(), type) == types.end() || type.size() == line.size())
+    {
+      return false;
+    }
+    if (this->Layout.Kind != TextKind::RmsAttributes)
+    {
+      this->Layout.Kind = TextKind::RmsAttributes;
+      this->Layout.Columns = { { ColumnRole::X, "X" }, { ColumnRole::Y, "Y" }, { ColumnRole::Z, "Z" } };
+    }
+    const ColumnRole role = type == "String" ? ColumnRole::Ignored : ColumnRole::Attribute;
+    this->Layout.Columns.push_back({ role, std::string(Trim(line.substr(type.size()))) });
+    return true;
+  }
+
+  bool TakeComment(std::string_view line)
+  {
+    const std::string_view text = Trim(line.substr(1));
+    if (this->TakeNumberedName(text) || this->TakeField(text) || this->TakeArrow(line, text) || text.empty())
+    {
+      return true;
+    }
+    if (text.front() == '"')
+    {
+      this->Layout.Kind = TextKind::OpendTect;
+      this->Names = text;
+    }
+    else if (text.find_first_not_of("- ") != std::string_view::npos)
+    {
+      this->Names = text; // the last one before the picks may name the columns
+    }
+    return true;
+  }
+
+  /// "1: Inline", of OpendTect.
+  bool TakeNumberedName(std::string_view text)
+  {
+    const std::size_t colon = text.find(':');
+    const bool isNumbered = colon != std::string_view::npos && colon > 0 &&
+      std::all_of(text.begin(), text.begin() + std::ptrdiff_t(colon), [](char c) { return IsDigit(c); });
+    if (isNumbered)
+    {
+      this->Layout.Kind = TextKind::OpendTect;
+      this->AddColumn(text.substr(colon + 1));
+    }
+    return isNumbered;
+  }
+
+  /// "Field: 3 z meters" and other keys of EarthVision.
+  bool TakeField(std::string_view text)
+  {
+    const std::size_t colon = text.find(':');
+    const std::string key = ToLower(text.substr(0, colon));
+    if (colon == std::string_view::npos)
+    {
+      return false;
+    }
+    const std::string_view value = Trim(text.substr(colon + 1));
+    if (key == "field")
+    {
+      this->TakeFieldName(value);
+    }
+    else if (key == "units")
+    {
+      this->Layout.Survey.HorizontalUnit = ShortUnit(value);
+    }
+    else if (key == "z_units")
+    {
+      SetVerticalUnit(this->Layout.Survey, value);
+    }
+    else if (key == "null_value")
+    {
+      this->Layout.Nulls = NullValues(std::string(value));
+    }
+    return key == "field" || key == "units" || key == "z_units" || key == "null_value" || key == "type" ||
+      key == "end" || key == "projection" || key == "grid_size" || key == "grid_space" || key == "z_field";
+  }
+
+  /// "3 z meters": the number, the name and perhaps a unit.
+  void TakeFieldName(std::string_view value)
+  {
+    FieldCursor words(value, FieldSeparator::Blanks);
+    std::string_view number, name, unit;
+    if (words.Next(number) && words.Next(name))
+    {
+      this->Layout.Kind = TextKind::EarthVision;
+      this->AddColumn(name);
+      if (words.Next(unit) && this->Layout.Columns.back().Role == ColumnRole::Z)
+      {
+        SetVerticalUnit(this->Layout.Survey, unit);
+      }
+    }
+  }
+
+  /// "#Horizon_name____-> top" of OpenWorks, and its lines that begin with @.
+  bool TakeArrow(std::string_view line, std::string_view text)
+  {
+    const std::size_t arrow = text.find("->");
+    if (line.front() == '@')
+    {
+      this->Layout.Kind = TextKind::OpenWorks;
+      this->TakeProjectUnit(text);
+      return true;
+    }
+    if (arrow == std::string_view::npos)
+    {
+      return StartsWith(text, "End_of_Horizon");
+    }
+    this->Layout.Kind = TextKind::OpenWorks;
+    const std::string_view key = text.substr(0, text.find_first_of("_-", text.find_last_not_of("_-", arrow - 1)));
+    const std::string_view value = Trim(text.substr(arrow + 2));
+    if (key == "Horizon_name")
+    {
+      this->Layout.HorizonName = std::string(value);
+    }
+    else if (key == "Export_XY_Unit")
+    {
+      this->Layout.Survey.HorizontalUnit = ShortUnit(value);
+    }
+    else if (key == "Export_Z_Unit")
+    {
+      SetVerticalUnit(this->Layout.Survey, value);
+    }
+    else if (key == "Horizon_data_domain")
+    {
+      this->Layout.Survey.VerticalDomain = ToLower(value);
+    }
+    return true;
+  }
+
+  /// "Project_Unit_is: meters , NAME , PROJECTED_COORDINATE_SYSTEM".
+  void TakeProjectUnit(std::string_view text)
+  {
+    const std::size_t colon = text.find(':');
+    if (StartsWith(text, "Project_Unit_is") && colon != std::string_view::npos)
+    {
+      FieldCursor fields(text.substr(colon + 1), FieldSeparator::Comma);
+      std::string_view unit, name;
+      if (fields.Next(unit) && fields.Next(name))
+      {
+        this->Layout.Survey.CoordinateSystem = std::string(name);
+      }
+    }
+  }
+
+  void AddColumn(std::string_view name) { this->Layout.Columns.push_back(ColumnOfName(Trim(name))); }
+
+  /// Names in a line above the picks, a comment or not.
+  void TakeNames()
+  {
+    if (!this->Layout.Columns.empty())
+    {
+      return;
+    }
+    if (this->Line < this->Lines.size() && this->IsLineOfNames(Trim(this->Lines[this->Line])))
+    {
+      this->Names = Trim(this->Lines[this->Line]);
+      ++this->Layout.HeaderLines;
+    }
+    const FieldSeparator separator =
+      this->Names.find(',') != std::string_view::npos ? FieldSeparator::Comma : FieldSeparator::Blanks;
+    FieldCursor fields(this->Names, this->Names.find('\t') != std::string_view::npos ? FieldSeparator::Tab : separator);
+    std::string_view field;
+    while (fields.Next(field))
+    {
+      this->AddColumn(field);
+    }
+  }
+
+  /// Whether a line has no number, and the next has one.
+  bool IsLineOfNames(std::string_view line) const
+  {
+    return !HasNumber(line) && this->Line + 1 < this->Lines.size() && HasNumber(this->Lines[this->Line + 1]);
+  }
+
+  static bool HasNumber(std::string_view line)
+  {
+    for (const FieldSeparator separator : { FieldSeparator::Colons, FieldSeparator::Comma, FieldSeparator::Semicolon })
+    {
+      FieldCursor fields(line, separator);
+      std::string_view field;
+      while (fields.Next(field))
+      {
+        if (IsNumber(field))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const TextLines& Lines;
+  std::size_t Line = 0;
+  bool InPetrelHeader = false;
+  std::string_view Names;
+  TextLayout Layout;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsNumber(std::string_view field)
+{
+  double value = 0.0;
+  return !field.empty() && ReadAnyNumber(field, value) != NumberKind::NotANumber;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TextLayout ReadTextHeader(const TextLines& lines)
+{
+  return HeaderReader(lines).Read();
+}
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsTextLayout_h
+#define SeismicHorizonsTextLayout_h
+
+#include "Common/Survey/SurveyDescription.h"
+#include "FieldSeparator.h"
+#include "NullValues.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// What a column of a text file holds.
+enum class ColumnRole
+{
+  X,
+  Y,
+  Z,
+  Inline,
+  Crossline,
+  HorizonName,
+  Attribute,
+  Ignored
+};
+
+struct TextColumn
+{
+  ColumnRole Role = ColumnRole::Ignored;
+  std::string Name; // as the file has it
+};
+
+/// The kinds of files, by what writes them.
+enum class TextKind
+{
+  Plain, ///< lines of columns, with or without names over them
+  OpendTect,
+  OpenWorks,
+  EarthVision,
+  PetrelPoints,
+  RmsAttributes,
+  Charisma,
+  LatticeIndices, ///< a line "nx ny n", then n lines "i j z"
+  Iesx ///< columns are places in the line, not fields
+};
+
+/// How a file of picks is to be read.
+struct TextLayout
+{
+  TextKind Kind = TextKind::Plain;
+  FieldSeparator Separator = FieldSeparator::Blanks;
+  std::vector<TextColumn> Columns;
+  std::int64_t HeaderLines = 0; // before the first pick
+  std::int64_t Picks = -1; // how many a file says it has; -1 where it says nothing
+  std::string HorizonName; // of the whole file; empty where there is none
+  SurveyDescription Survey;
+  NullValues Nulls;
+
+  /// The number of the column with a role, or -1.
+  int Find(ColumnRole role) const;
+
+  /// For people: "OpendTect, separated by tabs: Inline, Crossline, Z, Amplitude".
+  std::string Describe() const;
+};
+}
+
+#endif
