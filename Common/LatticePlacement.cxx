@@ -15,6 +15,7 @@ namespace SeismicHorizons
 std::string ToText(const Eigen::VectorXd& vector)
 {
   std::ostringstream text;
+  text.precision(10); // places of surveys are millions of metres
   for (Eigen::Index component = 0; component < vector.size(); ++component)
   {
     text << (component == 0 ? "(" : ", ") << vector[component];

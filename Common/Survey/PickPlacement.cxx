@@ -24,16 +24,6 @@ namespace
 constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr double MostColumns = double((1 << 28) - 1); // along a side, as Lattice.h has it
 
-void CheckOptions(const PlacementOptions& options)
-{
-  if (!(options.Tolerance > 0.0 && options.Tolerance < 0.5))
-  {
-    std::ostringstream text;
-    text << "LatticeTolerance " << options.Tolerance << ", expected more than 0 and less than 0.5 columns";
-    throw InputError(text.str());
-  }
-}
-
 /// The columns of picks, before it is known which of them is the first.
 class ColumnFinder
 {
@@ -199,9 +189,9 @@ void Free(std::vector<double>& values)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlacedPicks PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor)
+SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckPlacement(options);
   const auto size = std::int64_t(picks.Size());
   if (size == 0 || size > std::numeric_limits<std::int32_t>::max())
   {
@@ -211,7 +201,8 @@ PlacedPicks PlacePicks(PickTable picks, const PlacementOptions& options, const M
   const ColumnFinder finder(picks, map);
   const ColumnRange range = FindRange(finder, size, options.Tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, size, map.ToWorld, options.Tolerance);
-  PlacedPicks placed;
+  SurveyHorizons placed;
+  placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(map, range);
   placed.LargestDistance = range.LargestDistance;
   const ColumnList columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));

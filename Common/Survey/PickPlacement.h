@@ -7,24 +7,16 @@
 #define SeismicHorizonsPickPlacement_h
 
 #include "Common/Monitor.h"
-#include "LatticeHorizon.h"
+#include "PickTable.h"
 #include "PlacementOptions.h"
-#include "SurveyLattice.h"
-
-#include <vector>
+#include "SurveyHorizons.h"
 
 namespace SeismicHorizons
 {
-struct PlacedPicks
-{
-  SurveyLattice Lattice;
-  double LargestDistance = 0.0; // of a pick to its column, in columns
-  std::vector<LatticeHorizon> Horizons; // in the order of the names
-};
-
-/// Takes the picks, whose memory is freed on the way. The lattice is found through all of them, also those without z,
-/// which are left out after that. Throws InputError where there is no lattice, and where picks are off it.
-PlacedPicks PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor = Monitor());
+/// One horizon for each name, in their order. Takes the picks, whose memory is freed on the way. The lattice is found
+/// through all of them, also those without z, which are left out after that. Throws InputError where there is no
+/// lattice, and where picks are off it.
+SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -41,8 +41,8 @@ public:
   /// The map with the least sum of squared distances; nothing when all indices are on one line.
   std::optional<PlaneMap> Solve() const;
 
-  /// The map for indices of which one component is the same for all: the step along the other is fitted, and that across
-  /// is as long and perpendicular, so that the two are right-handed. Nothing for others.
+  /// The map for indices of which one component is the same for all: the step along the other is fitted, and that
+  /// across is as long and perpendicular, so that the two are right-handed. Nothing for others.
   std::optional<PlaneMap> SolveAlongLine() const;
 
 private:

@@ -21,6 +21,13 @@ constexpr std::size_t LookAhead = 256 * 1024; // bytes that the layout is found 
 constexpr std::size_t BufferSize = 8 * 1024 * 1024; // bytes in memory at a time
 constexpr std::size_t BlockSize = 256 * 1024; // bytes that a thread parses at a time
 
+/// The text behind a byte order mark.
+std::string_view SkipMark(std::string_view text)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
+}
+
 /// Calls take(lines) with some complete lines after the other.
 template <typename Take>
 void ForEachPiece(std::istream& stream, const Monitor& monitor, Take&& take)
@@ -28,13 +35,14 @@ void ForEachPiece(std::istream& stream, const Monitor& monitor, Take&& take)
   stream.clear();
   stream.seekg(0);
   LineBuffer lines(stream, BufferSize);
-  while (!lines.AtEnd())
+  for (bool isFirst = true; !lines.AtEnd(); isFirst = false)
   {
     if (!lines.Read())
     {
       throw InputError("reading failed");
     }
-    take(std::string_view(lines.First(), std::size_t(lines.Last() - lines.First())), lines.PartRead());
+    const std::string_view text(lines.First(), std::size_t(lines.Last() - lines.First()));
+    take(isFirst ? SkipMark(text) : text, lines.PartRead());
     monitor.Progress(lines.PartRead());
   }
 }
@@ -100,10 +108,10 @@ PickTable ReadIesx(std::istream& stream, const TextLayout& layout, const Monitor
   ForEachPiece(stream, monitor, [&](std::string_view text, double) { picks.Parse(text); });
   return picks.Take();
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
+/// The complete lines of the beginning of a file, each with its end; the last line of a short one gets one. Goes back
+/// to the beginning.
+std::string ReadBeginning(std::istream& stream)
 {
   std::string text(LookAhead, '\0');
   stream.read(text.data(), std::streamsize(text.size()));
@@ -119,13 +127,41 @@ TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
   {
     text += '\n';
   }
+  text.resize(text.rfind('\n') + 1); // 0 where there is none
+  return text;
+}
+
+TextLines SplitLines(std::string_view text)
+{
   TextLines lines;
-  for (std::size_t first = 0, end = text.find('\n'); end != std::string::npos; end = text.find('\n', first))
+  while (!text.empty())
   {
-    lines.push_back(std::string_view(text).substr(first, end - first));
-    first = end + 1;
+    const std::size_t end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
   }
-  return FindTextLayout(lines, options);
+  return lines;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
+{
+  const std::string text = ReadBeginning(stream);
+  return FindTextLayout(SplitLines(SkipMark(text)), options);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckFirstPicks(std::istream& stream, const TextLayout& layout)
+{
+  const std::string text = ReadBeginning(stream);
+  if (layout.Kind == TextKind::Iesx)
+  {
+    IesxParser(layout.Nulls).Parse(SkipMark(text));
+    return;
+  }
+  std::int64_t headerLines = layout.HeaderLines;
+  PickCollector(layout).Add(ParsePicks(SkipLines(SkipMark(text), headerLines), layout));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads picks of horizons from text files: Documentation/HorizonText.md has the formats and all messages.
+// Reads picks of horizons from text files: Documentation/HorizonTextReader.md has the formats and all messages.
 //
 // Some megabytes of a file are in memory at a time, beside the result, and blocks of them are parsed on all threads.
 // Numbers are read independently of the locale and rounded correctly. A file that breaks its format gives an
@@ -20,6 +20,9 @@ namespace SeismicHorizons
 {
 /// Looks at the beginning of a file, and goes back there.
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
+
+/// Throws InputError where one of the first picks of a file is not as its layout says. Goes back to the beginning.
+void CheckFirstPicks(std::istream& stream, const TextLayout& layout);
 
 /// Reads the picks of a file with its layout, from the beginning. Progress is by bytes.
 PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor = Monitor());

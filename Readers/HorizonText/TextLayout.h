@@ -62,6 +62,9 @@ struct TextLayout
   /// The number of the column with a role, or -1.
   int Find(ColumnRole role) const;
 
+  /// Whether picks come with the names of their horizons.
+  bool HasNames() const { return this->Kind == TextKind::Iesx || this->Find(ColumnRole::HorizonName) >= 0; }
+
   /// For people: "OpendTect, separated by tabs: Inline, Crossline, Z, Amplitude".
   std::string Describe() const;
 };

@@ -2,30 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The parser reads files, and HorizonDataSet and HorizonImage make datasets of what it gives; here parameters become
-// what they are asked for. All horizons are made before the first of them goes into the output, so that an error or a
-// stop leaves no part of them there.
+// what they are asked for.
 
 #include "vtkVerneySparseMatrixReader.h"
 
 #include "Common/Errors.h"
 #include "Common/InputFile.h"
 #include "Common/LatticePlacement.h"
+#include "Common/Monitor.h"
 #include "Common/VTK/HorizonName.h"
-#include "Common/VTK/PipelineRequest.h"
 #include "HorizonDataSet.h"
 #include "HorizonImage.h"
 #include "SparseMatrixParser.h"
 
-#include "vtkCompositeDataSet.h"
-#include "vtkDataArraySelection.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +25,6 @@
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -50,76 +41,20 @@ bool HasOwnExtension(const std::string& name)
       [](char own, char other) { return own == std::tolower(static_cast<unsigned char>(other)); });
 }
 
-// vtkDataArraySelection looks for a name among all of them, one after the other, so that asking it for every name would
-// take the square of their number.
-
-/// Lists the horizons. Those that were in the list before keep their choice, others are enabled.
-void List(const SparseMatrixCounts& horizons, vtkDataArraySelection* selection)
+/// The horizons with these numbers, by ascending ID.
+SparseMatrixCounts Select(const SparseMatrixCounts& horizons, const std::vector<int>& numbers)
 {
-  std::vector<std::string> names;
-  bool areListed = static_cast<int>(horizons.size()) == selection->GetNumberOfArrays();
-  for (const auto& horizon : horizons)
-  {
-    names.push_back(HorizonName(horizon.first));
-    areListed = areListed && names.back() == selection->GetArrayName(static_cast<int>(names.size()) - 1);
-  }
-  if (!areListed)
-  {
-    std::vector<const char*> texts(names.size());
-    std::transform(names.begin(), names.end(), texts.begin(), [](const std::string& name) { return name.c_str(); });
-    selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), 1);
-  }
-}
-
-/// The horizons whose names are enabled.
-SparseMatrixCounts Select(const SparseMatrixCounts& horizons, vtkDataArraySelection* selection)
-{
-  std::unordered_set<std::string> enabled;
-  for (int index = 0; index < selection->GetNumberOfArrays(); ++index)
-  {
-    if (selection->GetArraySetting(index))
-    {
-      enabled.insert(selection->GetArrayName(index));
-    }
-  }
   SparseMatrixCounts selected;
+  int number = 0;
   for (const auto& horizon : horizons)
   {
-    if (enabled.count(HorizonName(horizon.first)))
+    if (selected.size() < numbers.size() && numbers[selected.size()] == number)
     {
       selected.insert(horizon);
     }
+    ++number;
   }
   return selected;
-}
-
-/// The horizons of one of several pieces: the first piece has the first horizon, the second piece the second one, and
-/// after the last piece it is the first one's turn again.
-SparseMatrixCounts DealOut(const SparseMatrixCounts& horizons, int piece, int numberOfPieces)
-{
-  SparseMatrixCounts dealt;
-  int next = 0;
-  for (const auto& horizon : horizons)
-  {
-    if (next == piece)
-    {
-      dealt.insert(horizon);
-    }
-    next = (next + 1) % numberOfPieces;
-  }
-  return dealt;
-}
-
-/// Adds an empty partitioned dataset for each horizon, with its name.
-void AddNames(vtkPartitionedDataSetCollection* collection, const SparseMatrixCounts& horizons)
-{
-  for (const auto& horizon : horizons)
-  {
-    const unsigned int position = collection->GetNumberOfPartitionedDataSets();
-    vtkNew<vtkPartitionedDataSet> partitions;
-    collection->SetPartitionedDataSet(position, partitions);
-    collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), HorizonName(horizon.first).c_str());
-  }
 }
 
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
@@ -129,14 +64,6 @@ vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, c
     return MakeHorizonImage(voxels, placement);
   }
   return MakeHorizonPoints(std::move(voxels), placement);
-}
-
-/// Runs the work of a request; an error or a stop leaves the output empty.
-int Run(vtkVerneySparseMatrixReader* reader, vtkInformationVector* outputVector, const RequestWork& work)
-{
-  const std::string file = reader->GetFileName() ? reader->GetFileName() : "";
-  return RunRequest(reader, { vtkDataObject::GetData(outputVector) },
-    file + ": more data than memory, expected fewer or smaller horizons", work);
 }
 }
 
@@ -150,10 +77,7 @@ struct vtkVerneySparseMatrixReader::FileSummary
 vtkStandardNewMacro(vtkVerneySparseMatrixReader);
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkVerneySparseMatrixReader::vtkVerneySparseMatrixReader()
-{
-  this->SetNumberOfInputPorts(0);
-}
+vtkVerneySparseMatrixReader::vtkVerneySparseMatrixReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
 vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
@@ -183,54 +107,6 @@ int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkDataArraySelection* vtkVerneySparseMatrixReader::GetHorizonSelection()
-{
-  return this->HorizonSelection;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-int vtkVerneySparseMatrixReader::GetNumberOfHorizons()
-{
-  return this->HorizonSelection->GetNumberOfArrays();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-const char* vtkVerneySparseMatrixReader::GetHorizonName(int index)
-{
-  return this->HorizonSelection->GetArrayName(index);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-int vtkVerneySparseMatrixReader::GetHorizonStatus(const char* name)
-{
-  return this->HorizonSelection->ArrayIsEnabled(name);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::SetHorizonStatus(const char* name, int status)
-{
-  this->HorizonSelection->SetArraySetting(name, status);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::EnableAllHorizons()
-{
-  this->HorizonSelection->EnableAllArrays();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::DisableAllHorizons()
-{
-  this->HorizonSelection->DisableAllArrays();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-vtkMTimeType vtkVerneySparseMatrixReader::GetMTime()
-{
-  return std::max(this->Superclass::GetMTime(), this->HorizonSelection->GetMTime());
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
 {
   if (!this->FileName)
@@ -249,7 +125,6 @@ void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
       std::ifstream stream = OpenInputFile(this->FileName);
       this->Summary = std::make_unique<FileSummary>(FileSummary{ stamp, ScanSparseMatrix(stream, monitor) });
     });
-  List(this->Summary->Content.VoxelCounts, this->HorizonSelection);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -280,53 +155,50 @@ LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkVerneySparseMatrixReader::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+void vtkVerneySparseMatrixReader::CheckParameters()
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  return Run(this, outputVector, [this](std::string&, const Monitor& monitor) { this->UpdateSummary(monitor); });
+  this->MakePlacement().Check();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::Load(
-  int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output, const Monitor& monitor)
+std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor& monitor)
 {
-  this->MakePlacement().Check();
-  this->UpdateSummary(monitor.Step(0.0, 0.5)); // in case the file has changed since the information was asked for
-  const SparseMatrixCounts selected = Select(this->Summary->Content.VoxelCounts, this->HorizonSelection);
+  this->UpdateSummary(monitor);
+  std::vector<std::string> names;
+  for (const auto& horizon : this->Summary->Content.VoxelCounts)
+  {
+    names.push_back(HorizonName(horizon.first));
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHorizons(
+  const std::vector<int>& numbers, const Monitor& monitor)
+{
   SparseMatrix matrix = PrefixErrors(this->FileName,
     [&]()
     {
       std::ifstream stream = OpenInputFile(this->FileName);
-      return LoadSparseMatrix(stream, DealOut(selected, piece, numberOfPieces),
-        static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.5, 0.9));
+      return LoadSparseMatrix(stream, Select(this->Summary->Content.VoxelCounts, numbers),
+        static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.0, 0.8));
     });
-
   const LatticePlacement fitted = this->MakeFittedPlacement();
   const HorizonPlacement placement = { matrix.Size, fitted.ToWorld(), fitted.Direction, this->Elevation == RealZ };
-  vtkNew<vtkPartitionedDataSetCollection> horizons;
-  AddNames(horizons, selected);
-  auto position = static_cast<unsigned int>(piece); // as the horizons were dealt out
+  std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (HorizonVoxels& voxels : matrix.Horizons)
   {
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
-    horizons->SetPartition(position, 0, MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
-    monitor.Progress(0.9 + 0.1 * (position + 1) / static_cast<double>(selected.size()));
-    position += static_cast<unsigned int>(numberOfPieces);
+    horizons.push_back(MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
+    monitor.Progress(0.8 + 0.2 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
-  output->ShallowCopy(horizons);
+  return horizons;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkVerneySparseMatrixReader::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+std::string vtkVerneySparseMatrixReader::ErrorPrefix()
 {
-  vtkInformation* const info = outputVector->GetInformationObject(0);
-  const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
-  const int numberOfPieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  auto* const output = vtkPartitionedDataSetCollection::GetData(outputVector);
-  return Run(this, outputVector,
-    [&](std::string&, const Monitor& monitor) { this->Load(piece, std::max(1, numberOfPieces), output, monitor); });
+  return (this->FileName ? this->FileName : "") + std::string(": ");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -347,6 +219,4 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
   os << indent << "VerticalDirection: " << directions[static_cast<std::size_t>(this->VerticalDirection)] << '\n';
   os << indent << "DuplicatePolicy: " << policies[static_cast<std::size_t>(this->DuplicatePolicy)] << '\n';
-  os << indent << "HorizonSelection:\n";
-  this->HorizonSelection->PrintSelf(os, indent.GetNextIndent());
 }

@@ -40,9 +40,7 @@
  * file. The peak of memory is 36 bytes per loaded voxel plus 72 bytes per voxel of the output; what was loaded is freed
  * horizon by horizon.
  *
- * When pieces are asked for, the first horizon goes to the first piece, the second one to the second piece, and so on,
- * starting again after the last piece. In each piece the other horizons are partitioned datasets without a partition.
- * Every process reads the whole file.
+ * Of several processes each reads the whole file.
  *
  * A file that is missing or breaks the format gives one error, which starts with the name of the file and has the
  * number of the line; the output is empty then.
@@ -53,24 +51,21 @@
 #ifndef vtkVerneySparseMatrixReader_h
 #define vtkVerneySparseMatrixReader_h
 
-#include "vtkNew.h" // for the selection
-#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+#include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
 
 namespace SeismicHorizons
 {
-class Monitor;
 struct LatticePlacement;
 }
-class vtkDataArraySelection;
 
-class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkPartitionedDataSetCollectionAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkHorizonSource
 {
 public:
   static vtkVerneySparseMatrixReader* New();
-  vtkTypeMacro(vtkVerneySparseMatrixReader, vtkPartitionedDataSetCollectionAlgorithm);
+  vtkTypeMacro(vtkVerneySparseMatrixReader, vtkHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -204,28 +199,16 @@ public:
   void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
   ///@}
 
-  ///@{
-  /**
-   * Which horizons are loaded, by the names "Horizon <ID>". UpdateInformation() fills the list. A choice is kept when
-   * another file has a horizon of that name too, and it may be made before the list is filled. Default: all enabled.
-   */
-  vtkDataArraySelection* GetHorizonSelection();
-  int GetNumberOfHorizons();
-  const char* GetHorizonName(int index);
-  int GetHorizonStatus(const char* name);
-  void SetHorizonStatus(const char* name, int status);
-  void EnableAllHorizons();
-  void DisableAllHorizons();
-  ///@}
-
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkVerneySparseMatrixReader();
   ~vtkVerneySparseMatrixReader() override;
 
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void CheckParameters() override;
+  /// "Horizon <ID>", by ascending ID.
+  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
+    const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
+  std::string ErrorPrefix() override;
 
 private:
   vtkVerneySparseMatrixReader(const vtkVerneySparseMatrixReader&) = delete;
@@ -234,8 +217,6 @@ private:
   SeismicHorizons::LatticePlacement MakePlacement() const;
   SeismicHorizons::LatticePlacement MakeFittedPlacement() const;
   void UpdateSummary(const SeismicHorizons::Monitor& monitor);
-  void Load(
-    int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output, const SeismicHorizons::Monitor& monitor);
 
   char* FileName = nullptr;
   int OutputType = Points;
@@ -246,7 +227,6 @@ private:
   double VerticalStep = 1.0;
   int VerticalDirection = Down;
   int DuplicatePolicy = StrongestAmplitude;
-  vtkNew<vtkDataArraySelection> HorizonSelection;
 
   struct FileSummary;
   std::unique_ptr<FileSummary> Summary; // what the last scan found

@@ -50,7 +50,7 @@ bool IsNear(const Eigen::Vector2d& a, double x, double y)
 
 void TestLinesAlone()
 {
-  const PlacedPicks placed = PlacePicks(LineTable(), {});
+  const SurveyHorizons placed = PlacePicks(LineTable(), {});
   CHECK_EQUAL(placed.Lattice.Columns[0], 5);
   CHECK_EQUAL(placed.Lattice.Columns[1], 3);
   CHECK(IsNear(placed.Lattice.Origin, 20.0, 100.0));
@@ -68,7 +68,7 @@ void TestLinesAlone()
 
 void TestLinesAndPlaces()
 {
-  const PlacedPicks placed = PlacePicks(TurnedTable(), {});
+  const SurveyHorizons placed = PlacePicks(TurnedTable(), {});
   CHECK(IsNear(placed.Lattice.Origin, 501250.0, 6000500.0));
   CHECK(IsNear(placed.Lattice.ColumnStep, 0.0, 50.0));
   CHECK(IsNear(placed.Lattice.RowStep, 50.0, 0.0));
@@ -80,7 +80,7 @@ void TestPlacesAlone()
   PickTable picks = TurnedTable();
   picks.Inline.clear();
   picks.Crossline.clear();
-  const PlacedPicks placed = PlacePicks(picks, {});
+  const SurveyHorizons placed = PlacePicks(picks, {});
   CHECK(!placed.Lattice.Lines);
   CHECK_EQUAL(placed.Lattice.Columns[0], 3);
   CHECK_EQUAL(placed.Lattice.Columns[1], 5);
@@ -130,10 +130,12 @@ void TestCorners()
   PlacementOptions options;
   options.Source = LatticeSource::CornerPoints;
   options.Corners = { CornerPoint{ 100.0, 20.0, 0.0, 0.0 }, { 100.0, 40.0, 100.0, 0.0 }, { 300.0, 20.0, 0.0, 400.0 } };
-  const PlacedPicks placed = PlacePicks(LineTable(), options);
+  const SurveyHorizons placed = PlacePicks(LineTable(), options);
   CHECK(IsNear(placed.Lattice.Origin, 0.0, 0.0));
   CHECK(IsNear(placed.Lattice.ColumnStep, 10.0, 0.0));
   CHECK(IsNear(placed.Lattice.RowStep, 0.0, 8.0));
+  options.Corners[2].X = Null;
+  CHECK_THROWS_WITH(PlacePicks(LineTable(), options), "corner point (300, 20, nan, 400), expected finite numbers");
   options.Corners[2] = { 100.0, 60.0, 200.0, 0.0 };
   CHECK_THROWS_WITH(PlacePicks(LineTable(), options), "three corner points whose line numbers are on one line");
   PickTable places = TurnedTable();
@@ -152,6 +154,9 @@ void TestGivenSteps()
   const SurveyLattice lattice = PlacePicks(LineTable(), options).Lattice;
   CHECK(IsNear(lattice.Origin, 7.0, 8.0));
   CHECK(IsNear(lattice.ColumnStep, 3.0, 4.0));
+  options.RowStep = { 6.0, 8.0 };
+  CHECK_THROWS_WITH(PlacePicks(LineTable(), options), "ColumnStep (3, 4) and RowStep (6, 8), expected finite vectors");
+  options.RowStep = { -4.0, 3.0 };
   // Places of the picks have to be on that lattice.
   CHECK_THROWS_WITH(
     PlacePicks(TurnedTable(), options), "15 of 15 picks off the lattice with the steps (3, 4) and (-4, 3)");
@@ -167,7 +172,7 @@ void TestDuplicatesAndNulls()
   picks.Z = { 10.0, 11.0, 12.0, Null, 20.0, 21.0, 13.0 };
   picks.Attributes = { { "amplitude", { -5.0, 1.0, 1.0, 1.0, 1.0, 1.0, 4.0 } } };
   PlacementOptions options;
-  const PlacedPicks strongest = PlacePicks(picks, options);
+  const SurveyHorizons strongest = PlacePicks(picks, options);
   const LatticeHorizon& a = strongest.Horizons[0];
   CHECK(a.Z == std::vector<double>({ 11.0, 10.0, 12.0 }));
   CHECK(a.I == std::vector<int>({ 0, 1, 0 }));

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PlacementOptions.h"
+
+#include "Common/Errors.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+void CheckCorner(const CornerPoint& corner)
+{
+  const Eigen::Vector4d numbers(corner.Inline, corner.Crossline, corner.X, corner.Y);
+  if (!numbers.allFinite())
+  {
+    throw InputError("corner point " + ToText(numbers) + ", expected finite numbers");
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckPlacement(const PlacementOptions& options)
+{
+  if (!(options.Tolerance > 0.0 && options.Tolerance < 0.5))
+  {
+    std::ostringstream text;
+    text << "LatticeTolerance " << options.Tolerance << ", expected more than 0 and less than 0.5 columns";
+    throw InputError(text.str());
+  }
+  if (options.Source == LatticeSource::CornerPoints)
+  {
+    for (const CornerPoint& corner : options.Corners)
+    {
+      CheckCorner(corner);
+    }
+  }
+  if (options.Source == LatticeSource::OriginAndSteps)
+  {
+    LatticePlacement placement;
+    placement.Origin.head<2>() = options.Origin;
+    placement.ColumnStep = options.ColumnStep;
+    placement.RowStep = options.RowStep;
+    placement.Check();
+  }
+}
+}

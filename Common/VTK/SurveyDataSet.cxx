@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurveyDataSet.h"
+
+#include "Common/DataModel.h"
+#include "DataArrays.h"
+#include "VertexCells.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+vtkSmartPointer<vtkPoints> MakePoints(const LatticeHorizon& horizon, const SurveyAxes& axes)
+{
+  const SurveyLattice& lattice = axes.Lattice;
+  auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(horizon.Z.size()), 3);
+  double* world = coordinates->GetPointer(0);
+  for (std::size_t point = 0; point < horizon.Z.size(); ++point)
+  {
+    const double i = horizon.I[point];
+    const double j = horizon.J[point];
+    *world++ = lattice.ColumnStep.x() * i + lattice.RowStep.x() * j + lattice.Origin.x();
+    *world++ = lattice.ColumnStep.y() * i + lattice.RowStep.y() * j + lattice.Origin.y();
+    *world++ = static_cast<int>(axes.Direction) * horizon.Z[point];
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(coordinates);
+  return points;
+}
+
+void AddText(vtkFieldData* data, const char* name, const std::string& text)
+{
+  if (!text.empty())
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    array->InsertNextValue(text);
+    data->AddArray(array);
+  }
+}
+
+void AddFields(vtkFieldData* data, const LatticeHorizon& horizon, const SurveyAxes& axes)
+{
+  const SurveyLattice& lattice = axes.Lattice;
+  const std::array<int, 3> dimensions = { lattice.Columns[0], lattice.Columns[1], axes.Sampling.Indices };
+  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, dimensions);
+  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, axes.ToWorld());
+  AddValue<vtkIntArray>(data, FieldArray::VerticalDirection, static_cast<int>(axes.Direction));
+  if (lattice.Lines)
+  {
+    const std::array<double, 4> lines = { lattice.Lines->FirstInline, lattice.Lines->InlineStep,
+      lattice.Lines->FirstCrossline, lattice.Lines->CrosslineStep };
+    AddTuple<vtkDoubleArray>(data, FieldArray::LineNumbers, lines);
+  }
+  AddValue<vtkDoubleArray>(data, FieldArray::LatticeDeviation, axes.LatticeDeviation);
+  AddValue<vtkIdTypeArray>(data, FieldArray::DroppedDuplicates, static_cast<vtkIdType>(horizon.DroppedDuplicates));
+  AddValue<vtkIdTypeArray>(data, FieldArray::DroppedNulls, static_cast<vtkIdType>(horizon.DroppedNulls));
+  AddText(data, FieldArray::VerticalUnit, axes.Survey.VerticalUnit);
+  AddText(data, FieldArray::VerticalDomain, axes.Survey.VerticalDomain);
+  AddText(data, FieldArray::HorizontalUnit, axes.Survey.HorizontalUnit);
+  AddText(data, FieldArray::CoordinateSystem, axes.Survey.CoordinateSystem);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LatticeMatrix SurveyAxes::ToWorld() const
+{
+  LatticePlacement placement;
+  const double first = static_cast<int>(this->Direction) * this->Sampling.First;
+  placement.Origin = Eigen::Vector3d(this->Lattice.Origin.x(), this->Lattice.Origin.y(), first);
+  placement.ColumnStep = this->Lattice.ColumnStep;
+  placement.RowStep = this->Lattice.RowStep;
+  placement.VerticalStep = this->Sampling.Step;
+  placement.Direction = this->Direction;
+  return placement.ToWorld();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeSurveyPoints(LatticeHorizon horizon, int surfaceId, const SurveyAxes& axes)
+{
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(MakePoints(horizon, axes));
+  horizon.I = std::vector<int>();
+  horizon.J = std::vector<int>();
+
+  const vtkIdType numberOfPoints = points->GetNumberOfPoints();
+  vtkPointData* const data = points->GetPointData();
+  const VerticalSampling& sampling = axes.Sampling;
+  for (PickAttribute& attribute : horizon.Attributes)
+  {
+    MoveToArray<vtkDoubleArray>(data, attribute.Name.c_str(), attribute.Values);
+  }
+  // After the attributes, so that none of them takes the place of one of these.
+  AddConstant<vtkIntArray>(data, PointArray::SurfaceId, numberOfPoints, surfaceId);
+  AddArray<vtkIntArray>(data, PointArray::VerticalIndex, horizon.Z,
+    [&sampling](double z) { return static_cast<int>(std::lround((z - sampling.First) / sampling.Step)); });
+  MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, horizon.Z);
+  AddConstant<vtkIdTypeArray>(data, PointArray::PointCount, numberOfPoints, 1);
+  data->SetActiveScalars(PointArray::VerticalIndex); // what ParaView colours by at first
+  points->SetVerts(MakeVertices(numberOfPoints));
+  AddFields(points->GetFieldData(), horizon, axes);
+  return points;
+}
+}

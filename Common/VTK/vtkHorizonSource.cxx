@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// All horizons are made before the first of them goes into the output, so that an error or a stop leaves no part of
+// them there.
+
+#include "vtkHorizonSource.h"
+
+#include "Common/Monitor.h"
+#include "PipelineRequest.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArraySelection.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace
+{
+using namespace SeismicHorizons;
+
+// vtkDataArraySelection looks for a name among all of them, one after the other, so that asking it for every name would
+// take the square of their number.
+
+/// Lists the names. Those that were in the list before keep their choice, others are enabled.
+void List(const std::vector<std::string>& names, vtkDataArraySelection* selection)
+{
+  bool areListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
+  for (std::size_t index = 0; areListed && index < names.size(); ++index)
+  {
+    areListed = names[index] == selection->GetArrayName(static_cast<int>(index));
+  }
+  if (!areListed)
+  {
+    std::vector<const char*> texts(names.size());
+    std::transform(names.begin(), names.end(), texts.begin(), [](const std::string& name) { return name.c_str(); });
+    selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), 1);
+  }
+}
+
+/// The numbers of the names that are enabled.
+std::vector<int> Select(const std::vector<std::string>& names, vtkDataArraySelection* selection)
+{
+  std::unordered_set<std::string> enabled;
+  for (int index = 0; index < selection->GetNumberOfArrays(); ++index)
+  {
+    if (selection->GetArraySetting(index))
+    {
+      enabled.insert(selection->GetArrayName(index));
+    }
+  }
+  std::vector<int> selected;
+  for (std::size_t number = 0; number < names.size(); ++number)
+  {
+    if (enabled.count(names[number]))
+    {
+      selected.push_back(static_cast<int>(number));
+    }
+  }
+  return selected;
+}
+
+/// Every `numberOfPieces`-th of the horizons, from number `piece` on.
+std::vector<int> DealOut(const std::vector<int>& horizons, int piece, int numberOfPieces)
+{
+  std::vector<int> dealt;
+  for (auto n = static_cast<std::size_t>(piece); n < horizons.size(); n += static_cast<std::size_t>(numberOfPieces))
+  {
+    dealt.push_back(horizons[n]);
+  }
+  return dealt;
+}
+
+/// Adds an empty partitioned dataset with a name.
+void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name)
+{
+  const unsigned int position = collection->GetNumberOfPartitionedDataSets();
+  vtkNew<vtkPartitionedDataSet> partitions;
+  collection->SetPartitionedDataSet(position, partitions);
+  collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonSource::vtkHorizonSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonSource::~vtkHorizonSource() = default;
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkDataArraySelection* vtkHorizonSource::GetHorizonSelection()
+{
+  return this->HorizonSelection;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::GetNumberOfHorizons()
+{
+  return this->HorizonSelection->GetNumberOfArrays();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const char* vtkHorizonSource::GetHorizonName(int index)
+{
+  return this->HorizonSelection->GetArrayName(index);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::GetHorizonStatus(const char* name)
+{
+  return this->HorizonSelection->ArrayIsEnabled(name);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::SetHorizonStatus(const char* name, int status)
+{
+  this->HorizonSelection->SetArraySetting(name, status);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::EnableAllHorizons()
+{
+  this->HorizonSelection->EnableAllArrays();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::DisableAllHorizons()
+{
+  this->HorizonSelection->DisableAllArrays();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkMTimeType vtkHorizonSource::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->HorizonSelection->GetMTime());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  if (this->GetNumberOfInputPorts() > 0)
+  {
+    return 1;
+  }
+  return RunRequest(this, { vtkDataObject::GetData(outputVector) },
+    this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
+    [this](std::string&, const Monitor& monitor) { List(this->ListHorizons(monitor), this->HorizonSelection); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::Load(int piece, int numberOfPieces, vtkDataObject* output, const Monitor& monitor)
+{
+  this->CheckParameters();
+  // The data may have changed since the information was asked for.
+  const std::vector<std::string> names = this->ListHorizons(monitor.Step(0.0, 0.5));
+  List(names, this->HorizonSelection);
+  const std::vector<int> selected = Select(names, this->HorizonSelection);
+  const std::vector<vtkSmartPointer<vtkDataObject>> made =
+    this->MakeHorizons(DealOut(selected, piece, numberOfPieces), monitor.Step(0.5, 1.0));
+  vtkNew<vtkPartitionedDataSetCollection> horizons;
+  for (const int number : selected)
+  {
+    AddName(horizons, names[static_cast<std::size_t>(number)]);
+  }
+  auto position = static_cast<unsigned int>(piece); // as the horizons were dealt out
+  for (const vtkSmartPointer<vtkDataObject>& horizon : made)
+  {
+    horizons->SetPartition(position, 0, horizon);
+    position += static_cast<unsigned int>(numberOfPieces);
+  }
+  output->ShallowCopy(horizons);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int numberOfPieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector);
+  return RunRequest(this, { output }, this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
+    [&](std::string&, const Monitor& monitor) { this->Load(piece, std::max(1, numberOfPieces), output, monitor); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "HorizonSelection:\n";
+  this->HorizonSelection->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonSource
+ * @brief   base of what horizons come from: the choice of horizons, and the collection they are put in
+ *
+ * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, which has its
+ * name.
+ *
+ * When pieces are asked for, the first selected horizon goes to the first piece, the second one to the second piece,
+ * and so on, starting again after the last piece. In each piece the other horizons are partitioned datasets without a
+ * partition.
+ *
+ * What is wrong with a file or with a parameter gives one error; the output is empty then.
+ */
+
+#ifndef vtkHorizonSource_h
+#define vtkHorizonSource_h
+
+#include "vtkNew.h" // for the selection
+#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSmartPointer.h" // for the datasets
+
+#include <string> // for names
+#include <vector> // for lists
+
+namespace SeismicHorizons
+{
+class Monitor;
+}
+class vtkDataArraySelection;
+class vtkDataObject;
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonSource : public vtkPartitionedDataSetCollectionAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHorizonSource, vtkPartitionedDataSetCollectionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Which horizons are loaded, by their names. UpdateInformation() fills the list; where horizons come from an input,
+   * Update() does. A choice is kept when another file has a horizon of that name too, and it may be made before the
+   * list is filled. Default: all enabled.
+   */
+  vtkDataArraySelection* GetHorizonSelection();
+  int GetNumberOfHorizons();
+  const char* GetHorizonName(int index);
+  int GetHorizonStatus(const char* name);
+  void SetHorizonStatus(const char* name, int status);
+  void EnableAllHorizons();
+  void DisableAllHorizons();
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHorizonSource();
+  ~vtkHorizonSource() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  // The following throw InputError (Common/Errors.h).
+
+  /// Refuses parameters, before any data are looked at.
+  virtual void CheckParameters() {}
+
+  /// The names of all horizons there are, in their order.
+  virtual std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) = 0;
+
+  /// Makes the datasets of some horizons, by their numbers in that list.
+  virtual std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
+    const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) = 0;
+
+  /// What the error begins with that there is too little memory: the name of a file, and ": ".
+  virtual std::string ErrorPrefix() { return std::string(); }
+
+private:
+  vtkHorizonSource(const vtkHorizonSource&) = delete;
+  void operator=(const vtkHorizonSource&) = delete;
+
+  void Load(int piece, int numberOfPieces, vtkDataObject* output, const SeismicHorizons::Monitor& monitor);
+
+  vtkNew<vtkDataArraySelection> HorizonSelection;
+};
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSurveyHorizonSource.h"
+
+#include "Common/Monitor.h"
+#include "Common/Survey/VerticalSampling.h"
+#include "SurveyDataSet.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace
+{
+using namespace SeismicHorizons;
+
+/// What the user says goes before what the data say.
+void Override(std::string& text, const char* given)
+{
+  if (given && *given)
+  {
+    text = given;
+  }
+}
+
+bool AreNegative(const std::vector<LatticeHorizon>& horizons)
+{
+  const bool hasPoints =
+    std::any_of(horizons.begin(), horizons.end(), [](const LatticeHorizon& horizon) { return !horizon.Z.empty(); });
+  return hasPoints &&
+    std::all_of(horizons.begin(), horizons.end(),
+      [](const LatticeHorizon& horizon)
+      { return std::all_of(horizon.Z.begin(), horizon.Z.end(), [](double z) { return z < 0.0; }); });
+}
+
+std::string Describe(const SurveyAxes& axes)
+{
+  const SurveyLattice& lattice = axes.Lattice;
+  std::ostringstream text;
+  text.precision(10);
+  text << lattice.Columns[0] << " x " << lattice.Columns[1] << " columns from " << ToText(lattice.Origin)
+       << " in steps of " << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep);
+  if (lattice.Lines)
+  {
+    text << "\ncrosslines from " << lattice.Lines->FirstCrossline << " in steps of " << lattice.Lines->CrosslineStep
+         << ", inlines from " << lattice.Lines->FirstInline << " in steps of " << lattice.Lines->InlineStep;
+  }
+  text.precision(3);
+  text << "\npoints at most " << axes.LatticeDeviation << " of a step off their columns";
+  text.precision(10);
+  text << "\nvertical index 0 at " << axes.Sampling.First << ", steps of " << axes.Sampling.Step << " "
+       << (axes.Survey.VerticalUnit.empty() ? "(unit unknown)" : axes.Survey.VerticalUnit) << " to "
+       << (axes.Direction == VerticalDirection::Down ? "smaller" : "larger") << " world z";
+  return text.str();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSurveyHorizonSource::vtkSurveyHorizonSource() = default;
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSurveyHorizonSource::~vtkSurveyHorizonSource()
+{
+  this->SetVerticalUnit(nullptr);
+  this->SetVerticalDomain(nullptr);
+  this->SetHorizontalUnit(nullptr);
+  this->SetCoordinateSystem(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons(
+  const std::vector<int>& numbers, const Monitor& monitor)
+{
+  FindVerticalSampling({}, this->VerticalStep); // refuses a wrong one before anything is read
+  SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
+  SurveyAxes axes;
+  axes.Survey = survey.Survey;
+  Override(axes.Survey.VerticalUnit, this->VerticalUnit);
+  Override(axes.Survey.VerticalDomain, this->VerticalDomain);
+  Override(axes.Survey.HorizontalUnit, this->HorizontalUnit);
+  Override(axes.Survey.CoordinateSystem, this->CoordinateSystem);
+  axes.Lattice = survey.Lattice;
+  axes.LatticeDeviation = survey.LargestDistance;
+  axes.Sampling = FindVerticalSampling(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
+  using Direction = SeismicHorizons::VerticalDirection;
+  axes.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
+  if (axes.Direction == Direction::Down && AreNegative(survey.Horizons))
+  {
+    vtkWarningMacro(
+      << this->ErrorPrefix()
+      << "all z are negative, as elevations are, and grow down; set VerticalDirection to Up if they do not");
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> horizons;
+  for (const int number : numbers)
+  {
+    LatticeHorizon& horizon = survey.Horizons[static_cast<std::size_t>(number)];
+    horizons.push_back(MakeSurveyPoints(std::move(horizon), number + 1, axes));
+    monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
+  }
+  const std::string format = this->DescribeFormat();
+  this->Description = format + (format.empty() ? "" : "\n") + Describe(axes);
+  return horizons;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSurveyHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto text = [](const char* value) { return value ? value : "(none)"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VerticalStep: " << this->VerticalStep << '\n';
+  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
+  os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
+  os << indent << "VerticalDomain: " << text(this->VerticalDomain) << '\n';
+  os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
+  os << indent << "CoordinateSystem: " << text(this->CoordinateSystem) << '\n';
+  os << indent << "Description: " << this->Description << '\n';
+}

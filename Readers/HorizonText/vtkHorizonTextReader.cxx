@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonTextReader.h"
+
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/Monitor.h"
+#include "HorizonTextParser.h"
+
+#include "vtkObjectFactory.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// What horizons without a name are called: the name of the file, without its folder and extension.
+std::string StemOf(const std::string& fileName)
+{
+  return std::filesystem::u8path(fileName).stem().u8string();
+}
+}
+
+// ---- The class ---------------------------------------------------------------------------------------------------
+struct vtkHorizonTextReader::FileContent
+{
+  FileStamp Stamp;
+  std::string Columns, NullValues; // with which it was read
+  TextLayout Layout;
+  std::vector<std::string> Names; // of the horizons
+  std::optional<PickTable> Picks; // where they had to be read for the names, until they are used
+};
+
+vtkStandardNewMacro(vtkHorizonTextReader);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonTextReader::vtkHorizonTextReader()
+{
+  this->SetNullValues("-999.25 -99999 9999900");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonTextReader::~vtkHorizonTextReader()
+{
+  this->SetFileName(nullptr);
+  this->SetColumns(nullptr);
+  this->SetNullValues(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonTextReader::CanReadFile(const char* fileName)
+{
+  const std::string name = fileName ? fileName : "";
+  try
+  {
+    MakeFileStamp(name); // refuses what is no regular file
+    std::ifstream stream = OpenInputFile(name);
+    CheckFirstPicks(stream, ReadTextLayout(stream, {}));
+    return 1;
+  }
+  catch (const InputError&)
+  {
+    return 0;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
+{
+  if (!this->FileName)
+  {
+    throw InputError("no FileName, expected the path of a file");
+  }
+  PrefixErrors(this->FileName,
+    [&]()
+    {
+      const TextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "" };
+      const FileStamp stamp = MakeFileStamp(this->FileName);
+      if (this->Content && this->Content->Stamp == stamp && this->Content->Columns == options.Columns &&
+        this->Content->NullValues == options.NullValues)
+      {
+        return;
+      }
+      this->Content.reset();
+      auto content = std::make_unique<FileContent>();
+      content->Stamp = stamp;
+      content->Columns = options.Columns;
+      content->NullValues = options.NullValues;
+      std::ifstream stream = OpenInputFile(this->FileName);
+      content->Layout = ReadTextLayout(stream, options);
+      content->Names = { content->Layout.HorizonName };
+      if (content->Layout.HasNames())
+      {
+        content->Picks = SeismicHorizons::ReadPicks(stream, content->Layout, monitor);
+        content->Names = content->Picks->Names;
+      }
+      for (std::string& name : content->Names)
+      {
+        name = name.empty() ? StemOf(this->FileName) : name;
+      }
+      this->Content = std::move(content);
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> vtkHorizonTextReader::ListHorizons(const Monitor& monitor)
+{
+  this->UpdateContent(monitor);
+  return this->Content->Names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PickTable vtkHorizonTextReader::ReadPicks(const Monitor& monitor)
+{
+  if (std::optional<PickTable> picks = std::exchange(this->Content->Picks, std::nullopt))
+  {
+    return std::move(*picks);
+  }
+  return PrefixErrors(this->FileName,
+    [&]()
+    {
+      std::ifstream stream = OpenInputFile(this->FileName);
+      return SeismicHorizons::ReadPicks(stream, this->Content->Layout, monitor);
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string vtkHorizonTextReader::DescribeFormat()
+{
+  return this->Content->Layout.Describe();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string vtkHorizonTextReader::ErrorPrefix()
+{
+  return (this->FileName ? this->FileName : "") + std::string(": ");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonTextReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto text = [](const char* value) { return value ? value : "(none)"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << text(this->FileName) << '\n';
+  os << indent << "Columns: " << text(this->Columns) << '\n';
+  os << indent << "NullValues: " << text(this->NullValues) << '\n';
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonTextReader
+ * @brief   reads horizons from lines of text, as interpretation programs write them
+ *
+ * A line is a pick: inline and crossline, x and y, or all four; z; any number of attributes; and in front of them
+ * perhaps the name of the horizon. Files have no header, a line of names, or a header of many lines; fields are
+ * separated by blanks, tabs, commas or semicolons. Headers and lines of OpendTect, IESX (GeoQuest), Charisma,
+ * OpenWorks, EarthVision (scattered data), Petrel (points with attributes) and RMS (attributes) are recognised by what
+ * is in them. Without names, columns are recognised by their values (Documentation/HorizonTextReader.md). Columns says
+ * what they hold where that goes wrong.
+ *
+ * The file is read once, or twice where it has more than one horizon and the list of them is asked for. Of several
+ * processes each reads the whole file. Memory is 8 bytes for each number of a pick, and 16 bytes, at the peak.
+ *
+ * A file that breaks its format gives one error, which starts with the name of the file and has the number of the line.
+ *
+ * @sa vtkHorizonGridReader vtkHorizonFromPoints
+ */
+
+#ifndef vtkHorizonTextReader_h
+#define vtkHorizonTextReader_h
+
+#include "vtkPickHorizonSource.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonTextReader : public vtkPickHorizonSource
+{
+public:
+  static vtkHorizonTextReader* New();
+  vtkTypeMacro(vtkHorizonTextReader, vtkPickHorizonSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The path of the file, in UTF-8. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /**
+   * 1 when the beginning of the file is that of one that this reader reads: lines of picks whose columns are
+   * recognised.
+   */
+  int CanReadFile(VTK_FILEPATH const char* fileName);
+
+  ///@{
+  /**
+   * What the columns hold, by names that are separated by commas, or where there is none by blanks: "X", "Y", "Z",
+   * "Inline", "Crossline", "Name" for that of the horizon, "-" for what is left out; anything else is the name of an
+   * attribute. Empty: what the header says, or the values are like. Default: empty.
+   */
+  vtkSetStringMacro(Columns);
+  vtkGetStringMacro(Columns);
+  ///@}
+
+  ///@{
+  /**
+   * Numbers and words that stand for "no value", separated by blanks or commas. Besides these, nothing, stars, nan,
+   * null, none, undef and numbers of 1e30 and more do so always. Points without z are left out, attributes become nan.
+   * Default: -999.25 -99999 9999900.
+   */
+  vtkSetStringMacro(NullValues);
+  vtkGetStringMacro(NullValues);
+  ///@}
+
+protected:
+  vtkHorizonTextReader();
+  ~vtkHorizonTextReader() override;
+
+  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) override;
+  std::string DescribeFormat() override;
+  std::string ErrorPrefix() override;
+
+private:
+  vtkHorizonTextReader(const vtkHorizonTextReader&) = delete;
+  void operator=(const vtkHorizonTextReader&) = delete;
+
+  void UpdateContent(const SeismicHorizons::Monitor& monitor);
+
+  char* FileName = nullptr;
+  char* Columns = nullptr;
+  char* NullValues = nullptr;
+
+  struct FileContent;
+  std::unique_ptr<FileContent> Content; // what was found when the file was looked at
+};
+
+#endif
