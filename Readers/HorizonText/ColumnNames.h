@@ -14,9 +14,6 @@
 
 namespace SeismicHorizons
 {
-/// The word for a role, as users write it: "X", "Inline", "Name"; "-" for what is ignored.
-const char* RoleWord(ColumnRole role);
-
 /// The column of a name as programs write it over a column: "Easting (m)" is X, "IL" an inline, "Depth" a z. Any other
 /// is that of an attribute.
 TextColumn ColumnOfName(std::string_view name);

@@ -4,7 +4,7 @@
 #include "IesxParser.h"
 
 #include "Common/LineErrors.h"
-#include "TextFields.h"
+#include "Common/TextFields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #ifndef SeismicHorizonsIesxParser_h
 #define SeismicHorizonsIesxParser_h
 
+#include "Common/Survey/NullValues.h"
 #include "Common/Survey/PickTable.h"
-#include "NullValues.h"
 
 #include <cstdint>
 #include <string_view>

@@ -6,7 +6,7 @@
 #include "ColumnNames.h"
 #include "Common/LineErrors.h"
 #include "Common/Survey/PlaneFit.h"
-#include "TextFields.h"
+#include "Common/TextFields.h"
 
 #include <algorithm>
 #include <array>

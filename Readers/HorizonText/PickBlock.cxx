@@ -5,7 +5,7 @@
 
 #include "ColumnNames.h"
 #include "Common/LineErrors.h"
-#include "TextFields.h"
+#include "Common/TextFields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "TextHeader.h"
 
 #include "ColumnNames.h"
-#include "TextFields.h"
+#include "Common/TextFields.h"
 
 #include <algorithm>
 #include <array>

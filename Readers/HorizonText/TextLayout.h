@@ -4,9 +4,10 @@
 #ifndef SeismicHorizonsTextLayout_h
 #define SeismicHorizonsTextLayout_h
 
+#include "Common/FieldSeparator.h"
+#include "Common/Survey/ColumnRole.h"
+#include "Common/Survey/NullValues.h"
 #include "Common/Survey/SurveyDescription.h"
-#include "FieldSeparator.h"
-#include "NullValues.h"
 
 #include <cstdint>
 #include <string>
@@ -14,19 +15,6 @@
 
 namespace SeismicHorizons
 {
-/// What a column of a text file holds.
-enum class ColumnRole
-{
-  X,
-  Y,
-  Z,
-  Inline,
-  Crossline,
-  HorizonName,
-  Attribute,
-  Ignored
-};
-
 struct TextColumn
 {
   ColumnRole Role = ColumnRole::Ignored;

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsTextFields_h
 #define SeismicHorizonsTextFields_h
 
-#include "Common/TextNumbers.h"
 #include "FieldSeparator.h"
+#include "TextNumbers.h"
 
 #include <string>
 #include <string_view>

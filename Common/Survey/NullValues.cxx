@@ -3,8 +3,8 @@
 
 #include "NullValues.h"
 
+#include "Common/TextFields.h"
 #include "Common/TextNumbers.h"
-#include "TextFields.h"
 
 #include <algorithm>
 #include <array>
