@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsHorizonGrid_h
 #define SeismicHorizonsHorizonGrid_h
 
+#include "PickTable.h"
 #include "SurveyDescription.h"
 #include "SurveyLattice.h"
 
@@ -19,6 +20,7 @@ struct HorizonGrid
   SurveyDescription Survey;
   SurveyLattice Lattice;
   std::vector<double> Z; // of column (i, j) at i + j * Columns[0], in the file's unit and sign; nan where there is none
+  std::vector<PickAttribute> Attributes; // in the same order
 };
 }
 

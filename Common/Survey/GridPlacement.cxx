@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GridPlacement.h"
+
+#include <cmath>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Leaves the values of the nodes that have a z, in place.
+void Compact(std::vector<double>& values, const std::vector<std::size_t>& nodes)
+{
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    values[n] = values[nodes[n]];
+  }
+  values.resize(nodes.size());
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurveyHorizons PlaceGrid(HorizonGrid grid)
+{
+  LatticeHorizon horizon;
+  std::vector<std::size_t> nodes;
+  std::size_t node = 0;
+  for (int j = 0; j < grid.Lattice.Columns[1]; ++j)
+  {
+    for (int i = 0; i < grid.Lattice.Columns[0]; ++i, ++node)
+    {
+      if (!std::isnan(grid.Z[node]))
+      {
+        nodes.push_back(node);
+        horizon.I.push_back(i);
+        horizon.J.push_back(j);
+      }
+    }
+  }
+  horizon.DroppedNulls = std::int64_t(grid.Z.size() - nodes.size());
+  Compact(grid.Z, nodes);
+  for (PickAttribute& attribute : grid.Attributes)
+  {
+    Compact(attribute.Values, nodes);
+  }
+  horizon.Name = std::move(grid.Name);
+  horizon.Z = std::move(grid.Z);
+  horizon.Attributes = std::move(grid.Attributes);
+  SurveyHorizons survey;
+  survey.Survey = grid.Survey;
+  survey.Lattice = grid.Lattice;
+  survey.Horizons.push_back(std::move(horizon));
+  return survey;
+}
+}

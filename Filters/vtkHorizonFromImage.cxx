@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonFromImage.h"
+
+#include "Common/Errors.h"
+#include "Common/Monitor.h"
+#include "Common/Survey/GridPlacement.h"
+#include "Common/VTK/HorizonName.h"
+#include "Marshalling/ImageGrid.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+
+using namespace SeismicHorizons;
+
+vtkStandardNewMacro(vtkHorizonFromImage);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonFromImage::vtkHorizonFromImage()
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonFromImage::~vtkHorizonFromImage()
+{
+  this->SetZArray(nullptr);
+  this->SetNullValues(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonFromImage::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> vtkHorizonFromImage::ListHorizons(const Monitor&)
+{
+  return { HorizonName(1) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurveyHorizons vtkHorizonFromImage::ReadSurvey(const Monitor& monitor)
+{
+  monitor.Progress(0.0);
+  auto* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!image)
+  {
+    throw InputError("no input, expected an image");
+  }
+  const SeismicHorizons::NullValues nulls(this->NullValues ? this->NullValues : "");
+  return PlaceGrid(MakeHorizonGrid(image, this->ZArray ? this->ZArray : "", nulls));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonFromImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto text = [](const char* value) { return value ? value : "(none)"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ZArray: " << text(this->ZArray) << '\n';
+  os << indent << "NullValues: " << text(this->NullValues) << '\n';
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonFromImage
+ * @brief   makes a horizon of a map: an image with z as an array
+ *
+ * The input is a vtkImageData of one layer, turned or not, as from ParaView's readers of GeoTIFF, BAG and DEM files.
+ * Its points are the columns of the lattice, or the centres of its cells where z is an array of these. Columns that are
+ * blanked, nan or have a null value are left out. Other arrays of one component become attributes.
+ *
+ * @sa vtkHorizonGridReader vtkHorizonFromPoints
+ */
+
+#ifndef vtkHorizonFromImage_h
+#define vtkHorizonFromImage_h
+
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSurveyHorizonSource.h"
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonFromImage : public vtkSurveyHorizonSource
+{
+public:
+  static vtkHorizonFromImage* New();
+  vtkTypeMacro(vtkHorizonFromImage, vtkSurveyHorizonSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The name of the array with z, of points or cells. Default: empty, for the active scalars, or where there are none
+   * the first array of one component; arrays of points go before those of cells.
+   */
+  vtkSetStringMacro(ZArray);
+  vtkGetStringMacro(ZArray);
+  ///@}
+
+  ///@{
+  /**
+   * Numbers that stand for "no value", separated by blanks or commas. Besides these, nan, infinity and numbers of 1e30
+   * and more do so always. Default: empty.
+   */
+  vtkSetStringMacro(NullValues);
+  vtkGetStringMacro(NullValues);
+  ///@}
+
+protected:
+  vtkHorizonFromImage();
+  ~vtkHorizonFromImage() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  SeismicHorizons::SurveyHorizons ReadSurvey(const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonFromImage(const vtkHorizonFromImage&) = delete;
+  void operator=(const vtkHorizonFromImage&) = delete;
+
+  char* ZArray = nullptr;
+  char* NullValues = nullptr;
+};
+
+#endif

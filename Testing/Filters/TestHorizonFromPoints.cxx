@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tables and point sets of others become horizons: with places, with line numbers, with both, and with names.
+
+#include "HorizonFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkHorizonExteriorBoundary.h"
+#include "vtkHorizonFromPoints.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace HorizonFixtures;
+
+namespace
+{
+using Numbers = std::vector<double>;
+using Table = vtkSmartPointer<vtkTable>;
+
+/// The rows and columns of a small turned survey: inlines 10, 12, 14 and crosslines 5 to 8.
+struct Survey
+{
+  Numbers Inline, Crossline, X, Y, Z;
+
+  Survey()
+  {
+    for (const double inlineNumber : { 10.0, 12.0, 14.0 })
+    {
+      for (const double crossline : { 5.0, 6.0, 7.0, 8.0 })
+      {
+        this->Inline.push_back(inlineNumber);
+        this->Crossline.push_back(crossline);
+        this->X.push_back(600000.0 + 3.0 * crossline - 4.0 * inlineNumber);
+        this->Y.push_back(6000000.0 + 4.0 * crossline + 3.0 * inlineNumber);
+        this->Z.push_back(1500.0 + crossline + 10.0 * inlineNumber);
+      }
+    }
+  }
+};
+
+Table MakeTable(const std::vector<std::pair<std::string, Numbers>>& columns)
+{
+  auto table = Table::New();
+  for (const auto& [name, values] : columns)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name.c_str());
+    for (const double value : values)
+    {
+      column->InsertNextValue(value);
+    }
+    table->AddColumn(column);
+  }
+  return table;
+}
+
+vtkPolyData* Horizon(vtkHorizonFromPoints* filter, unsigned int number = 0)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutput()->GetPartition(number, 0));
+}
+
+std::string Name(vtkHorizonFromPoints* filter, unsigned int number)
+{
+  return filter->GetOutput()->GetMetaData(number)->Get(vtkCompositeDataSet::NAME());
+}
+
+bool IsAt(vtkPolyData* horizon, vtkIdType point, double x, double y, double z)
+{
+  const double* const place = horizon->GetPoint(point);
+  return std::hypot(place[0] - x, place[1] - y, place[2] - z) < 1e-6;
+}
+
+void TestLinesAndPlaces()
+{
+  const Survey survey;
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(MakeTable({ { "IL", survey.Inline }, { "XL", survey.Crossline }, { "Easting", survey.X },
+    { "Northing", survey.Y }, { "TWT (ms)", survey.Z }, { "Amp", survey.Inline } }));
+  filter->SetVerticalStep(2.0);
+  filter->Update();
+  CHECK_EQUAL(Name(filter, 0), std::string("Horizon 1"));
+  vtkPolyData* const horizon = Horizon(filter);
+  CHECK_EQUAL(horizon->GetNumberOfPoints(), 12);
+  CHECK_EQUAL(horizon->GetNumberOfVerts(), 12);
+  CHECK(IsAt(horizon, 5, survey.X[5], survey.Y[5], -survey.Z[5]));
+  vtkPointData* const data = horizon->GetPointData();
+  CHECK_EQUAL(data->GetArray("Amp")->GetTuple1(5), 12.0);
+  CHECK_EQUAL(data->GetArray("RealZ")->GetTuple1(5), survey.Z[5]);
+  CHECK_EQUAL(data->GetArray("VerticalIndex")->GetTuple1(5), std::lround((survey.Z[5] - 1604.0) / 2.0));
+  CHECK_EQUAL(data->GetArray("SurfaceId")->GetTuple1(5), 1.0);
+  CHECK_EQUAL(data->GetArray("PointCount")->GetTuple1(5), 1.0);
+  const double* const lines = horizon->GetFieldData()->GetArray("LineNumbers")->GetTuple4(0);
+  CHECK(Numbers(lines, lines + 4) == Numbers({ 10.0, 2.0, 5.0, 1.0 }));
+  const double* const size = horizon->GetFieldData()->GetArray("LatticeDimensions")->GetTuple3(0);
+  CHECK(size[0] == 4.0 && size[1] == 3.0);
+  // What comes out is what the stages take.
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputConnection(filter->GetOutputPort());
+  boundary->Update();
+  auto* const bounded = vtkPartitionedDataSetCollection::SafeDownCast(boundary->GetOutputDataObject(0));
+  CHECK(bounded && bounded->GetNumberOfPoints() == 12);
+}
+
+/// Coordinates of points, in the precision and order they come in, with ghosts that are left out.
+void TestPointSet()
+{
+  const Survey survey;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  vtkNew<vtkFloatArray> vectors;
+  vectors->SetName("Normals");
+  vectors->SetNumberOfComponents(3);
+  for (std::size_t n = survey.X.size(); n-- > 0;)
+  {
+    points->InsertNextPoint(survey.X[n], survey.Y[n], survey.Z[n]);
+    ghosts->InsertNextValue(n == 3 ? vtkDataSetAttributes::HIDDENPOINT : 0);
+    vectors->InsertNextTuple3(1.0, 2.0, double(n));
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->GetPointData()->AddArray(ghosts);
+  cloud->GetPointData()->AddArray(vectors);
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(cloud);
+  filter->SetVerticalDirectionToUp();
+  filter->Update();
+  vtkPolyData* const horizon = Horizon(filter);
+  CHECK_EQUAL(horizon->GetNumberOfPoints(), 11);
+  CHECK(horizon->GetPointData()->GetArray("Normals_2") != nullptr);
+  CHECK(horizon->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()) == nullptr);
+  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  {
+    const auto n = std::size_t(horizon->GetPointData()->GetArray("Normals_2")->GetTuple1(point));
+    CHECK(IsAt(horizon, point, survey.X[n], survey.Y[n], survey.Z[n]));
+  }
+}
+
+void TestNames()
+{
+  Survey survey;
+  Table table = MakeTable({ { "inline", survey.Inline }, { "crossline", survey.Crossline }, { "z", survey.Z } });
+  vtkNew<vtkStringArray> names;
+  names->SetName("Horizon");
+  for (std::size_t n = 0; n < survey.Z.size(); ++n)
+  {
+    names->InsertNextValue(n % 3 == 0 ? "Top Reek" : "Base");
+  }
+  table->AddColumn(names);
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(table);
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfHorizons(), 2);
+  CHECK_EQUAL(Name(filter, 0), std::string("Top Reek"));
+  CHECK_EQUAL(Horizon(filter, 0)->GetNumberOfPoints(), 4);
+  CHECK_EQUAL(Horizon(filter, 1)->GetNumberOfPoints(), 8);
+  CHECK_EQUAL(Horizon(filter, 1)->GetPointData()->GetArray("SurfaceId")->GetTuple1(0), 2.0);
+  filter->SetHorizonStatus("Base", 0);
+  filter->Update();
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
+}
+
+void TestChoiceAndNulls()
+{
+  Survey survey;
+  Numbers depth = survey.Z;
+  depth[4] = -999.25;
+  depth[5] = 1e30;
+  depth[6] = std::nan("");
+  Numbers attribute = survey.Z;
+  attribute[0] = -999.25;
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(
+    MakeTable({ { "a", survey.X }, { "b", survey.Y }, { "time", survey.Z }, { "c", depth }, { "extra", attribute } }));
+  filter->SetXArray("a");
+  filter->SetYArray("b");
+  filter->SetZArray("c");
+  filter->SetNullValues("-999.25");
+  filter->Update();
+  vtkPolyData* const horizon = Horizon(filter);
+  CHECK_EQUAL(horizon->GetNumberOfPoints(), 9);
+  CHECK_EQUAL(horizon->GetFieldData()->GetArray("DroppedNulls")->GetTuple1(0), 3.0);
+  CHECK(horizon->GetPointData()->GetArray("time") != nullptr); // no longer z, so an attribute
+  int missing = 0;
+  for (vtkIdType point = 0; point < 9; ++point)
+  {
+    missing += std::isnan(horizon->GetPointData()->GetArray("extra")->GetTuple1(point)) ? 1 : 0;
+  }
+  CHECK_EQUAL(missing, 1);
+}
+
+/// One error that has the text, and an empty output.
+void CheckRefused(vtkHorizonFromPoints* filter, const std::string& message)
+{
+  const Errors errors(filter);
+  filter->Modified();
+  filter->Update();
+  CHECK_EQUAL(errors.Count(), std::size_t(1));
+  CHECK(errors.FirstContains(": " + message));
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
+}
+
+void TestRefusals()
+{
+  const Survey survey;
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(MakeTable({ { "X", survey.X }, { "Z", survey.Z } }));
+  CheckRefused(filter, "arrays X, Z, expected Z, and X and Y or Inline and Crossline");
+  filter->SetYArray("Q");
+  CheckRefused(filter, "no array of numbers Q for Y, expected one of X, Z");
+  filter->SetYArray(nullptr);
+  filter->SetInputDataObject(Table::New());
+  CheckRefused(filter, "arrays (none), expected Z");
+  Numbers infinite = survey.X;
+  infinite[2] = std::numeric_limits<double>::infinity();
+  filter->SetInputDataObject(MakeTable({ { "X", infinite }, { "Y", survey.Y }, { "Z", survey.Z } }));
+  CheckRefused(filter, "point 2 at X inf, Y 6000058");
+  filter->SetInputDataObject(MakeTable({ { "X", survey.X }, { "Y", survey.Y }, { "Z", survey.Z } }));
+  filter->SetVerticalStep(-1.0);
+  CheckRefused(filter, "VerticalStep -1, expected a positive number, or 0");
+  filter->SetVerticalStep(0.0);
+  filter->SetLatticeTolerance(0.7);
+  CheckRefused(filter, "LatticeTolerance 0.7, expected more than 0");
+}
+}
+
+int TestHorizonFromPoints(int, char*[])
+{
+  TestLinesAndPlaces();
+  TestPointSet();
+  TestNames();
+  TestChoiceAndNulls();
+  TestRefusals();
+  return Check::Result();
+}
