@@ -59,9 +59,13 @@ def check_default(where, prop, algorithm, documented):
     if default is None:
         expect(actual in ([None], [""]), "%s: %s has no default in the XML, but %s in C++" % (where, name, actual))
         return
+    text = documented.get(name, "")
+    if prop.tag == "StringVectorProperty":
+        expect([default] == actual and text == default,
+               "%s: %s is %s in the XML, %s in C++, and %r in the documentation" % (where, name, default, actual, text))
+        return
     expect(numbers(default) == [float(v) for v in actual],
            "%s: %s is %s in the XML, but %s in C++" % (where, name, default, actual))
-    text = documented.get(name, "")
     entries = {e.get("value"): e.get("text").replace(" ", "") for e in prop.iter("Entry")}
     if entries:
         expect(text in (default, entries[default]),
@@ -87,7 +91,14 @@ def check_setters(where, cls, commands):
                    "%s: no property reaches %s::%s" % (where, cls.__name__, name))
 
 
-def check_proxy(proxy, documentation):
+def list_properties(proxy, proxies):
+    """The properties of a proxy, those of its bases first."""
+    base = proxy.get("base_proxyname")
+    inherited = list_properties(proxies[base], proxies) if base else []
+    return inherited + [element for element in proxy if element.tag.endswith("Property")]
+
+
+def check_proxy(proxy, properties, documentation):
     where = proxy.get("name")
     cls = getattr(seismichorizons, proxy.get("class"))
     algorithm = cls()
@@ -99,9 +110,7 @@ def check_proxy(proxy, documentation):
     expect(page.is_file(), "%s: there is no page %s" % (where, page.name))
     documented = documented_defaults(page) if page.is_file() else {}
     commands = set()
-    for prop in proxy:
-        if not prop.tag.endswith("Property"):
-            continue
+    for prop in properties:
         check_help(where, prop)
         command = prop.get("command", "")
         commands.add(command)
@@ -116,11 +125,12 @@ def check_proxy(proxy, documentation):
 
 def main():
     xml_folder, documentation = (pathlib.Path(argument) for argument in sys.argv[1:3])
-    proxies = [proxy for file in sorted(xml_folder.glob("*.xml"))
-               for proxy in ElementTree.parse(file).getroot().iter("SourceProxy")]
+    proxies = {proxy.get("name"): proxy for file in sorted(xml_folder.glob("*.xml"))
+               for proxy in ElementTree.parse(file).iter("SourceProxy")}
     expect(len(proxies) >= 5, "only %d proxies in %s" % (len(proxies), xml_folder))
-    for proxy in proxies:
-        check_proxy(proxy, documentation)
+    for proxy in proxies.values():
+        if proxy.get("class"):  # others are bases
+            check_proxy(proxy, list_properties(proxy, proxies), documentation)
     for problem in problems:
         print(problem)
     sys.exit(1 if problems else 0)
