@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Turns sparse voxel files of seismic horizons into triangle meshes, with a table and a picture of every stage.
+"""Turns files of seismic horizons into triangle meshes, with a table and a picture of every stage.
 
 Runs in pvbatch, in pvpython and in the Python of the system, as long as the package seismichorizons is in PYTHONPATH.
 The work is done by the modules of that package; here is the command line.
@@ -19,6 +19,7 @@ VERTICAL_DIRECTIONS = ("Down", "Up")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
+FORMATS = ("vtp", "ts", "stl", "ply", "obj")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
 
 
@@ -53,30 +54,35 @@ _vertical_step.__name__ = "number other than 0:"
 
 
 def _horizon(text):
-    try:
-        return int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError("%s is no ID; put -- between IDs and files that follow" % text) from None
+    if os.path.exists(text):
+        raise argparse.ArgumentTypeError("%s is a file; put -- between horizons and files that follow" % text)
+    return text
 
 
 def make_parser():
     parser = _Parser(
         prog=PROGRAM + ".py",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-        description="Reads sparse voxel files (.vsm), and turns each horizon in them into a triangle mesh: exterior "
+        description="Reads files of seismic horizons (sparse voxel files, text picks of OpendTect, Petrel, OpenWorks, IESX "
+        "and the like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer and GXF; by what is in them, whatever their "
+        "extension), and turns each horizon in them into a triangle mesh: exterior "
         "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Or, "
         "recommended, with one number: --largest-error or --triangles, from which all else follows. Writes one "
-        ".vtp file per horizon and one picture per file, and prints a table; on request, measures the error. Files "
+        "mesh per horizon and one picture per file, and prints a table; on request, measures the error. Files "
         "that already exist are replaced.",
-        epilog="Results are named after their file: x_horizon_1.vtp, x.png and x_error.csv for x.vsm. Where files have "
+        epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv for "
+        "x.vsm or x.dat. Where files have "
         "the same name, the names of their folders come first, as many as it takes: a_x.png for a/x.vsm, and b_x.png "
         "for b/x.vsm. Results of a file appear all together, or not at all. Distances are in lattice units: 1 is one "
         "column step sideways and one vertical index up or down. The exit code is 1 when a file could not be done; the "
         "other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path,
-                        help=".vsm files, or folders of them")
+                        help="files of horizons, or folders of them")
     parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
                         help="where the results go; made when it is missing")
+    parser.add_argument("--formats", nargs="+", choices=FORMATS, default=["vtp"],
+                        help="formats of the meshes: VTK, GOCAD TSurf, STL, PLY (single precision) and OBJ; put -- "
+                        "between them and files that follow")
     _add_reader_options(parser.add_argument_group("reading"))
     _add_stage_options(parser.add_argument_group("stages"))
     _add_error_options(parser.add_argument_group("error"))
@@ -91,23 +97,33 @@ def make_parser():
 
 
 def _add_reader_options(group):
-    group.add_argument("--horizons", nargs="+", type=_horizon, metavar="ID", default=argparse.SUPPRESS,
-                       help="only these horizons (default: all); put -- between them and files that follow")
-    group.add_argument("--elevation", choices=ELEVATIONS, default=ELEVATIONS[0],
-                       help="what the world z of a point is made from")
-    group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=DUPLICATE_POLICIES[0],
-                       help="which voxel stays where a horizon has several in a column")
-    group.add_argument("--origin", nargs=3, type=float, default=[0.0, 0.0, 0.0], metavar=("X", "Y", "Z"),
-                       help="world position of the first voxel of the cube")
-    group.add_argument("--column-step", nargs=2, type=float, default=[1.0, 0.0], metavar=("X", "Y"),
-                       help="world vector from a column to the next")
-    group.add_argument("--row-step", nargs=2, type=float, default=[0.0, 1.0], metavar=("X", "Y"),
-                       help="world vector from a row to the next")
-    group.add_argument("--vertical-step", type=_vertical_step, default=1.0, metavar="Z",
-                       help="length along world z from one vertical index to the next; a negative one turns the "
-                       "vertical direction around")
+    group.add_argument("--horizons", nargs="+", type=_horizon, metavar="NAME", default=argparse.SUPPRESS,
+                       help="only these horizons, by their names, or by the IDs of sparse voxel files (default: all); "
+                       "put -- between them and files that follow")
+    group.add_argument("--vertical-step", type=_vertical_step, default=argparse.SUPPRESS, metavar="Z",
+                       help="length along world z from one vertical index to the next (default: 1 for sparse voxel "
+                       "files, where a negative one turns the vertical direction around; for others one that suits "
+                       "the data)")
     group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=VERTICAL_DIRECTIONS[0],
-                       help="where vertical indices and real z grow to: time and depth do so downwards")
+                       help="where vertical indices and z of the file grow to: time and depth do so downwards")
+    group.add_argument("--elevation", choices=ELEVATIONS, default=argparse.SUPPRESS,
+                       help="what the world z of a point of sparse voxel files is made from (default: VerticalIndex)")
+    group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=argparse.SUPPRESS,
+                       help="which voxel or pick stays where a horizon has several in a column (default: "
+                       "StrongestAmplitude)")
+    group.add_argument("--columns", default=argparse.SUPPRESS, metavar="LIST",
+                       help='what the columns of a text file hold, as "X,Y,-,Z,My attribute" or "Inline,Crossline,Z" '
+                       "(default: what its header says, or its values are like)")
+    group.add_argument("--null-values", default=argparse.SUPPRESS, metavar="LIST",
+                       help='what stands for no value in a text file, besides 1e30 and words as nan (default: "-999.25 '
+                       '-99999 9999900")')
+    group.add_argument("--origin", nargs=3, type=float, default=argparse.SUPPRESS, metavar=("X", "Y", "Z"),
+                       help="world position of the first voxel of the cube (default: 0 0 0), or, with z 0, of the first "
+                       "column of picks (default: found from them)")
+    group.add_argument("--column-step", nargs=2, type=float, default=argparse.SUPPRESS, metavar=("X", "Y"),
+                       help="world vector from a column to the next (default: 1 0; for picks found from them)")
+    group.add_argument("--row-step", nargs=2, type=float, default=argparse.SUPPRESS, metavar=("X", "Y"),
+                       help="world vector from a row to the next (default: 0 1; for picks found from them)")
 
 
 def _add_stage_options(group):
@@ -191,10 +207,10 @@ def make_settings(options):
     from seismichorizons.pipeline import Settings
 
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
-    settings.reader = {
-        "Elevation": options.elevation, "DuplicatePolicy": options.duplicate_policy, "Origin": options.origin,
-        "ColumnStep": options.column_step, "RowStep": options.row_step, "VerticalStep": options.vertical_step,
-        "VerticalDirection": options.vertical_direction}
+    settings.formats = options.formats
+    settings.reader = {"VerticalDirection": options.vertical_direction, **_given(
+        options, VerticalStep="vertical_step", Elevation="elevation", DuplicatePolicy="duplicate_policy",
+        Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step")}
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
         "HoleBoundaries": options.hole_boundaries,

@@ -302,7 +302,7 @@ class BatchTest(unittest.TestCase):
 
     def test_files_among_horizons(self):
         message = self.refused("--no-pictures", "--horizons", "1", "2", SAMPLE)
-        self.assertIn("%s is no ID; put -- between" % SAMPLE, message)
+        self.assertIn("%s is a file; put -- between" % SAMPLE, message)
         self.succeed("--no-pictures", "--horizons", "1", "2", "--", SAMPLE)
         self.assertEqual(files(self.output), ["sample_horizon_1.vtp", "sample_horizon_2.vtp"])
 

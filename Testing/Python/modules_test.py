@@ -118,7 +118,7 @@ class SurfaceTest(unittest.TestCase):
     def test_settings(self):
         """One stage gives the mesh, and outlines to measure it against."""
         settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=0.5), error={})
-        result = pipeline.run("a file", 1, plane(), settings)
+        result = pipeline.run("a file", "Horizon 1", plane(), settings)
         self.assertEqual(sorted(result.data), ["boundary", "mesh", "points"])
         self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
         self.assertLess(largest_error(result.figures), ROUNDING)
@@ -160,16 +160,16 @@ class PipelineTest(unittest.TestCase):
     def test_read(self):
         path = write("two.vsm", TWO_HORIZONS)
         horizons, seconds = pipeline.read(path)
-        self.assertEqual([(number, points.GetNumberOfPoints()) for number, points in horizons], [(1, 20), (2, 2)])
+        self.assertEqual([(name, points.GetNumberOfPoints()) for name, points in horizons], [("Horizon 1", 20), ("Horizon 2", 2)])
         self.assertGreaterEqual(seconds, 0.0)
         (only,), _ = pipeline.read(str(path), horizons=[2], Elevation="RealZ", Origin=[0.0, 0.0, 100.0])
-        self.assertEqual(only[0], 2)
+        self.assertEqual(only[0], "Horizon 2")
         self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, -8.0, -8.0))
 
     def test_nothing_to_read(self):
         for name, content, horizons, message in (
                 ("two.vsm", TWO_HORIZONS, [2, 4], "two.vsm: there is no horizon 4; the file has 1, 2"),
-                ("none.vsm", b"2 1 3\n\n\n", None, "none.vsm: there is no voxel to work on"),
+                ("none.vsm", b"2 1 3\n\n\n", None, "none.vsm: there is no point to work on"),
                 ("none.vsm", b"2 1 3\n\n\n", [1], "none.vsm: there is no horizon 1; the file has none")):
             with self.assertRaises(HorizonError) as raised:
                 pipeline.read(write(name, content), horizons)
@@ -185,7 +185,7 @@ class PipelineTest(unittest.TestCase):
 
     def test_run(self):
         points = plane()
-        result = pipeline.run("plane.vsm", 1, points, pipeline.Settings(rough=None, error={}))
+        result = pipeline.run("plane.vsm", "Horizon 1", points, pipeline.Settings(rough=None, error={}))
         self.assertIs(result.data["points"], points)
         self.assertEqual({name: data.GetNumberOfPoints() for name, data in result.data.items()},
                          {"points": 20, "boundary": 20, "simplified": 10, "mesh": 10})
@@ -194,20 +194,20 @@ class PipelineTest(unittest.TestCase):
         self.assertIsNotNone(result.data["mesh"].GetPointData().GetArray("Distance"))
         self.assertEqual(set(result.seconds), {"boundary", "simplified", "mesh", "error"})
         self.assertEqual(result.figures.GetNumberOfRows(), 9)
-        self.assertIsNone(pipeline.run("plane.vsm", 1, points, NO_ROUGH).figures)
+        self.assertIsNone(pipeline.run("plane.vsm", "Horizon 1", points, NO_ROUGH).figures)
 
     def test_error_is_that_of_all_points(self):
         """A point of the outline that stands out by 1 is dropped, and missed."""
         voxel = b"3 1 1 0.5 4.0\n"
         points = pipeline.read_first(write("bump.vsm", b"5 4 9\n" + 2 * voxel + b"4 1 1 0.5 4.0\n" + 17 * voxel))
         settings = pipeline.Settings(simplified={"DistanceThreshold": 2.0}, rough=None, error={})
-        result = pipeline.run("bump.vsm", 1, points, settings)
+        result = pipeline.run("bump.vsm", "Horizon 1", points, settings)
         self.assertEqual(result.data["mesh"].GetBounds()[4:], (-3.0, -3.0))
         self.assertLess(abs(largest_error(result.figures) - 1.0), ROUNDING)
 
     def test_error_names_the_file(self):
         with self.assertRaises(HorizonError) as raised:
-            pipeline.run("plane.vsm", 1, plane(), pipeline.Settings(rough={"CellSize": 0}))
+            pipeline.run("plane.vsm", "Horizon 1", plane(), pipeline.Settings(rough={"CellSize": 0}))
         self.assertEqual(str(raised.exception), "plane.vsm: Horizon 1: cell size 0, expected at least 1 column")
 
 
@@ -215,7 +215,7 @@ class ResultTest(unittest.TestCase):
     """Tables, files and panels of one result."""
 
     def setUp(self):
-        self.result = pipeline.run("plane.vsm", 1, plane(), pipeline.Settings(rough=None, error={}))
+        self.result = pipeline.run("plane.vsm", "Horizon 1", plane(), pipeline.Settings(rough=None, error={}))
         self.result.seconds = {"boundary": 1.0, "simplified": 0.5, "mesh": 12.345, "error": 0.0}
 
     def test_loops(self):
@@ -245,7 +245,7 @@ class ResultTest(unittest.TestCase):
         image = vtkImageData()
         image.SetDimensions(2, 2, 1)
         image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
-        for write_result, data in ((writing.write_mesh, self.result.data["mesh"]),
+        for write_result, data in ((writing.write_vtp, self.result.data["mesh"]),
                                    (writing.write_figures, [self.result]), (pictures.write, image)):
             with self.assertRaises(HorizonError) as raised:
                 write_result(data, pathlib.Path("/dev/full"))
@@ -255,7 +255,7 @@ class ResultTest(unittest.TestCase):
         self.assertEqual([(panel.title, panel.caption) for panel in overview.panels(self.result)], [
             ("Horizon 1", "20 points"), ("Exterior boundary", "1 loop, 14 points"), ("Simplified boundary", "4 points"),
             ("Mesh", "14 triangles")])
-        result = pipeline.run("plane.vsm", 1, plane(), pipeline.Settings(elaborate={}))
+        result = pipeline.run("plane.vsm", "Horizon 1", plane(), pipeline.Settings(elaborate={}))
         self.assertEqual([panel.title for panel in overview.panels(result)][3:-1],
                          ["Rough simplification", "Elaborate simplification"])
 
@@ -282,7 +282,7 @@ class BatchTest(unittest.TestCase):
         elsewhere = pathlib.Path("elsewhere.vsm")
         self.assertEqual(batch.find_files([elsewhere, self.folder]), [elsewhere, paths[1], paths[0]])
         self.output.mkdir()
-        with self.assertRaisesRegex(HorizonError, "there is no .vsm file"):
+        with self.assertRaisesRegex(HorizonError, "there is no file of horizons in this folder"):
             batch.find_files([self.output])
 
     def test_invalid_horizons(self):

@@ -44,7 +44,7 @@ class OptionsTest(unittest.TestCase):
     def test_left_out(self):
         settings = self.settings("--skip-rough", "--horizons", "3", "1")
         self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))
-        self.assertEqual(settings.horizons, [3, 1])
+        self.assertEqual(settings.horizons, ["3", "1"])
         self.assertIsNotNone(self.settings().rough)
         self.assertFalse(self.settings().leave_out_invalid)
 

@@ -8,10 +8,11 @@ import ctypes
 import ctypes.util
 import os
 import pathlib
+import re
 import sys
 import tempfile
 
-from . import interrupt, pipeline, tables, writing
+from . import interrupt, pipeline, reading, tables, writing
 from .stage import HorizonError
 
 
@@ -35,13 +36,14 @@ def run(inputs, output_folder, settings, with_pictures, report):
 
 
 def find_files(inputs):
-    """The files among the inputs, and those of the folders among them. Raises HorizonError or OSError."""
+    """The files among the inputs, and those in the folders among them that a reader knows. Raises HorizonError or
+    OSError."""
     files = []
     for path in inputs:
         if path.is_dir():
-            found = sorted(file for file in path.iterdir() if file.suffix == ".vsm")
+            found = sorted(file for file in path.iterdir() if file.is_file() and reading.find_reader(file))
             if not found:
-                raise HorizonError("%s: there is no .vsm file in this folder" % path)
+                raise HorizonError("%s: there is no file of horizons in this folder" % path)
             files.extend(found)
         else:
             files.append(path)
@@ -97,12 +99,12 @@ def _workspace(output_folder):
 def process(path, label, workspace, settings, with_pictures, report):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Raises
     HorizonError or OSError."""
-    horizons, read_seconds = pipeline.read(path, settings.horizons, **settings.reader)
+    horizons, read_seconds = reading.read(path, settings.horizons, **settings.reader)
     names = _Names(_stem(label), horizons, settings, with_pictures)
     names.check(workspace.parent)
     results = _run_stages(label, horizons, settings, report)
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
-        _write(results, names, pathlib.Path(folder))
+        _write(results, names, pathlib.Path(folder), report)
         interrupt.check()
         for name in sorted(os.listdir(folder)):
             os.replace(os.path.join(folder, name), workspace.parent / name)
@@ -112,8 +114,8 @@ def process(path, label, workspace, settings, with_pictures, report):
 def _run_stages(label, horizons, settings, report):
     """The results of all horizons but those left out."""
     results = []
-    for horizon_id, points in horizons:
-        result = pipeline.run(label, horizon_id, points, settings)
+    for name, points in horizons:
+        result = pipeline.run(label, name, points, settings)
         for warning in result.warnings:
             report("warning", "%s: %s" % (label, warning))
         if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
@@ -127,20 +129,38 @@ class _Names:
     """The names of the files of results."""
 
     def __init__(self, stem, horizons, settings, with_pictures):
-        self.meshes = {horizon_id: "%s_horizon_%d.vtp" % (stem, horizon_id) for horizon_id, _ in horizons}
+        self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats]
+                       for name, mesh_stem in zip(*_mesh_stems(stem, [name for name, _ in horizons]))}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
 
     def check(self, folder):
         """Files there will be replaced, folders can not be. Raises HorizonError."""
-        for name in [*self.meshes.values(), *self.figures, *self.pictures]:
+        for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures]:
             if (folder / name).is_dir():
                 raise HorizonError("%s can not be written: it is a folder" % (folder / name))
 
 
-def _write(results, names, folder):
+def _mesh_stems(stem, names):
+    """The names, and for each what its files are called: `x_horizon_7` for Horizon 7 of x.vsm, `x_Top` for Top. A horizon
+    that has the name of its file is called as that. Raises HorizonError where two would be called the same."""
+    stems = []
+    for name in names:
+        short = reading.short_name(name)
+        text = re.sub(r"[^\w.+-]+", "_", "horizon_" + short if short != name else name)
+        stems.append(stem if text == stem else "%s_%s" % (stem, text))
+    twins = [n for n, text in enumerate(stems) if text in stems[:n]]
+    if twins:
+        second = twins[0]
+        raise HorizonError("%s and %s would write the same results" % (names[stems.index(stems[second])], names[second]))
+    return names, stems
+
+
+def _write(results, names, folder, report):
     for result in results:
-        writing.write_mesh(result.data["mesh"], folder / names.meshes[result.id])
+        for name in names.meshes[result.name]:
+            for warning in writing.write_mesh(result.data["mesh"], folder / name, result.name):
+                report("warning", "%s: %s" % (name, warning))
     for name in names.figures:
         writing.write_figures(results, folder / name)
     for name in names.pictures:

@@ -19,7 +19,7 @@ def panels(result):
     loops, loop_points = count_loops(result.data["boundary"])
     mesh = result.data["mesh"]
     row = [
-        Panel("Horizon %d" % result.id, _count(points.GetNumberOfPoints(), "point"), points, POINTS),
+        Panel(result.name, _count(points.GetNumberOfPoints(), "point"), points, POINTS),
         Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
               result.data["boundary"], OUTLINE, points)]
     if "simplified" in result.data:

@@ -12,10 +12,10 @@ Or straight from points to a mesh, with the parameters that were chosen:
 """
 
 from dataclasses import dataclass, field
-import pathlib
 from typing import Optional
 
-from .stage import HorizonError, apply, make, update, watched
+from .reading import read, read_first  # noqa: F401: the first step of a pipeline
+from .stage import HorizonError, apply, make, update
 
 # In their order. Each name is that of the data the stage makes.
 STAGES = {
@@ -34,8 +34,9 @@ CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
     defaults. None leaves a stage out. With `surface` (see surface_properties) one stage takes the place of all.
-    `horizons` are the IDs of those to read, None for all. A horizon that can not be
-    processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning."""
+    `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
+    processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
+    meshes are written in (writing.FORMATS)."""
 
     reader: dict = field(default_factory=dict)
     boundary: dict = field(default_factory=dict)
@@ -47,6 +48,7 @@ class Settings:
     error: Optional[dict] = None
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
+    formats: tuple = ("vtp",)
 
     def make_stages(self):
         """The stages from points to mesh in their order, as (name, algorithm)."""
@@ -90,74 +92,33 @@ def chosen_parameters(mesh):
             if (array.GetName() or "").startswith("Chosen")}
 
 
-def read(path, horizons=None, **properties):
-    """The horizons of a file as a list of (ID, polydata), and the seconds it took to read them.
-
-    `horizons` are the IDs of those wanted, None for all. Raises HorizonError when there is nothing to read.
-    """
-    path = pathlib.Path(path)
-    reader = make("vtkVerneySparseMatrixReader", FileName=str(path), **properties)
-    if horizons is not None:
-        _select(reader, horizons, path)
-    seconds = update(reader, "%s: reading" % path.name)
-    output = reader.GetOutputDataObject(0)
-    found = []
-    for block in range(output.GetNumberOfPartitionedDataSets()):
-        name = output.GetMetaData(block).Get(output.NAME())
-        horizon = output.GetPartition(block, 0)
-        if horizon is not None and horizon.GetNumberOfPoints():
-            found.append((int(name.split()[-1]), horizon))
-    if not found:
-        raise HorizonError("%s: there is no voxel to work on" % path)
-    return found, seconds
-
-
-def read_first(path, **properties):
-    """The first horizon of a file."""
-    return read(path, **properties)[0][0][1]
-
-
-def _select(reader, horizons, path):
-    """Leaves only some horizons switched on."""
-    with watched(reader):
-        reader.UpdateInformation()
-    known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
-    reader.DisableAllHorizons()
-    for horizon in horizons:
-        name = "Horizon %d" % horizon
-        if name not in known:
-            raise HorizonError("%s: there is no horizon %d; the file has %s" % (
-                path, horizon, ", ".join(k.split()[-1] for k in known) or "none"))
-        reader.SetHorizonStatus(name, 1)
-
-
 class Result:
-    """All stages of one horizon: the data by stage ("points" are what was read), the seconds each took, and the figures
+    """All stages of one horizon, which has a name: the data by stage ("points" are what was read), the seconds each took, and the figures
     of the error as a table, or None; warnings as texts. The source is what errors and progress name: the file."""
 
-    def __init__(self, source, horizon_id, points):
+    def __init__(self, source, name, points):
         self.source = source
-        self.id = horizon_id
+        self.name = name
         self.data = {"points": points}
         self.seconds = {}
         self.figures = None
         self.warnings = []
 
-    def run_stage(self, name, algorithm):
+    def run_stage(self, stage, algorithm):
         try:
-            self.seconds[name] = update(algorithm, "%s: horizon %d: %s" % (self.source, self.id, name), self.warnings)
+            self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), self.warnings)
         except HorizonError as error:  # names the horizon, but not the file
             raise HorizonError("%s: %s" % (self.source, error)) from None
 
 
-def run(source, horizon_id, points, settings):
+def run(source, name, points, settings):
     """Runs all stages on the points of a horizon. Raises HorizonError."""
-    result = Result(source, horizon_id, points)
+    result = Result(source, name, points)
     data = points
-    for name, algorithm in settings.make_stages():
+    for stage, algorithm in settings.make_stages():
         algorithm.SetInputDataObject(0, data)
-        result.run_stage(name, algorithm)
-        data = result.data[name] = algorithm.GetOutputDataObject(0)
+        result.run_stage(stage, algorithm)
+        data = result.data[stage] = algorithm.GetOutputDataObject(0)
         if settings.surface is not None:
             result.data["boundary"] = algorithm.GetOutputDataObject(1)
     if settings.error is not None:

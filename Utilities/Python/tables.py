@@ -3,6 +3,7 @@
 """Tables of results, for reading: a row for each horizon."""
 
 from .pipeline import chosen_parameters
+from .reading import short_name
 
 COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out", "triangles", "reduction",
            "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
@@ -28,7 +29,7 @@ def row(result):
     after = result.data["mesh"].GetNumberOfPoints()
     loops, loop_points = count_loops(result.data["boundary"])
     seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "elaborate", "mesh")]
-    return ("%d" % result.id, "%d" % before, "%d" % loops, "%d" % loop_points,
+    return (short_name(result.name), "%d" % before, "%d" % loops, "%d" % loop_points,
             "%d" % count_loops(result.data.get("simplified", result.data["mesh"]))[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
             *("-" if s is None else "%.2f" % s for s in seconds), *_chosen_cells(result),

@@ -2,19 +2,43 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results as files: meshes, and the figures of the error.
 
-All are made in memory, and written by Python: where a disk is full, VTK's writers go on, and may crash.
+Most are made in memory, and written by Python: where a disk is full, VTK's writers of XML go on, and may crash.
 """
 
 import csv
 import io
+import math
 
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from .stage import HorizonError, update
+from .stage import HorizonError, make, update
 
 
-def write_mesh(mesh, path):
-    """Writes a mesh as .vtp. Raises HorizonError."""
+# How far coordinates of a mesh may be off in single precision, as a part of a column step, without a word.
+LARGEST_ROUNDING = 0.01
+FORMATS = ("vtp", "ts", "stl", "ply", "obj")
+
+
+def write_mesh(mesh, path, name):
+    """Writes a mesh in the format of the extension of its file, and returns warnings. Raises HorizonError."""
+    form = path.suffix[1:]
+    if form == "vtp":
+        write_vtp(mesh, path)
+        return []
+    writer = _make_writer(form, name, mesh)
+    writer.SetFileName(str(path))
+    update(writer, "%s: writing" % path.name)
+    if writer.GetErrorCode():
+        reason = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
+        raise HorizonError("%s can not be written: %s" % (path.name, reason))
+    return _rounding_warnings(mesh) if form == "ply" else []
+
+
+def write_vtp(mesh, path):
+    """Writes a mesh as a file of VTK. Raises HorizonError."""
     writer = vtkXMLPolyDataWriter()
     writer.WriteToOutputStringOn()
     writer.SetInputDataObject(0, mesh)
@@ -22,6 +46,44 @@ def write_mesh(mesh, path):
     writer.SetDataModeToBinary()
     update(writer, "%s: writing" % path.name)
     write_file(writer.GetOutputString().encode(), path)
+
+
+def _make_writer(form, name, mesh):
+    """A writer of a format with its input. Raises HorizonError."""
+    if form == "ts":
+        writer = make("vtkGOCADTSurfWriter")
+        writer.SetInputDataObject(0, _named(mesh, name))
+        return writer
+    # Loads libraries that are not needed otherwise.
+    from vtkmodules import vtkIOGeometry, vtkIOPLY
+
+    writer = {"stl": vtkIOGeometry.vtkSTLWriter, "obj": vtkIOGeometry.vtkOBJWriter, "ply": vtkIOPLY.vtkPLYWriter}[form]()
+    if form == "ply":
+        writer.SetFileTypeToBinary()
+    triangles = vtkPolyData()
+    triangles.SetPoints(mesh.GetPoints())
+    triangles.SetPolys(mesh.GetPolys())
+    writer.SetInputDataObject(0, triangles)
+    return writer
+
+
+def _named(mesh, name):
+    """A collection of one mesh, which has a name."""
+    collection = vtkPartitionedDataSetCollection()
+    collection.SetPartition(0, 0, mesh)
+    collection.GetMetaData(0).Set(collection.NAME(), name)
+    return collection
+
+
+def _rounding_warnings(mesh):
+    """VTK writes .ply in single precision, which is not enough for the coordinates of most surveys."""
+    places = numpy_support.vtk_to_numpy(mesh.GetPoints().GetData())
+    off = float(abs(places - places.astype("float32")).max(initial=0.0))
+    matrix = mesh.GetFieldData().GetArray("LatticeToWorld")
+    step = min(math.hypot(matrix.GetComponent(0, column), matrix.GetComponent(0, 4 + column)) for column in (0, 1))
+    if off <= LARGEST_ROUNDING * step:
+        return []
+    return ["coordinates are rounded to single precision, by up to %.2g; other formats keep them" % off]
 
 
 def write_figures(results, path):

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of horizons: which reader takes a file, and the horizons it gives.
+
+    horizons, seconds = read("survey.vsm")
+    name, points = horizons[0]
+"""
+
+import pathlib
+
+from .stage import HorizonError, configure, make, update, watched
+
+# In the order they are asked. The last one says what is wrong with a file that none of them knows.
+READERS = ("vtkVerneySparseMatrixReader", "vtkHorizonGridReader", "vtkHorizonTextReader")
+
+
+def find_reader(path):
+    """The name of the class that reads a file, by what is in it. None when there is none."""
+    return next((name for name in READERS if make(name).CanReadFile(str(path))), None)
+
+
+def open_file(path, **properties):
+    """A reader of a file. Raises HorizonError when it has no such property."""
+    reader = make(find_reader(path) or READERS[-1], FileName=str(path))
+    properties = _with_lattice(reader, properties)
+    for name in properties:
+        if not hasattr(reader, "Set" + name):
+            raise HorizonError("%s: its format leaves no choice of %s" % (path, name))
+    configure(reader, **properties)
+    return reader
+
+
+def _with_lattice(reader, properties):
+    """Where a reader finds the lattice of its file, what is given of it replaces what it finds."""
+    given = [name for name in ("Origin", "ColumnStep", "RowStep") if name in properties]
+    if not given or not hasattr(reader, "SetLatticeSource"):
+        return properties
+    properties = {**properties, "LatticeSource": "OriginAndSteps"}
+    if "Origin" in properties:
+        *place, height = properties["Origin"] if len(properties["Origin"]) == 3 else (*properties["Origin"], 0.0)
+        if height != 0.0:
+            raise HorizonError("Origin with a z of %g, expected 0 for files that have z themselves" % height)
+        properties["Origin"] = place
+    return properties
+
+
+def read(path, horizons=None, **properties):
+    """The horizons of a file as a list of (name, polydata), and the seconds it took to read them.
+
+    `horizons` are those wanted, by name, or by the ID of sparse-matrix files; None for all. Raises HorizonError when
+    there is nothing to read.
+    """
+    path = pathlib.Path(path)
+    reader = open_file(path, **properties)
+    if horizons is not None:
+        _select(reader, [name_of(horizon) for horizon in horizons], path)
+    seconds = update(reader, "%s: reading" % path.name)
+    output = reader.GetOutputDataObject(0)
+    found = []
+    for block in range(output.GetNumberOfPartitionedDataSets()):
+        horizon = output.GetPartition(block, 0)
+        if horizon is not None and horizon.GetNumberOfPoints():
+            found.append((output.GetMetaData(block).Get(output.NAME()), horizon))
+    if not found:
+        raise HorizonError("%s: there is no point to work on" % path)
+    return found, seconds
+
+
+def read_first(path, **properties):
+    """The first horizon of a file."""
+    return read(path, **properties)[0][0][1]
+
+
+def name_of(horizon):
+    """The name of a horizon that is given by its ID, or by its name."""
+    return "Horizon %s" % horizon if str(horizon).isdecimal() else str(horizon)
+
+
+def short_name(name):
+    """The ID of a horizon that has no other name, or its name."""
+    first, _, rest = name.partition(" ")
+    return rest if first == "Horizon" and rest.isdecimal() else name
+
+
+def _select(reader, names, path):
+    """Leaves only some horizons switched on."""
+    with watched(reader):
+        reader.UpdateInformation()
+    known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
+    reader.DisableAllHorizons()
+    for name in names:
+        if name not in known and short_name(name) not in known:
+            raise HorizonError("%s: there is no horizon %s; the file has %s" % (
+                path, short_name(name), ", ".join(short_name(k) for k in known) or "none"))
+        reader.SetHorizonStatus(name if name in known else short_name(name), 1)
