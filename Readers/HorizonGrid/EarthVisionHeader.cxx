@@ -3,7 +3,7 @@
 
 #include "EarthVisionHeader.h"
 
-#include "Common/LineErrors.h"
+#include "Common/Survey/Units.h"
 #include "HeaderFields.h"
 
 namespace SeismicHorizons
@@ -26,7 +26,7 @@ void ReadField(const HeaderFields& words, EarthVisionHeader& header)
   }
   if (IsSameWord(name, header.Z.Name) && words.Size() > 2)
   {
-    header.Survey.VerticalUnit = StandardUnit(words.Text(2, "unit"));
+    SetVerticalUnit(header.Survey, words.Text(2, "unit"));
   }
 }
 
@@ -65,11 +65,11 @@ void ReadKey(const std::string& place, std::string_view line, EarthVisionHeader&
   }
   else if (IsSameWord(key, "Units"))
   {
-    header.Survey.HorizontalUnit = StandardUnit(value);
+    header.Survey.HorizontalUnit = ShortUnit(value);
   }
   else if (IsSameWord(key, "Z_units"))
   {
-    header.Survey.VerticalUnit = StandardUnit(value);
+    SetVerticalUnit(header.Survey, value);
   }
 }
 }

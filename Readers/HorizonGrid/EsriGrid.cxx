@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/LineErrors.h"
 #include "GridParsers.h"
 #include "HeaderFields.h"
 
-#include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace SeismicHorizons
@@ -18,9 +15,9 @@ constexpr double UsualNull = -9999.0;
 /// The header lines by their first words in small letters.
 using EsriHeader = std::map<std::string, HeaderFields>;
 
-bool IsLetter(char c)
+bool IsSmallLetter(char c)
 {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return c >= 'a' && c <= 'z';
 }
 
 /// Leaves the text at the first line of values. A value may be the word nan, as well.
@@ -30,10 +27,8 @@ EsriHeader ReadHeader(GridText& text)
   for (; text.PeekLine(); text.NextLine())
   {
     std::vector<std::string> words = SplitAtBlanks(*text.PeekLine());
-    std::string key = words[0];
-    std::transform(key.begin(), key.end(), key.begin(),
-      [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    if (!key.empty() && (!IsLetter(key.front()) || key == "nan"))
+    const std::string key = ToLower(words[0]);
+    if (!key.empty() && (!IsSmallLetter(key.front()) || key == "nan"))
     {
       break;
     }

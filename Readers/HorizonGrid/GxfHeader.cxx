@@ -3,11 +3,10 @@
 
 #include "GxfHeader.h"
 
-#include "Common/LineErrors.h"
+#include "Common/Survey/Units.h"
 #include "HeaderFields.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 
@@ -23,16 +22,8 @@ struct GxfEntry
   std::string Text;
 };
 
-/// The values by the labels before them, in capital letters and without the first #.
+/// The values by the labels before them, in small letters and without the first #.
 using GxfEntries = std::map<std::string, GxfEntry>;
-
-std::string ToUpper(std::string_view text)
-{
-  std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-    [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); });
-  return upper;
-}
 
 /// The line at hand, and those that go on from it behind a backslash. Leaves the text behind them.
 GxfEntry ReadEntry(GridText& text)
@@ -59,9 +50,9 @@ GxfEntries ReadEntries(GridText& text)
     const std::string_view line = Trim(*text.PeekLine());
     if (!line.empty() && line.front() == '#')
     {
-      label = ToUpper(line.substr(1));
+      label = ToLower(line.substr(1));
       text.NextLine();
-      if (label == "GRID")
+      if (label == "grid")
       {
         return entries;
       }
@@ -132,8 +123,9 @@ public:
   }
 
 private:
-  const GxfEntry* FindEntry(const std::string& label) const
+  const GxfEntry* FindEntry(const std::string& name) const
   {
+    const std::string label = ToLower(name);
     constexpr std::size_t lettersToTell = 5; // MAP_P is not MAP_D
     for (const auto& [found, entry] : this->Entries)
     {
@@ -228,7 +220,7 @@ GxfHeader ReadGxfHeader(GridText& text)
   const GxfEntries entries = ReadEntries(text);
   const GxfFields fields(entries, text);
   header.Name = fields.Phrase("TITLE");
-  header.Survey.HorizontalUnit = StandardUnit(fields.Word("UNIT_LENGTH"));
+  header.Survey.HorizontalUnit = ShortUnit(fields.Word("UNIT_LENGTH"));
   header.Survey.CoordinateSystem = fields.Phrase("MAP_PROJECTION");
   header.Order = ReadOrder(fields, text);
   header.Lattice = ReadLattice(fields, header.Order);

@@ -6,19 +6,12 @@
 #include "Common/LineErrors.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 
 namespace SeismicHorizons
 {
 namespace
 {
 constexpr std::string_view Blanks = " \t\r\n";
-
-char ToLower(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 std::vector<std::string> Split(std::string_view line, std::string_view separators)
 {
@@ -43,13 +36,6 @@ InputError WrongWord(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string_view Trim(std::string_view text)
-{
-  text.remove_prefix(std::min(text.find_first_not_of(Blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(Blanks) + 1);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 std::string_view Unquote(std::string_view text)
 {
   text = Trim(text);
@@ -67,7 +53,7 @@ std::string_view WithoutByteOrderMark(std::string_view text)
 //----------------------------------------------------------------------------------------------------------------------
 bool IsSameWord(std::string_view a, std::string_view b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return ToLower(x) == ToLower(y); });
+  return ToLower(a) == ToLower(b);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -93,18 +79,6 @@ std::vector<std::string> SplitAtCommas(std::string_view line)
     first = last + 1;
   }
   return fields;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::string StandardUnit(std::string_view text)
-{
-  constexpr std::array<std::array<std::string_view, 2>, 14> names = { { { "m", "m" }, { "meter", "m" },
-    { "meters", "m" }, { "metre", "m" }, { "metres", "m" }, { "ft", "ft" }, { "foot", "ft" }, { "feet", "ft" },
-    { "ms", "ms" }, { "millisecond", "ms" }, { "milliseconds", "ms" }, { "s", "s" }, { "second", "s" },
-    { "seconds", "s" } } };
-  const auto known =
-    std::find_if(names.begin(), names.end(), [text](const auto& name) { return IsSameWord(name[0], text); });
-  return std::string(known == names.end() ? text : (*known)[1]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

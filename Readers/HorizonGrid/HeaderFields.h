@@ -7,6 +7,7 @@
 #define SeismicHorizonsHeaderFields_h
 
 #include "Common/TextNumbers.h"
+#include "Common/TextWords.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +17,6 @@
 
 namespace SeismicHorizons
 {
-/// Without blanks and line ends around it.
-std::string_view Trim(std::string_view text);
-
 /// Without quotes around it, and without blanks around these.
 std::string_view Unquote(std::string_view text);
 
@@ -35,9 +33,6 @@ std::vector<std::string> SplitAtBlanksAndCommas(std::string_view line);
 
 /// What is between the commas of a line, without blanks around it.
 std::vector<std::string> SplitAtCommas(std::string_view line);
-
-/// A unit under the name that SurveyDescription has for it: "m", "ft", "ms" or "s"; any other text as it is.
-std::string StandardUnit(std::string_view text);
 
 /// Reads a number as text grids have them: with an exponent after E or, by Fortran, D, and with commas behind it.
 NumberKind ReadGridNumber(std::string_view token, double& value);

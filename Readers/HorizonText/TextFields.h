@@ -7,6 +7,7 @@
 #define SeismicHorizonsTextFields_h
 
 #include "Common/TextNumbers.h"
+#include "Common/TextWords.h"
 #include "FieldSeparator.h"
 
 #include <string>
@@ -14,12 +15,6 @@
 
 namespace SeismicHorizons
 {
-/// The same text with capital letters made small.
-std::string ToLower(std::string_view text);
-
-/// The text without blanks at both ends.
-std::string_view Trim(std::string_view text);
-
 /// Whether a line is one that some programs end a file with: EOB, EOD or EOF.
 bool IsEndMark(std::string_view line);
 
