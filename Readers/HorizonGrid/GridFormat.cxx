@@ -5,6 +5,7 @@
 
 #include "HeaderFields.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -58,14 +59,12 @@ std::optional<GridFormat> RecogniseFirstLine(std::string_view line)
 }
 
 /// By the labels that lines begin with, wherever they are.
-std::optional<GridFormat> RecogniseLabels(std::string_view text)
+std::optional<GridFormat> RecogniseLabels(const std::vector<std::string_view>& lines)
 {
   bool hasColumn = false;
   bool hasRow = false;
-  for (std::size_t first = 0; first < text.size(); first = text.find('\n', first))
+  for (const std::string_view line : lines)
   {
-    first += first == 0 && text[0] != '\n' ? 0 : 1;
-    const std::string_view line = Trim(text.substr(first, text.find('\n', first) - first));
     if (IsSameWord(line, "#POINTS") || IsSameWord(line, "#GRID"))
     {
       return GridFormat::Gxf;
@@ -76,6 +75,23 @@ std::optional<GridFormat> RecogniseLabels(std::string_view text)
     hasRow = hasRow || (isField && IsSameWord(words[3], "row"));
   }
   return hasColumn && hasRow ? std::optional(GridFormat::EarthVision) : std::nullopt;
+}
+
+/// The lines that are neither empty nor comments, without blanks around them.
+std::vector<std::string_view> FindLines(std::string_view text)
+{
+  std::vector<std::string_view> lines;
+  for (std::size_t first = 0; first < text.size();)
+  {
+    const std::size_t last = std::min(text.find('\n', first), text.size());
+    const std::string_view line = Trim(text.substr(first, last - first));
+    if (!line.empty() && line.front() != '!')
+    {
+      lines.push_back(line);
+    }
+    first = last + 1;
+  }
+  return lines;
 }
 }
 
@@ -89,18 +105,8 @@ std::optional<GridFormat> RecogniseGrid(std::string_view firstBytes)
       return format;
     }
   }
-  const std::string_view text = WithoutByteOrderMark(firstBytes);
-  for (std::size_t first = 0; first < text.size();)
-  {
-    const std::size_t last = std::min(text.find('\n', first), text.size());
-    const std::string_view line = Trim(text.substr(first, last - first));
-    if (!line.empty() && line.front() != '!')
-    {
-      const std::optional<GridFormat> format = RecogniseFirstLine(line);
-      return format ? format : RecogniseLabels(text);
-    }
-    first = last + 1;
-  }
-  return {};
+  const std::vector<std::string_view> lines = FindLines(WithoutByteOrderMark(firstBytes));
+  const std::optional<GridFormat> format = lines.empty() ? std::nullopt : RecogniseFirstLine(lines.front());
+  return format ? format : RecogniseLabels(lines);
 }
 }

@@ -29,7 +29,7 @@ IrapLattice FindLattice(const SurveyLattice& lattice)
   const Eigen::Vector2d& i = lattice.ColumnStep;
   const Eigen::Vector2d& j = lattice.RowStep;
   const double cross = i.x() * j.y() - i.y() * j.x();
-  const double shear = std::fabs(i.dot(j)) / (i.norm() * j.norm());
+  const double shear = std::fabs(i.stableNormalized().dot(j.stableNormalized()));
   if (!(shear * (lattice.Columns[1] - 1) <= LargestShift))
   {
     const double degrees = std::acos(shear) * (180.0 / std::acos(-1.0));
@@ -37,8 +37,8 @@ IrapLattice FindLattice(const SurveyLattice& lattice)
       "steps at " + ShortestText(std::round(100.0 * degrees) / 100.0) + " degrees, expected right angles for IRAP");
   }
   IrapLattice irap;
-  irap.ColumnStep = i.norm();
-  irap.RowStep = std::copysign(j.norm(), cross);
+  irap.ColumnStep = i.stableNorm(); // squares of steps may be too large
+  irap.RowStep = std::copysign(j.stableNorm(), cross);
   irap.Degrees = std::atan2(i.y(), i.x()) * (180.0 / std::acos(-1.0)) + 0.0; // not -0
   return irap;
 }

@@ -87,6 +87,7 @@ void EarthVisionIsRead()
   const HorizonGrid grid = Read(EarthVision());
   CHECK(IsTheSample(grid));
   CHECK_EQUAL(grid.Survey.VerticalUnit, "m");
+  CHECK_EQUAL(grid.Survey.VerticalDomain, "depth");
   CHECK_EQUAL(grid.Survey.HorizontalUnit, "m");
   CHECK_EQUAL(grid.Survey.CoordinateSystem, "Local Rectangular");
   CHECK(IsTheSample(Read(Replace(EarthVision(), "# Grid_size: 3 x 2\n", ""))));
