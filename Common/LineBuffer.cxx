@@ -11,8 +11,9 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t SmallestSize = 2; // room for one character and a newline
+}
 
-/// The bytes from here to the end, or 0 when the stream can not tell.
+//----------------------------------------------------------------------------------------------------------------------
 double CountBytes(std::istream& stream)
 {
   const std::istream::pos_type here = stream.good() ? stream.tellg() : std::istream::pos_type(-1);
@@ -24,7 +25,6 @@ double CountBytes(std::istream& stream)
   const std::istream::pos_type end = stream.tellg();
   stream.seekg(here);
   return static_cast<double>(end - here);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -16,6 +16,9 @@
 
 namespace SeismicHorizons
 {
+/// The bytes of a stream from where it is to its end, or 0 when it can not tell.
+double CountBytes(std::istream& stream);
+
 class LineBuffer
 {
 public:

@@ -3,34 +3,8 @@
 
 #include "TextFields.h"
 
-#include <algorithm>
-#include <cctype>
-
 namespace SeismicHorizons
 {
-//----------------------------------------------------------------------------------------------------------------------
-std::string ToLower(std::string_view text)
-{
-  std::string lower(text);
-  std::transform(
-    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::string_view Trim(std::string_view text)
-{
-  while (!text.empty() && EndsToken(text.front()))
-  {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && EndsToken(text.back()))
-  {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
 //----------------------------------------------------------------------------------------------------------------------
 bool IsEndMark(std::string_view line)
 {

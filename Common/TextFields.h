@@ -8,18 +8,13 @@
 
 #include "FieldSeparator.h"
 #include "TextNumbers.h"
+#include "TextWords.h"
 
 #include <string>
 #include <string_view>
 
 namespace SeismicHorizons
 {
-/// The same text with capital letters made small.
-std::string ToLower(std::string_view text);
-
-/// The text without blanks at both ends.
-std::string_view Trim(std::string_view text);
-
 /// Whether a line is one that some programs end a file with: EOB, EOD or EOF.
 bool IsEndMark(std::string_view line);
 

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -153,6 +154,13 @@ inline NumberKind ReadAnyNumber(std::string_view token, double& value)
     value = IsTiny(number) ? 0.0 : std::numeric_limits<double>::infinity();
   }
   return std::isfinite(value) ? NumberKind::Finite : NumberKind::NotFinite;
+}
+
+/// The shortest text that is read as the same number again.
+inline std::string ShortestText(double value)
+{
+  std::array<char, 32> text; // the longest number takes 24 characters
+  return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
 }
 
 /// A positive integer of 32 bits, or 0 when the token is anything else.

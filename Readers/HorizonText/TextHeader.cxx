@@ -4,6 +4,7 @@
 #include "TextHeader.h"
 
 #include "ColumnNames.h"
+#include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
 
 #include <algorithm>
@@ -22,30 +23,6 @@ bool StartsWith(std::string_view text, std::string_view start)
 bool IsComment(std::string_view line)
 {
   return !line.empty() && (line[0] == '#' || line[0] == '!' || line[0] == '@');
-}
-
-/// The unit in short, where it is a known one.
-std::string ShortUnit(std::string_view unit)
-{
-  struct Name
-  {
-    std::string_view Long, Short;
-  };
-  constexpr std::array<Name, 9> names = { { { "meters", "m" }, { "metres", "m" }, { "meter", "m" }, { "metre", "m" },
-    { "feet", "ft" }, { "foot", "ft" }, { "milliseconds", "ms" }, { "msec", "ms" }, { "seconds", "s" } } };
-  const std::string lower = ToLower(Trim(unit));
-  const auto found =
-    std::find_if(names.begin(), names.end(), [&lower](const Name& name) { return name.Long == lower; });
-  return found == names.end() ? lower : std::string(found->Short);
-}
-
-void SetVerticalUnit(SurveyDescription& survey, std::string_view unit)
-{
-  survey.VerticalUnit = ShortUnit(unit);
-  if (survey.VerticalDomain.empty() && !survey.VerticalUnit.empty())
-  {
-    survey.VerticalDomain = survey.VerticalUnit == "ms" || survey.VerticalUnit == "s" ? "time" : "depth";
-  }
 }
 
 /// Takes the lines of a header one after the other.

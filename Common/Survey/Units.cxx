@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Units.h"
+
+#include "Common/TextWords.h"
+
+#include <algorithm>
+#include <array>
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+std::string ShortUnit(std::string_view unit)
+{
+  struct Name
+  {
+    std::string_view Long, Short;
+  };
+  constexpr std::array<Name, 15> names = { { { "m", "m" }, { "meters", "m" }, { "metres", "m" }, { "meter", "m" },
+    { "metre", "m" }, { "ft", "ft" }, { "feet", "ft" }, { "foot", "ft" }, { "ms", "ms" }, { "msec", "ms" },
+    { "millisecond", "ms" }, { "milliseconds", "ms" }, { "s", "s" }, { "second", "s" }, { "seconds", "s" } } };
+  const std::string lower = ToLower(Trim(unit));
+  const auto found =
+    std::find_if(names.begin(), names.end(), [&lower](const Name& name) { return name.Long == lower; });
+  return std::string(found == names.end() ? Trim(unit) : found->Short);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SetVerticalUnit(SurveyDescription& survey, std::string_view unit)
+{
+  survey.VerticalUnit = ShortUnit(unit);
+  if (survey.VerticalDomain.empty() && !survey.VerticalUnit.empty())
+  {
+    survey.VerticalDomain = survey.VerticalUnit == "ms" || survey.VerticalUnit == "s" ? "time" : "depth";
+  }
+}
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One function for each format. Each takes the file from its start, and throws InputError on what breaks the format.
+
+#ifndef SeismicHorizonsGridParsers_h
+#define SeismicHorizonsGridParsers_h
+
+#include "Common/Survey/HorizonGrid.h"
+#include "GridBytes.h"
+#include "GridText.h"
+
+namespace SeismicHorizons
+{
+HorizonGrid ReadIrapText(GridText& text);
+HorizonGrid ReadZmap(GridText& text);
+HorizonGrid ReadCps3(GridText& text);
+HorizonGrid ReadEarthVision(GridText& text);
+HorizonGrid ReadSurferText(GridText& text);
+HorizonGrid ReadGxf(GridText& text);
+HorizonGrid ReadEsriGrid(GridText& text);
+
+/// Big-endian.
+HorizonGrid ReadIrapBinary(GridBytes& bytes);
+HorizonGrid ReadStorm(GridBytes& bytes);
+
+/// Little-endian.
+HorizonGrid ReadSurferBinary(GridBytes& bytes);
+HorizonGrid ReadSurfer7(GridBytes& bytes);
+}
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GxfHeader.h"
+
+#include "Common/Survey/Units.h"
+#include "HeaderFields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr int LargestGroup = 9; // of digits to the base 90, which still fit an integer of 64 bits
+
+struct GxfEntry
+{
+  std::string Place;
+  std::string Text;
+};
+
+/// The values by the labels before them, in small letters and without the first #.
+using GxfEntries = std::map<std::string, GxfEntry>;
+
+/// The line at hand, and those that go on from it behind a backslash. Leaves the text behind them.
+GxfEntry ReadEntry(GridText& text)
+{
+  GxfEntry entry = { text.Place(), {} };
+  bool goesOn = true;
+  while (goesOn && text.PeekLine())
+  {
+    const std::string_view line = Trim(*text.PeekLine());
+    goesOn = !line.empty() && line.back() == '\\';
+    entry.Text += std::string(line.substr(0, line.size() - goesOn)) + ' ';
+    text.NextLine();
+  }
+  return entry;
+}
+
+/// The values stand in the line behind the label; other lines are comments.
+GxfEntries ReadEntries(GridText& text)
+{
+  GxfEntries entries;
+  std::string label;
+  while (text.PeekLine())
+  {
+    const std::string_view line = Trim(*text.PeekLine());
+    if (!line.empty() && line.front() == '#')
+    {
+      label = ToLower(line.substr(1));
+      text.NextLine();
+      if (label == "grid")
+      {
+        return entries;
+      }
+    }
+    else if (!label.empty() && (line.empty() || line.front() != '!'))
+    {
+      entries.insert_or_assign(label, ReadEntry(text));
+      label.clear();
+    }
+    else
+    {
+      text.NextLine();
+    }
+  }
+  throw text.EndError("#GRID");
+}
+
+class GxfFields
+{
+public:
+  GxfFields(const GxfEntries& entries, const GridText& text)
+    : Entries(entries)
+    , Text(text)
+  {
+  }
+
+  /// Labels are told by their first letters, as some programs cut them short.
+  std::optional<HeaderFields> Find(const std::string& label) const
+  {
+    const GxfEntry* const entry = this->FindEntry(label);
+    return entry ? std::optional(HeaderFields(entry->Place, SplitAtBlanksAndCommas(entry->Text))) : std::nullopt;
+  }
+
+  double Number(const std::string& label, double usual) const
+  {
+    const std::optional<HeaderFields> fields = this->Find(label);
+    return fields ? fields->Number(0, '#' + label) : usual;
+  }
+
+  int Count(const std::string& label) const
+  {
+    const std::optional<HeaderFields> fields = this->Find(label);
+    if (!fields)
+    {
+      throw this->Text.Error("no #" + label + ", expected it before the values");
+    }
+    return fields->Count(0, '#' + label);
+  }
+
+  /// What is in quotes, or the whole line; empty when there is none.
+  std::string Phrase(const std::string& label) const
+  {
+    const GxfEntry* const entry = this->FindEntry(label);
+    const std::string_view text = entry ? Trim(entry->Text) : std::string_view();
+    return !text.empty() && text.front() == '"' ? SplitAtBlanks(text)[0] : std::string(text);
+  }
+
+  std::string Word(const std::string& label) const
+  {
+    const std::optional<HeaderFields> fields = this->Find(label);
+    return fields ? fields->Text(0, label) : std::string();
+  }
+
+  SurveyLattice Lattice(const std::array<int, 2>& columns, const std::array<double, 2>& steps, double degrees) const
+  {
+    const Eigen::Vector2d origin(this->Number("XORIGIN", 0.0), this->Number("YORIGIN", 0.0));
+    return PrefixErrors(this->Text.Place(), [&] { return TurnedLattice(columns, origin, steps, degrees); });
+  }
+
+private:
+  const GxfEntry* FindEntry(const std::string& name) const
+  {
+    const std::string label = ToLower(name);
+    constexpr std::size_t lettersToTell = 5; // MAP_P is not MAP_D
+    for (const auto& [found, entry] : this->Entries)
+    {
+      if (found.substr(0, lettersToTell) == label.substr(0, lettersToTell) || found == label.substr(0, 4))
+      {
+        return &entry;
+      }
+    }
+    return nullptr;
+  }
+
+  const GxfEntries& Entries;
+  const GridText& Text;
+};
+
+/// Where the first value is and where the next one is from it: 1 lower left and right of it, 2 upper left and down, 3
+/// upper right and left, 4 lower right and up. Negative senses begin there too, and turn the other way.
+StorageOrder ReadOrder(const GxfFields& fields, const GridText& text)
+{
+  const double sense = fields.Number("SENSE", 1.0);
+  const double corner = std::fabs(sense);
+  if (corner != 1.0 && corner != 2.0 && corner != 3.0 && corner != 4.0)
+  {
+    throw text.Error("#SENSE " + ShortestText(sense) + ", expected 1 to 4 or -4 to -1");
+  }
+  const bool isOddCorner = corner == 1.0 || corner == 3.0;
+  StorageOrder order;
+  order.AlongY = (sense < 0.0) == isOddCorner;
+  order.FromTop = corner == 2.0 || corner == 3.0;
+  order.FromRight = corner >= 3.0;
+  return order;
+}
+
+struct Extent
+{
+  Eigen::Vector2d First = Eigen::Vector2d::Zero();
+  Eigen::Vector2d Last = Eigen::Vector2d::Zero();
+};
+
+Extent FindExtent(const SurveyLattice& lattice)
+{
+  const Eigen::Vector2d x = (lattice.Columns[0] - 1) * lattice.ColumnStep;
+  const Eigen::Vector2d y = (lattice.Columns[1] - 1) * lattice.RowStep;
+  Extent extent;
+  extent.First = lattice.Origin + x.cwiseMin(0.0) + y.cwiseMin(0.0);
+  extent.Last = lattice.Origin + x.cwiseMax(0.0) + y.cwiseMax(0.0);
+  return extent;
+}
+
+/// By the standard the origin is the first node, and the rotation that of its row, counterclockwise from x. OpenWorks
+/// means the corner of the bounding box instead, and a rotation a quarter turn further on. It also writes the other
+/// corner, ##XMAX and ##YMAX, which tells: its way is taken where that corner fits it alone.
+SurveyLattice ReadLattice(const GxfFields& fields, const StorageOrder& order)
+{
+  std::array<int, 2> columns = { fields.Count("POINTS"), fields.Count("ROWS") };
+  std::array<double, 2> steps = { fields.Number("PTSEPARATION", 1.0), fields.Number("RWSEPARATION", 1.0) };
+  if (order.AlongY)
+  {
+    std::swap(columns[0], columns[1]);
+    std::swap(steps[0], steps[1]);
+  }
+  const double rotation = fields.Number("ROTATION", 0.0);
+  const SurveyLattice standard = fields.Lattice(columns, steps, rotation);
+  if (!fields.Find("#XMAX") || !fields.Find("#YMAX"))
+  {
+    return standard;
+  }
+  SurveyLattice other = fields.Lattice(columns, steps, rotation - 90.0);
+  other.Origin += other.Origin - FindExtent(other).First;
+  const Eigen::Vector2d corner(fields.Number("#XMAX", 0.0), fields.Number("#YMAX", 0.0));
+  const double halfStep = 0.5 * std::min(std::fabs(steps[0]), std::fabs(steps[1]));
+  const auto fits = [&](const SurveyLattice& lattice)
+  { return (FindExtent(lattice).Last - corner).cwiseAbs().maxCoeff() < halfStep; };
+  return fits(other) && !fits(standard) ? other : standard;
+}
+
+int ReadGroupSize(const GxfFields& fields, const GridText& text)
+{
+  const double size = fields.Number("GTYPE", 0.0);
+  if (size != std::floor(size) || size < 0.0 || size > LargestGroup)
+  {
+    throw text.Error("#GTYPE " + ShortestText(size) + ", expected 0 to " + std::to_string(LargestGroup));
+  }
+  return static_cast<int>(size);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GxfHeader ReadGxfHeader(GridText& text)
+{
+  GxfHeader header;
+  const GxfEntries entries = ReadEntries(text);
+  const GxfFields fields(entries, text);
+  header.Name = fields.Phrase("TITLE");
+  header.Survey.HorizontalUnit = ShortUnit(fields.Word("UNIT_LENGTH"));
+  header.Survey.CoordinateSystem = fields.Phrase("MAP_PROJECTION");
+  header.Order = ReadOrder(fields, text);
+  header.Lattice = ReadLattice(fields, header.Order);
+  header.GroupSize = ReadGroupSize(fields, text);
+  if (fields.Find("DUMMY"))
+  {
+    header.IsNull = NullAt(fields.Number("DUMMY", 0.0));
+  }
+  if (const std::optional<HeaderFields> transform = fields.Find("TRANSFORM"))
+  {
+    header.Scale = transform->Number(0, "#TRANSFORM");
+    header.Offset = transform->Number(1, "the offset of #TRANSFORM");
+  }
+  return header;
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NodeFit.h"
+
+#include "Common/LineErrors.h"
+#include "Common/Survey/PlaneFit.h"
+#include "Common/TextNumbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double SmallestSine = 0.01; // of the angle between the steps; surveys are nearly at right angles
+constexpr double LargestShift = 0.1; // of a step; coordinates are written with few digits
+
+/// Also refuses steps that are no finite numbers.
+void RequireArea(const SurveyLattice& lattice)
+{
+  const Eigen::Vector2d& i = lattice.ColumnStep;
+  const Eigen::Vector2d& j = lattice.RowStep;
+  if (!(std::fabs(i.x() * j.y() - i.y() * j.x()) > SmallestSine * i.norm() * j.norm()))
+  {
+    throw InputError("points on one line in the world, expected some beside it");
+  }
+}
+
+void RequireOnNodes(const std::vector<GridPoint>& points, const SurveyLattice& lattice)
+{
+  const double step = std::min(lattice.ColumnStep.norm(), lattice.RowStep.norm());
+  for (const GridPoint& point : points)
+  {
+    const Eigen::Vector2d node = lattice.Origin + point.I * lattice.ColumnStep + point.J * lattice.RowStep;
+    const double shift = (point.Place - node).norm();
+    if (!(shift <= LargestShift * step))
+    {
+      throw ErrorAt(point.Line,
+        "a point " + ShortestText(shift) + " from its node, expected a regular lattice with points within " +
+          ShortestText(LargestShift * step));
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Sums are made of the distances from the first point, so that large coordinates cost no digits.
+SurveyLattice FitLattice(const std::vector<GridPoint>& points, const std::array<int, 2>& columns)
+{
+  PlaneFit fit;
+  for (const GridPoint& point : points)
+  {
+    fit.Add({ point.I - points[0].I, point.J - points[0].J }, point.Place - points[0].Place);
+  }
+  const std::optional<PlaneMap> map = fit.Solve();
+  if (!map)
+  {
+    throw InputError(std::to_string(points.size()) + " points on one line of nodes, expected some beside it");
+  }
+  SurveyLattice lattice;
+  lattice.Columns = columns;
+  lattice.ColumnStep = map->Steps.col(0);
+  lattice.RowStep = map->Steps.col(1);
+  lattice.Origin = points[0].Place + map->Origin - points[0].I * lattice.ColumnStep - points[0].J * lattice.RowStep;
+  RequireArea(lattice);
+  RequireOnNodes(points, lattice);
+  return lattice;
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsNodeFit_h
+#define SeismicHorizonsNodeFit_h
+
+#include "Common/Survey/SurveyLattice.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A point of which the file says where it is in the world, and at which node.
+struct GridPoint
+{
+  Eigen::Vector2d Place = Eigen::Vector2d::Zero();
+  double Z = 0.0;
+  int I = 0;
+  int J = 0;
+  std::int64_t Line = 0; // in the file
+};
+
+/// The lattice that fits the points best, by least squares. Throws InputError when they are on one line of nodes, or
+/// a point is off its node.
+SurveyLattice FitLattice(const std::vector<GridPoint>& points, const std::array<int, 2>& columns);
+}
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Common/LineErrors.h"
+#include "Common/TextNumbers.h"
+#include "GridParsers.h"
+#include "HeaderFields.h"
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr NullRule IsNull = { -999.0 };
+constexpr std::size_t LongestWord = 64; // the longest number takes 24 characters
+
+/// The next word of the header. Of what ends it only one character is read: values may follow.
+std::string ReadWord(GridBytes& bytes, const std::string& name, char& end)
+{
+  std::string word;
+  for (end = '\n'; word.empty() || !EndsToken(end);)
+  {
+    bytes.Read(&end, 1, name);
+    if (!EndsToken(end))
+    {
+      word += end;
+    }
+    if (word.size() > LongestWord)
+    {
+      throw bytes.Error(name + ' ' + Quote(word) + ", expected a shorter word");
+    }
+  }
+  return word;
+}
+
+double ReadNumber(GridBytes& bytes, const std::string& name)
+{
+  char end = ' ';
+  const std::string place = bytes.Place();
+  return ReadHeaderNumber(ReadWord(bytes, name, end), name, place);
+}
+
+int ReadCount(GridBytes& bytes, const std::string& name)
+{
+  char end = ' ';
+  const std::string place = bytes.Place();
+  return ReadHeaderCount(ReadWord(bytes, name, end), name, place);
+}
+
+/// Reads the last number and its line to the end, behind which the values begin.
+void ReadLastNumber(GridBytes& bytes, const std::string& name)
+{
+  char end = ' ';
+  const std::string place = bytes.Place();
+  ReadHeaderNumber(ReadWord(bytes, name, end), name, place);
+  while (end != '\n')
+  {
+    bytes.Read(&end, 1, "the end of the line");
+    if (!EndsToken(end))
+    {
+      throw bytes.Error(Quote(std::string(1, end)) + " after " + name + ", expected the end of the line");
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonGrid ReadStorm(GridBytes& bytes)
+{
+  HorizonGrid grid;
+  char end = ' ';
+  ReadWord(bytes, "STORMGRID_BINARY", end);
+  const int nx = ReadCount(bytes, "nx");
+  const int ny = ReadCount(bytes, "ny");
+  const double dx = ReadNumber(bytes, "dx");
+  const double dy = ReadNumber(bytes, "dy");
+  const double x = ReadNumber(bytes, "xmin");
+  ReadNumber(bytes, "xmax");
+  const double y = ReadNumber(bytes, "ymin");
+  ReadLastNumber(bytes, "ymax");
+  grid.Lattice = PrefixErrors(bytes.Place(), [&] { return TurnedLattice({ nx, ny }, { x, y }, { dx, dy }, 0.0); });
+  const std::int64_t count = CountNodes(grid.Lattice.Columns);
+  grid.Z.reserve(bytes.Room(count, sizeof(double)));
+  bytes.ReadValues<double>(count, IsNull, grid.Z);
+  bytes.RequireEnd();
+  return grid;
+}
+}

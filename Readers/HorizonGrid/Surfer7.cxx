@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GridParsers.h"
+
+#include <string_view>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// A part of the file: what it is, and how many bytes follow.
+struct Section
+{
+  std::string Name;
+  std::int32_t Size = 0;
+  std::string Place;
+};
+
+Section ReadSection(GridBytes& bytes, const std::string& expected)
+{
+  Section section;
+  section.Place = bytes.Place();
+  section.Name.resize(4);
+  bytes.Read(section.Name.data(), section.Name.size(), expected);
+  section.Size = bytes.Read<std::int32_t>("the size of a section");
+  if (section.Size < 0)
+  {
+    throw InputError(section.Place + ": a section of " + std::to_string(section.Size) + " bytes, expected at least 0");
+  }
+  return section;
+}
+
+/// Skips the sections before the one of a name. Those that are not known are no fault.
+Section FindSection(GridBytes& bytes, const std::string& name)
+{
+  Section section = ReadSection(bytes, "a section " + name);
+  while (section.Name != name)
+  {
+    bytes.Skip(section.Size, "the rest of a section");
+    section = ReadSection(bytes, "a section " + name);
+  }
+  return section;
+}
+
+void RequireSize(const Section& section, std::int64_t size)
+{
+  if (section.Size != size)
+  {
+    throw InputError(section.Place + ": a section " + section.Name + " of " + std::to_string(section.Size) +
+      " bytes, expected " + std::to_string(size));
+  }
+}
+
+std::int32_t ReadVersion(GridBytes& bytes)
+{
+  RequireSize(FindSection(bytes, "DSRB"), 4);
+  const std::string place = bytes.Place();
+  const auto version = bytes.Read<std::int32_t>("the version");
+  if (version != 1 && version != 2)
+  {
+    throw InputError(place + ": version " + std::to_string(version) + ", expected 1 or 2");
+  }
+  return version;
+}
+
+struct Header
+{
+  SurveyLattice Lattice;
+  double Null = 0.0;
+};
+
+Header ReadHeader(GridBytes& bytes)
+{
+  Header header;
+  RequireSize(FindSection(bytes, "GRID"), 72);
+  const int ny = bytes.ReadCount<std::int32_t>("nRow");
+  const int nx = bytes.ReadCount<std::int32_t>("nCol");
+  const double x = bytes.ReadFinite<double>("xLL");
+  const double y = bytes.ReadFinite<double>("yLL");
+  const double dx = bytes.ReadFinite<double>("xSize");
+  const double dy = bytes.ReadFinite<double>("ySize");
+  header.Lattice = PrefixErrors(bytes.Place(), [&] { return TurnedLattice({ nx, ny }, { x, y }, { dx, dy }, 0.0); });
+  bytes.Read<double>("zMin");
+  bytes.Read<double>("zMax");
+  const std::string place = bytes.Place();
+  if (bytes.ReadFinite<double>("rotation") != 0.0)
+  {
+    throw InputError(place + ": a rotation, expected 0 as the format does not use it");
+  }
+  header.Null = bytes.Read<double>("the blank value");
+  return header;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonGrid ReadSurfer7(GridBytes& bytes)
+{
+  HorizonGrid grid;
+  const std::int32_t version = ReadVersion(bytes);
+  const Header header = ReadHeader(bytes);
+  grid.Lattice = header.Lattice;
+  const std::int64_t count = CountNodes(grid.Lattice.Columns);
+  const Section data = FindSection(bytes, "DATA");
+  if (data.Size % sizeof(double) != 0 || data.Size / std::int64_t(sizeof(double)) != count)
+  {
+    throw InputError(data.Place + ": a section DATA of " + std::to_string(data.Size) + " bytes, expected " +
+      std::to_string(count) + " values of 8 bytes");
+  }
+  grid.Z.reserve(bytes.Room(count, sizeof(double)));
+  bytes.ReadValues<double>(count, version == 1 ? NullFrom(header.Null) : NullRule{ header.Null }, grid.Z);
+  return grid;
+}
+}

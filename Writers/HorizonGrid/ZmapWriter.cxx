@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Common/Errors.h"
+#include "GridOutput.h"
+#include "GridWriters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double FirstNull = 9.9e29; // readers compare in single precision
+constexpr std::string_view NullText = "1.0E+30";
+constexpr int ValuesInLine = 5;
+constexpr std::size_t SmallestWidth = 15; // of a value, as other programs have it
+constexpr double LargestShift = 0.01; // of a step, that a node may be off for steps not quite along the axes
+
+/// The nodes along an axis, from its smallest coordinate on.
+struct Axis
+{
+  int Count = 0;
+  double First = 0.0;
+  double Last = 0.0;
+  std::int64_t FirstIndex = 0; // of HorizonGrid::Z
+  std::int64_t IndexStep = 0;
+};
+
+/// `along` is the part of the step on the axis.
+Axis MakeAxis(int count, double origin, double along, std::int64_t indexStep)
+{
+  const double end = origin + (count - 1) * along;
+  const bool isBackwards = along < 0.0;
+  Axis axis;
+  axis.Count = count;
+  axis.First = isBackwards ? end : origin;
+  axis.Last = isBackwards ? origin : end;
+  axis.FirstIndex = isBackwards ? (count - 1) * indexStep : 0;
+  axis.IndexStep = isBackwards ? -indexStep : indexStep;
+  return axis;
+}
+
+/// Whether the farthest node is on the axis, when the step goes `along` it and `beside` it.
+bool IsAlong(double along, double beside, int count, double otherStep)
+{
+  return std::fabs(beside) * (count - 1) <= LargestShift * std::min(std::fabs(along), otherStep);
+}
+
+struct Axes
+{
+  Axis X;
+  Axis Y;
+};
+
+/// Either step may be the one along x.
+Axes FindAxes(const SurveyLattice& lattice)
+{
+  const Eigen::Vector2d& i = lattice.ColumnStep;
+  const Eigen::Vector2d& j = lattice.RowStep;
+  const std::int64_t rowIndex = lattice.Columns[0];
+  if (IsAlong(i.x(), i.y(), lattice.Columns[0], j.norm()) && IsAlong(j.y(), j.x(), lattice.Columns[1], i.norm()))
+  {
+    return { MakeAxis(lattice.Columns[0], lattice.Origin.x(), i.x(), 1),
+      MakeAxis(lattice.Columns[1], lattice.Origin.y(), j.y(), rowIndex) };
+  }
+  if (IsAlong(i.y(), i.x(), lattice.Columns[0], j.norm()) && IsAlong(j.x(), j.y(), lattice.Columns[1], i.norm()))
+  {
+    return { MakeAxis(lattice.Columns[1], lattice.Origin.x(), j.x(), rowIndex),
+      MakeAxis(lattice.Columns[0], lattice.Origin.y(), i.y(), 1) };
+  }
+  throw InputError("a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
+}
+
+/// What the header says of all values.
+struct Layout
+{
+  std::size_t Width = SmallestWidth;
+  std::size_t Decimals = 1;
+};
+
+Layout FindLayout(const std::vector<double>& values)
+{
+  Layout layout;
+  for (const double z : values)
+  {
+    const DecimalText text(std::isnan(z) ? 0.0 : z);
+    const std::size_t decimals = text.View().size() - std::min(text.View().find('.') + 1, text.View().size());
+    layout.Width = std::max(layout.Width, text.View().size() + 1);
+    layout.Decimals = std::max(layout.Decimals, decimals);
+  }
+  return layout;
+}
+
+void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const Layout& layout)
+{
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return c == ',' || c == '@' || (c >= 0 && c < ' '); }, ' ');
+  output.Write('@' + name + " HEADER, GRID, " + std::to_string(ValuesInLine));
+  output.EndLine();
+  output.Write(
+    std::to_string(layout.Width) + ", " + std::string(NullText) + ", , " + std::to_string(layout.Decimals) + ", 1");
+  output.EndLine();
+  output.Write(std::to_string(axes.Y.Count) + ", " + std::to_string(axes.X.Count) + ", " + ToDecimal(axes.X.First) +
+    ", " + ToDecimal(axes.X.Last) + ", " + ToDecimal(axes.Y.First) + ", " + ToDecimal(axes.Y.Last));
+  output.EndLine();
+  output.Write("0.0, 0.0, 0.0");
+  output.EndLine();
+  output.Write("@");
+  output.EndLine();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
+{
+  RequireWritable(grid, FirstNull, "ZMAP+");
+  const Axes axes = FindAxes(grid.Lattice);
+  const Layout layout = FindLayout(grid.Z);
+  GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
+  WriteHeader(output, grid.Name, axes, layout);
+  for (int column = 0; column < axes.X.Count; ++column)
+  {
+    const std::int64_t first = axes.X.FirstIndex + column * axes.X.IndexStep + axes.Y.FirstIndex;
+    for (int row = axes.Y.Count - 1; row >= 0; --row)
+    {
+      const double z = grid.Z[static_cast<std::size_t>(first + row * axes.Y.IndexStep)];
+      output.WriteValue(std::isnan(z) ? NullText : DecimalText(z).View(), layout.Width);
+      const bool isLast = row == 0 || (axes.Y.Count - row) % ValuesInLine == 0;
+      if (isLast)
+      {
+        output.EndLine();
+      }
+    }
+  }
+  output.Finish();
+}
+}
