@@ -37,4 +37,10 @@ std::ifstream OpenInputFile(const std::string& name)
   }
   return stream;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string StemOf(const std::string& name)
+{
+  return std::filesystem::u8path(name).stem().u8string();
+}
 }

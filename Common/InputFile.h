@@ -31,6 +31,9 @@ FileStamp MakeFileStamp(const std::string& name);
 
 /// Opens a file to read its bytes. Throws InputError when that fails.
 std::ifstream OpenInputFile(const std::string& name);
+
+/// The name of a file without its folder and extension.
+std::string StemOf(const std::string& name);
 }
 
 #endif

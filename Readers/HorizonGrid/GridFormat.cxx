@@ -96,6 +96,36 @@ std::vector<std::string_view> FindLines(std::string_view text)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+const char* FormatName(GridFormat format)
+{
+  switch (format)
+  {
+    case GridFormat::IrapText:
+      return "IRAP classic ASCII grid";
+    case GridFormat::IrapBinary:
+      return "IRAP binary grid";
+    case GridFormat::Storm:
+      return "STORM binary grid";
+    case GridFormat::Zmap:
+      return "ZMAP+ grid";
+    case GridFormat::Cps3:
+      return "CPS-3 grid";
+    case GridFormat::EarthVision:
+      return "EarthVision grid";
+    case GridFormat::SurferText:
+      return "Surfer 6 text grid";
+    case GridFormat::SurferBinary:
+      return "Surfer 6 binary grid";
+    case GridFormat::Surfer7:
+      return "Surfer 7 grid";
+    case GridFormat::Gxf:
+      return "GXF grid";
+    default:
+      return "Esri ASCII grid";
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::optional<GridFormat> RecogniseGrid(std::string_view firstBytes)
 {
   for (const auto& [signature, format] : Signatures)

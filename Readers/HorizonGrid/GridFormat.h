@@ -26,6 +26,9 @@ enum class GridFormat
   EsriGrid
 };
 
+/// For people: "IRAP classic ASCII grid".
+const char* FormatName(GridFormat format);
+
 /// How many bytes at the start of a file are enough to recognise its format.
 constexpr std::size_t RecognitionBytes = 16 * 1024;
 

@@ -10,21 +10,11 @@
 
 #include "vtkObjectFactory.h"
 
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <utility>
 
 using namespace SeismicHorizons;
-
-namespace
-{
-/// What horizons without a name are called: the name of the file, without its folder and extension.
-std::string StemOf(const std::string& fileName)
-{
-  return std::filesystem::u8path(fileName).stem().u8string();
-}
-}
 
 // ---- The class ---------------------------------------------------------------------------------------------------
 struct vtkHorizonTextReader::FileContent

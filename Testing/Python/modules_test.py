@@ -336,11 +336,12 @@ class BatchTest(unittest.TestCase):
         self.output.mkdir()
         really_write = writing.write_mesh
 
-        def fail_at_the_second(mesh, path):
+        def fail_at_the_second(mesh, path, name):
             if path.stem.endswith("2"):
                 raise OSError("disk full")
-            really_write(mesh, path)
+            really_write(mesh, path, name)
             self.assertTrue(path.is_file())
+            return []
 
         path = write("two.vsm", TWO_HORIZONS)
         with mock.patch.object(writing, "write_mesh", fail_at_the_second):
@@ -353,9 +354,10 @@ class BatchTest(unittest.TestCase):
         self.output = self.output / "below"
         really_write = writing.write_mesh
 
-        def write_mesh(mesh, path):
-            really_write(mesh, path)
+        def write_mesh(mesh, path, name):
+            really_write(mesh, path, name)
             os.kill(os.getpid(), signal.SIGINT)
+            return []
 
         with mock.patch.object(writing, "write_mesh", write_mesh), self.assertRaises(SystemExit) as raised:
             self.run_batch([write("plane.vsm", PLANE)])

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-from seismichorizons.writing import write_mesh
+from seismichorizons.writing import write_vtp
 
 import image_compare
 import mesh_checks
@@ -45,7 +45,7 @@ def make_build_tree(folder):
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     sample, mesh = DATA / "sample.vsm", FOLDER / "mesh.vtp"
-    write_mesh(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh)
+    write_vtp(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh)
     done, picture = draw("one.png", "--horizon", 2, sample, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr
     assert picture.shape[:2] == (780, 900) and colors(picture) > 500, (picture.shape, colors(picture))

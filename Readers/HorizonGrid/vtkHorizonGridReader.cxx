@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonGridReader.h"
+
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/Monitor.h"
+#include "Common/Survey/GridPlacement.h"
+#include "GridFormat.h"
+#include "GridReader.h"
+
+#include "vtkObjectFactory.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// The format of a file, if it is one of those known.
+std::optional<GridFormat> FormatOf(const std::string& fileName)
+{
+  std::ifstream stream = OpenInputFile(fileName);
+  std::string bytes(RecognitionBytes, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return RecogniseGrid(bytes);
+}
+
+/// Some programs put the name of the file in the place of that of the horizon.
+bool IsNameOf(const std::string& name, const std::string& fileName)
+{
+  return name == std::filesystem::u8path(fileName).filename().u8string();
+}
+}
+
+// ---- The class ---------------------------------------------------------------------------------------------------
+struct vtkHorizonGridReader::FileContent
+{
+  FileStamp Stamp;
+  std::string Name; // of the horizon
+  std::string Format;
+  std::optional<HorizonGrid> Grid; // until it is used
+};
+
+vtkStandardNewMacro(vtkHorizonGridReader);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonGridReader::vtkHorizonGridReader() = default;
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonGridReader::~vtkHorizonGridReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonGridReader::CanReadFile(const char* fileName)
+{
+  const std::string name = fileName ? fileName : "";
+  try
+  {
+    MakeFileStamp(name); // refuses what is no regular file
+    return FormatOf(name) ? 1 : 0;
+  }
+  catch (const InputError&)
+  {
+    return 0;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The name of a horizon can stand anywhere in a file, so that it is read for the list of horizons, and kept until it
+/// is asked for.
+std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monitor)
+{
+  if (!this->FileName)
+  {
+    throw InputError("no FileName, expected the path of a file");
+  }
+  PrefixErrors(this->FileName,
+    [&]()
+    {
+      const FileStamp stamp = MakeFileStamp(this->FileName);
+      if (this->Content && this->Content->Stamp == stamp)
+      {
+        return;
+      }
+      this->Content.reset();
+      auto content = std::make_unique<FileContent>();
+      content->Stamp = stamp;
+      std::ifstream stream = OpenInputFile(this->FileName);
+      content->Grid = ReadHorizonGrid(stream, monitor);
+      const std::string& name = content->Grid->Name;
+      content->Name = name.empty() || IsNameOf(name, this->FileName) ? StemOf(this->FileName) : name;
+      content->Format = FormatName(FormatOf(this->FileName).value());
+      this->Content = std::move(content);
+    });
+  return { this->Content->Name };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
+{
+  if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))
+  {
+    return PlaceGrid(std::move(*grid));
+  }
+  return PrefixErrors(this->FileName,
+    [&]()
+    {
+      std::ifstream stream = OpenInputFile(this->FileName);
+      return PlaceGrid(ReadHorizonGrid(stream, monitor));
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string vtkHorizonGridReader::DescribeFormat()
+{
+  return this->Content->Format;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string vtkHorizonGridReader::ErrorPrefix()
+{
+  return (this->FileName ? this->FileName : "") + std::string(": ");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonGridReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+}
