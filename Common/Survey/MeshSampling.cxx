@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshSampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// How far outside a triangle a column may be, in columns, to be on its side: what points in world coordinates of a
+// survey are rounded by.
+constexpr double Rounding = 1e-6;
+
+/// Twice the area of a triangle seen from above, positive when it turns counter-clockwise.
+double Area(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c)
+{
+  return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
+}
+
+/// The first and last whole number within a range, widened by the rounding, and within 0 to below `size`.
+std::array<int, 2> WholeRange(double least, double most, int size)
+{
+  const double first = std::max(std::ceil(least - Rounding), 0.0);
+  const double last = std::min(std::floor(most + Rounding), size - 1.0);
+  return first <= last ? std::array<int, 2>{ int(first), int(last) } : std::array<int, 2>{ 0, -1 };
+}
+
+/// A triangle over a row of columns.
+class TriangleRow
+{
+public:
+  TriangleRow(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c)
+    : Corners{ &a, &b, &c }
+    , FullArea(Area(a, b, c))
+  {
+  }
+
+  bool IsFlat() const { return this->FullArea == 0.0; }
+
+  std::array<int, 2> Rows(int size) const
+  {
+    const auto [least, most] = std::minmax({ this->Corners[0]->Y, this->Corners[1]->Y, this->Corners[2]->Y });
+    return WholeRange(least, most, size);
+  }
+
+  /// The columns of a row between the sides that it crosses.
+  std::array<int, 2> Columns(int row, int size) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      const SpacePoint& from = *this->Corners[side];
+      const SpacePoint& to = *this->Corners[(side + 1) % 3];
+      if (std::min(from.Y, to.Y) > row + Rounding || std::max(from.Y, to.Y) < row - Rounding)
+      {
+        continue;
+      }
+      const double run = to.Y - from.Y;
+      const double part = run == 0.0 ? 0.0 : std::clamp((row - from.Y) / run, 0.0, 1.0);
+      const double x = from.X + part * (to.X - from.X);
+      least = std::min(run == 0.0 ? std::min(from.X, to.X) : x, least);
+      most = std::max(run == 0.0 ? std::max(from.X, to.X) : x, most);
+    }
+    return WholeRange(least, most, size);
+  }
+
+  double Height(int i, int j) const
+  {
+    const SpacePoint column = { double(i), double(j), 0.0 };
+    const auto& [a, b, c] = this->Corners;
+    const double ofB = Area(*a, column, *c) / this->FullArea;
+    const double ofC = Area(*a, *b, column) / this->FullArea;
+    return a->Z + ofB * (b->Z - a->Z) + ofC * (c->Z - a->Z);
+  }
+
+private:
+  std::array<const SpacePoint*, 3> Corners;
+  double FullArea;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<double> SampleMesh(const std::vector<SpacePoint>& points,
+  const std::vector<std::array<PointId, 3>>& triangles, const std::array<int, 2>& columns, const Monitor& monitor)
+{
+  std::vector<double> heights(
+    std::size_t(columns[0]) * std::size_t(columns[1]), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t number = 0; number < triangles.size(); ++number)
+  {
+    if (number % 4096 == 0)
+    {
+      monitor.Progress(double(number) / double(triangles.size()));
+    }
+    const auto& [a, b, c] = triangles[number];
+    const TriangleRow triangle(points[std::size_t(a)], points[std::size_t(b)], points[std::size_t(c)]);
+    const std::array<int, 2> rows = triangle.IsFlat() ? std::array<int, 2>{ 0, -1 } : triangle.Rows(columns[1]);
+    for (int j = rows[0]; j <= rows[1]; ++j)
+    {
+      const std::array<int, 2> run = triangle.Columns(j, columns[0]);
+      for (int i = run[0]; i <= run[1]; ++i)
+      {
+        double& height = heights[std::size_t(i) + std::size_t(j) * std::size_t(columns[0])];
+        height = std::isnan(height) ? triangle.Height(i, j) : height;
+      }
+    }
+  }
+  return heights;
+}
+}

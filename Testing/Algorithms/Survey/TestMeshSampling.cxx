@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Common/Survey/MeshSampling.h"
+#include "Tools/Check.h"
+#include "Tools/Patches.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+using Triangles = std::vector<std::array<PointId, 3>>;
+
+double Plane(double x, double y)
+{
+  return 100.0 + 2.0 * x - 3.0 * y;
+}
+
+SpacePoint OnPlane(double x, double y)
+{
+  return { x, y, Plane(x, y) };
+}
+
+/// The columns within a square and on its sides, both diagonals of which are tried, have the height of the plane.
+void TestSquare()
+{
+  const std::vector<SpacePoint> points = { OnPlane(1, 1), OnPlane(4, 1), OnPlane(4, 3), OnPlane(1, 3) };
+  for (const Triangles& triangles : { Triangles{ { 0, 1, 2 }, { 0, 2, 3 } }, Triangles{ { 0, 3, 1 }, { 3, 2, 1 } } })
+  {
+    const std::vector<double> heights = SampleMesh(points, triangles, { 6, 5 });
+    CHECK_EQUAL(heights.size(), std::size_t(30));
+    for (int j = 0; j < 5; ++j)
+    {
+      for (int i = 0; i < 6; ++i)
+      {
+        const double height = heights[std::size_t(i + 6 * j)];
+        const bool isInside = i >= 1 && i <= 4 && j >= 1 && j <= 3;
+        CHECK(isInside ? std::abs(height - Plane(i, j)) < 1e-12 : std::isnan(height));
+      }
+    }
+  }
+}
+
+/// Corners may be anywhere, also outside the lattice and off by rounding; what has no area covers nothing.
+void TestCorners()
+{
+  const std::vector<SpacePoint> points = { OnPlane(-7.5, -3), OnPlane(20, -3), OnPlane(2.5, 9), OnPlane(1 - 1e-9, 1),
+    OnPlane(3 + 1e-9, 1), OnPlane(2, 1 - 1e-9) };
+  const std::vector<double> all = SampleMesh(points, { { 0, 1, 2 } }, { 4, 3 });
+  CHECK_EQUAL(std::count_if(all.begin(), all.end(), [](double z) { return std::isnan(z); }), 0);
+  CHECK(std::abs(all[6] - Plane(2, 1)) < 1e-12);
+  const std::vector<double> needle = SampleMesh(points, { { 3, 5, 4 } }, { 4, 3 });
+  CHECK(std::abs(needle[5] - Plane(1, 1)) < 1e-6 && std::abs(needle[7] - Plane(3, 1)) < 1e-6);
+  const std::vector<double> nothing = SampleMesh(points, { { 3, 3, 4 } }, { 4, 3 });
+  CHECK(std::isnan(nothing[5]));
+}
+
+/// A fan of triangles with any corners leaves no column inside out, and gives none outside.
+void TestFans()
+{
+  Patches::Random random(1);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    std::vector<SpacePoint> points = { OnPlane(10, 10) };
+    Triangles triangles;
+    const int corners = 3 + random.Below(9);
+    for (int n = 0; n < corners; ++n)
+    {
+      const double angle = 6.283185307179586 * (n + 0.3 * random.Fraction()) / corners;
+      const double radius = 3.0 + 6.0 * random.Fraction();
+      points.push_back(OnPlane(10 + radius * std::cos(angle), 10 + radius * std::sin(angle)));
+      triangles.push_back({ 0, n + 1, (n + 1) % corners + 1 });
+    }
+    const std::vector<double> heights = SampleMesh(points, triangles, { 21, 21 });
+    for (int j = 0; j < 21; ++j)
+    {
+      for (int i = 0; i < 21; ++i)
+      {
+        const double height = heights[std::size_t(i + 21 * j)];
+        const double distance = std::hypot(i - 10.0, j - 10.0);
+        CHECK(std::isnan(height) || std::abs(height - Plane(i, j)) < 1e-9);
+        CHECK(distance > 0.9 || !std::isnan(height));
+        CHECK(distance < 9.1 || std::isnan(height));
+      }
+    }
+  }
+}
+}
+
+int TestMeshSampling(int, char*[])
+{
+  TestSquare();
+  TestCorners();
+  TestFans();
+  return Check::Result();
+}
