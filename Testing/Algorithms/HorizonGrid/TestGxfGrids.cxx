@@ -128,6 +128,13 @@ void OpenWorksMeansTheBoundingBox()
   CHECK(HasLattice(other, standard.Lattice.Origin, rowStep, -columnStep));
 }
 
+/// Both ways have the same bounding box.
+void SquaresAlongTheAxesAreThoseOfTheStandard()
+{
+  const HorizonGrid grid = Read("#POINTS\n2\n#ROWS\n2\n##XMAX\n1\n##YMAX\n1\n#GRID\n1 2 3 4");
+  CHECK(HasLattice(grid, { 0, 0 }, { 1, 0 }, { 0, 1 }));
+}
+
 void GxfHeaderIsChecked()
 {
   CHECK_THROWS_WITH(Read("#POINTS\n3\n"), "line 3: end of file, expected #GRID");
@@ -150,6 +157,7 @@ int TestGxfGrids(int, char*[])
   CompressedValuesAreRead();
   CompressedValuesAreChecked();
   OpenWorksMeansTheBoundingBox();
+  SquaresAlongTheAxesAreThoseOfTheStandard();
   GxfHeaderIsChecked();
   return Check::Result();
 }

@@ -43,6 +43,7 @@ void NullsAreNumbersOrText()
 
 void WidthPartsValuesThatTouch()
 {
+  CHECK(IsTheSample(Read(WithValues("8, -99999.0, , 1, 1", "4.000000     1.0-99999.0\n     2.0     6.03.000000\n"))));
   CHECK(IsTheSample(Read(WithValues("8, -99999.0, , 1, 1", "4.000000     1.0\n-99999.02.000000\n     6.03.000000\n"))));
   CHECK(IsTheSample(Read(WithValues("3, -99, , 0, 1", "004001\n-99002\n006003  \r\n"))));
   CHECK(IsTheSample(Read(WithValues("3, -99, , 0, 3", "  004001\n  -99002\n  006003\n"))));
