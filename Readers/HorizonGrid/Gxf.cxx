@@ -99,6 +99,7 @@ private:
       throw this->Text.Error(
         "a value " + std::to_string(times) + " times, expected at most " + std::to_string(this->Count - this->Found()));
     }
+    PrefixErrors(this->Text.Place(), [&] { RequirePoints(this->Found() + times, this->Groups); });
     return times;
   }
 
@@ -111,7 +112,6 @@ private:
     {
       throw this->Text.Error("value " + Quote(group) + ", expected a finite number behind #TRANSFORM");
     }
-    PrefixErrors(this->Text.Place(), [&] { RequirePoints(this->Found() + times, this->Groups); });
     this->Values.insert(this->Values.end(), static_cast<std::size_t>(times), z);
   }
 

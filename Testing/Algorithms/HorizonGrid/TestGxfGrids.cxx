@@ -102,7 +102,7 @@ void CompressedValuesAreChecked()
   CHECK_THROWS_WITH(Read(GxfHeader("#GTYPE\n10\n") + "#GRID\n"), "#GTYPE 10, expected 0 to 9");
   const std::string huge = Replace(header, "#POINTS\n3", "#POINTS\n2000000000");
   CHECK_THROWS_WITH(
-    Read(Replace(huge, "#GTYPE\n2", "#GTYPE\n5") + "\"\"\"\"\"@%%%%%%%%&"), "line 22: 1771470000 nodes for 3 points");
+    Read(Replace(huge, "#GTYPE\n2", "#GTYPE\n5") + "\"\"\"\"\"@%%%%%%%%&"), "line 22: 1771470000 nodes for 2 points");
 }
 
 /// The numbers of a file of OpenWorks: a grid turned by 66.58 degrees, whose bounding box its header states.
