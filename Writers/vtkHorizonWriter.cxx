@@ -54,7 +54,7 @@ void vtkHorizonWriter::WriteData()
     {
       throw InputError("no horizon with points, expected something to write");
     }
-    WriteOutputFile(file, [&](std::ostream& stream) { this->Print(horizons, stream, monitor); });
+    WriteOutputFile(file, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
     this->SetErrorCode(vtkErrorCode::NoError);
   };
   this->SetErrorCode(vtkErrorCode::UnknownError); // unless the work comes to its end

@@ -55,7 +55,7 @@ protected:
 
   /// Writes the horizons, of which there is at least one, and all of which have points. Throws
   /// SeismicHorizons::InputError on what the format can not hold.
-  virtual void Print(
+  virtual void PrintHorizons(
     const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -184,7 +184,7 @@ void WrongFilesGiveOneErrorEach()
   check(WriteText(Folder + "/other.ts", "x\n").c_str(), "other.ts: line 1: \"x\", expected \"GOCAD TSurf 1\"");
   check(WriteText(Folder + "/half.ts", std::string(Deep).substr(0, 300)).c_str(), "half.ts: line ");
   check(WriteText(Folder + "/second.ts", Tiny("a", 1) + "GOCAD TSurf 1\nVRTX x\nEND\n").c_str(),
-    "second.ts: line 8: VRTX id \"x\", expected an integer from 0 on");
+    "second.ts: line 9: VRTX id \"x\", expected an integer from 0 on");
 }
 
 void AllIsPrinted()

@@ -250,7 +250,10 @@ void PartsComeBack()
   const auto back = ReadBack(Folder + "/parts.ts");
   auto* const read = vtkIntArray::SafeDownCast(GetHorizon(back, 0)->GetCellData()->GetArray("Part"));
   CHECK(read && read->GetValue(0) == 0 && read->GetValue(1) == 1);
-  CHECK_EQUAL(Write(MakeWriter(back, "parts again.ts")), text);
+  Write(MakeWriter(back, "parts again.ts")); // without atoms, as these are points of their own now
+  const auto again = ReadBack(Folder + "/parts again.ts");
+  CheckSamePoints(GetHorizon(back, 0), GetHorizon(again, 0));
+  CheckSameTriangles(GetHorizon(back, 0), GetHorizon(again, 0));
 }
 
 void CheckError(vtkGOCADTSurfWriter* writer, const std::string& message)

@@ -11,6 +11,8 @@
 #include "vtkVerneySparseMatrixReader.h"
 #include "vtkVerneySparseMatrixWriter.h"
 
+#include <cmath>
+
 using namespace FileFixtures;
 using HorizonFixtures::Errors;
 
@@ -165,8 +167,7 @@ void WrongHorizonsGiveOneErrorEach()
       first->GetPointData()->AddArray(averaged);
     },
     "Horizon 2: VerticalIndex 3.500000 at point 1, expected an integer of 32 bits");
-  refuse([](vtkPolyData* first, vtkPolyData*)
-    { first->GetPointData()->GetArray("RealZ")->SetTuple1(0, VTK_DOUBLE_MAX * 2); },
+  refuse([](vtkPolyData* first, vtkPolyData*) { first->GetPointData()->GetArray("RealZ")->SetTuple1(0, HUGE_VAL); },
     "inf as thickness, amplitude or real z");
   refuse(
     [](vtkPolyData* first, vtkPolyData*)

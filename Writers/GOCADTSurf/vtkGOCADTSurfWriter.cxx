@@ -41,7 +41,8 @@ vtkGOCADTSurfWriter::~vtkGOCADTSurfWriter()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkGOCADTSurfWriter::Print(const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+void vtkGOCADTSurfWriter::PrintHorizons(
+  const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
 {
   std::vector<std::string> names(horizons.size());
   std::transform(

@@ -107,7 +107,7 @@ protected:
   vtkGOCADTSurfWriter() = default;
   ~vtkGOCADTSurfWriter() override;
 
-  void Print(
+  void PrintHorizons(
     const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
 
 private:

@@ -38,7 +38,7 @@ int TakeFreeId(std::set<int>& ids)
 vtkStandardNewMacro(vtkVerneySparseMatrixWriter);
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixWriter::Print(
+void vtkVerneySparseMatrixWriter::PrintHorizons(
   const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
 {
   SparseMatrix matrix;

@@ -43,7 +43,7 @@ protected:
   vtkVerneySparseMatrixWriter() = default;
   ~vtkVerneySparseMatrixWriter() override = default;
 
-  void Print(
+  void PrintHorizons(
     const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
 
 private:

@@ -5,11 +5,13 @@
 #include "Common/TextPrinter.h"
 #include "Tools/Check.h"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace SeismicHorizons;
 
@@ -41,18 +43,28 @@ void NumbersAreShort()
 void NumbersAreReadBack()
 {
   std::mt19937_64 random(7);
-  for (int n = 0; n < 100000; ++n)
+  std::vector<double> numbers;
+  std::stringstream stream;
+  TextPrinter printer(stream);
+  while (numbers.size() < 100000)
   {
     const std::uint64_t bits = random();
     double number = 0.0;
     std::memcpy(&number, &bits, sizeof(number));
-    double read = 0.0;
     if (std::isfinite(number))
     {
-      const std::string text = Text(number);
-      CHECK(text.size() < 32 && ReadAnyNumber(text, read) == NumberKind::Finite);
-      CHECK(std::memcmp(&number, &read, sizeof(number)) == 0);
+      numbers.push_back(number);
+      printer.Print(number);
+      printer.Print('\n');
     }
+  }
+  printer.Flush();
+  for (const double number : numbers)
+  {
+    std::string text;
+    double read = 0.0;
+    CHECK(std::getline(stream, text) && text.size() < 32 && ReadAnyNumber(text, read) == NumberKind::Finite);
+    CHECK(std::memcmp(&number, &read, sizeof(number)) == 0);
   }
 }
 
