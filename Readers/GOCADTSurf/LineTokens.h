@@ -4,26 +4,13 @@
 #ifndef SeismicHorizonsLineTokens_h
 #define SeismicHorizonsLineTokens_h
 
+#include "Common/TextFields.h"
 #include "Common/TextNumbers.h"
 
 #include <string_view>
 
 namespace SeismicHorizons
 {
-/// A text without the blanks at its ends.
-inline std::string_view Trim(std::string_view text)
-{
-  while (!text.empty() && IsBlank(text.front()))
-  {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && IsBlank(text.back()))
-  {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
 /// A text without blanks and one pair of quotes around it.
 inline std::string_view Unquote(std::string_view text)
 {

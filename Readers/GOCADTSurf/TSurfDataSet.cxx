@@ -5,7 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/HorizonSelection.h"
+#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
 
 #include "vtkCellArray.h"

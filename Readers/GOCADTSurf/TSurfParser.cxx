@@ -162,7 +162,7 @@ private:
     const std::string_view type = line.Next();
     if (this->ObjectLine != 0)
     {
-      throw ErrorAt(this->Line, "\"GOCAD " + std::string(type) + "\", " + this->ExpectedEnd());
+      throw ErrorAt(this->Line, Quote("GOCAD " + std::string(type)) + ", " + this->ExpectedEnd());
     }
     this->ObjectLine = this->Line;
     this->IsTSurf = type == "TSurf";

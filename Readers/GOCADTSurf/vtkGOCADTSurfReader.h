@@ -24,9 +24,6 @@
  * The file is read twice: first to list its surfaces, then to load those that are selected. The list is kept as long
  * as the name, the size and the modification time of the file stay. Time is linear in the size of the file.
  *
- * When pieces are asked for, the first surface goes to the first piece, the second one to the second piece, and so on,
- * starting again after the last piece. In each piece the other surfaces are partitioned datasets without a partition.
- *
  * A file that is missing or breaks the format gives one error, which starts with the name of the file and has the
  * number of the line; the output is empty then.
  *
@@ -36,23 +33,16 @@
 #ifndef vtkGOCADTSurfReader_h
 #define vtkGOCADTSurfReader_h
 
-#include "vtkNew.h" // for the selection
-#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+#include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
 
-namespace SeismicHorizons
-{
-class Monitor;
-}
-class vtkDataArraySelection;
-
-class VTKSEISMICHORIZONS_EXPORT vtkGOCADTSurfReader : public vtkPartitionedDataSetCollectionAlgorithm
+class VTKSEISMICHORIZONS_EXPORT vtkGOCADTSurfReader : public vtkHorizonSource
 {
 public:
   static vtkGOCADTSurfReader* New();
-  vtkTypeMacro(vtkGOCADTSurfReader, vtkPartitionedDataSetCollectionAlgorithm);
+  vtkTypeMacro(vtkGOCADTSurfReader, vtkHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -69,39 +59,20 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
-  ///@{
-  /**
-   * Which surfaces are loaded, by their names. UpdateInformation() fills the list. A choice is kept when another file
-   * has a surface of that name too, and it may be made before the list is filled. Default: all enabled.
-   */
-  vtkDataArraySelection* GetHorizonSelection();
-  int GetNumberOfHorizons();
-  const char* GetHorizonName(int index);
-  int GetHorizonStatus(const char* name);
-  void SetHorizonStatus(const char* name, int status);
-  void EnableAllHorizons();
-  void DisableAllHorizons();
-  ///@}
-
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkGOCADTSurfReader();
   ~vtkGOCADTSurfReader() override;
 
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
+    const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
+  std::string ErrorPrefix() override;
 
 private:
   vtkGOCADTSurfReader(const vtkGOCADTSurfReader&) = delete;
   void operator=(const vtkGOCADTSurfReader&) = delete;
 
-  void UpdateList(const SeismicHorizons::Monitor& monitor);
-  void Load(
-    int piece, int numberOfPieces, vtkPartitionedDataSetCollection* output, const SeismicHorizons::Monitor& monitor);
-
   char* FileName = nullptr;
-  vtkNew<vtkDataArraySelection> HorizonSelection;
 
   struct FileList;
   std::unique_ptr<FileList> List; // what the last look at the file found

@@ -5,7 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/Monitor.h"
-#include "Common/VTK/HorizonSelection.h"
+#include "Common/VTK/HorizonName.h"
 #include "HorizonTSurf.h"
 #include "TSurfPrinter.h"
 
