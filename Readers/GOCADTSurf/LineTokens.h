@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsLineTokens_h
 #define SeismicHorizonsLineTokens_h
 
-#include "Common/TextFields.h"
+#include "Common/TextWords.h"
 #include "Common/TextNumbers.h"
 
 #include <string_view>
