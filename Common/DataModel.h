@@ -32,6 +32,7 @@ constexpr const char* Compactness = "Compactness";
 constexpr const char* Quality = "Quality";
 constexpr const char* Dilatation = "Dilatation";
 constexpr const char* Error = "Error";
+constexpr const char* Part = "Part";
 }
 
 namespace FieldArray
@@ -39,6 +40,7 @@ namespace FieldArray
 constexpr const char* LatticeDimensions = "LatticeDimensions";
 constexpr const char* LatticeToWorld = "LatticeToWorld";
 constexpr const char* VerticalDirection = "VerticalDirection";
+constexpr const char* Colour = "Colour";
 constexpr const char* DroppedDuplicates = "DroppedDuplicates";
 constexpr const char* DroppedNulls = "DroppedNulls";
 constexpr const char* LineNumbers = "LineNumbers";

@@ -10,6 +10,8 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace SeismicHorizons
 {
@@ -26,5 +28,23 @@ std::string NameBySurfaceId(vtkPolyData* horizon)
   const double id = ids && ids->GetNumberOfTuples() > 0 ? ids->GetComponent(0, 0) : std::nan("");
   constexpr double Greatest = 1LL << 53; // beyond, doubles are no longer exact
   return std::abs(id) <= Greatest ? HorizonName(static_cast<std::int64_t>(id)) : std::string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> MakeDistinct(std::vector<std::string> names)
+{
+  std::unordered_set<std::string> taken(names.begin(), names.end());
+  std::unordered_map<std::string, int> uses;
+  for (std::string& name : names)
+  {
+    const std::string first = name;
+    int& number = uses[first];
+    ++number;
+    while (number > 1 && !taken.insert(name = first + " (" + std::to_string(number) + ')').second)
+    {
+      ++number;
+    }
+  }
+  return names;
 }
 }

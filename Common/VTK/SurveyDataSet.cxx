@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "DataArrays.h"
+#include "SurveyFields.h"
 #include "VertexCells.h"
 
 #include "vtkCellArray.h"
@@ -15,11 +16,9 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <array>
 #include <cmath>
-#include <string>
 
 namespace SeismicHorizons
 {
@@ -43,17 +42,6 @@ vtkSmartPointer<vtkPoints> MakePoints(const LatticeHorizon& horizon, const Surve
   return points;
 }
 
-void AddText(vtkFieldData* data, const char* name, const std::string& text)
-{
-  if (!text.empty())
-  {
-    vtkNew<vtkStringArray> array;
-    array->SetName(name);
-    array->InsertNextValue(text);
-    data->AddArray(array);
-  }
-}
-
 void AddFields(vtkFieldData* data, const LatticeHorizon& horizon, const SurveyAxes& axes)
 {
   const SurveyLattice& lattice = axes.Lattice;
@@ -70,10 +58,7 @@ void AddFields(vtkFieldData* data, const LatticeHorizon& horizon, const SurveyAx
   AddValue<vtkDoubleArray>(data, FieldArray::LatticeDeviation, axes.LatticeDeviation);
   AddValue<vtkIdTypeArray>(data, FieldArray::DroppedDuplicates, static_cast<vtkIdType>(horizon.DroppedDuplicates));
   AddValue<vtkIdTypeArray>(data, FieldArray::DroppedNulls, static_cast<vtkIdType>(horizon.DroppedNulls));
-  AddText(data, FieldArray::VerticalUnit, axes.Survey.VerticalUnit);
-  AddText(data, FieldArray::VerticalDomain, axes.Survey.VerticalDomain);
-  AddText(data, FieldArray::HorizontalUnit, axes.Survey.HorizontalUnit);
-  AddText(data, FieldArray::CoordinateSystem, axes.Survey.CoordinateSystem);
+  AddSurveyFields(axes.Survey, data);
 }
 }
 

@@ -258,8 +258,7 @@ std::vector<PlanePoint> ToColumns(const LatticePoints& points)
     {
       throw InputError("point " + std::to_string(columns.size()) + " at (" + std::to_string(x) + ", " +
         std::to_string(y) +
-        ") in lattice units, expected whole columns: the boundary is found before points are "
-        "merged");
+        ") in lattice units, expected whole columns, as points have them before they are merged");
     }
     columns.push_back({ std::int32_t(std::lround(x)), std::int32_t(std::lround(y)) });
   }

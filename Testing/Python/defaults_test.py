@@ -126,7 +126,7 @@ def check_proxy(proxy, properties, documentation):
 def main():
     xml_folder, documentation = (pathlib.Path(argument) for argument in sys.argv[1:3])
     proxies = {proxy.get("name"): proxy for file in sorted(xml_folder.glob("*.xml"))
-               for proxy in ElementTree.parse(file).iter("SourceProxy")}
+               for kind in ("SourceProxy", "WriterProxy") for proxy in ElementTree.parse(file).iter(kind)}
     expect(len(proxies) >= 5, "only %d proxies in %s" % (len(proxies), xml_folder))
     for proxy in proxies.values():
         if proxy.get("class"):  # others are bases

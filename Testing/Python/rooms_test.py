@@ -42,12 +42,13 @@ def includes(path):
 
 def find_room(tree, path, name):
     """The room of a file of the project that is included; None for files of others."""
-    roots = ["", "Filters", "Filters/Algorithms", "Readers", "Utilities", "Testing/Algorithms"]
+    roots = ["", "Filters", "Filters/Algorithms", "Readers", "Writers", "Utilities", "Testing/Algorithms"]
     for candidate in [path.parent / name] + [tree / root / name for root in roots]:
         if candidate.is_file():
             return candidate.parent.relative_to(tree).as_posix()
     # VTK's habit: classes, whose headers are installed side by side, are included by their names.
-    classes = list(tree.glob("Filters/" + name)) + list(tree.glob("Readers/*/" + name))
+    classes = list(tree.glob("Filters/" + name)) + [path for folder in ("Readers/*/", "Writers/", "Writers/*/")
+                                                    for path in tree.glob(folder + name)]
     return classes[0].parent.relative_to(tree).as_posix() if classes else None
 
 

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TSurfBuilder.h"
+
+#include "Common/LineErrors.h"
+#include "Common/Survey/NullValue.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<std::string_view, 3> CoordinateNames = { "x", "y", "z" };
+constexpr auto MostVertices = static_cast<std::size_t>(std::numeric_limits<PointId>::max());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool TSurfBuilder::TakeGeometry(std::string_view keyword, LineTokens& line, std::int64_t number)
+{
+  this->Line = number;
+  this->Keyword = keyword;
+  if (keyword == "TRGL")
+  {
+    this->TakeTriangle(line);
+  }
+  else if (keyword == "VRTX" || keyword == "PVRTX")
+  {
+    this->TakeVertex(line, keyword[0] == 'P');
+  }
+  else if (keyword == "ATOM" || keyword == "PATOM")
+  {
+    this->TakeAtom(line, keyword[0] == 'P');
+  }
+  else if (keyword == "TFACE")
+  {
+    this->StartPart();
+  }
+  else if (keyword == "BSTONE")
+  {
+    this->Surface.BorderStones.push_back(this->ReadVertex(line));
+    this->RequireEnd(line);
+  }
+  else if (keyword == "BORDER")
+  {
+    this->TakeBorder(line);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number)
+{
+  this->Description.TakeOfCoordinates(keyword, line, number);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number)
+{
+  if (TSurfDescription::IsOfProperties(keyword) && !this->Surface.Vertices.empty())
+  {
+    throw ErrorAt(number, std::string(keyword) + " behind vertices, expected before the first of them");
+  }
+  this->Description.TakeOfProperties(keyword, line, number);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::TakeVertex(LineTokens& line, bool hasValues)
+{
+  this->AddVertex(this->ReadId(line));
+  for (std::size_t n = 0; n < CoordinateNames.size(); ++n)
+  {
+    this->Surface.Vertices.back()[n] = this->ReadNumber(CoordinateNames[n], line, false);
+  }
+  if (hasValues)
+  {
+    this->ReadValues(line);
+  }
+  this->SkipFlags(line);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::TakeAtom(LineTokens& line, bool hasValues)
+{
+  this->AddVertex(this->ReadId(line));
+  const auto vertex = static_cast<PointId>(this->Surface.Vertices.size() - 1);
+  this->Atoms.push_back({ vertex, this->ReadId(line), this->Line, hasValues });
+  if (hasValues)
+  {
+    this->ReadValues(line);
+  }
+  this->SkipFlags(line);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::TakeTriangle(LineTokens& line)
+{
+  TSurf::Triangle& triangle = this->Surface.Triangles.emplace_back();
+  for (PointId& vertex : triangle)
+  {
+    vertex = this->ReadVertex(line);
+  }
+  this->RequireEnd(line);
+  if (this->Part > 0)
+  {
+    this->Surface.Parts.resize(this->Surface.Triangles.size(), this->Part);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The id of the border itself is of no use here.
+void TSurfBuilder::TakeBorder(LineTokens& line)
+{
+  this->ReadId(line);
+  const PointId first = this->ReadVertex(line);
+  this->Surface.Borders.push_back({ first, this->ReadVertex(line) });
+  this->RequireEnd(line);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Triangles get their parts from the second TFACE on.
+void TSurfBuilder::StartPart()
+{
+  ++this->Part;
+  if (this->Part == 1)
+  {
+    this->Surface.Parts.assign(this->Surface.Triangles.size(), 0);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t TSurfBuilder::ReadId(LineTokens& line) const
+{
+  const std::string_view token = line.Next();
+  std::int64_t id = -1;
+  const char* const last = token.data() + token.size();
+  const auto [end, error] = std::from_chars(token.data(), last, id);
+  if (error != std::errc() || end != last || id < 0)
+  {
+    throw ErrorAt(this->Line, std::string(this->Keyword) + " id " + Quote(token) + ", expected an integer from 0 on");
+  }
+  return id;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointId TSurfBuilder::ReadVertex(LineTokens& line) const
+{
+  const std::int64_t id = this->ReadId(line);
+  const PointId vertex = this->Ids.Find(id);
+  if (vertex == NoPoint)
+  {
+    throw ErrorAt(this->Line,
+      std::string(this->Keyword) + " of vertex " + std::to_string(id) + ", expected the id of a vertex above");
+  }
+  return vertex;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double TSurfBuilder::ReadNumber(std::string_view what, LineTokens& line, bool mayBeNan) const
+{
+  double value = 0.0;
+  if (const char* const plainEnd = ReadPlainNumber(line.Here(), value))
+  {
+    line.MoveTo(plainEnd);
+    return value;
+  }
+  const std::string_view token = line.Next();
+  const NumberKind kind = ReadAnyNumber(token, value);
+  if (kind == NumberKind::NotANumber || (kind == NumberKind::NotFinite && !(mayBeNan && std::isnan(value))))
+  {
+    throw ErrorAt(this->Line,
+      std::string(this->Keyword) + " value " + Quote(token) + " of " + Quote(what) +
+        (kind == NumberKind::NotANumber ? ", expected a number" : ", expected a finite number"));
+  }
+  return value;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The values of the last vertex. Those of vertices before it that have none become nan.
+void TSurfBuilder::ReadValues(LineTokens& line)
+{
+  const std::size_t vertex = this->Surface.Vertices.size() - 1;
+  for (std::size_t n = 0; n < this->Description.Properties.size(); ++n)
+  {
+    TSurfProperty& property = this->Description.Properties[n];
+    property.Values.resize(vertex * property.Size, NoNumber);
+    for (std::size_t component = 0; component < property.Size; ++component)
+    {
+      const double value = this->ReadNumber(property.Name, line, true);
+      property.Values.push_back(IsNullValue(value, this->Description.Nulls[n]) ? NoNumber : value);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::AddVertex(std::int64_t id)
+{
+  if (this->Surface.Vertices.size() == MostVertices)
+  {
+    throw ErrorAt(this->Line, "more vertices than expected, which is " + std::to_string(MostVertices) + " at most");
+  }
+  if (!this->Ids.Add(id))
+  {
+    throw ErrorAt(this->Line,
+      std::string(this->Keyword) + " with the id " + std::to_string(id) +
+        " of a vertex above, expected one of its own");
+  }
+  this->Surface.Vertices.emplace_back();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfBuilder::RequireEnd(LineTokens& line) const
+{
+  if (!line.AtEnd())
+  {
+    throw ErrorAt(
+      this->Line, Quote(line.Next()) + " behind " + std::string(this->Keyword) + ", expected the end of the line");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Words that say which coordinates of a vertex are fixed, as CNXYZ.
+void TSurfBuilder::SkipFlags(LineTokens& line) const
+{
+  while (line.Here()[0] == 'C' && line.Here()[1] == 'N')
+  {
+    line.Next();
+  }
+  this->RequireEnd(line);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// A property that no vertex has a value of is left out.
+void TSurfBuilder::CompleteValues()
+{
+  std::vector<TSurfProperty>& properties = this->Description.Properties;
+  properties.erase(std::remove_if(properties.begin(), properties.end(),
+                     [](const TSurfProperty& property) { return property.Values.empty(); }),
+    properties.end());
+  for (TSurfProperty& property : properties)
+  {
+    property.Values.resize(this->Surface.Vertices.size() * property.Size, NoNumber);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TSurf TSurfBuilder::Finish(TSurfHeader header)
+{
+  this->CompleteValues();
+  this->Surface.Name = std::move(header.Name);
+  this->Surface.Colour = header.Colour;
+  this->Surface.Positive = this->Description.Positive;
+  this->Surface.Survey = std::move(this->Description.Survey);
+  this->Surface.Properties = std::move(this->Description.Properties);
+  PlaceAtoms(this->Atoms, this->Ids, this->Surface);
+  return std::move(this->Surface);
+}
+}

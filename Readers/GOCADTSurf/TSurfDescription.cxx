@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TSurfDescription.h"
+
+#include "Common/LineErrors.h"
+
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
+
+// More numbers for each vertex than any program writes. It keeps a short file from asking for much memory.
+constexpr int LargestSize = 1024;
+
+std::vector<std::string> ReadWords(LineTokens& line)
+{
+  std::vector<std::string> words;
+  while (!line.AtEnd())
+  {
+    words.emplace_back(line.NextQuoted());
+  }
+  return words;
+}
+
+/// One of the two digits of a part of a colour "#rrggbb"; -1 for anything else.
+int HexDigit(char c)
+{
+  const std::string_view digits = "0123456789abcdef";
+  const std::size_t digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
+  return digit == std::string_view::npos ? -1 : static_cast<int>(digit);
+}
+
+/// The parts of a colour "#rrggbb" or "red green blue alpha", where alpha may be missing; none when it is no colour.
+std::optional<std::array<double, 3>> ReadColour(std::string_view text)
+{
+  std::array<double, 3> colour = {};
+  const std::string line = std::string(text) + '\n';
+  LineTokens words(line.data());
+  const bool isHex = text.size() == 7 && text.front() == '#';
+  for (std::size_t n = 0; n < colour.size(); ++n)
+  {
+    const int high = isHex ? HexDigit(text[2 * n + 1]) : 0;
+    const int low = isHex ? HexDigit(text[2 * n + 2]) : 0;
+    const bool isNumber = isHex || ReadAnyNumber(words.Next(), colour[n]) == NumberKind::Finite;
+    colour[n] = isHex ? (16 * high + low) / 255.0 : colour[n];
+    if (!isNumber || high < 0 || low < 0 || colour[n] < 0.0 || colour[n] > 1.0)
+    {
+      return {};
+    }
+  }
+  return colour;
+}
+
+/// What z measures when it has that unit; empty for units that do not tell.
+std::string DomainOf(const std::string& unit)
+{
+  if (unit == "s" || unit == "ms" || unit == "us")
+  {
+    return "time";
+  }
+  return unit == "m" || unit == "km" || unit == "ft" ? "depth" : "";
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfHeader::Take(std::string_view line)
+{
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos)
+  {
+    return;
+  }
+  const std::string_view key = Trim(line.substr(0, colon));
+  const std::string_view value = Unquote(line.substr(colon + 1));
+  if (key == "name")
+  {
+    this->Name = std::string(value);
+  }
+  else if (key == "*solid*color")
+  {
+    this->Colour = ReadColour(value);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool TSurfDescription::IsOfProperties(std::string_view keyword)
+{
+  return keyword == "PROPERTIES" || keyword == "ESIZES" || keyword == "NO_DATA_VALUES";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number)
+{
+  if (keyword == "NAME")
+  {
+    this->Survey.CoordinateSystem = std::string(Unquote(line.Rest()));
+  }
+  else if (keyword == "AXIS_UNIT")
+  {
+    this->Survey.HorizontalUnit = std::string(line.NextQuoted());
+    line.NextQuoted(); // of y, which is that of x
+    this->Survey.VerticalUnit = std::string(line.NextQuoted());
+    this->Survey.VerticalDomain = DomainOf(this->Survey.VerticalUnit);
+  }
+  else if (keyword == "ZPOSITIVE")
+  {
+    const std::string_view way = Unquote(line.Rest());
+    if (way != "Elevation" && way != "Depth")
+    {
+      throw ErrorAt(number, "ZPOSITIVE " + Quote(way) + ", expected Elevation or Depth");
+    }
+    this->Positive = way == "Depth" ? VerticalPositive::Depth : VerticalPositive::Elevation;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number)
+{
+  this->Line = number;
+  if (keyword == "PROPERTIES")
+  {
+    this->TakeNames(line);
+    return;
+  }
+  if (keyword != "UNITS" && !IsOfProperties(keyword))
+  {
+    return;
+  }
+  const std::vector<std::string> words = ReadWords(line);
+  if (keyword == "UNITS" && words.size() != this->Properties.size())
+  {
+    return; // units may have blanks in them, and then it is not known which belongs to which property
+  }
+  this->RequireOneEach(keyword, words.size());
+  for (std::size_t n = 0; n < words.size(); ++n)
+  {
+    if (keyword == "UNITS")
+    {
+      this->Properties[n].Unit = words[n] == "none" ? "" : words[n];
+    }
+    else if (keyword == "ESIZES")
+    {
+      this->TakeSize(words[n], this->Properties[n]);
+    }
+    else if (words[n] != "**none**" && ReadAnyNumber(words[n], this->Nulls[n]) == NumberKind::NotANumber)
+    {
+      throw ErrorAt(this->Line, "NO_DATA_VALUES " + Quote(words[n]) + ", expected a number or **none**");
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfDescription::TakeNames(LineTokens& line)
+{
+  if (!this->Properties.empty())
+  {
+    throw ErrorAt(this->Line, "PROPERTIES for the second time, expected one such line for all of them");
+  }
+  for (std::string& name : ReadWords(line))
+  {
+    this->Properties.emplace_back().Name = std::move(name);
+  }
+  this->Nulls.assign(this->Properties.size(), NoNumber);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfDescription::TakeSize(std::string_view text, TSurfProperty& property) const
+{
+  const int size = ReadPositiveInteger(text);
+  if (size < 1 || size > LargestSize)
+  {
+    throw ErrorAt(
+      this->Line, "ESIZES " + Quote(text) + ", expected an integer from 1 to " + std::to_string(LargestSize));
+  }
+  property.Size = static_cast<std::size_t>(size);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TSurfDescription::RequireOneEach(std::string_view keyword, std::size_t found) const
+{
+  if (found != this->Properties.size())
+  {
+    throw ErrorAt(this->Line,
+      std::to_string(found) + ' ' + std::string(keyword) + ", expected one for each of the " +
+        std::to_string(this->Properties.size()) + " PROPERTIES");
+  }
+}
+}

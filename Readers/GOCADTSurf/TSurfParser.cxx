@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Here a file is cut into objects and blocks; TSurfBuilder takes the lines of a TSurf.
+
+#include "TSurfParser.h"
+
+#include "Common/LineBuffer.h"
+#include "Common/LineErrors.h"
+#include "LineTokens.h"
+#include "TSurfBuilder.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t HeadSize = 4096; // bytes
+constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
+constexpr const char* ExpectedObject = ", expected \"GOCAD TSurf 1\"";
+
+bool StartsWith(std::string_view text, std::string_view start)
+{
+  return text.substr(0, start.size()) == start;
+}
+
+bool SaysNothing(const LineTokens& line)
+{
+  return line.AtEnd() || *line.Here() == '#';
+}
+
+/// The first word of a line, which an opening brace may follow without a blank.
+std::string_view TakeKeyword(LineTokens& line)
+{
+  const char* const first = line.Here();
+  const std::string_view keyword = line.Next();
+  const std::size_t brace = keyword.find('{');
+  if (brace == std::string_view::npos || brace == 0)
+  {
+    return keyword;
+  }
+  line.MoveTo(first + brace);
+  return keyword.substr(0, brace);
+}
+
+constexpr std::string_view Coordinates = "GOCAD_ORIGINAL_COORDINATE_SYSTEM";
+
+enum class BlockKind
+{
+  Header,
+  CoordinateSystem,
+  Unknown
+};
+
+/// The word that ends the block which a line opens; empty for a line that opens none. Lines within a block mean
+/// nothing outside of it, END among them.
+std::string EndOfBlock(std::string_view keyword, std::string_view rest)
+{
+  constexpr std::string_view begin = "BEGIN_";
+  if (keyword == Coordinates)
+  {
+    return "END_ORIGINAL_COORDINATE_SYSTEM";
+  }
+  if (keyword == "PROPERTY_CN")
+  {
+    return "END_PROPERTY_CN";
+  }
+  if (StartsWith(keyword, begin))
+  {
+    return "END_" + std::string(keyword.substr(begin.size()));
+  }
+  return !rest.empty() && rest.back() == '{' ? "}" : "";
+}
+
+/// Holds the state between the lines.
+class ObjectParser
+{
+public:
+  std::vector<TSurf> Surfaces;
+  TSurfList List;
+
+  explicit ObjectParser(TSurfChoice choice)
+    : Choice(std::move(choice))
+  {
+  }
+
+  /// Takes complete lines: the last character is a newline.
+  void ParseLines(const char* text, const char* last)
+  {
+    while (text != last)
+    {
+      this->ParseLine(text);
+      text = std::char_traits<char>::find(text, static_cast<std::size_t>(last - text), '\n') + 1;
+      ++this->Line;
+    }
+  }
+
+  /// For the end of the file.
+  void Finish() const
+  {
+    const std::int64_t last = std::max<std::int64_t>(this->Line - 1, 1);
+    if (this->BlockLine != 0)
+    {
+      throw ErrorAt(last,
+        "end of file, expected " + Quote(this->BlockEnd) + " of the block of line " + std::to_string(this->BlockLine));
+    }
+    if (this->ObjectLine != 0)
+    {
+      throw ErrorAt(last, "end of file, " + this->ExpectedEnd());
+    }
+    if (this->List.Names.empty())
+    {
+      throw ErrorAt(last,
+        (this->List.OtherObjects == 0 ? "empty file"
+                                      : std::to_string(this->List.OtherObjects) + " GOCAD objects of other types") +
+          ExpectedObject);
+    }
+  }
+
+  /// The number of the line that comes next.
+  std::int64_t NextLine() const { return this->Line; }
+
+private:
+  void ParseLine(const char* text)
+  {
+    LineTokens line(text);
+    if (SaysNothing(line))
+    {
+      return;
+    }
+    if (this->BlockLine != 0)
+    {
+      this->ParseBlockLine(line);
+      return;
+    }
+    const std::string_view keyword = TakeKeyword(line);
+    if (keyword == "GOCAD")
+    {
+      this->StartObject(line);
+    }
+    else if (this->ObjectLine == 0)
+    {
+      throw ErrorAt(this->Line, Quote(LineTokens(text).Rest()) + ExpectedObject);
+    }
+    else if (keyword == "END")
+    {
+      this->EndObject();
+    }
+    else if (!(this->Builder && this->Builder->TakeGeometry(keyword, line, this->Line)))
+    {
+      this->ParseDescription(keyword, line);
+    }
+  }
+
+  void StartObject(LineTokens& line)
+  {
+    const std::string_view type = line.Next();
+    if (this->ObjectLine != 0)
+    {
+      throw ErrorAt(this->Line, Quote("GOCAD " + std::string(type)) + ", " + this->ExpectedEnd());
+    }
+    this->ObjectLine = this->Line;
+    this->IsTSurf = type == "TSurf";
+    this->Header = TSurfHeader();
+    if (this->IsTSurf && this->Choice(this->List.Names.size()))
+    {
+      this->Builder.emplace();
+    }
+  }
+
+  void EndObject()
+  {
+    if (this->Builder)
+    {
+      this->Surfaces.push_back(this->Builder->Finish(std::move(this->Header)));
+      this->Builder.reset();
+      this->List.Names.push_back(this->Surfaces.back().Name);
+    }
+    else if (this->IsTSurf)
+    {
+      this->List.Names.push_back(this->Header.Name);
+    }
+    else
+    {
+      ++this->List.OtherObjects;
+    }
+    this->ObjectLine = 0;
+  }
+
+  std::string ExpectedEnd() const
+  {
+    return "expected END of the GOCAD object of line " + std::to_string(this->ObjectLine);
+  }
+
+  /// A line that is none of the geometry: it may open a block.
+  void ParseDescription(std::string_view keyword, LineTokens& line)
+  {
+    const std::string_view rest = line.Rest();
+    const std::string end = EndOfBlock(keyword, rest);
+    const bool isHeader = keyword == "HEADER";
+    if (!end.empty())
+    {
+      this->BlockEnd = end;
+      this->BlockLine = this->Line;
+      this->Block = isHeader     ? BlockKind::Header
+        : keyword == Coordinates ? BlockKind::CoordinateSystem
+                                 : BlockKind::Unknown;
+    }
+    else if (isHeader && rest.size() >= 2 && rest.front() == '{' && rest.back() == '}')
+    {
+      this->Header.Take(rest.substr(1, rest.size() - 2));
+    }
+    else if (this->Builder)
+    {
+      this->Builder->TakeOfProperties(keyword, line, this->Line);
+    }
+  }
+
+  void ParseBlockLine(LineTokens& line)
+  {
+    const std::string_view text = line.Rest();
+    const std::string_view keyword = line.Next();
+    if (keyword == this->BlockEnd)
+    {
+      this->BlockLine = 0;
+    }
+    else if (this->Block == BlockKind::Header)
+    {
+      this->Header.Take(text);
+    }
+    else if (this->Block == BlockKind::CoordinateSystem && this->Builder)
+    {
+      this->Builder->TakeOfCoordinates(keyword, line, this->Line);
+    }
+  }
+
+  const TSurfChoice Choice;
+  std::int64_t Line = 1; // the line that is parsed
+  std::int64_t ObjectLine = 0; // where the object began; 0 outside
+  std::int64_t BlockLine = 0; // where the block began; 0 outside
+  std::string BlockEnd; // the word that ends the block
+  BlockKind Block = BlockKind::Unknown;
+  bool IsTSurf = false;
+  TSurfHeader Header; // of the object
+  std::optional<TSurfBuilder> Builder; // for a TSurf that is to be loaded
+};
+
+/// The first bytes of a stream, which is left where it was.
+std::string ReadHead(std::istream& stream)
+{
+  const std::istream::pos_type here = stream.tellg();
+  std::array<char, HeadSize> bytes;
+  stream.read(bytes.data(), bytes.size());
+  const std::string head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  stream.clear();
+  stream.seekg(here);
+  return StartsWith(head, ByteOrderMark) ? head.substr(ByteOrderMark.size()) : head;
+}
+
+void SkipByteOrderMark(std::istream& stream)
+{
+  const std::istream::pos_type here = stream.tellg();
+  std::array<char, ByteOrderMark.size()> mark = {};
+  stream.read(mark.data(), mark.size());
+  if (std::string_view(mark.data(), mark.size()) != ByteOrderMark)
+  {
+    stream.clear();
+    stream.seekg(here);
+  }
+}
+
+bool BeginsAsGOCAD(const std::string& head)
+{
+  const std::string text = head + '\n';
+  for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
+  {
+    LineTokens line(text.data() + start);
+    if (!SaysNothing(line))
+    {
+      return line.Next() == "GOCAD";
+    }
+  }
+  return false;
+}
+
+ObjectParser ParseObjects(
+  std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize)
+{
+  ObjectParser parser(choice);
+  const std::string head = ReadHead(stream);
+  if (!BeginsAsGOCAD(head))
+  {
+    // A file of another kind may have no newline at all, so its first lines have to do for the error.
+    const std::size_t newline = head.rfind('\n');
+    const std::string text = head.substr(0, newline) + '\n';
+    ObjectParser(choice).ParseLines(text.data(), text.data() + text.size());
+  }
+  SkipByteOrderMark(stream);
+  LineBuffer lines(stream, bufferSize);
+  while (!lines.AtEnd())
+  {
+    if (!lines.Read())
+    {
+      throw ErrorAt(parser.NextLine(), "reading failed, expected the rest of the file");
+    }
+    parser.ParseLines(lines.First(), lines.Last());
+    monitor.Progress(lines.PartRead());
+  }
+  parser.Finish();
+  return parser;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool BeginsAsGOCAD(std::istream& stream)
+{
+  return BeginsAsGOCAD(ReadHead(stream));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TSurfList ListTSurfs(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+{
+  return ParseObjects(
+    stream, [](std::size_t) { return false; }, monitor, bufferSize)
+    .List;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TSurf> LoadTSurfs(
+  std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize)
+{
+  return ParseObjects(stream, choice, monitor, bufferSize).Surfaces;
+}
+}

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parser reads files, and TSurfDataSet makes datasets of what it gives.
+
+#include "vtkGOCADTSurfReader.h"
+
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/Monitor.h"
+#include "Common/VTK/HorizonName.h"
+#include "TSurfDataSet.h"
+#include "TSurfParser.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using namespace SeismicHorizons;
+
+/// A name for each surface of a file.
+std::vector<std::string> NamesOf(const TSurfList& list)
+{
+  std::vector<std::string> names = list.Names;
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    if (names[n].empty())
+    {
+      names[n] = "TSurf " + std::to_string(n + 1);
+    }
+  }
+  return MakeDistinct(std::move(names));
+}
+}
+
+// ---- The class ---------------------------------------------------------------------------------------------------
+struct vtkGOCADTSurfReader::FileList
+{
+  FileStamp Stamp;
+  std::vector<std::string> Names;
+};
+
+vtkStandardNewMacro(vtkGOCADTSurfReader);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkGOCADTSurfReader::vtkGOCADTSurfReader() = default;
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkGOCADTSurfReader::~vtkGOCADTSurfReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
+{
+  try
+  {
+    const std::string name = fileName ? fileName : "";
+    MakeFileStamp(name); // refuses what is no regular file
+    std::ifstream stream = OpenInputFile(name);
+    return BeginsAsGOCAD(stream) ? 1 : 0;
+  }
+  catch (const InputError&)
+  {
+    return 0;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monitor)
+{
+  if (!this->FileName)
+  {
+    throw InputError("no FileName, expected the path of a file");
+  }
+  PrefixErrors(this->FileName,
+    [&]()
+    {
+      const FileStamp stamp = MakeFileStamp(this->FileName);
+      if (!this->List || !(this->List->Stamp == stamp))
+      {
+        this->List.reset();
+        std::ifstream stream = OpenInputFile(this->FileName);
+        this->List = std::make_unique<FileList>(FileList{ stamp, NamesOf(ListTSurfs(stream, monitor)) });
+      }
+    });
+  return this->List->Names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
+  const std::vector<int>& numbers, const Monitor& monitor)
+{
+  const auto isChosen = [&numbers](std::size_t number)
+  { return std::binary_search(numbers.begin(), numbers.end(), static_cast<int>(number)); };
+  std::vector<TSurf> surfaces = PrefixErrors(this->FileName,
+    [&]()
+    {
+      std::ifstream stream = OpenInputFile(this->FileName);
+      return LoadTSurfs(stream, isChosen, monitor.Step(0.0, 0.9));
+    });
+  std::vector<vtkSmartPointer<vtkDataObject>> datasets;
+  for (TSurf& surface : surfaces)
+  {
+    // Moved out of the list, so that each surface is freed once its dataset is made.
+    datasets.push_back(MakeTSurfDataSet(std::move(surface)));
+    monitor.Progress(0.9 + 0.1 * static_cast<double>(datasets.size()) / static_cast<double>(surfaces.size()));
+  }
+  return datasets;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string vtkGOCADTSurfReader::ErrorPrefix()
+{
+  return this->FileName ? std::string(this->FileName) + ": " : std::string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkGOCADTSurfReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+}

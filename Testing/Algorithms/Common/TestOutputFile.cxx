@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files are written as a whole or not at all.
+
+#include "Common/Errors.h"
+#include "Common/OutputFile.h"
+#include "Tools/Check.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+namespace fs = std::filesystem;
+
+const fs::path Folder = fs::absolute("TestOutputFile");
+
+void Write(const fs::path& path, const std::string& text)
+{
+  WriteOutputFile(path.u8string(), [&text](std::ostream& stream) { stream << text; });
+}
+
+std::string Read(const fs::path& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+std::size_t CountFiles()
+{
+  return std::size_t(std::distance(fs::directory_iterator(Folder), fs::directory_iterator()));
+}
+
+void FilesAreReplaced()
+{
+  const fs::path file = Folder / fs::u8path("H\xC3\xB6he.ts");
+  Write(file, "one");
+  Write(file, "two");
+  CHECK_EQUAL(Read(file), "two");
+  CHECK_EQUAL(CountFiles(), 1u);
+}
+
+void NothingIsLeftOfAnError()
+{
+  const fs::path file = Folder / fs::u8path("H\xC3\xB6he.ts");
+  const auto fail = [](std::ostream& stream)
+  {
+    stream << "half of it";
+    throw InputError("broken");
+  };
+  CHECK_THROWS_WITH(WriteOutputFile(file.u8string(), fail), "broken");
+  CHECK_EQUAL(Read(file), "two");
+  CHECK_EQUAL(CountFiles(), 1u);
+}
+
+void LinksStay()
+{
+  const fs::path link = Folder / "link.ts";
+  fs::create_symlink("target.ts", link);
+  Write(Folder / "target.ts", "old");
+  Write(link, "new");
+  CHECK(fs::is_symlink(link));
+  CHECK_EQUAL(Read(Folder / "target.ts"), "new");
+}
+
+void PermissionsStay()
+{
+  const fs::path file = Folder / "target.ts";
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  Write(file, "again");
+  CHECK(fs::status(file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+void WrongPlacesAreRefused()
+{
+  CHECK_THROWS_WITH(Write(Folder, "x"), "a directory, expected a file");
+  CHECK_THROWS_WITH(
+    Write(Folder / "none" / "x.ts", "x"), "a file in a folder that is not there, expected an existing folder");
+  CHECK_THROWS_WITH(Write(Folder / std::string(300, 'x'), "x"), "a file that can not be written, expected a folder");
+}
+
+/// A device is written to directly, and never replaced.
+void FullDisksAreNoticed()
+{
+  if (fs::exists("/dev/full"))
+  {
+    CHECK_THROWS_WITH(Write("/dev/full", "x"), "a file that could not be written to its end, expected room for it");
+    CHECK(fs::is_character_file("/dev/full"));
+  }
+}
+}
+
+int TestOutputFile(int, char*[])
+{
+  fs::remove_all(Folder);
+  fs::create_directories(Folder);
+  FilesAreReplaced();
+  NothingIsLeftOfAnError();
+  LinksStay();
+  PermissionsStay();
+  WrongPlacesAreRefused();
+  FullDisksAreNoticed();
+  return Check::Result();
+}

@@ -1,0 +1,4 @@
+GOCAD TSurf 1
+ATOM 1 2
+ATOM 2 1
+END

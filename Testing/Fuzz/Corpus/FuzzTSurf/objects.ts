@@ -1,0 +1,22 @@
+GOCAD PLine 1
+ILINE
+VRTX 1 0 0 0
+SEG 1 1
+END
+GOCAD TSurf 1
+HEADER {name:a}
+TFACE
+VRTX 0 0 0 0
+VRTX 5 1e-3 0 0
+VRTX 7 0 1 0
+TRGL 0 5 7
+END
+GOCAD TSurf 1
+HEADER{
+name:"a"
+*solid*color:#ff00ff
+}
+BEGIN_X
+END
+END_X
+END

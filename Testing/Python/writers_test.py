@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvpython: files are opened and saved as in the menus. Arguments: the folder of the data and one for files."""
+
+import pathlib
+import shutil
+import sys
+
+# Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
+import seismichorizons  # noqa: F401
+from paraview import simple
+
+import mesh_checks
+
+
+def fetch(proxy):
+    """The data of a proxy; the server is this process itself, so they are at hand."""
+    proxy.UpdatePipeline()
+    return mesh_checks.blocks(proxy.GetClientSideObject().GetOutputDataObject(0))
+
+
+def open_file(path, name):
+    """What File > Open makes of a file, which has to be a proxy of that name."""
+    proxy = simple.OpenDataFile(str(path))
+    assert proxy is not None and proxy.GetXMLName() == name, (path, proxy)
+    return proxy
+
+
+def same_array(first, second):
+    """Bit for bit, but that one nan is as good as another."""
+    return first.shape == second.shape and ((first == second) | ((first != first) & (second != second))).all()
+
+
+def names_of_arrays(mesh):
+    data = mesh.GetPointData()
+    return [data.GetArrayName(n) for n in range(data.GetNumberOfArrays())]
+
+
+def check_same_triangles(back, mesh):
+    """Corner by corner: points of outlines that no triangle has are not saved."""
+    corners = [mesh_checks.triangles(surface) for surface in (back, mesh)]
+    assert (corners[0].shape == corners[1].shape) and len(corners[0]) > 0
+    places = [mesh_checks.coordinates(surface)[used] for surface, used in zip((back, mesh), corners)]
+    assert (places[0] == places[1]).all()
+    for name in names_of_arrays(back):
+        values = [mesh_checks.array(surface, name)[used] for surface, used in zip((back, mesh), corners)]
+        assert same_array(*values), name
+
+
+def check_tsurf(sample, folder):
+    """Meshes are saved under their names, with each choice of the panel, and opened again."""
+    surface = simple.HorizonSurface(Input=sample)
+    expected = fetch(surface)
+    assert len(expected) >= 2, expected
+    simple.SaveData(str(folder / "x.ts"), proxy=surface)
+    opened = fetch(open_file(folder / "x.ts", "GOCADTSurfReader"))
+    assert list(opened) == list(expected), (list(opened), list(expected))
+    for name, mesh in expected.items():
+        check_same_triangles(opened[name], mesh)
+        assert names_of_arrays(opened[name]) == names_of_arrays(mesh), name
+    simple.SaveData(str(folder / "deep.ts"), proxy=surface, VerticalPositive="Depth", VerticalUnit="ms",
+                    HorizontalUnit="ft", CoordinateSystemName="local", WriteAttributes=0, WriteBorders=0)
+    text = (folder / "deep.ts").read_text()
+    for line in ("ZPOSITIVE Depth", 'AXIS_UNIT "ft" "ft" "ms"', "NAME local"):
+        assert line + "\n" in text, line
+    assert "PVRTX" not in text and "BORDER" not in text
+    deep = fetch(open_file(folder / "deep.ts", "GOCADTSurfReader"))
+    for name, mesh in expected.items():
+        check_same_triangles(deep[name], mesh)
+        assert not names_of_arrays(deep[name]), name
+    assert {path.name for path in folder.iterdir()} == {"x.ts", "deep.ts"}, list(folder.iterdir())
+
+
+def check_selection(path):
+    """Only the surfaces that are switched on are loaded."""
+    reader = open_file(path, "GOCADTSurfReader")
+    names = list(fetch(reader))
+    reader.HorizonStatus = [names[1]]
+    assert list(fetch(reader)) == [names[1]]
+
+
+def check_vsm(sample, folder):
+    """Points are saved and opened again; a file that was saved comes out the same, byte by byte."""
+    simple.SaveData(str(folder / "x.vsm"), proxy=sample)
+    opened = open_file(folder / "x.vsm", "VerneySparseMatrixReader")
+    expected, found = fetch(sample), fetch(opened)
+    assert list(found) == list(expected)
+    for name, horizon in expected.items():
+        for array in names_of_arrays(horizon):
+            assert same_array(mesh_checks.array(found[name], array), mesh_checks.array(horizon, array)), array
+        assert (mesh_checks.coordinates(found[name]) == mesh_checks.coordinates(horizon)).all(), name
+    simple.SaveData(str(folder / "y.vsm"), proxy=opened)
+    assert (folder / "x.vsm").read_bytes() == (folder / "y.vsm").read_bytes()
+
+
+def check_others(folder):
+    """A file of another kind with the extension is left to others."""
+    (folder / "program.ts").write_text("import { x } from './y';\n")
+    try:
+        proxy = simple.OpenDataFile(str(folder / "program.ts"))
+    except RuntimeError:
+        proxy = None
+    assert proxy is None, proxy
+
+
+def main():
+    sample_path, folder = pathlib.Path(sys.argv[1]) / "sample.vsm", pathlib.Path(sys.argv[2])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    sample = open_file(sample_path, "VerneySparseMatrixReader")
+    check_tsurf(sample, folder)
+    check_selection(folder / "x.ts")
+    check_vsm(sample, folder)
+    check_others(folder)
+
+
+main()

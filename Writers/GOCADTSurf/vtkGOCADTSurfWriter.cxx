@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGOCADTSurfWriter.h"
+
+#include "Common/Errors.h"
+#include "Common/Monitor.h"
+#include "Common/VTK/HorizonName.h"
+#include "HorizonTSurf.h"
+#include "TSurfPrinter.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// The first of these that says something.
+std::string Choose(const char* parameter, const std::string& field, const std::string& otherwise)
+{
+  if (parameter && *parameter)
+  {
+    return parameter;
+  }
+  return field.empty() ? otherwise : field;
+}
+}
+
+vtkStandardNewMacro(vtkGOCADTSurfWriter);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkGOCADTSurfWriter::~vtkGOCADTSurfWriter()
+{
+  this->SetVerticalUnit(nullptr);
+  this->SetHorizontalUnit(nullptr);
+  this->SetCoordinateSystemName(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkGOCADTSurfWriter::PrintHorizons(
+  const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+{
+  std::vector<std::string> names(horizons.size());
+  std::transform(
+    horizons.begin(), horizons.end(), names.begin(), [](const NamedHorizon& horizon) { return horizon.Name; });
+  names = MakeDistinct(std::move(names));
+  const auto size = static_cast<double>(horizons.size());
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    PrefixErrors(names[n],
+      [&]()
+      {
+        const auto positive = static_cast<SeismicHorizons::VerticalPositive>(this->VerticalPositive);
+        TSurf surface = MakeTSurf(horizons[n].Data, names[n], positive, this->WriteAttributes);
+        SurveyDescription& survey = surface.Survey;
+        survey.VerticalUnit = Choose(this->VerticalUnit, survey.VerticalUnit, "m");
+        survey.HorizontalUnit = Choose(this->HorizontalUnit, survey.HorizontalUnit, "m");
+        survey.CoordinateSystem = Choose(this->CoordinateSystemName, survey.CoordinateSystem, "Default");
+        const Monitor step = monitor.Step(static_cast<double>(n) / size, static_cast<double>(n + 1) / size);
+        PrintTSurf(surface, this->WriteBorders, stream, step);
+      });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkGOCADTSurfWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto text = [](const char* parameter) { return parameter ? parameter : "(none)"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VerticalPositive: " << (this->VerticalPositive == Depth ? "Depth" : "Elevation") << '\n';
+  os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
+  os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
+  os << indent << "CoordinateSystemName: " << text(this->CoordinateSystemName) << '\n';
+  os << indent << "WriteAttributes: " << (this->WriteAttributes ? "on" : "off") << '\n';
+  os << indent << "WriteBorders: " << (this->WriteBorders ? "on" : "off") << '\n';
+}

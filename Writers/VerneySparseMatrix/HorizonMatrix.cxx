@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonMatrix.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Marshalling/HorizonData.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// A point array with one number for each point; null when there is none.
+vtkDataArray* FindArray(vtkPolyData* horizon, const char* name)
+{
+  vtkDataArray* const array = horizon->GetPointData()->GetArray(name);
+  if (array && (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != horizon->GetNumberOfPoints()))
+  {
+    throw InputError(std::string("a point array ") + name + " of " + std::to_string(array->GetNumberOfTuples()) +
+      " times " + std::to_string(array->GetNumberOfComponents()) + " values, expected one for each of the " +
+      std::to_string(horizon->GetNumberOfPoints()) + " points");
+  }
+  return array;
+}
+
+std::vector<double> CopyNumbers(vtkDataArray* array)
+{
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->DeepCopy(array);
+  return std::vector<double>(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues());
+}
+
+/// The numbers of an array, or the same one for each point when there is none of that name.
+std::vector<double> ReadNumbers(vtkPolyData* horizon, const char* name, double otherwise)
+{
+  vtkDataArray* const array = FindArray(horizon, name);
+  return array ? CopyNumbers(array) : std::vector<double>(std::size_t(horizon->GetNumberOfPoints()), otherwise);
+}
+
+int ToInteger(double number, const char* name, std::size_t point)
+{
+  constexpr double least = std::numeric_limits<int>::min();
+  constexpr double greatest = std::numeric_limits<int>::max();
+  if (!(number >= least && number <= greatest) || number != std::floor(number))
+  {
+    throw InputError(std::string(name) + ' ' + std::to_string(number) + " at point " + std::to_string(point) +
+      ", expected an integer of 32 bits");
+  }
+  return int(number);
+}
+
+/// By the array, or where there is none the nearest to each point on the lattice.
+std::vector<int> ReadIndices(vtkPolyData* horizon, const std::vector<double>& heights)
+{
+  vtkDataArray* const array = FindArray(horizon, PointArray::VerticalIndex);
+  const std::vector<double> numbers = array ? CopyNumbers(array) : heights;
+  std::vector<int> indices;
+  indices.reserve(numbers.size());
+  for (const double number : numbers)
+  {
+    indices.push_back(ToInteger(array ? number : std::round(number), PointArray::VerticalIndex, indices.size()));
+  }
+  return indices;
+}
+
+/// By the array, or where there is none what the reader makes world z of.
+std::vector<double> ReadRealZ(vtkPolyData* horizon)
+{
+  if (vtkDataArray* const array = FindArray(horizon, PointArray::RealZ))
+  {
+    return CopyNumbers(array);
+  }
+  vtkDataArray* const direction = horizon->GetFieldData()->GetArray(FieldArray::VerticalDirection);
+  const bool isUp = direction && direction->GetNumberOfValues() == 1 && direction->GetComponent(0, 0) > 0.0;
+  std::vector<double> realZ;
+  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  {
+    const double z = horizon->GetPoint(point)[2];
+    realZ.push_back(isUp ? z : 0.0 - z); // no -0
+  }
+  return realZ;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon)
+{
+  ReadLattice(horizon); // refuses what is no lattice
+  vtkDataArray* const dimensions = horizon->GetFieldData()->GetArray(FieldArray::LatticeDimensions);
+  SparseMatrixSize size;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int components = dimensions->GetNumberOfComponents();
+    size[std::size_t(axis)] = int(dimensions->GetComponent(axis / components, axis % components));
+  }
+  return size;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<int> ReadSurfaceId(vtkPolyData* horizon)
+{
+  vtkDataArray* const ids = FindArray(horizon, PointArray::SurfaceId);
+  if (!ids || ids->GetNumberOfTuples() == 0)
+  {
+    return {};
+  }
+  double range[2];
+  ids->GetRange(range);
+  if (range[0] != range[1])
+  {
+    throw InputError("points with surface IDs from " + std::to_string(std::int64_t(range[0])) + " to " +
+      std::to_string(std::int64_t(range[1])) + ", expected one ID in a horizon");
+  }
+  return ToInteger(range[0], PointArray::SurfaceId, 0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonVoxels ReadVoxels(vtkPolyData* horizon, int surfaceId)
+{
+  const LatticePoints points = ReadPoints(horizon);
+  HorizonVoxels voxels;
+  voxels.SurfaceId = surfaceId;
+  for (const PlanePoint& column : ToColumns(points))
+  {
+    voxels.I.push_back(column.X);
+    voxels.J.push_back(column.Y);
+  }
+  voxels.K = ReadIndices(horizon, points.Height);
+  voxels.Thickness = ReadNumbers(horizon, PointArray::Thickness, 1.0);
+  voxels.Amplitude = ReadNumbers(horizon, PointArray::Amplitude, 0.0);
+  voxels.RealZ = ReadRealZ(horizon);
+  return voxels;
+}
+}

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsHorizonMatrix_h
+#define SeismicHorizonsHorizonMatrix_h
+
+#include "VerneySparseMatrix/SparseMatrixParser.h"
+
+#include <optional>
+
+class vtkPolyData;
+
+namespace SeismicHorizons
+{
+/// The cells of the lattice of a horizon.
+SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon);
+
+/// The surface ID of a horizon by its points, which all have to have the same; none without such an array.
+std::optional<int> ReadSurfaceId(vtkPolyData* horizon);
+
+/// The points of a horizon as voxels; what they lack is made up as vtkVerneySparseMatrixWriter says. Throws InputError
+/// when the points do not stand on whole columns.
+HorizonVoxels ReadVoxels(vtkPolyData* horizon, int surfaceId);
+}
+
+#endif

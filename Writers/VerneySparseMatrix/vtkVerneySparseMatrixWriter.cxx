@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkVerneySparseMatrixWriter.h"
+
+#include "Common/Errors.h"
+#include "Common/Monitor.h"
+#include "HorizonMatrix.h"
+#include "SparseMatrixPrinter.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <optional>
+#include <set>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+std::string ToText(const SparseMatrixSize& size)
+{
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+/// The least positive ID that is not in the set, which it is added to.
+int TakeFreeId(std::set<int>& ids)
+{
+  int id = 1;
+  while (!ids.insert(id).second)
+  {
+    ++id;
+  }
+  return id;
+}
+}
+
+vtkStandardNewMacro(vtkVerneySparseMatrixWriter);
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkVerneySparseMatrixWriter::PrintHorizons(
+  const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+{
+  SparseMatrix matrix;
+  std::vector<std::optional<int>> given;
+  std::set<int> ids;
+  for (const NamedHorizon& horizon : horizons)
+  {
+    PrefixErrors(horizon.Name,
+      [&]()
+      {
+        const SparseMatrixSize size = ReadMatrixSize(horizon.Data);
+        matrix.Size = given.empty() ? size : matrix.Size;
+        if (size != matrix.Size)
+        {
+          throw InputError("a lattice of " + ToText(size) + " cells, expected " + ToText(matrix.Size) + " as in " +
+            horizons.front().Name);
+        }
+        given.push_back(ReadSurfaceId(horizon.Data));
+        if (given.back())
+        {
+          ids.insert(*given.back());
+        }
+      });
+  }
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    monitor.Progress(0.5 * static_cast<double>(n) / static_cast<double>(horizons.size()));
+    const int id = given[n] ? *given[n] : TakeFreeId(ids);
+    PrefixErrors(horizons[n].Name, [&]() { matrix.Horizons.push_back(ReadVoxels(horizons[n].Data, id)); });
+  }
+  PrintSparseMatrix(matrix, stream, monitor.Step(0.5, 1.0));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkVerneySparseMatrixWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

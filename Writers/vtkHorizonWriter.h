@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonWriter
+ * @brief   base of the writers of horizons
+ *
+ * Takes a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset of them. All horizons go into one
+ * file, which is written under another name in the same folder and gets its own once it is complete: nothing is left of
+ * a file that could not be written to its end, or whose writing was stopped, and a file of that name stays as it was.
+ *
+ * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
+ * file; Write() returns 0 then, and GetErrorCode() gives vtkErrorCode::UnknownError.
+ */
+
+#ifndef vtkHorizonWriter_h
+#define vtkHorizonWriter_h
+
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkWriter.h"
+
+#include <ostream> // for the file
+#include <string> // for names
+#include <vector> // for the horizons
+
+namespace SeismicHorizons
+{
+class Monitor;
+}
+class vtkPolyData;
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonWriter : public vtkWriter
+{
+public:
+  vtkTypeMacro(vtkHorizonWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The path of the file, in UTF-8. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkHorizonWriter() = default;
+  ~vtkHorizonWriter() override;
+
+  /// A horizon, and what it is called: by its block, else by its surface ID, else by the file.
+  struct NamedHorizon
+  {
+    std::string Name;
+    vtkPolyData* Data;
+  };
+
+  /// Writes the horizons, of which there is at least one, and all of which have points. Throws
+  /// SeismicHorizons::InputError on what the format can not hold.
+  virtual void PrintHorizons(
+    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+private:
+  vtkHorizonWriter(const vtkHorizonWriter&) = delete;
+  void operator=(const vtkHorizonWriter&) = delete;
+
+  char* FileName = nullptr;
+};
+
+#endif
