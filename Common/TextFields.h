@@ -18,6 +18,12 @@ namespace SeismicHorizons
 /// Whether a line is one that some programs end a file with: EOB, EOD or EOF.
 bool IsEndMark(std::string_view line);
 
+/// Whether a line has nothing for the reader: blanks alone, or a comment behind # or !.
+bool IsSkipped(std::string_view line);
+
+/// Reads a number as any of the programs write it: with an exponent as in C or as in Fortran, 1.5D+03.
+NumberKind ReadNumber(std::string_view field, double& value);
+
 /// Visits the fields of a line. Text in quotes is one field, without the quotes, whatever is in it. Defined here, where
 /// compilers inline it: this is what reading takes its time for.
 class FieldCursor
