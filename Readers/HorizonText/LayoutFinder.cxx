@@ -60,15 +60,41 @@ TextLines SampleLines(const TextLines& lines, std::int64_t first)
   return sample;
 }
 
+/// Whether a line has so many fields. The last one may be empty behind a separator at the end.
+bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
+{
+  std::size_t fields = 0;
+  FieldCursor cursor(line, separator);
+  for (std::string_view field; cursor.Next(field);)
+  {
+    ++fields;
+  }
+  return fields == count || (fields + 1 == count && cursor.EndsInSeparator());
+}
+
+bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count)
+{
+  return std::all_of(sample.begin(), sample.end(),
+    [separator, count](std::string_view line) { return HasFields(line, separator, count); });
+}
+
+/// How many fields lines have: those of the first, and one more that is empty there where others have it.
+std::size_t CountFields(const TextLines& sample, FieldSeparator separator)
+{
+  const std::size_t fields = Split(sample.front(), separator).size();
+  const bool hasMore = HasFields(sample.front(), separator, fields + 1) &&
+    std::any_of(sample.begin(), sample.end(),
+      [separator, fields](std::string_view line) { return Split(line, separator).size() == fields + 1; });
+  return hasMore ? fields + 1 : fields;
+}
+
 /// The first of tabs, commas and semicolons that cuts all lines into equally many fields, at least three; else blanks.
 FieldSeparator FindSeparator(const TextLines& sample)
 {
   for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
   {
-    const std::size_t fields = Split(sample.front(), separator).size();
-    const bool isSame = std::all_of(
-      sample.begin(), sample.end(), [&](std::string_view line) { return Split(line, separator).size() == fields; });
-    if (fields >= 3 && isSame)
+    const std::size_t fields = CountFields(sample, separator);
+    if (fields >= 3 && HaveFields(sample, separator, fields))
     {
       return separator;
     }
@@ -131,14 +157,16 @@ bool ArePlacesOfLines(const TextLines& sample, const TextLayout& layout, std::si
     fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
   }
   const std::optional<PlaneMap> map = fit.Solve();
-  if (map && AreParallel(map->Steps.col(0), map->Steps.col(1)))
+  constexpr std::size_t fewest = 4; // three make a map whatever they are
+  const bool isTelling = map && pairs.size() >= fewest;
+  if (isTelling && AreParallel(map->Steps.col(0), map->Steps.col(1)))
   {
     return false; // as with a plane z and a constant attribute
   }
   return std::all_of(pairs.begin(), pairs.end(),
     [&](const Pair& pair)
     {
-      if (!map)
+      if (!isTelling)
       {
         return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate;
       }
@@ -152,7 +180,7 @@ bool ArePlacesOfLines(const TextLines& sample, const TextLayout& layout, std::si
 /// attributes.
 std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& layout)
 {
-  const std::size_t count = Split(sample.front(), layout.Separator).size();
+  const std::size_t count = CountFields(sample, layout.Separator);
   std::vector<TextColumn> columns;
   std::size_t first = 0;
   if (count > 0 && LookAt(sample, layout, 0).AreText)
@@ -213,26 +241,22 @@ bool LeaveOutText(TextLayout& layout, const TextLines& sample)
   return true;
 }
 
-/// Brings the columns of the header into line with the fields of the picks. Where the header does not fit them, and
-/// columns are not required, there are none.
+/// Brings the columns of the header or the user into line with the fields of the picks. Where they do not fit, and are
+/// not required, there are none.
 void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
 {
-  const Fields fields = Split(sample.front(), layout.Separator);
-  if (fields.size() == layout.Columns.size() + 1 && !IsNumber(fields.front()))
+  const std::size_t fields = CountFields(sample, layout.Separator);
+  if (fields == layout.Columns.size() + 1 && !IsNumber(Split(sample.front(), layout.Separator).front()))
   {
     // OpendTect does not list the names of horizons in front of their picks.
     layout.Columns.insert(layout.Columns.begin(), { ColumnRole::HorizonName, "Name" });
   }
-  if (fields.size() != layout.Columns.size())
+  if (fields != layout.Columns.size() && !HaveFields(sample, layout.Separator, layout.Columns.size()))
   {
     if (areRequired)
     {
-      RefuseCount(layout, fields.size());
+      RefuseCount(layout, fields);
     }
-    layout.Columns.clear();
-  }
-  if (!LeaveOutText(layout, sample) && !areRequired)
-  {
     layout.Columns.clear();
   }
 }
@@ -248,7 +272,7 @@ bool IsCharisma(std::string_view line)
 bool IsLatticeSize(const TextLines& sample)
 {
   const Fields sizes = Split(sample.front(), FieldSeparator::Blanks);
-  if (sizes.size() != 3 || sample.size() < 2)
+  if (sizes.size() != 3)
   {
     return false;
   }
@@ -294,6 +318,12 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
       { Role::Crossline, "Crossline" }, { Role::X, "X" }, { Role::Y, "Y" }, { Role::Z, "Z" } };
     return true;
   }
+  if (layout.Kind == TextKind::OpenWorks && CountFields(sample, FieldSeparator::Blanks) == 5)
+  {
+    layout.Columns = { { Role::Inline, "Inline" }, { Role::Crossline, "Crossline" }, { Role::X, "X" }, { Role::Y, "Y" },
+      { Role::Z, "Z" } };
+    return true;
+  }
   if (layout.Kind == TextKind::Plain && IsLatticeSize(sample))
   {
     layout.Kind = TextKind::LatticeIndices;
@@ -319,12 +349,17 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   if (!isFixed)
   {
     layout.Separator = FindSeparator(sample);
-    const bool hasNames = layout.Kind != TextKind::Plain && !layout.Columns.empty();
+    const bool hasNames =
+      !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && HavePlaces(layout)));
     if (!options.Columns.empty())
     {
       layout.Columns = ParseColumnList(options.Columns);
     }
     MatchColumns(layout, sample, hasNames || !options.Columns.empty());
+    if (options.Columns.empty() && !LeaveOutText(layout, sample) && !hasNames)
+    {
+      layout.Columns.clear(); // they are not those of these picks
+    }
     if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !HavePlaces(layout)))
     {
       layout.Columns = GuessColumns(sample, layout);

@@ -91,6 +91,14 @@ private:
       }
       ++column;
     }
+    if (column + 1 == this->Layout.Columns.size() && fields.EndsInSeparator())
+    {
+      if (!this->ParseField(column, ""))
+      {
+        return;
+      }
+      ++column;
+    }
     if (column != this->Layout.Columns.size())
     {
       this->Fail(

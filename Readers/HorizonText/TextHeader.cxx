@@ -241,7 +241,8 @@ private:
     if (this->Line < this->Lines.size() && this->IsLineOfNames(Trim(this->Lines[this->Line])))
     {
       this->Names = Trim(this->Lines[this->Line]);
-      ++this->Layout.HeaderLines;
+      this->Layout.HasLineOfNames = true;
+      this->Layout.HeaderLines = std::int64_t(this->NextPick());
     }
     FieldCursor fields(this->Names, SeparatorOfNames(this->Names));
     std::string_view field;
@@ -264,12 +265,19 @@ private:
   /// Whether a line has no number, and the next that is not empty has one.
   bool IsLineOfNames(std::string_view line) const
   {
+    const std::size_t next = this->NextPick();
+    return !HasNumber(line) && next < this->Lines.size() && HasNumber(this->Lines[next]);
+  }
+
+  /// The next line that has something in it.
+  std::size_t NextPick() const
+  {
     std::size_t next = this->Line + 1;
     while (next < this->Lines.size() && IsSkipped(this->Lines[next]))
     {
       ++next;
     }
-    return !HasNumber(line) && next < this->Lines.size() && HasNumber(this->Lines[next]);
+    return next;
   }
 
   static bool HasNumber(std::string_view line)
