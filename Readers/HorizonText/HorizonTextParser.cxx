@@ -6,6 +6,7 @@
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
 #include "Common/Parallel.h"
+#include "Common/Survey/PickPlacement.h"
 #include "IesxParser.h"
 #include "PickBlock.h"
 #include "PickCollector.h"
@@ -162,7 +163,16 @@ void CheckFirstPicks(std::istream& stream, const TextLayout& layout)
     IesxParser(layout).Parse(lines);
     return;
   }
-  PickCollector(layout).Add(ParsePicks(lines, layout));
+  PickCollector picks(layout);
+  picks.Add(ParsePicks(lines, layout));
+  if (layout.IsGuessed && layout.HasLineOfNames)
+  {
+    throw InputError("names over the columns that do not say where picks are, expected those of a horizon");
+  }
+  if (layout.IsGuessed && layout.Find(ColumnRole::Inline) < 0)
+  {
+    PlacePicks(picks.Take(), PlacementOptions());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

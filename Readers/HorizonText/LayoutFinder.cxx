@@ -363,6 +363,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
     if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !HavePlaces(layout)))
     {
       layout.Columns = GuessColumns(sample, layout);
+      layout.IsGuessed = true;
     }
     SettleRoles(layout.Columns);
   }
