@@ -3,6 +3,8 @@
 
 #include "TextFields.h"
 
+#include <algorithm>
+
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
@@ -10,5 +12,27 @@ bool IsEndMark(std::string_view line)
 {
   const std::string_view word = Trim(line);
   return word == "EOB" || word == "EOD" || word == "EOF";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsSkipped(std::string_view line)
+{
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first == std::string_view::npos || line[first] == '#' || line[first] == '!';
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+NumberKind ReadNumber(std::string_view field, double& value)
+{
+  constexpr std::size_t mostCharacters = 64; // of a number with such an exponent
+  const NumberKind kind = ReadAnyNumber(field, value);
+  if (kind != NumberKind::NotANumber || field.size() > mostCharacters || field.find_first_of("Dd") == field.npos)
+  {
+    return kind;
+  }
+  std::string number(field);
+  std::replace_if(
+    number.begin(), number.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
+  return ReadAnyNumber(number, value);
 }
 }

@@ -18,7 +18,14 @@ namespace SeismicHorizons
 /// Whether a line is one that some programs end a file with: EOB, EOD or EOF.
 bool IsEndMark(std::string_view line);
 
-/// Visits the fields of a line. Text in quotes is one field, without the quotes, whatever is in it. Defined here, where
+/// Whether a line has nothing for the reader: blanks alone, or a comment behind # or !.
+bool IsSkipped(std::string_view line);
+
+/// Reads a number as any of the programs write it: with an exponent as in C or as in Fortran, 1.5D+03.
+NumberKind ReadNumber(std::string_view field, double& value);
+
+/// Visits the fields of a line. Text in quotes is one field, without the quotes, whatever is in it; where the second
+/// quote is missing, the first is part of the field. Defined here, where
 /// compilers inline it: this is what reading takes its time for.
 class FieldCursor
 {
@@ -31,8 +38,8 @@ public:
   {
   }
 
-  /// Gives the next field, and false after the last. Between two commas there is an empty field, and blanks around
-  /// fields are left out; at the end of the line, one comma more or less makes no field.
+  /// Gives the next field, and false after the last. Between two commas there is an empty field, behind one at the end
+  /// of the line is none. Blanks around fields are left out.
   bool Next(std::string_view& field)
   {
     this->SkipBlanks();
@@ -51,10 +58,14 @@ public:
     if (this->Separator != 0)
     {
       this->SkipBlanks();
-      this->Place += this->Place != this->Last && this->IsSeparator(*this->Place) ? 1 : 0;
+      this->IsSeparated = this->Place != this->Last && this->IsSeparator(*this->Place);
+      this->Place += this->IsSeparated ? 1 : 0;
     }
     return true;
   }
+
+  /// Whether a comma, or what stands for it, is behind the last field. To be asked when there is no further one.
+  bool EndsInSeparator() const { return this->IsSeparated; }
 
 private:
   /// The character, or 0 where blanks separate.
@@ -93,8 +104,12 @@ private:
     {
       ++this->Place;
     }
+    if (this->Place == this->Last)
+    {
+      return std::string_view(first - 1, std::size_t(this->Place - first) + 1);
+    }
     const std::string_view field(first, std::size_t(this->Place - first));
-    this->Place += this->Place != this->Last ? 1 : 0;
+    ++this->Place;
     return field;
   }
 
@@ -121,6 +136,7 @@ private:
   const char* const Last;
   const char Separator;
   const bool SkipsColons;
+  bool IsSeparated = false; // the field from what comes behind it
 };
 }
 

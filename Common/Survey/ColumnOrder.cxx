@@ -65,16 +65,15 @@ private:
   const bool PrefersSmallZ;
 };
 
-/// The picks of a horizon that have a z, in the order of the file.
-ColumnOrder ListPicks(const PickTable& picks, int number)
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<ColumnOrder> ListPicks(const PickTable& picks)
 {
-  ColumnOrder list;
+  std::vector<ColumnOrder> lists(picks.Names.size());
   for (std::size_t pick = 0; pick < picks.Size(); ++pick)
   {
-    if (!picks.Horizon.empty() && picks.Horizon[pick] != number)
-    {
-      continue;
-    }
+    ColumnOrder& list = lists[picks.Horizon.empty() ? 0 : std::size_t(picks.Horizon[pick])];
     if (std::isnan(picks.Z[pick]))
     {
       ++list.Nulls;
@@ -82,14 +81,12 @@ ColumnOrder ListPicks(const PickTable& picks, int number)
     }
     list.Picks.push_back(std::int32_t(pick));
   }
-  return list;
-}
+  return lists;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ColumnOrder OrderPicks(const PickTable& picks, int number, const ColumnList& columns, const PlacementOptions& options)
+void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& columns, const PlacementOptions& options)
 {
-  ColumnOrder order = ListPicks(picks, number);
   const auto column = [&columns](std::int32_t pick)
   { return std::pair<int, int>(columns.J[std::size_t(pick)], columns.I[std::size_t(pick)]); };
   const auto isBefore = [&column](std::int32_t a, std::int32_t b) { return column(a) < column(b); };
@@ -114,6 +111,5 @@ ColumnOrder OrderPicks(const PickTable& picks, int number, const ColumnList& col
     }
   }
   order.Picks.resize(kept);
-  return order;
 }
 }

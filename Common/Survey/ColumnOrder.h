@@ -18,7 +18,7 @@ struct ColumnList
   std::vector<int> I, J;
 };
 
-/// The picks of a horizon, by ascending j and then i, one for each column.
+/// Picks of a horizon.
 struct ColumnOrder
 {
   std::vector<std::int32_t> Picks;
@@ -26,9 +26,12 @@ struct ColumnOrder
   std::int64_t Nulls = 0; // left out because they have no z
 };
 
-/// Orders the picks of horizon `number`. Of several in one column the policy of the options says which stays; where it
-/// asks for amplitudes and there is no attribute of that name, the topmost does.
-ColumnOrder OrderPicks(const PickTable& picks, int number, const ColumnList& columns, const PlacementOptions& options);
+/// The picks of each horizon that have a z, in the order they come.
+std::vector<ColumnOrder> ListPicks(const PickTable& picks);
+
+/// Orders the picks of a horizon by ascending j and then i, one for each column. Of several in one column the policy of
+/// the options says which stays; where it asks for amplitudes and there is no attribute of that name, the topmost does.
+void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& columns, const PlacementOptions& options);
 }
 
 #endif

@@ -210,10 +210,12 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   Free(picks.Y);
   Free(picks.Inline);
   Free(picks.Crossline);
+  std::vector<ColumnOrder> orders = ListPicks(picks);
   for (std::size_t number = 0; number < picks.Names.size(); ++number)
   {
     monitor.Progress(0.7 + 0.3 * double(number) / double(picks.Names.size()));
-    ColumnOrder order = OrderPicks(picks, int(number), columns, options);
+    ColumnOrder order = std::exchange(orders[number], ColumnOrder());
+    OrderPicks(order, picks, columns, options);
     placed.Horizons.push_back(MakeHorizon(picks, columns, order.Picks));
     placed.Horizons.back().Name = picks.Names[number];
     placed.Horizons.back().DroppedDuplicates = order.Duplicates;

@@ -74,7 +74,7 @@ protected:
   virtual std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// What the error begins with that there is too little memory: the name of a file, and ": ".
+  /// What errors begin with that come from the data: the name of a file, and ": ".
   virtual std::string ErrorPrefix() { return std::string(); }
 
 private:

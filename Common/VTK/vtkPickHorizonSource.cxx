@@ -52,7 +52,14 @@ void vtkPickHorizonSource::CheckParameters()
 SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 {
   PickTable picks = this->ReadPicks(monitor.Step(0.0, 0.6));
-  return PlacePicks(std::move(picks), this->MakeOptions(), monitor.Step(0.6, 1.0));
+  try
+  {
+    return PlacePicks(std::move(picks), this->MakeOptions(), monitor.Step(0.6, 1.0));
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(this->ErrorPrefix() + error.what());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

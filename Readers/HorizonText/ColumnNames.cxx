@@ -19,6 +19,20 @@ std::string Word(const TextColumn& column)
   return column.Role == ColumnRole::Attribute ? column.Name : RoleWord(column.Role);
 }
 
+/// Adds a number to the name of an attribute that another one has before it: "Amplitude 2".
+void NumberDoubles(std::vector<TextColumn>& columns)
+{
+  std::set<std::string> names;
+  for (TextColumn& column : columns)
+  {
+    const std::string name = column.Name;
+    for (int number = 2; column.Role == ColumnRole::Attribute && !names.insert(column.Name).second; ++number)
+    {
+      column.Name = name + " " + std::to_string(number);
+    }
+  }
+}
+
 bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
 {
   return std::any_of(columns.begin(), columns.end(), [role](const TextColumn& column) { return column.Role == role; });
@@ -28,6 +42,10 @@ bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
 //----------------------------------------------------------------------------------------------------------------------
 TextColumn ColumnOfName(std::string_view name)
 {
+  if (name.empty())
+  {
+    return { ColumnRole::Ignored, "-" };
+  }
   return { RoleOfName(name), std::string(name) };
 }
 
@@ -43,6 +61,7 @@ void SettleRoles(std::vector<TextColumn>& columns)
       column.Role = ColumnRole::Attribute;
     }
   }
+  NumberDoubles(columns);
   const auto attribute = std::find_if(
     columns.begin(), columns.end(), [](const TextColumn& column) { return column.Role == ColumnRole::Attribute; });
   if (!Has(columns, ColumnRole::Z) && attribute != columns.end())

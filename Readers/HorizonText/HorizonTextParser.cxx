@@ -6,6 +6,7 @@
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
 #include "Common/Parallel.h"
+#include "Common/Survey/PickPlacement.h"
 #include "IesxParser.h"
 #include "PickBlock.h"
 #include "PickCollector.h"
@@ -18,8 +19,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t LookAhead = 256 * 1024; // bytes that the layout is found from
-constexpr std::size_t BufferSize = 8 * 1024 * 1024; // bytes in memory at a time
-constexpr std::size_t BlockSize = 256 * 1024; // bytes that a thread parses at a time
 
 /// The text behind a byte order mark.
 std::string_view SkipMark(std::string_view text)
@@ -30,11 +29,11 @@ std::string_view SkipMark(std::string_view text)
 
 /// Calls take(lines) with some complete lines after the other.
 template <typename Take>
-void ForEachPiece(std::istream& stream, const Monitor& monitor, Take&& take)
+void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& monitor, Take&& take)
 {
   stream.clear();
   stream.seekg(0);
-  LineBuffer lines(stream, BufferSize);
+  LineBuffer lines(stream, bufferSize);
   for (bool isFirst = true; !lines.AtEnd(); isFirst = false)
   {
     if (!lines.Read())
@@ -59,26 +58,26 @@ std::string_view SkipLines(std::string_view text, std::int64_t& count)
 }
 
 /// Cuts lines into blocks.
-std::vector<std::string_view> MakeBlocks(std::string_view text)
+std::vector<std::string_view> MakeBlocks(std::string_view text, std::size_t size)
 {
   std::vector<std::string_view> blocks;
   while (!text.empty())
   {
-    const std::size_t end = BlockSize < text.size() ? text.find('\n', BlockSize) + 1 : text.size();
+    const std::size_t end = size < text.size() ? text.find('\n', size) + 1 : text.size();
     blocks.push_back(text.substr(0, end));
     text.remove_prefix(end);
   }
   return blocks;
 }
 
-PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Monitor& monitor)
+PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   PickCollector picks(layout);
   std::int64_t headerLines = layout.HeaderLines;
-  ForEachPiece(stream, monitor,
+  ForEachPiece(stream, pieces.Buffer, monitor,
     [&](std::string_view text, double partRead)
     {
-      const std::vector<std::string_view> blocks = MakeBlocks(SkipLines(text, headerLines));
+      const std::vector<std::string_view> blocks = MakeBlocks(SkipLines(text, headerLines), pieces.Block);
       std::vector<PickBlock> parsed(blocks.size());
       ParallelFor(std::int64_t(blocks.size()), 1,
         [&](std::int64_t first, std::int64_t last)
@@ -102,10 +101,12 @@ PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Moni
   return picks.Take();
 }
 
-PickTable ReadIesx(std::istream& stream, const TextLayout& layout, const Monitor& monitor)
+PickTable ReadIesx(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
-  IesxParser picks(layout.Nulls);
-  ForEachPiece(stream, monitor, [&](std::string_view text, double) { picks.Parse(text); });
+  IesxParser picks(layout);
+  std::int64_t headerLines = layout.HeaderLines;
+  ForEachPiece(
+    stream, pieces.Buffer, monitor, [&](std::string_view text, double) { picks.Parse(SkipLines(text, headerLines)); });
   return picks.Take();
 }
 
@@ -155,18 +156,29 @@ TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
 void CheckFirstPicks(std::istream& stream, const TextLayout& layout)
 {
   const std::string text = ReadBeginning(stream);
+  std::int64_t headerLines = layout.HeaderLines;
+  const std::string_view lines = SkipLines(SkipMark(text), headerLines);
   if (layout.Kind == TextKind::Iesx)
   {
-    IesxParser(layout.Nulls).Parse(SkipMark(text));
+    IesxParser(layout).Parse(lines);
     return;
   }
-  std::int64_t headerLines = layout.HeaderLines;
-  PickCollector(layout).Add(ParsePicks(SkipLines(SkipMark(text), headerLines), layout));
+  PickCollector picks(layout);
+  picks.Add(ParsePicks(lines, layout));
+  if (layout.IsGuessed && layout.HasLineOfNames)
+  {
+    throw InputError("names over the columns that do not say where picks are, expected those of a horizon");
+  }
+  if (layout.IsGuessed && layout.Find(ColumnRole::Inline) < 0)
+  {
+    PlacePicks(picks.Take(), PlacementOptions());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor)
+PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
-  return layout.Kind == TextKind::Iesx ? ReadIesx(stream, layout, monitor) : ReadColumns(stream, layout, monitor);
+  return layout.Kind == TextKind::Iesx ? ReadIesx(stream, layout, monitor, pieces)
+                                       : ReadColumns(stream, layout, monitor, pieces);
 }
 }

@@ -21,11 +21,21 @@ namespace SeismicHorizons
 /// Looks at the beginning of a file, and goes back there.
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
 
-/// Throws InputError where one of the first picks of a file is not as its layout says. Goes back to the beginning.
+/// Throws InputError where the first picks of a file are not as its layout says, or, where that is only guessed, do not
+/// look like those of a horizon: under names of other things, or with x and y that are on no lattice. Goes back to the
+/// beginning.
 void CheckFirstPicks(std::istream& stream, const TextLayout& layout);
 
+/// How a file is cut into pieces. They do not matter for what is read.
+struct TextPieces
+{
+  std::size_t Buffer = 8 * 1024 * 1024; // bytes in memory at a time
+  std::size_t Block = 256 * 1024; // bytes that a thread parses at a time
+};
+
 /// Reads the picks of a file with its layout, from the beginning. Progress is by bytes.
-PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor = Monitor());
+PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor = Monitor(),
+  const TextPieces& pieces = TextPieces());
 }
 
 #endif

@@ -8,8 +8,8 @@
 #ifndef SeismicHorizonsIesxParser_h
 #define SeismicHorizonsIesxParser_h
 
-#include "Common/Survey/NullValues.h"
 #include "Common/Survey/PickTable.h"
+#include "TextLayout.h"
 
 #include <cstdint>
 #include <string_view>
@@ -19,8 +19,9 @@ namespace SeismicHorizons
 class IesxParser
 {
 public:
-  explicit IesxParser(const NullValues& nulls)
-    : Nulls(nulls)
+  explicit IesxParser(const TextLayout& layout)
+    : Nulls(layout.Nulls)
+    , Line(layout.HeaderLines)
   {
   }
 
@@ -41,7 +42,7 @@ private:
   const NullValues& Nulls;
   PickTable Table;
   std::vector<double> Amplitudes;
-  std::int64_t Line = 0; // from 1
+  std::int64_t Line; // from 1
   int Profile = -1;
   bool HasEnded = false;
 };

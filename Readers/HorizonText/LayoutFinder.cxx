@@ -4,6 +4,7 @@
 #include "LayoutFinder.h"
 
 #include "ColumnNames.h"
+#include "Common/Lattice.h"
 #include "Common/LineErrors.h"
 #include "Common/Survey/PlaneFit.h"
 #include "Common/TextFields.h"
@@ -38,22 +39,53 @@ Fields Split(std::string_view line, FieldSeparator separator)
   return fields;
 }
 
-/// Some lines behind the header that are not empty, up to the end mark of a file.
+/// Some lines of picks behind the header, up to the end mark of a file: the first one, and others that are spread over
+/// all, so that they are not of one inline only.
 TextLines SampleLines(const TextLines& lines, std::int64_t first)
 {
-  TextLines sample;
-  for (auto line = std::size_t(first); line < lines.size() && sample.size() < MostSampleLines; ++line)
+  TextLines picks;
+  for (auto line = std::size_t(first); line < lines.size() && !IsEndMark(lines[line]); ++line)
   {
-    if (IsEndMark(lines[line]))
+    if (!IsSkipped(lines[line]))
     {
-      break;
-    }
-    if (!Trim(lines[line]).empty())
-    {
-      sample.push_back(lines[line]);
+      picks.push_back(lines[line]);
     }
   }
+  const std::size_t stride = picks.size() / MostSampleLines + 1;
+  TextLines sample;
+  for (std::size_t pick = 0; pick < picks.size(); pick += stride)
+  {
+    sample.push_back(picks[pick]);
+  }
   return sample;
+}
+
+/// Whether a line has so many fields. The last one may be empty behind a separator at the end.
+bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
+{
+  std::size_t fields = 0;
+  FieldCursor cursor(line, separator);
+  for (std::string_view field; cursor.Next(field);)
+  {
+    ++fields;
+  }
+  return fields == count || (fields + 1 == count && cursor.EndsInSeparator());
+}
+
+bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count)
+{
+  return std::all_of(sample.begin(), sample.end(),
+    [separator, count](std::string_view line) { return HasFields(line, separator, count); });
+}
+
+/// How many fields lines have: those of the first, and one more that is empty there where others have it.
+std::size_t CountFields(const TextLines& sample, FieldSeparator separator)
+{
+  const std::size_t fields = Split(sample.front(), separator).size();
+  const bool hasMore = HasFields(sample.front(), separator, fields + 1) &&
+    std::any_of(sample.begin(), sample.end(),
+      [separator, fields](std::string_view line) { return Split(line, separator).size() == fields + 1; });
+  return hasMore ? fields + 1 : fields;
 }
 
 /// The first of tabs, commas and semicolons that cuts all lines into equally many fields, at least three; else blanks.
@@ -61,10 +93,8 @@ FieldSeparator FindSeparator(const TextLines& sample)
 {
   for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
   {
-    const std::size_t fields = Split(sample.front(), separator).size();
-    const bool isSame = std::all_of(
-      sample.begin(), sample.end(), [&](std::string_view line) { return Split(line, separator).size() == fields; });
-    if (fields >= 3 && isSame)
+    const std::size_t fields = CountFields(sample, separator);
+    if (fields >= 3 && HaveFields(sample, separator, fields))
     {
       return separator;
     }
@@ -75,32 +105,35 @@ FieldSeparator FindSeparator(const TextLines& sample)
 /// What the values of a column are like.
 struct ColumnValues
 {
-  bool AreNumbers = true; // or null
+  bool AreText = false; // none of them is a number, and some are not null
   bool AreLines = true; // whole, and as small as line numbers are
 };
 
-ColumnValues LookAt(const TextLines& sample, FieldSeparator separator, std::size_t column)
+ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size_t column)
 {
   ColumnValues values;
+  bool hasNumbers = false;
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, separator);
+    const Fields fields = Split(line, layout.Separator);
     double value = 0.0;
     if (column >= fields.size())
     {
       continue; // reading the line will say so
     }
-    const bool isNumber = ReadAnyNumber(fields[column], value) != NumberKind::NotANumber;
-    values.AreNumbers = values.AreNumbers && (isNumber || NullValues().IsNullText(fields[column]));
+    const bool isNumber = ReadNumber(fields[column], value) != NumberKind::NotANumber;
+    hasNumbers = hasNumbers || isNumber;
+    values.AreText = values.AreText || !(isNumber || layout.Nulls.IsNullText(fields[column]));
     values.AreLines =
       values.AreLines && isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber;
   }
+  values.AreText = values.AreText && !hasNumbers; // else reading the line of the text will say so
   return values;
 }
 
 /// Whether two columns hold places that belong to the line numbers in two others: an affine map leads from those to
 /// these. Where the lines have too few numbers to tell, coordinates are taken for what they mostly are: large.
-bool ArePlacesOfLines(const TextLines& sample, FieldSeparator separator, std::size_t lines, std::size_t places)
+bool ArePlacesOfLines(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
 {
   struct Pair
   {
@@ -110,12 +143,12 @@ bool ArePlacesOfLines(const TextLines& sample, FieldSeparator separator, std::si
   PlaneFit fit;
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, separator);
+    const Fields fields = Split(line, layout.Separator);
     std::array<double, 4> values = {};
     for (const std::size_t n : { 0, 1, 2, 3 })
     {
       const std::size_t column = n < 2 ? lines + n : places + n - 2;
-      if (column >= fields.size() || ReadAnyNumber(fields[column], values[n]) != NumberKind::Finite)
+      if (column >= fields.size() || ReadNumber(fields[column], values[n]) != NumberKind::Finite)
       {
         return false;
       }
@@ -124,10 +157,16 @@ bool ArePlacesOfLines(const TextLines& sample, FieldSeparator separator, std::si
     fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
   }
   const std::optional<PlaneMap> map = fit.Solve();
+  constexpr std::size_t fewest = 4; // three make a map whatever they are
+  const bool isTelling = map && pairs.size() >= fewest;
+  if (isTelling && AreParallel(map->Steps.col(0), map->Steps.col(1)))
+  {
+    return false; // as with a plane z and a constant attribute
+  }
   return std::all_of(pairs.begin(), pairs.end(),
     [&](const Pair& pair)
     {
-      if (!map)
+      if (!isTelling)
       {
         return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate;
       }
@@ -139,23 +178,20 @@ bool ArePlacesOfLines(const TextLines& sample, FieldSeparator separator, std::si
 
 /// Columns without names, by their values: a name first where it is text; x y il xl, il xl x y, il xl or x y; z, and
 /// attributes.
-std::vector<TextColumn> GuessColumns(const TextLines& sample, FieldSeparator separator)
+std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& layout)
 {
-  const std::size_t count = Split(sample.front(), separator).size();
+  const std::size_t count = CountFields(sample, layout.Separator);
   std::vector<TextColumn> columns;
   std::size_t first = 0;
-  if (count > 0 && !LookAt(sample, separator, 0).AreNumbers)
+  if (count > 0 && LookAt(sample, layout, 0).AreText)
   {
     columns.push_back({ ColumnRole::HorizonName, "Name" });
     first = 1;
   }
   const auto areLines = [&](std::size_t column)
-  {
-    return LookAt(sample, separator, first + column).AreLines && LookAt(sample, separator, first + column + 1).AreLines;
-  };
-  const auto areBoth = [&](std::size_t lines, std::size_t places) {
-    return count >= first + 5 && areLines(lines) && ArePlacesOfLines(sample, separator, first + lines, first + places);
-  };
+  { return LookAt(sample, layout, first + column).AreLines && LookAt(sample, layout, first + column + 1).AreLines; };
+  const auto areBoth = [&](std::size_t lines, std::size_t places)
+  { return count >= first + 5 && areLines(lines) && ArePlacesOfLines(sample, layout, first + lines, first + places); };
   using Role = ColumnRole;
   std::vector<Role> roles = { Role::X, Role::Y, Role::Z };
   if (areBoth(0, 2))
@@ -173,7 +209,7 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, FieldSeparator sep
   for (std::size_t column = 0; first + column < count; ++column)
   {
     const Role role = column < roles.size() ? roles[column] : Role::Attribute;
-    const bool isText = !LookAt(sample, separator, first + column).AreNumbers;
+    const bool isText = LookAt(sample, layout, first + column).AreText;
     columns.push_back({ isText ? Role::Ignored : role,
       role == Role::Attribute ? "Attribute " + std::to_string(column - roles.size() + 1) : RoleWord(role) });
   }
@@ -186,30 +222,42 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, FieldSeparator sep
     std::to_string(fields) + " fields, expected one for each of the columns " + ListNames(layout.Columns));
 }
 
-/// Brings the columns of the header into line with the fields of the picks.
+/// Leaves out attributes that are text. False where text is what a number has to be.
+bool LeaveOutText(TextLayout& layout, const TextLines& sample)
+{
+  for (std::size_t column = 0; column < layout.Columns.size(); ++column)
+  {
+    ColumnRole& role = layout.Columns[column].Role;
+    if (role == ColumnRole::HorizonName || role == ColumnRole::Ignored || !LookAt(sample, layout, column).AreText)
+    {
+      continue;
+    }
+    if (role != ColumnRole::Attribute)
+    {
+      return false;
+    }
+    role = ColumnRole::Ignored;
+  }
+  return true;
+}
+
+/// Brings the columns of the header or the user into line with the fields of the picks. Where they do not fit, and are
+/// not required, there are none.
 void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
 {
-  const Fields fields = Split(sample.front(), layout.Separator);
-  if (fields.size() == layout.Columns.size() + 1 && !IsNumber(fields.front()))
+  const std::size_t fields = CountFields(sample, layout.Separator);
+  if (fields == layout.Columns.size() + 1 && !IsNumber(Split(sample.front(), layout.Separator).front()))
   {
     // OpendTect does not list the names of horizons in front of their picks.
     layout.Columns.insert(layout.Columns.begin(), { ColumnRole::HorizonName, "Name" });
   }
-  if (fields.size() != layout.Columns.size())
+  if (fields != layout.Columns.size() && !HaveFields(sample, layout.Separator, layout.Columns.size()))
   {
     if (areRequired)
     {
-      RefuseCount(layout, fields.size());
+      RefuseCount(layout, fields);
     }
     layout.Columns.clear();
-  }
-  for (std::size_t column = 0; column < layout.Columns.size(); ++column)
-  {
-    const bool isText = !LookAt(sample, layout.Separator, column).AreNumbers;
-    if (isText && layout.Columns[column].Role != ColumnRole::HorizonName)
-    {
-      layout.Columns[column].Role = ColumnRole::Ignored;
-    }
   }
 }
 
@@ -224,7 +272,7 @@ bool IsCharisma(std::string_view line)
 bool IsLatticeSize(const TextLines& sample)
 {
   const Fields sizes = Split(sample.front(), FieldSeparator::Blanks);
-  if (sizes.size() != 3 || sample.size() < 2)
+  if (sizes.size() != 3)
   {
     return false;
   }
@@ -238,8 +286,8 @@ bool IsLatticeSize(const TextLines& sample)
         const Fields fields = Split(line, FieldSeparator::Blanks);
         double i = 0.0;
         double j = 0.0;
-        return fields.size() == 3 && ReadAnyNumber(fields[0], i) == NumberKind::Finite &&
-          ReadAnyNumber(fields[1], j) == NumberKind::Finite && i >= 0.0 && i < columns && j >= 0.0 && j < rows &&
+        return fields.size() == 3 && ReadNumber(fields[0], i) == NumberKind::Finite &&
+          ReadNumber(fields[1], j) == NumberKind::Finite && i >= 0.0 && i < columns && j >= 0.0 && j < rows &&
           i == std::round(i) && j == std::round(j);
       });
 }
@@ -270,6 +318,12 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
       { Role::Crossline, "Crossline" }, { Role::X, "X" }, { Role::Y, "Y" }, { Role::Z, "Z" } };
     return true;
   }
+  if (layout.Kind == TextKind::OpenWorks && CountFields(sample, FieldSeparator::Blanks) == 5)
+  {
+    layout.Columns = { { Role::Inline, "Inline" }, { Role::Crossline, "Crossline" }, { Role::X, "X" }, { Role::Y, "Y" },
+      { Role::Z, "Z" } };
+    return true;
+  }
   if (layout.Kind == TextKind::Plain && IsLatticeSize(sample))
   {
     layout.Kind = TextKind::LatticeIndices;
@@ -285,6 +339,7 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
 {
   TextLayout layout = ReadTextHeader(lines);
+  layout.Nulls.Add(NullValues(options.NullValues));
   const TextLines sample = SampleLines(lines, layout.HeaderLines);
   if (sample.empty())
   {
@@ -294,20 +349,25 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   if (!isFixed)
   {
     layout.Separator = FindSeparator(sample);
-    const bool hasNames = layout.Kind != TextKind::Plain && !layout.Columns.empty();
+    const bool hasNames =
+      !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && HavePlaces(layout)));
     if (!options.Columns.empty())
     {
       layout.Columns = ParseColumnList(options.Columns);
     }
     MatchColumns(layout, sample, hasNames || !options.Columns.empty());
+    if (options.Columns.empty() && !LeaveOutText(layout, sample) && !hasNames)
+    {
+      layout.Columns.clear(); // they are not those of these picks
+    }
     if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !HavePlaces(layout)))
     {
-      layout.Columns = GuessColumns(sample, layout.Separator);
+      layout.Columns = GuessColumns(sample, layout);
+      layout.IsGuessed = true;
     }
     SettleRoles(layout.Columns);
   }
   CheckRoles(layout.Columns);
-  layout.Nulls.Add(NullValues(options.NullValues));
   if (layout.Picks >= 0)
   {
     // The size is the first of the sample.

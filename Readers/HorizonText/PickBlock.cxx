@@ -17,24 +17,17 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double Null = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t MostNumberCharacters = 64;
 
-/// Reads a number that may have an exponent as in Fortran, 1.5D+03.
-bool ReadNumber(std::string_view field, double& value)
+/// Nearly all numbers are plain ones.
+bool IsFinite(std::string_view field, double& value)
 {
-  if (ReadPlainNumber(field.data(), value) == field.data() + field.size() && !field.empty())
-  {
-    return true;
-  }
-  const NumberKind kind = ReadAnyNumber(field, value);
-  if (kind != NumberKind::NotANumber || field.size() > MostNumberCharacters)
-  {
-    return kind != NumberKind::NotANumber;
-  }
-  std::string number(field);
-  std::replace_if(
-    number.begin(), number.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
-  return ReadAnyNumber(number, value) != NumberKind::NotANumber;
+  return ReadPlainNumber(field.data(), value) == field.data() + field.size() ||
+    ReadNumber(field, value) == NumberKind::Finite;
+}
+
+bool IsControl(char c)
+{
+  return static_cast<unsigned char>(c) < ' ';
 }
 
 /// Holds the state between the lines of a block. Functions are defined inside the class, where compilers inline them.
@@ -64,17 +57,20 @@ public:
 private:
   void ParseLine(std::string_view line)
   {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos || line[first] == '#' || line[first] == '!')
+    if (IsSkipped(line))
     {
       return;
+    }
+    if (this->Block.FirstLine < 0)
+    {
+      this->Block.FirstLine = this->Block.Lines;
     }
     if (this->Block.EndLine >= 0)
     {
-      this->Fail("more lines after the end mark, expected none");
+      this->Fail(LinesAfterEnd);
       return;
     }
-    if (line[first] == 'E' && IsEndMark(line))
+    if (IsEndMark(line))
     {
       this->Block.EndLine = this->Block.Lines;
       return;
@@ -90,6 +86,14 @@ private:
     while (fields.Next(field))
     {
       if (column < this->Layout.Columns.size() && !this->ParseField(column, field))
+      {
+        return;
+      }
+      ++column;
+    }
+    if (column + 1 == this->Layout.Columns.size() && fields.EndsInSeparator())
+    {
+      if (!this->ParseField(column, ""))
       {
         return;
       }
@@ -111,11 +115,10 @@ private:
     }
     if (role == ColumnRole::HorizonName)
     {
-      this->Block.Horizon.push_back(this->NumberOfName(field));
-      return true;
+      return this->ParseName(field);
     }
     double value = Null;
-    const bool isNumber = ReadNumber(field, value) && std::isfinite(value);
+    const bool isNumber = IsFinite(field, value);
     if (!isNumber && !this->Layout.Nulls.IsNullText(field))
     {
       this->Fail(Quote(field) + " as " + RoleWord(role) + ", expected a number");
@@ -132,6 +135,17 @@ private:
       return false;
     }
     this->Block.Values[column].push_back(value);
+    return true;
+  }
+
+  bool ParseName(std::string_view name)
+  {
+    if (std::any_of(name.begin(), name.end(), IsControl))
+    {
+      this->Fail(Quote(name) + " as name of a horizon, expected characters that can be printed");
+      return false;
+    }
+    this->Block.Horizon.push_back(this->NumberOfName(name));
     return true;
   }
 

@@ -22,10 +22,13 @@ struct PickBlock
   std::vector<std::string> Names; // of horizons, in the order they come
   std::vector<int> Horizon; // of each pick the number of its name; empty where no column has names
   std::int64_t Lines = 0;
+  std::int64_t FirstLine = -1; // the first that is neither empty nor a comment, from 0
   std::int64_t EndLine = -1; // that of an end mark, from 0
   std::int64_t ErrorLine = -1; // from 0; lines behind it are not parsed
   std::string Error; // what is wrong there
 };
+
+inline constexpr const char* LinesAfterEnd = "more lines after the end mark, expected none";
 
 /// Parses complete lines: the last character is a newline.
 PickBlock ParsePicks(std::string_view lines, const TextLayout& layout);

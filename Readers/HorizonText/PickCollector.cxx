@@ -71,6 +71,10 @@ void PickCollector::Reserve(std::size_t picks)
 //----------------------------------------------------------------------------------------------------------------------
 void PickCollector::Add(const PickBlock& block)
 {
+  if (this->HasEnded && block.FirstLine >= 0)
+  {
+    throw ErrorAt(this->Lines + block.FirstLine + 1, LinesAfterEnd);
+  }
   if (block.ErrorLine >= 0)
   {
     throw ErrorAt(this->Lines + block.ErrorLine + 1, block.Error);
@@ -85,10 +89,6 @@ void PickCollector::Add(const PickBlock& block)
       all.insert(all.end(), values.begin(), values.end());
       picks = values.size();
     }
-  }
-  if (this->HasEnded && picks > 0)
-  {
-    throw ErrorAt(this->Lines + 1, "more lines after the end mark, expected none");
   }
   this->AddNames(block);
   this->Picks += picks;

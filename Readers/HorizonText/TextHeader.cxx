@@ -71,7 +71,11 @@ private:
     if (this->InPetrelHeader)
     {
       this->Layout.Kind = TextKind::PetrelPoints;
-      this->AddColumn(line.substr(line.find(',') + 1)); // "FLOAT,name", or the name
+      this->Layout.Nulls = NullValues("-999");
+      FieldCursor name(line.substr(line.find(',') + 1), FieldSeparator::Comma); // of "FLOAT,name", or "name"
+      std::string_view field;
+      name.Next(field);
+      this->AddColumn(field);
     }
     return true;
   }
@@ -142,11 +146,11 @@ private:
     {
       this->TakeFieldName(value);
     }
-    else if (key == "units")
+    else if (key == "units" || key == "unit in x and y direction") // the latter of Petrel
     {
       this->Layout.Survey.HorizontalUnit = ShortUnit(value);
     }
-    else if (key == "z_units")
+    else if (key == "z_units" || key == "unit in depth")
     {
       SetVerticalUnit(this->Layout.Survey, value);
     }
@@ -237,11 +241,10 @@ private:
     if (this->Line < this->Lines.size() && this->IsLineOfNames(Trim(this->Lines[this->Line])))
     {
       this->Names = Trim(this->Lines[this->Line]);
-      ++this->Layout.HeaderLines;
+      this->Layout.HasLineOfNames = true;
+      this->Layout.HeaderLines = std::int64_t(this->NextPick());
     }
-    const FieldSeparator separator =
-      this->Names.find(',') != std::string_view::npos ? FieldSeparator::Comma : FieldSeparator::Blanks;
-    FieldCursor fields(this->Names, this->Names.find('\t') != std::string_view::npos ? FieldSeparator::Tab : separator);
+    FieldCursor fields(this->Names, SeparatorOfNames(this->Names));
     std::string_view field;
     while (fields.Next(field))
     {
@@ -249,10 +252,32 @@ private:
     }
   }
 
-  /// Whether a line has no number, and the next has one.
+  /// Names may have blanks in them where anything else separates them.
+  static FieldSeparator SeparatorOfNames(std::string_view names)
+  {
+    const auto has = [names](char c) { return names.find(c) != std::string_view::npos; };
+    return has('\t') ? FieldSeparator::Tab
+      : has(',')     ? FieldSeparator::Comma
+      : has(';')     ? FieldSeparator::Semicolon
+                     : FieldSeparator::Blanks;
+  }
+
+  /// Whether a line has no number, and the next that is not empty has one.
   bool IsLineOfNames(std::string_view line) const
   {
-    return !HasNumber(line) && this->Line + 1 < this->Lines.size() && HasNumber(this->Lines[this->Line + 1]);
+    const std::size_t next = this->NextPick();
+    return !HasNumber(line) && next < this->Lines.size() && HasNumber(this->Lines[next]);
+  }
+
+  /// The next line that has something in it.
+  std::size_t NextPick() const
+  {
+    std::size_t next = this->Line + 1;
+    while (next < this->Lines.size() && IsSkipped(this->Lines[next]))
+    {
+      ++next;
+    }
+    return next;
   }
 
   static bool HasNumber(std::string_view line)
@@ -284,7 +309,7 @@ private:
 bool IsNumber(std::string_view field)
 {
   double value = 0.0;
-  return !field.empty() && ReadAnyNumber(field, value) != NumberKind::NotANumber;
+  return !field.empty() && ReadNumber(field, value) != NumberKind::NotANumber;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

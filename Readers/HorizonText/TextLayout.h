@@ -41,6 +41,8 @@ struct TextLayout
   TextKind Kind = TextKind::Plain;
   FieldSeparator Separator = FieldSeparator::Blanks;
   std::vector<TextColumn> Columns;
+  bool HasLineOfNames = false; // a line of words, which is no comment, stands right above the picks
+  bool IsGuessed = false; // the columns are known by their values alone
   std::int64_t HeaderLines = 0; // before the first pick
   std::int64_t Picks = -1; // how many a file says it has; -1 where it says nothing
   std::string HorizonName; // of the whole file; empty where there is none

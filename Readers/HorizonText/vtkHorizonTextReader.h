@@ -44,7 +44,7 @@ public:
 
   /**
    * 1 when the beginning of the file is that of one that this reader reads: lines of picks whose columns are
-   * recognised.
+   * recognised. Where neither names nor line numbers say so, x and y have to be on a lattice.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

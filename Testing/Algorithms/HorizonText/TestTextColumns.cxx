@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Columns, separators and numbers of files of any program.
+
+#include "TextTables.h"
+#include "Tools/Check.h"
+
+using namespace TextTables;
+
+namespace
+{
+const std::string XyzTable = "x y z\n1.5 2.5 3.5\n4.5 2.5 3.75\n";
+
+void TestSeparators()
+{
+  CHECK_EQUAL(Table("1.5 2.5 3.5\n4.5   2.5\t3.75\n"), XyzTable);
+  CHECK_EQUAL(Table("1.5\t2.5\t3.5\n4.5\t2.5\t3.75\n"), XyzTable);
+  CHECK_EQUAL(Table("1.5,2.5,3.5\n4.5, 2.5 ,3.75\n"), XyzTable);
+  CHECK_EQUAL(Table("1.5;2.5;3.5;\n4.5;2.5;3.75;\n"), XyzTable);
+  CHECK_EQUAL(Table("\n  1.5 2.5 3.5  \r\n\r\n4.5 2.5 3.75\r\n\r\n"), XyzTable);
+  CHECK_EQUAL(Table("\xEF\xBB\xBF"
+                    "1.5 2.5 3.5\n4.5 2.5 3.75"),
+    XyzTable);
+  CHECK_EQUAL(Table("1.5 2.5 3.5\n# 1 2\n! 3\n4.5 2.5 3.75\n"), XyzTable);
+}
+
+void TestNumbers()
+{
+  CHECK_EQUAL(Table("\"1.5\",\"2.5\",'3.5'\n4.5,2.5,3.75\n"), XyzTable);
+  CHECK_EQUAL(Table("0.15D+01 2.5d0 3.5\n+4.5 25e-1 .375D1\n"), XyzTable);
+  CHECK_EQUAL(Table("1.5 2.5 0.30000000000000004\n1.5 3.5 12345678901234567890123456789.0\n"),
+    std::string("x y z\n1.5 2.5 0.30000000000000004\n1.5 3.5 1.2345678901234568e+28\n"));
+}
+
+void TestNulls()
+{
+  for (const std::string null : { "1e30", "1.0E+30", "1.0000000150474662e30", "3.4028235E+38", "-999.25", "-999.2500",
+         "-99999", "9999900.0", "*", "*****", "nan", "NaN", "NULL", "none", "UNDEF", "n/a", "-" })
+  {
+    TextOptions options;
+    options.NullValues = "-999.25 -99999 9999900";
+    CHECK_EQUAL(Table("1.5 2.5 " + null + " 7.5\n4.5 2.5 3.75 " + null + "\n", options),
+      std::string("x y z Attribute 1\n1.5 2.5 nan 7.5\n4.5 2.5 3.75 nan\n"));
+  }
+  CHECK_EQUAL(Table("1.5,2.5,,7.5\n4.5,2.5,3.75,\n"), Table("1.5,2.5,*,7.5\n4.5,2.5,3.75,*\n"));
+  CHECK_EQUAL(Table("1.5\t2.5\t\t7.5\n4.5\t2.5\t3.75\t\n"), Table("1.5,2.5,*,7.5\n4.5,2.5,3.75,*\n"));
+  TextOptions options;
+  options.NullValues = "Void, -1";
+  CHECK_EQUAL(Table("1.5 2.5 void\n4.5 -1 -1\n", options), std::string("x y z\n1.5 2.5 nan\n4.5 -1 nan\n"));
+  CHECK_EQUAL(Table("1.5 2.5 -999.25\n4.5 2.5 -1\n"), std::string("x y z\n1.5 2.5 -999.25\n4.5 2.5 -1\n"));
+}
+
+/// Columns without names, by their values.
+void TestGuesses()
+{
+  CHECK_EQUAL(Table("1 2 3.5\n1 3 4.5\n"), std::string("il xl z\n1 2 3.5\n1 3 4.5\n"));
+  CHECK_EQUAL(Table("1.5 2 3.5\n1.5 3 4.5\n"), std::string("x y z\n1.5 2 3.5\n1.5 3 4.5\n"));
+  CHECK_EQUAL(Table("-1 2 3.5\n1 3 4.5\n"), std::string("x y z\n-1 2 3.5\n1 3 4.5\n"));
+  CHECK_EQUAL(Table("100001 2 3.5\n1 3 4.5\n"), std::string("x y z\n100001 2 3.5\n1 3 4.5\n"));
+  CHECK_EQUAL(Table("500000.5 6000000.5 7 8 3.5\n500025.5 6000000.5 7 9 4.5\n"),
+    std::string("il xl x y z\n7 8 500000.5 6000000.5 3.5\n7 9 500025.5 6000000.5 4.5\n"));
+  CHECK_EQUAL(Table("7 8 500000.5 6000000.5 3.5\n7 9 500025.5 6000000.5 4.5\n"),
+    std::string("il xl x y z\n7 8 500000.5 6000000.5 3.5\n7 9 500025.5 6000000.5 4.5\n"));
+  CHECK_EQUAL(Table("Top 7 8 500000.5 6000000.5 3.5\n\"Base B\" 7 9 500025.5 6000000.5 4.5\n"),
+    std::string("il xl x y z\nTop: 7 8 500000.5 6000000.5 3.5\nBase B: 7 9 500025.5 6000000.5 4.5\n"));
+  CHECK_EQUAL(Table("7 8 3.5 0.5 0.25\n7 9 4.5 0.75 0.25\n8 8 1.5 0.5 0.5\n"),
+    std::string("il xl z Attribute 1 Attribute 2\n7 8 3.5 0.5 0.25\n7 9 4.5 0.75 0.25\n8 8 1.5 0.5 0.5\n"));
+  // Text in another column than the first is left out.
+  CHECK_EQUAL(Table("7 8 3.5 a\n7 9 4.5 b\n"), std::string("il xl z\n7 8 3.5\n7 9 4.5\n"));
+}
+
+/// Small coordinates behind line numbers are told from z and attributes by the map between them, which needs more than
+/// one inline: the lines that are looked at are spread over the file.
+void TestGuessedPlaces()
+{
+  std::string local;
+  std::string attributes;
+  for (int line = 10; line < 20; ++line)
+  {
+    for (int trace = 100; trace < 300; ++trace)
+    {
+      const std::string numbers = std::to_string(line) + " " + std::to_string(trace) + " ";
+      local += numbers + std::to_string(12.5 * trace) + " " + std::to_string(25 * line) + " 1000\n";
+      attributes += numbers + std::to_string(3 * line + 2 * trace) + " 0.5 7\n"; // a plane
+    }
+  }
+  CHECK_EQUAL(Describe(local), std::string("plain text, separated by blanks: Inline, Crossline, X, Y, Z"));
+  CHECK_EQUAL(Describe(attributes),
+    std::string("plain text, separated by blanks: Inline, Crossline, Z, Attribute 1, Attribute 2"));
+}
+
+/// Names over columns, in a comment or not.
+void TestNames()
+{
+  const std::string table = "il xl z Dip\n1 2 3.5 0.5\n1 3 4.5 0.75\n";
+  CHECK_EQUAL(Table("Z XL Dip IL\n3.5 2 0.5 1\n4.5 3 0.75 1\n"), table);
+  CHECK_EQUAL(Table("#Z XL Dip IL\n3.5 2 0.5 1\n4.5 3 0.75 1\n"), table);
+  CHECK_EQUAL(Table("# by hand\n# TWT [ms], Cross-line, Dip, In_Line\n\n3.5,2,0.5,1\n4.5,3,0.75,1\n"), table);
+  CHECK_EQUAL(Table("\"TWT (ms)\";\"Xline\";\"Dip\";\"Inline no.\"\n3.5;2;0.5;1\n4.5;3;0.75;1\n"), table);
+  CHECK_EQUAL(Table("Depth\tTrace\tDip\tLine\n\n3.5\t2\t0.5\t1\n4.5\t3\t0.75\t1\n"), table);
+  CHECK_EQUAL(Table("easting northing elevation\n1.5 2.5 3.5\n4.5 2.5 3.75\n"), XyzTable);
+  CHECK_EQUAL(Table("Horizon,X,Y,Z\nTop,1.5,2.5,3.5\nTop,4.5,2.5,3.75\n"),
+    std::string("x y z\nTop: 1.5 2.5 3.5\nTop: 4.5 2.5 3.75\n"));
+  // Without a z the first attribute is it.
+  CHECK_EQUAL(Table("IL XL Chalk Dip\n1 2 3.5 0.5\n1 3 4.5 0.75\n"), table);
+  // What comes twice is an attribute, and doubles are told apart.
+  CHECK_EQUAL(Table("X,Y,Z,Depth,Dip,Dip,,Remark\n1.5,2.5,3.5,4,5,6,7,a\n"),
+    std::string("x y z Depth Dip Dip 2\n1.5 2.5 3.5 4 5 6\n"));
+  // Words that are no names of these columns: their number differs, or they stand over text.
+  CHECK_EQUAL(Table("# some picks\n1.5 2.5 3.5\n4.5 2.5 3.75\n"), XyzTable);
+  CHECK_EQUAL(
+    Table("# X Y Z\nTop 1.5 2.5 3.5\nTop 4.5 2.5 3.75\n"), std::string("x y z\nTop: 1.5 2.5 3.5\nTop: 4.5 2.5 3.75\n"));
+}
+
+void TestGivenColumns()
+{
+  const auto given = [](const char* columns)
+  {
+    TextOptions options;
+    options.Columns = columns;
+    return options;
+  };
+  const std::string text = "1 2 3 4 5\n6 7 8 9 10\n";
+  CHECK_EQUAL(Table(text, given("Y, X, -, Z, Dip")), std::string("x y z Dip\n2 1 4 5\n7 6 9 10\n"));
+  CHECK_EQUAL(Table(text, given("Name Crossline Inline - Z")), std::string("il xl z\n1: 3 2 5\n6: 8 7 10\n"));
+  CHECK_EQUAL(Table("A B C D E\n" + text, given("X,Y,Z,My own,-")), std::string("x y z My own\n1 2 3 4\n6 7 8 9\n"));
+}
+}
+
+int TestTextColumns(int, char*[])
+{
+  TestSeparators();
+  TestNumbers();
+  TestNulls();
+  TestGuesses();
+  TestGuessedPlaces();
+  TestNames();
+  TestGivenColumns();
+  return Check::Result();
+}
