@@ -5,6 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/OutputFile.h"
+#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/HorizonTree.h"
 
@@ -12,9 +13,46 @@
 #include "vtkInformation.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 using namespace SeismicHorizons;
+
+namespace
+{
+/// The same text with underscores for what names of files can not have on some system; bytes of other alphabets stay.
+std::string MakeFileName(std::string text)
+{
+  const auto isKept = [](char c)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x80 || std::isalnum(byte) || c == '.' || c == '+' || c == '-';
+  };
+  std::replace_if(
+    text.begin(), text.end(), [&](char c) { return !isKept(c); }, '_');
+  return text;
+}
+
+/// A file for each horizon beside the given one. Names that are the same get a number.
+template <typename Horizons>
+std::vector<std::string> NameFiles(const std::string& file, const Horizons& horizons)
+{
+  const std::filesystem::path path = std::filesystem::u8path(file);
+  std::vector<std::string> names;
+  for (const auto& horizon : horizons)
+  {
+    names.push_back(MakeFileName(horizon.Name));
+  }
+  names = MakeDistinct(names);
+  for (std::string& name : names)
+  {
+    const std::string stem = path.stem().u8string() + '_' + name + path.extension().u8string();
+    name = (path.parent_path() / std::filesystem::u8path(stem)).u8string();
+  }
+  return names;
+}
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 vtkHorizonWriter::~vtkHorizonWriter()
@@ -27,6 +65,14 @@ int vtkHorizonWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   AcceptHorizons(info);
   return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonWriter::WriteFile(
+  const std::string& file, const std::vector<NamedHorizon>& horizons, const Monitor& monitor, std::string& subject)
+{
+  subject = file;
+  WriteOutputFile(file, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -54,7 +100,19 @@ void vtkHorizonWriter::WriteData()
     {
       throw InputError("no horizon with points, expected something to write");
     }
-    WriteOutputFile(file, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
+    if (!this->WritesFileForEach() || horizons.size() == 1)
+    {
+      this->WriteFile(file, horizons, monitor, subject);
+    }
+    else
+    {
+      const std::vector<std::string> files = NameFiles(file, horizons);
+      for (std::size_t n = 0; n < files.size(); ++n)
+      {
+        const auto part = [&](std::size_t number) { return double(number) / double(files.size()); };
+        this->WriteFile(files[n], { horizons[n] }, monitor.Step(part(n), part(n + 1)), subject);
+      }
+    }
     this->SetErrorCode(vtkErrorCode::NoError);
   };
   this->SetErrorCode(vtkErrorCode::UnknownError); // unless the work comes to its end

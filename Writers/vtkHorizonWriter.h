@@ -5,8 +5,9 @@
  * @brief   base of the writers of horizons
  *
  * Takes a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset of them. All horizons go into one
- * file, which is written under another name in the same folder and gets its own once it is complete: nothing is left of
- * a file that could not be written to its end, or whose writing was stopped, and a file of that name stays as it was.
+ * file, or in formats of one horizon each into a file of its own. A file is written under another name in the same
+ * folder and gets its own once it is complete: nothing is left of a file that could not be written to its end, or whose
+ * writing was stopped, and a file of that name stays as it was.
  *
  * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
  * file; Write() returns 0 then, and GetErrorCode() gives vtkErrorCode::UnknownError.
@@ -53,6 +54,10 @@ protected:
     vtkPolyData* Data;
   };
 
+  /// Whether each of several horizons goes into a file of its own. Its name is that of the file with that of the
+  /// horizon behind an underscore, and underscores for what file names can not have: "reek_Top.irap" for "reek.irap".
+  virtual bool WritesFileForEach() const { return false; }
+
   /// Writes the horizons, of which there is at least one, and all of which have points. Throws
   /// SeismicHorizons::InputError on what the format can not hold.
   virtual void PrintHorizons(
@@ -64,6 +69,9 @@ protected:
 private:
   vtkHorizonWriter(const vtkHorizonWriter&) = delete;
   void operator=(const vtkHorizonWriter&) = delete;
+
+  void WriteFile(const std::string& file, const std::vector<NamedHorizon>& horizons,
+    const SeismicHorizons::Monitor& monitor, std::string& subject);
 
   char* FileName = nullptr;
 };

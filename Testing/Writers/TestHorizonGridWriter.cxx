@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The writers of grids and of text: what is written is read again as the same horizon, also from a mesh.
+
+#include "FileFixtures.h"
+#include "Filters/HorizonFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkHorizonExteriorBoundary.h"
+#include "vtkHorizonGridReader.h"
+#include "vtkHorizonGridWriter.h"
+#include "vtkHorizonTextReader.h"
+#include "vtkHorizonTextWriter.h"
+#include "vtkHorizonTriangulation.h"
+
+#include "vtkCellArray.h"
+
+#include <cmath>
+
+using namespace FileFixtures;
+using HorizonFixtures::Errors;
+
+namespace
+{
+/// The folder for files of this test.
+std::string Folder;
+
+/// Picks of a turned survey, inlines 100 to 110 in steps of 2 and crosslines 7 to 12, on a plane; of `missing` inside
+/// there is none.
+std::string MakePicks(const std::string& name, bool isComplete)
+{
+  std::string text;
+  for (int j = 0; j < 6; ++j)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      if (isComplete || i != 3 || j != 2)
+      {
+        const double x = 604321.25 + 12.0 * i - 9.0 * j;
+        const double y = 6079543.5 + 9.0 * i + 12.0 * j;
+        const double z = 1500.0 + 2.0 * i + 0.5 * j;
+        text += name + '\t' + std::to_string(100 + 2 * j) + '\t' + std::to_string(7 + i) + '\t' + std::to_string(x) +
+          '\t' + std::to_string(y) + '\t' + std::to_string(z) + '\t' + std::to_string(i * j) + '\n';
+      }
+    }
+  }
+  return text;
+}
+
+vtkSmartPointer<vtkHorizonTextReader> ReadPicks(const std::string& text)
+{
+  auto reader = vtkSmartPointer<vtkHorizonTextReader>::New();
+  reader->SetFileName(WriteText(Folder + "/picks.dat", text).c_str());
+  reader->Update();
+  return reader;
+}
+
+/// The points of two horizons are at the same places, in the same order.
+void CheckSamePoints(vtkPolyData* a, vtkPolyData* b)
+{
+  CHECK_EQUAL(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < std::min(a->GetNumberOfPoints(), b->GetNumberOfPoints()); ++point)
+  {
+    const double* const place = a->GetPoint(point);
+    double other[3];
+    b->GetPoint(point, other);
+    CHECK(std::hypot(place[0] - other[0], place[1] - other[1]) < 1e-6 && std::abs(place[2] - other[2]) < 1e-9);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> Mesh(vtkPolyData* points)
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(points);
+  vtkNew<vtkHorizonTriangulation> triangulation;
+  triangulation->SetInputConnection(boundary->GetOutputPort());
+  triangulation->Update();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->ShallowCopy(triangulation->GetOutputDataObject(0));
+  return mesh;
+}
+
+void GridsComeBack()
+{
+  const auto picks = ReadPicks(MakePicks("Top", false));
+  vtkNew<vtkHorizonGridWriter> writer;
+  writer->SetInputDataObject(picks->GetOutput());
+  writer->SetFileName((Folder + "/out.irap").c_str());
+  CHECK_EQUAL(writer->Write(), 1);
+  vtkNew<vtkHorizonGridReader> reader;
+  reader->SetFileName((Folder + "/out.irap").c_str());
+  reader->Update();
+  CheckSamePoints(GetHorizon(picks->GetOutput(), 0), GetHorizon(reader->GetOutput(), 0));
+}
+
+/// A mesh covers the column that the points lack.
+void MeshesAreSampled()
+{
+  const auto picks = ReadPicks(MakePicks("Top", false));
+  const auto complete = ReadPicks(MakePicks("Top", true));
+  vtkNew<vtkHorizonGridWriter> writer;
+  writer->SetInputDataObject(Mesh(GetHorizon(picks->GetOutput(), 0)));
+  writer->SetFileName((Folder + "/mesh.irap").c_str());
+  writer->SetVerticalPositiveToElevation();
+  CHECK_EQUAL(writer->Write(), 1);
+  vtkNew<vtkHorizonGridReader> reader;
+  reader->SetFileName((Folder + "/mesh.irap").c_str());
+  reader->SetVerticalDirectionToUp();
+  reader->Update();
+  CheckSamePoints(GetHorizon(complete->GetOutput(), 0), GetHorizon(reader->GetOutput(), 0));
+}
+
+/// A file for each, by their names.
+void GridsHaveFilesOfTheirOwn()
+{
+  const auto picks = ReadPicks(MakePicks("\"Top/Reek\"", true) + MakePicks("\"Top:Reek\"", false));
+  vtkNew<vtkHorizonGridWriter> writer;
+  writer->SetInputDataObject(picks->GetOutput());
+  writer->SetFileName((Folder + "/two.irap").c_str());
+  CHECK_EQUAL(writer->Write(), 1);
+  CHECK(!std::filesystem::exists(Folder + "/two.irap"));
+  CHECK(std::filesystem::exists(Folder + "/two_Top_Reek.irap"));
+  CHECK(std::filesystem::exists(Folder + "/two_Top_Reek (2).irap"));
+}
+
+void TextComesBack()
+{
+  const auto picks = ReadPicks(MakePicks("\"Top Reek\"", true) + MakePicks("Base", false));
+  vtkNew<vtkHorizonTextWriter> writer;
+  writer->SetInputDataObject(picks->GetOutput());
+  writer->SetFileName((Folder + "/out.dat").c_str());
+  CHECK_EQUAL(writer->Write(), 1);
+  const std::string text = ReadText(Folder + "/out.dat");
+  CHECK_EQUAL(
+    text.substr(0, text.find('\n')), std::string("# \"Inline\"\t\"Crossline\"\t\"X\"\t\"Y\"\t\"Z\"\t\"Attribute 1\""));
+  vtkNew<vtkHorizonTextReader> reader;
+  reader->SetFileName((Folder + "/out.dat").c_str());
+  reader->Update();
+  for (unsigned int horizon = 0; horizon < 2; ++horizon)
+  {
+    vtkPolyData* const before = GetHorizon(picks->GetOutput(), horizon);
+    vtkPolyData* const after = GetHorizon(reader->GetOutput(), horizon);
+    CHECK_EQUAL(GetName(reader->GetOutput(), horizon), GetName(picks->GetOutput(), horizon));
+    CheckSamePoints(before, after);
+    for (vtkIdType point = 0; point < before->GetNumberOfPoints(); ++point)
+    {
+      CHECK_EQUAL(before->GetPointData()->GetArray("Attribute 1")->GetTuple1(point),
+        after->GetPointData()->GetArray("Attribute 1")->GetTuple1(point));
+    }
+  }
+  writer->WriteAttributesOff();
+  writer->SetVerticalPositiveToElevation();
+  CHECK_EQUAL(writer->Write(), 1);
+  CHECK(ReadText(Folder + "/out.dat").find("\"Top Reek\"\t100\t7\t604321.25\t6079543.5\t-1500\n") != std::string::npos);
+}
+
+/// Without line numbers there are places alone, and values that are missing are 1e30.
+void TextOfOneWithoutLines()
+{
+  const auto picks = ReadPicks("0 0 5 7\n10 0 6 1e30\n0 20 7 9\n");
+  CHECK_EQUAL(GetHorizon(picks->GetOutput(), 0)->GetNumberOfPoints(), 3);
+  vtkPolyData* const horizon = GetHorizon(picks->GetOutput(), 0);
+  horizon->GetFieldData()->RemoveArray("LineNumbers");
+  vtkNew<vtkHorizonTextWriter> writer;
+  writer->SetInputDataObject(horizon);
+  writer->SetFileName((Folder + "/one.dat").c_str());
+  CHECK_EQUAL(writer->Write(), 1);
+  const std::string text = ReadText(Folder + "/one.dat");
+  CHECK(text.find("# \"X\"\t\"Y\"\t\"Z\"\t") == 0);
+  CHECK(text.find("\t6\t1e30\n") != std::string::npos);
+}
+
+/// One error that has the text, and no file.
+void CheckRefused(vtkHorizonWriter* writer, vtkDataObject* input, const std::string& message)
+{
+  const Errors errors(writer);
+  const std::string file = Folder + "/refused";
+  writer->SetInputDataObject(input);
+  writer->SetFileName(file.c_str());
+  CHECK_EQUAL(writer->Write(), 0);
+  CHECK_EQUAL(errors.Count(), std::size_t(1));
+  CHECK(errors.FirstContains(message));
+  CHECK(!std::filesystem::exists(file));
+}
+
+void WhatCanNotBeIsRefused()
+{
+  const auto picks = ReadPicks(MakePicks("Top", true));
+  vtkPolyData* const horizon = GetHorizon(picks->GetOutput(), 0);
+  vtkNew<vtkHorizonGridWriter> zmap;
+  zmap->SetFormatToZmap();
+  CheckRefused(zmap, horizon, "a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
+  vtkNew<vtkHorizonGridWriter> empty;
+  CheckRefused(empty, vtkSmartPointer<vtkPolyData>::New(), "no horizon with points, expected something to write");
+  auto quads = Mesh(horizon);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 7, 6 });
+  quads->SetPolys(polygons);
+  vtkNew<vtkHorizonTextWriter> text;
+  CheckRefused(text, quads, "a polygon of 4 points, expected triangles");
+  auto bare = vtkSmartPointer<vtkPolyData>::New();
+  bare->ShallowCopy(horizon);
+  bare->SetFieldData(vtkSmartPointer<vtkFieldData>::New());
+  vtkNew<vtkHorizonTextWriter> placeless;
+  CheckRefused(placeless, bare, "no field data array LatticeDimensions, expected");
+  auto huge = vtkSmartPointer<vtkPolyData>::New();
+  huge->DeepCopy(horizon);
+  huge->GetPointData()->GetArray("Attribute 1")->SetTuple1(0, 2e30);
+  vtkNew<vtkHorizonTextWriter> tooLarge;
+  CheckRefused(tooLarge, huge, "Attribute 1 of 1e30 or more, which stands for no value; expected less");
+}
+}
+
+int TestHorizonGridWriter(int argc, char* argv[])
+{
+  Folder = MakeFolder(argc, argv, "HorizonGridWriter");
+  GridsComeBack();
+  MeshesAreSampled();
+  GridsHaveFilesOfTheirOwn();
+  TextComesBack();
+  TextOfOneWithoutLines();
+  WhatCanNotBeIsRefused();
+  return Check::Result();
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonGridWriter
+ * @brief   writes horizons as regular grids, for programs that want grids
+ *
+ * A grid covers the lattice of its horizon; columns without a point have the null value of the format
+ * (Documentation/HorizonGridFormats.md). A file holds one grid: of several horizons each goes into a file of its own,
+ * whose name has that of the horizon behind an underscore, with underscores for what file names can not have:
+ * "reek_Top.irap". Numbers have all their digits.
+ *
+ * @sa vtkHorizonGridReader vtkHorizonTextWriter
+ */
+
+#ifndef vtkHorizonGridWriter_h
+#define vtkHorizonGridWriter_h
+
+#include "vtkLatticeHorizonWriter.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonGridWriter : public vtkLatticeHorizonWriter
+{
+public:
+  static vtkHorizonGridWriter* New();
+  vtkTypeMacro(vtkHorizonGridWriter, vtkLatticeHorizonWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The formats of grids that are written.
+  enum GridKind
+  {
+    IrapText = 0,
+    Zmap = 1
+  };
+
+  ///@{
+  /**
+   * The format. IrapText: IRAP classic ASCII, for lattices with perpendicular steps, turned or not. Zmap: ZMAP+, for
+   * lattices along the axes. Default: IrapText.
+   */
+  vtkSetClampMacro(Format, int, IrapText, Zmap);
+  vtkGetMacro(Format, int);
+  void SetFormatToIrapText() { this->SetFormat(IrapText); }
+  void SetFormatToZmap() { this->SetFormat(Zmap); }
+  ///@}
+
+protected:
+  vtkHorizonGridWriter() = default;
+  ~vtkHorizonGridWriter() override = default;
+
+  bool WritesFileForEach() const override { return true; }
+  void PrintHorizons(
+    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonGridWriter(const vtkHorizonGridWriter&) = delete;
+  void operator=(const vtkHorizonGridWriter&) = delete;
+
+  int Format = IrapText;
+};
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonSampling.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/Lattice.h"
+#include "Common/Survey/MeshSampling.h"
+#include "Common/VTK/SurveyFields.h"
+#include "Marshalling/HorizonData.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double Null = std::numeric_limits<double>::quiet_NaN();
+// Arrays of real numbers that say nothing of the horizon itself.
+constexpr std::array<const char*, 5> OwnArrays = { PointArray::RealZ, PointArray::Elevation, PointArray::Flatness,
+  PointArray::Distance, PointArray::VerticalDistance };
+
+SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
+{
+  ReadLattice(horizon); // refuses what is no lattice
+  vtkFieldData* const data = horizon->GetFieldData();
+  const auto value = [data](const char* name, int n)
+  {
+    vtkDataArray* const array = data->GetArray(name);
+    const int components = array->GetNumberOfComponents();
+    return array->GetComponent(n / components, n % components);
+  };
+  SurveyLattice lattice;
+  lattice.Columns = { int(value(FieldArray::LatticeDimensions, 0)), int(value(FieldArray::LatticeDimensions, 1)) };
+  lattice.Origin = { value(FieldArray::LatticeToWorld, 3), value(FieldArray::LatticeToWorld, 7) };
+  lattice.ColumnStep = { value(FieldArray::LatticeToWorld, 0), value(FieldArray::LatticeToWorld, 4) };
+  lattice.RowStep = { value(FieldArray::LatticeToWorld, 1), value(FieldArray::LatticeToWorld, 5) };
+  vtkDataArray* const lines = data->GetArray(FieldArray::LineNumbers);
+  if (lines && lines->GetNumberOfValues() == 4)
+  {
+    const auto line = [&](int n) { return value(FieldArray::LineNumbers, n); };
+    lattice.Lines = LineNumbering{ line(2), line(3), line(0), line(1) };
+  }
+  return lattice;
+}
+
+std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
+{
+  std::vector<std::array<PointId, 3>> triangles;
+  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCurrentCell(size, points);
+    if (size != 3)
+    {
+      throw InputError("a polygon of " + std::to_string(size) + " points, expected triangles");
+    }
+    triangles.push_back({ PointId(points[0]), PointId(points[1]), PointId(points[2]) });
+  }
+  return triangles;
+}
+
+/// The horizon as it is being sampled.
+class Sampler
+{
+public:
+  Sampler(vtkPolyData* horizon, int sign)
+    : Horizon(horizon)
+    , Sign(sign)
+  {
+    this->Grid.Lattice = ReadSurveyLattice(horizon);
+    this->Grid.Survey = ReadSurveyFields(horizon->GetFieldData());
+    const auto [columns, rows] = this->Grid.Lattice.Columns;
+    this->Grid.Z.assign(std::size_t(columns) * std::size_t(rows), Null);
+  }
+
+  HorizonGrid SamplePoints()
+  {
+    const std::vector<PlanePoint> columns = ToColumns(ReadPoints(this->Horizon));
+    for (std::size_t point = 0; point < columns.size(); ++point)
+    {
+      this->Grid.Z[this->Node(columns[point])] = this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2];
+    }
+    vtkPointData* const data = this->Horizon->GetPointData();
+    for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+    {
+      if (IsAttribute(data->GetArray(n)))
+      {
+        this->AddAttribute(data->GetArray(n), columns);
+      }
+    }
+    return this->Grid;
+  }
+
+  HorizonGrid SampleTriangles(const Monitor& monitor)
+  {
+    const Lattice lattice = ReadLattice(this->Horizon);
+    std::vector<SpacePoint> points;
+    for (vtkIdType point = 0; point < this->Horizon->GetNumberOfPoints(); ++point)
+    {
+      const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(this->Horizon->GetPoint(point)));
+      points.push_back({ place.x(), place.y(), place.z() });
+    }
+    const std::vector<double> heights =
+      SampleMesh(points, ReadTriangles(this->Horizon), this->Grid.Lattice.Columns, monitor);
+    for (std::size_t node = 0; node < heights.size(); ++node)
+    {
+      this->Grid.Z[node] = this->Sign * lattice.ToWorld({ 0.0, 0.0, heights[node] }).z();
+    }
+    this->AddBarePoints(points);
+    return this->Grid;
+  }
+
+private:
+  std::size_t Node(const PlanePoint& column) const
+  {
+    return std::size_t(column.X) + std::size_t(column.Y) * std::size_t(this->Grid.Lattice.Columns[0]);
+  }
+
+  /// Spurs of a horizon have no triangles.
+  void AddBarePoints(const std::vector<SpacePoint>& points)
+  {
+    constexpr double nearness = 1e-6; // columns: what world coordinates of surveys are rounded by
+    const auto [columns, rows] = this->Grid.Lattice.Columns;
+    for (std::size_t point = 0; point < points.size(); ++point)
+    {
+      const double i = std::round(points[point].X);
+      const double j = std::round(points[point].Y);
+      const bool isOnColumn = std::abs(points[point].X - i) <= nearness && std::abs(points[point].Y - j) <= nearness &&
+        i >= 0.0 && i < columns && j >= 0.0 && j < rows;
+      double* const z = isOnColumn ? &this->Grid.Z[this->Node({ int(i), int(j) })] : nullptr;
+      if (z && std::isnan(*z))
+      {
+        *z = this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2];
+      }
+    }
+  }
+
+  static bool IsAttribute(vtkDataArray* array)
+  {
+    const bool isReal = vtkDoubleArray::SafeDownCast(array) || vtkFloatArray::SafeDownCast(array);
+    return isReal && array->GetName() && array->GetNumberOfComponents() == 1 &&
+      std::none_of(
+        OwnArrays.begin(), OwnArrays.end(), [array](const char* own) { return array->GetName() == std::string(own); });
+  }
+
+  void AddAttribute(vtkDataArray* array, const std::vector<PlanePoint>& columns)
+  {
+    PickAttribute attribute = { array->GetName(), std::vector<double>(this->Grid.Z.size(), Null) };
+    for (std::size_t point = 0; point < columns.size(); ++point)
+    {
+      attribute.Values[this->Node(columns[point])] = array->GetComponent(vtkIdType(point), 0);
+    }
+    this->Grid.Attributes.push_back(std::move(attribute));
+  }
+
+  vtkPolyData* const Horizon;
+  const int Sign;
+  HorizonGrid Grid;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonGrid SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor)
+{
+  monitor.Progress(0.0);
+  Sampler sampler(horizon, sign);
+  return horizon->GetNumberOfPolys() > 0 ? sampler.SampleTriangles(monitor) : sampler.SamplePoints();
+}
+}

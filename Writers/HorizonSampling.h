@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From points and meshes to z at the columns of their lattice.
+
+#ifndef SeismicHorizonsHorizonSampling_h
+#define SeismicHorizonsHorizonSampling_h
+
+#include "Common/Monitor.h"
+#include "Common/Survey/HorizonGrid.h"
+
+class vtkPolyData;
+
+namespace SeismicHorizons
+{
+/// The horizon over its whole lattice, with z as `sign` times world z. Point arrays of real numbers, other than those
+/// that stages keep for themselves, are attributes; meshes have none. Throws InputError on a horizon without a lattice,
+/// on points off its columns where there are no triangles, and on polygons that are no triangles.
+HorizonGrid SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PickPrinter.h"
+
+#include "Common/Errors.h"
+#include "Common/TextPrinter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Numbers from here on are read as none.
+constexpr double LeastHuge = 0.999999e30;
+
+/// Text in quotes, in which quotes and line ends have no place.
+std::string Quoted(std::string text)
+{
+  std::replace(text.begin(), text.end(), '"', '\'');
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return '"' + text + '"';
+}
+
+void PrintNumber(TextPrinter& printer, double number, const std::string& name)
+{
+  if (std::abs(number) >= LeastHuge)
+  {
+    throw InputError(name + " of 1e30 or more, which stands for no value; expected less");
+  }
+  if (std::isnan(number))
+  {
+    printer.Print("1e30");
+    return;
+  }
+  printer.Print(number);
+}
+
+/// The values of an attribute, or null where a horizon has none of that name.
+const std::vector<double>* FindAttribute(const HorizonGrid& horizon, const std::string& name)
+{
+  const auto found = std::find_if(horizon.Attributes.begin(), horizon.Attributes.end(),
+    [&name](const PickAttribute& attribute) { return attribute.Name == name; });
+  return found == horizon.Attributes.end() ? nullptr : &found->Values;
+}
+
+/// Prints the lines of one horizon.
+class LinePrinter
+{
+public:
+  LinePrinter(std::ostream& stream, const HorizonGrid& horizon, const PrintedColumns& columns)
+    : Printer(stream)
+    , Horizon(horizon)
+    , Columns(columns)
+    , Name(Quoted(horizon.Name))
+  {
+    for (const std::string& attribute : columns.Attributes)
+    {
+      this->Values.push_back(FindAttribute(horizon, attribute));
+    }
+  }
+
+  void Print(const Monitor& monitor)
+  {
+    std::size_t node = 0;
+    const auto [width, height] = this->Horizon.Lattice.Columns;
+    for (int j = 0; j < height; ++j)
+    {
+      monitor.Progress(double(j) / height);
+      for (int i = 0; i < width; ++i, ++node)
+      {
+        if (!std::isnan(this->Horizon.Z[node]))
+        {
+          this->PrintLine(i, j, node);
+        }
+      }
+    }
+    this->Printer.Flush();
+  }
+
+private:
+  void PrintLine(int i, int j, std::size_t node)
+  {
+    if (this->Columns.HasNames)
+    {
+      this->Printer.Print(this->Name);
+      this->Printer.Print('\t');
+    }
+    const SurveyLattice& lattice = this->Horizon.Lattice;
+    if (this->Columns.HasLines)
+    {
+      this->Printer.Print(lattice.Lines->FirstInline + j * lattice.Lines->InlineStep);
+      this->Printer.Print('\t');
+      this->Printer.Print(lattice.Lines->FirstCrossline + i * lattice.Lines->CrosslineStep);
+      this->Printer.Print('\t');
+    }
+    const Eigen::Vector2d place = lattice.Origin + i * lattice.ColumnStep + j * lattice.RowStep;
+    this->Printer.Print(place.x());
+    this->Printer.Print('\t');
+    this->Printer.Print(place.y());
+    this->Printer.Print('\t');
+    PrintNumber(this->Printer, this->Horizon.Z[node], "z");
+    for (std::size_t n = 0; n < this->Values.size(); ++n)
+    {
+      this->Printer.Print('\t');
+      const double value = this->Values[n] ? (*this->Values[n])[node] : std::nan("");
+      PrintNumber(this->Printer, value, this->Columns.Attributes[n]);
+    }
+    this->Printer.Print('\n');
+  }
+
+  TextPrinter Printer;
+  const HorizonGrid& Horizon;
+  const PrintedColumns& Columns;
+  const std::string Name;
+  std::vector<const std::vector<double>*> Values;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns)
+{
+  std::vector<std::string> names = { "X", "Y", "Z" };
+  if (columns.HasLines)
+  {
+    names.insert(names.begin(), { "Inline", "Crossline" });
+  }
+  names.insert(names.end(), columns.Attributes.begin(), columns.Attributes.end());
+  TextPrinter printer(stream);
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    printer.Print(n == 0 ? "# " : "\t");
+    printer.Print(Quoted(names[n]));
+  }
+  printer.Print("\n# - - - - - - - - - -\n");
+  printer.Flush();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PrintPicks(std::ostream& stream, const HorizonGrid& horizon, const PrintedColumns& columns, const Monitor& monitor)
+{
+  LinePrinter(stream, horizon, columns).Print(monitor);
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonTextWriter.h"
+
+#include "Common/Errors.h"
+#include "Common/Monitor.h"
+#include "HorizonSampling.h"
+#include "PickPrinter.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+void AddNew(std::vector<std::string>& names, const std::vector<PickAttribute>& attributes)
+{
+  for (const PickAttribute& attribute : attributes)
+  {
+    if (std::find(names.begin(), names.end(), attribute.Name) == names.end())
+    {
+      names.push_back(attribute.Name);
+    }
+  }
+}
+}
+
+vtkStandardNewMacro(vtkHorizonTextWriter);
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The header names the columns of all horizons, so that all are sampled before the first is printed.
+void vtkHorizonTextWriter::PrintHorizons(
+  const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+{
+  PrintedColumns columns;
+  columns.HasNames = horizons.size() > 1;
+  columns.HasLines = true;
+  std::vector<HorizonGrid> grids;
+  for (const NamedHorizon& horizon : horizons)
+  {
+    const double done = static_cast<double>(grids.size()) / static_cast<double>(horizons.size());
+    PrefixErrors(horizon.Name,
+      [&]()
+      {
+        const int sign = this->VerticalSign(horizon.Data);
+        grids.push_back(SampleHorizon(horizon.Data, sign, monitor.Step(0.5 * done, 0.5)));
+      });
+    grids.back().Name = horizon.Name;
+    columns.HasLines = columns.HasLines && grids.back().Lattice.Lines;
+    if (this->WriteAttributes)
+    {
+      AddNew(columns.Attributes, grids.back().Attributes);
+    }
+  }
+  PrintPickHeader(stream, columns);
+  for (const HorizonGrid& grid : grids)
+  {
+    PrintPicks(stream, grid, columns, monitor.Step(0.5, 1.0));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonTextWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WriteAttributes: " << (this->WriteAttributes ? "On" : "Off") << '\n';
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkLatticeHorizonWriter.h"
+
+#include "Common/DataModel.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+
+#include <array>
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkLatticeHorizonWriter::VerticalSign(vtkPolyData* horizon) const
+{
+  if (this->VerticalPositive != AsRead)
+  {
+    return this->VerticalPositive == Depth ? -1 : 1;
+  }
+  vtkDataArray* const direction = horizon->GetFieldData()->GetArray(SeismicHorizons::FieldArray::VerticalDirection);
+  return direction && direction->GetNumberOfValues() == 1 && direction->GetComponent(0, 0) < 0.0 ? -1 : 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkLatticeHorizonWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  constexpr std::array<const char*, 3> senses = { "AsRead", "Elevation", "Depth" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VerticalPositive: " << senses[static_cast<std::size_t>(this->VerticalPositive)] << '\n';
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLatticeHorizonWriter
+ * @brief   base of the writers of horizons as numbers at the columns of their lattice
+ *
+ * Horizons without triangles are written as they are: their points have to stand on columns. Meshes are sampled: each
+ * column that a triangle covers gets the z of the mesh there, so that a simplified horizon becomes a regular one again;
+ * points on columns that no triangle covers are written, too. The lattice is that of the field data LatticeToWorld and
+ * LatticeDimensions, which all horizons from the readers and stages have.
+ */
+
+#ifndef vtkLatticeHorizonWriter_h
+#define vtkLatticeHorizonWriter_h
+
+#include "vtkHorizonWriter.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkLatticeHorizonWriter : public vtkHorizonWriter
+{
+public:
+  vtkTypeMacro(vtkLatticeHorizonWriter, vtkHorizonWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where z of the file grows to.
+  enum VerticalSense
+  {
+    AsRead = 0,
+    Elevation = 1,
+    Depth = 2
+  };
+
+  ///@{
+  /**
+   * Where z of the file grows to. AsRead: to where it did in the file that the horizon comes from, as its field data
+   * VerticalDirection say; upwards where there are none. Elevation: upwards, as world z. Depth: downwards; z is the
+   * negative of world z. Default: AsRead.
+   */
+  vtkSetClampMacro(VerticalPositive, int, AsRead, Depth);
+  vtkGetMacro(VerticalPositive, int);
+  void SetVerticalPositiveToAsRead() { this->SetVerticalPositive(AsRead); }
+  void SetVerticalPositiveToElevation() { this->SetVerticalPositive(Elevation); }
+  void SetVerticalPositiveToDepth() { this->SetVerticalPositive(Depth); }
+  ///@}
+
+protected:
+  vtkLatticeHorizonWriter() = default;
+  ~vtkLatticeHorizonWriter() override = default;
+
+  /// 1 where z of the file is world z, -1 where it is the negative.
+  int VerticalSign(vtkPolyData* horizon) const;
+
+private:
+  vtkLatticeHorizonWriter(const vtkLatticeHorizonWriter&) = delete;
+  void operator=(const vtkLatticeHorizonWriter&) = delete;
+
+  int VerticalPositive = AsRead;
+};
+
+#endif
