@@ -31,8 +31,8 @@ struct PickTable
   std::vector<PickAttribute> Attributes;
 
   std::size_t Size() const { return this->Z.size(); }
-  bool HasPlaces() const { return !this->X.empty(); }
-  bool HasLines() const { return !this->Inline.empty(); }
+  bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }
+  bool HasLines() const { return !this->Inline.empty() && !this->Crossline.empty(); }
 };
 }
 

@@ -4,6 +4,7 @@
 #include "HeaderFields.h"
 
 #include "Common/LineErrors.h"
+#include "Common/TextFields.h"
 
 #include <algorithm>
 
@@ -84,15 +85,7 @@ std::vector<std::string> SplitAtCommas(std::string_view line)
 //----------------------------------------------------------------------------------------------------------------------
 NumberKind ReadGridNumber(std::string_view token, double& value)
 {
-  token = token.substr(0, token.find_last_not_of(',') + 1);
-  const std::size_t exponent = token.find_first_of("dD");
-  if (exponent == std::string_view::npos)
-  {
-    return ReadAnyNumber(token, value);
-  }
-  std::string number(token);
-  number[exponent] = 'e';
-  return ReadAnyNumber(number, value);
+  return ReadNumber(token.substr(0, token.find_last_not_of(',') + 1), value);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

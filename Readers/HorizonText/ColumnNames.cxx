@@ -37,6 +37,16 @@ bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
 {
   return std::any_of(columns.begin(), columns.end(), [role](const TextColumn& column) { return column.Role == role; });
 }
+
+/// Half of a place is none: x without y is an attribute, and so is y without x.
+void MakeAttributeOfHalf(std::vector<TextColumn>& columns, ColumnRole one, ColumnRole other)
+{
+  for (TextColumn& column : columns)
+  {
+    const bool isAlone = (column.Role == one && !Has(columns, other)) || (column.Role == other && !Has(columns, one));
+    column.Role = isAlone ? ColumnRole::Attribute : column.Role;
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -61,13 +71,15 @@ void SettleRoles(std::vector<TextColumn>& columns)
       column.Role = ColumnRole::Attribute;
     }
   }
-  NumberDoubles(columns);
   const auto attribute = std::find_if(
     columns.begin(), columns.end(), [](const TextColumn& column) { return column.Role == ColumnRole::Attribute; });
   if (!Has(columns, ColumnRole::Z) && attribute != columns.end())
   {
     attribute->Role = ColumnRole::Z;
   }
+  MakeAttributeOfHalf(columns, ColumnRole::X, ColumnRole::Y);
+  MakeAttributeOfHalf(columns, ColumnRole::Inline, ColumnRole::Crossline);
+  NumberDoubles(columns);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -23,7 +23,8 @@ TextColumn ColumnOfName(std::string_view name);
 std::vector<TextColumn> ParseColumnList(const std::string& list);
 
 /// Makes columns complete and free of doubles: of several of one role the first has it, and the others become
-/// attributes, whose names get a number where they are the same; where there is no z, the first attribute is it.
+/// attributes, whose names get a number where they are the same; where there is no z, the first attribute is it; x
+/// without y, and an inline without crossline, are attributes.
 void SettleRoles(std::vector<TextColumn>& columns);
 
 /// Throws InputError where z or the place is missing; the message names the columns there are.

@@ -3,6 +3,7 @@
 //
 // The reader of sparse-matrix files: the datasets it makes, its parameters, and its errors.
 
+#include "ReaderFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkCallbackCommand.h"
@@ -35,6 +36,8 @@
 #include <string>
 #include <vector>
 
+using namespace ReaderFixtures;
+
 namespace
 {
 // Horizon 2 has two voxels in its first column.
@@ -49,69 +52,8 @@ std::string Folder;
 
 std::string WriteFile(const std::string& name, const std::string& text)
 {
-  const std::string path = Folder + "/" + name;
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
+  return WriteText(Folder + "/" + name, text);
 }
-
-vtkPolyData* GetHorizon(vtkVerneySparseMatrixReader* reader, unsigned int position)
-{
-  return vtkPolyData::SafeDownCast(reader->GetOutput()->GetPartition(position, 0));
-}
-
-std::string GetName(vtkVerneySparseMatrixReader* reader, unsigned int position)
-{
-  const char* name = reader->GetOutput()->GetMetaData(position)->Get(vtkCompositeDataSet::NAME());
-  return name ? name : "";
-}
-
-bool IsEmpty(vtkVerneySparseMatrixReader* reader)
-{
-  return reader->GetOutput()->GetNumberOfPartitionedDataSets() == 0;
-}
-
-template <typename Array>
-Array* GetArray(vtkFieldData* data, const char* name, vtkIdType numberOfTuples, int numberOfComponents)
-{
-  Array* const array = Array::SafeDownCast(data->GetAbstractArray(name));
-  CHECK(array && array->GetNumberOfTuples() == numberOfTuples);
-  CHECK(array && array->GetNumberOfComponents() == numberOfComponents);
-  return array;
-}
-
-/// Counts and keeps the errors of a reader. Those of its executive only repeat that it failed.
-class Errors
-{
-public:
-  explicit Errors(vtkVerneySparseMatrixReader* reader)
-  {
-    reader->AddObserver(vtkCommand::ErrorEvent, this->Observer);
-    reader->AddObserver(vtkCommand::ErrorEvent, this->Counter);
-    reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Quiet);
-    this->Counter->SetClientData(&this->Count);
-    this->Counter->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  }
-
-  /// Whether there was one error since the last call, and what it says.
-  bool WasOne(const std::string& text)
-  {
-    const bool found = this->Count == 1 && this->Observer->GetErrorMessage().find(text) != std::string::npos;
-    if (!found)
-    {
-      std::cerr << this->Count << " errors, expected one with \"" << text << "\":\n"
-                << this->Observer->GetErrorMessage() << '\n';
-    }
-    this->Count = 0;
-    this->Observer->Clear();
-    return found;
-  }
-
-private:
-  vtkNew<vtkTest::ErrorObserver> Observer;
-  vtkNew<vtkTest::ErrorObserver> Quiet;
-  vtkNew<vtkCallbackCommand> Counter;
-  int Count = 0;
-};
 
 // ---- Datasets ----------------------------------------------------------------------------------------------------
 void ArraysAreComplete()
@@ -272,7 +214,7 @@ void ImagesAreMaps()
   image->GetPoint(3, point); // i = 2, j = 2
   CHECK(std::abs(point[0] - 975.0) < 1e-9 && std::abs(point[1] - 2050.0) < 1e-9 && point[2] == 0.0);
 
-  Errors errors(reader);
+  Messages errors(reader);
   reader->SetRowStep(-12.5, 1.0);
   reader->Update();
   CHECK(errors.WasOne("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for images"));
@@ -421,7 +363,7 @@ void HorizonsAreDealtOutToPieces()
 void CheckRefused(const std::string& path, const std::string& message)
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  Errors errors(reader);
+  Messages errors(reader);
   reader->SetFileName(WriteFile("good.vsm", Small).c_str());
   reader->Update();
   CHECK(!IsEmpty(reader));
@@ -451,7 +393,7 @@ void WrongFilesGiveOneErrorEach()
 void MissingFileNameIsAnError()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  Errors errors(reader);
+  Messages errors(reader);
   reader->Update();
   CHECK(errors.WasOne("no FileName, expected the path of a file"));
 }
@@ -459,7 +401,7 @@ void MissingFileNameIsAnError()
 void FileThatTurnsWrongIsAnError()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  Errors errors(reader);
+  Messages errors(reader);
   const std::string path = WriteFile("turning.vsm", Small);
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
@@ -473,7 +415,7 @@ template <typename Set>
 void CheckParameterRefused(Set set, const std::string& message)
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  Errors errors(reader);
+  Messages errors(reader);
   reader->SetFileName(WriteFile("small.vsm", Small).c_str());
   set(reader.Get());
   reader->Update();
@@ -523,7 +465,7 @@ void CanReadFileTakesAllFilesOfItsName()
 void AbortLeavesTheOutputEmpty()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  Errors errors(reader);
+  Messages errors(reader);
   reader->SetFileName(WriteFile("small.vsm", Small).c_str());
   reader->Update();
   vtkNew<vtkCallbackCommand> aborter;
@@ -574,20 +516,11 @@ void SampleIsRead(const std::string& path)
   CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 3);
   CHECK(reader->GetOutput()->GetNumberOfPoints() == 6282 + 5957 + 6019);
 }
-
-std::string TakeString(char* text)
-{
-  const std::string copy(text);
-  delete[] text;
-  return copy;
-}
 }
 
 int TestVerneySparseMatrixReader(int argc, char* argv[])
 {
-  Folder = TakeString(vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary")) +
-    "/TestVerneySparseMatrixReader";
-  std::filesystem::create_directories(Folder);
+  Folder = MakeFolder("TestVerneySparseMatrixReader", argc, argv);
   ArraysAreComplete();
   FieldDataDescribeTheLattice();
   RotatedSurveyKeepsDoublePrecision();

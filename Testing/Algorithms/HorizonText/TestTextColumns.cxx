@@ -104,6 +104,10 @@ void TestNames()
     std::string("x y z\nTop: 1.5 2.5 3.5\nTop: 4.5 2.5 3.75\n"));
   // Without a z the first attribute is it.
   CHECK_EQUAL(Table("IL XL Chalk Dip\n1 2 3.5 0.5\n1 3 4.5 0.75\n"), table);
+  // Half of a place is an attribute.
+  CHECK_EQUAL(Table("IL XL X Z\n1 2 0.5 3.5\n1 3 0.75 4.5\n"), std::string("il xl z X\n1 2 3.5 0.5\n1 3 4.5 0.75\n"));
+  CHECK_EQUAL(
+    Table("X Crossline Y Z\n1 2 0.5 3.5\n1 3 0.75 4.5\n"), std::string("x y z Crossline\n1 0.5 3.5 2\n1 0.75 4.5 3\n"));
   // What comes twice is an attribute, and doubles are told apart.
   CHECK_EQUAL(Table("X,Y,Z,Depth,Dip,Dip,,Remark\n1.5,2.5,3.5,4,5,6,7,a\n"),
     std::string("x y z Depth Dip Dip 2\n1.5 2.5 3.5 4 5 6\n"));

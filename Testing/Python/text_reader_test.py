@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvpython: text files of horizons are opened as such, others are not, and one becomes a surface.
+
+Argument: a folder for the files.
+"""
+
+import pathlib
+import sys
+
+# Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
+import seismichorizons  # noqa: F401
+
+import mesh_checks
+from paraview import simple
+
+PLACES = [(1000.5 + 25 * i - 3 * j, 2000.25 + 3 * i + 25 * j) for j in range(12) for i in range(15)]
+PICKS = "".join("%.3f %.3f %.2f\n" % (x, y, 500 + 0.01 * x + 0.02 * y) for x, y in PLACES)
+OPENDTECT = '# "X"\t"Y"\t"Z"\n# - - - - - - - - - -\n' + PICKS.replace(" ", "\t")
+SCATTER = "".join("%d.%d %d.%d 3\n" % (n * n % 97, n * 7 % 10, n * n * n % 89, n * 3 % 10) for n in range(50))
+
+
+def write(path, text):
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def check_factory(folder):
+    """Files are looked into, and those of others stay theirs."""
+    for name, text, is_ours in [("top.dat", OPENDTECT, True), ("top.xyz", PICKS, True), ("top.pts", PICKS, True),
+                                ("top.csv", PICKS.replace(" ", ","), False), ("scatter.dat", SCATTER, False),
+                                ("letter.txt", "Dear all,\nsee you at 10 o'clock\n", False)]:
+        reader = simple.OpenDataFile(write(folder / name, text))
+        assert (type(reader).__name__ == "HorizonTextReader") == is_ours, (name, reader)
+
+
+def check_panel(reader):
+    """What was found, and properties of the bases."""
+    reader.UpdatePipeline()
+    reader.UpdatePipelineInformation()
+    assert reader.WhatWasFound.startswith("OpendTect, separated by tabs: X, Y, Z\n15 x 12 columns from (1000.5, "), \
+        reader.WhatWasFound
+    assert list(reader.HorizonStatus) == ["top"]
+    reader.VerticalStep = 0.25
+    reader.VerticalUnit = "ms"
+    reader.VerticalDirection = "Up"
+    reader.UpdatePipeline()
+    data = mesh_checks.blocks(reader.GetClientSideObject().GetOutputDataObject(0))["top"].GetFieldData()
+    assert data.GetAbstractArray("VerticalUnit").GetValue(0) == "ms"
+    assert data.GetArray("LatticeToWorld").GetValue(10) == 0.25
+
+
+def check_surface(reader):
+    surface = simple.HorizonSurface(Input=reader)
+    surface.UpdatePipeline()
+    mesh = mesh_checks.blocks(surface.GetClientSideObject().GetOutputDataObject(0))["top"]
+    assert 2 <= len(mesh_checks.triangles(mesh)) < len(PLACES)
+    bounds = mesh.GetBounds()
+    assert bounds[0] == min(x for x, y in PLACES) and bounds[3] == max(y for x, y in PLACES), bounds
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    check_factory(folder)
+    reader = simple.OpenDataFile(str(folder / "top.dat"))
+    check_panel(reader)
+    check_surface(reader)
+
+
+main()

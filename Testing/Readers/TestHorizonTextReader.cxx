@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The reader of text files: the datasets it makes, its parameters, and its errors.
+
+#include "ReaderFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkHorizonTextReader.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+using namespace ReaderFixtures;
+
+namespace
+{
+// Crosslines run to the north, inlines to the east. Columns of crossline 8 and 10, inlines 100, 104 and 108. Top has
+// two picks in one column and one without z, Base one pick.
+constexpr const char* TwoHorizons = "Name,X,Y,Inline,Crossline,Z,Amplitude\n"
+                                    "Top,501250,6000200,100,8,10.5,1\n"
+                                    "Top,501250,6000250,100,10,12.25,-3\n"
+                                    "Top,501300,6000200,104,8,11.5,*\n"
+                                    "Base,501350,6000250,108,10,30,7\n"
+                                    "Top,501250,6000250,100,10,9,2\n"
+                                    "Top,501350,6000200,108,8,1e30,2\n";
+
+std::string Folder;
+
+std::string WriteFile(const std::string& name, const std::string& text)
+{
+  return WriteText(Folder + "/" + name, text);
+}
+
+vtkSmartPointer<vtkHorizonTextReader> MakeReader(const std::string& name, const std::string& text)
+{
+  auto reader = vtkSmartPointer<vtkHorizonTextReader>::New();
+  reader->SetFileName(WriteFile(name, text).c_str());
+  return reader;
+}
+
+template <typename Array>
+bool HasValues(vtkFieldData* data, const char* name, const std::vector<double>& expected)
+{
+  auto* const array = Array::SafeDownCast(data->GetAbstractArray(name));
+  if (!array || std::size_t(array->GetNumberOfValues()) != expected.size())
+  {
+    return false;
+  }
+  for (std::size_t n = 0; n < expected.size(); ++n)
+  {
+    const double value = array->GetValue(vtkIdType(n));
+    if (value != expected[n] && !(std::isnan(value) && std::isnan(expected[n])))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string GetText(vtkFieldData* data, const char* name)
+{
+  auto* const array = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0)) : "";
+}
+
+// ---- Datasets ----------------------------------------------------------------------------------------------------
+void PointsAndArraysAreComplete()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  reader->SetVerticalStep(0.5);
+  reader->Update();
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
+  CHECK_EQUAL(GetName(reader, 0), std::string("Top"));
+  CHECK_EQUAL(GetName(reader, 1), std::string("Base"));
+  vtkPolyData* const top = GetHorizon(reader, 0);
+  CHECK_EQUAL(top->GetNumberOfPoints(), 3);
+  CHECK_EQUAL(top->GetNumberOfVerts(), 3);
+  CHECK_EQUAL(top->GetPoints()->GetDataType(), VTK_DOUBLE);
+  double point[3];
+  top->GetPoint(1, point);
+  CHECK(point[0] == 501250.0 && point[1] == 6000250.0 && point[2] == -12.25);
+  vtkPointData* const data = top->GetPointData();
+  CHECK(HasValues<vtkDoubleArray>(data, "RealZ", { 10.5, 12.25, 11.5 }));
+  CHECK(HasValues<vtkDoubleArray>(data, "Amplitude", { 1.0, -3.0, std::nan("") }));
+  CHECK(HasValues<vtkIntArray>(data, "VerticalIndex", { 0, 4, 2 })); // index 0 is 10.5; 12.25 is nearer to none: up
+  CHECK(HasValues<vtkIntArray>(data, "SurfaceId", { 1, 1, 1 }));
+  CHECK(HasValues<vtkIdTypeArray>(data, "PointCount", { 1, 1, 1 }));
+  CHECK(data->GetScalars() == data->GetArray("VerticalIndex"));
+  CHECK(HasValues<vtkIntArray>(GetHorizon(reader, 1)->GetPointData(), "SurfaceId", { 2 }));
+}
+
+void FieldDataDescribeTheSurvey()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  reader->SetVerticalStep(0.5);
+  reader->SetVerticalUnit("ms");
+  reader->SetVerticalDomain("time");
+  reader->SetHorizontalUnit("m");
+  reader->SetCoordinateSystem("UTM31");
+  reader->Update();
+  vtkFieldData* const data = GetHorizon(reader, 0)->GetFieldData();
+  CHECK(HasValues<vtkIntArray>(data, "LatticeDimensions", { 2, 3, 40 }));
+  CHECK(HasValues<vtkIntArray>(data, "VerticalDirection", { -1 }));
+  CHECK(HasValues<vtkDoubleArray>(data, "LineNumbers", { 100, 4, 8, 2 }));
+  CHECK(HasValues<vtkIdTypeArray>(data, "DroppedDuplicates", { 1 }));
+  CHECK(HasValues<vtkIdTypeArray>(data, "DroppedNulls", { 1 }));
+  CHECK_EQUAL(GetText(data, "VerticalUnit"), std::string("ms"));
+  CHECK_EQUAL(GetText(data, "VerticalDomain"), std::string("time"));
+  CHECK_EQUAL(GetText(data, "HorizontalUnit"), std::string("m"));
+  CHECK_EQUAL(GetText(data, "CoordinateSystem"), std::string("UTM31"));
+  auto* const deviation = GetArray<vtkDoubleArray>(data, "LatticeDeviation", 1, 1);
+  CHECK(deviation->GetValue(0) < 1e-9);
+  auto* const map = GetArray<vtkDoubleArray>(data, "LatticeToWorld", 1, 16);
+  const std::vector<double> expected = { 0, 50, 0, 501250, 50, 0, 0, 6000200, 0, 0, -0.5, -10.5, 0, 0, 0, 1 };
+  for (int n = 0; n < 16; ++n)
+  {
+    CHECK(std::abs(map->GetValue(n) - expected[std::size_t(n)]) < 1e-6);
+  }
+}
+
+/// What is not known is not there. World z grows with z where it is said to.
+void UnknownFieldsAreLeftOut()
+{
+  const auto reader = MakeReader("plain.txt", "1.5 2 -30\n1.5 4 -31\n3.5 2 -32\n3.5 4 -30.5\n");
+  reader->SetVerticalDirectionToUp();
+  reader->Update();
+  CHECK_EQUAL(GetName(reader, 0), std::string("plain"));
+  vtkPolyData* const horizon = GetHorizon(reader, 0);
+  CHECK_EQUAL(horizon->GetPoint(0)[2], -30.0);
+  vtkFieldData* const data = horizon->GetFieldData();
+  for (const char* name : { "LineNumbers", "VerticalUnit", "VerticalDomain", "HorizontalUnit", "CoordinateSystem" })
+  {
+    CHECK(!data->GetAbstractArray(name));
+  }
+  CHECK(HasValues<vtkIntArray>(data, "VerticalDirection", { 1 }));
+}
+
+void LatticeMayBeGiven()
+{
+  const auto reader = MakeReader("lines.txt", "100 8 10\n104 10 20\n");
+  reader->SetLatticeSourceToOriginAndSteps();
+  reader->SetOrigin(1000.0, 2000.0);
+  reader->SetColumnStep(0.0, 5.0);
+  reader->SetRowStep(7.0, 0.0);
+  reader->Update();
+  const double* point = GetHorizon(reader, 0)->GetPoint(1);
+  CHECK(point[0] == 1007.0 && point[1] == 2005.0);
+  reader->SetLatticeSourceToCornerPoints();
+  reader->SetFirstCorner(100, 8, 0, 0);
+  reader->SetSecondCorner(100, 18, 100, 0);
+  reader->SetThirdCorner(110, 8, 0, 1000);
+  reader->Update();
+  point = GetHorizon(reader, 0)->GetPoint(1);
+  CHECK(std::abs(point[0] - 20.0) < 1e-9 && std::abs(point[1] - 400.0) < 1e-9);
+  reader->SetLatticeSourceToFromPoints();
+  reader->SetColumns("Crossline,Inline,Z");
+  reader->Update();
+  point = GetHorizon(reader, 0)->GetPoint(1);
+  CHECK(point[0] == 104.0 && point[1] == 10.0);
+}
+
+void DuplicatePolicyChoosesThePick()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  const auto kept = [&]()
+  {
+    reader->Update();
+    return GetHorizon(reader, 0)->GetPointData()->GetArray("RealZ")->GetTuple1(1);
+  };
+  reader->SetDuplicatePolicyToTopmost();
+  CHECK_EQUAL(kept(), 9.0);
+  reader->SetDuplicatePolicyToLowest();
+  CHECK_EQUAL(kept(), 12.25);
+  reader->SetVerticalDirectionToUp();
+  CHECK_EQUAL(kept(), 9.0);
+}
+
+// ---- Selection and pieces ----------------------------------------------------------------------------------------
+void SelectionIsObeyed()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  CHECK_EQUAL(reader->GetNumberOfHorizons(), 0);
+  reader->SetHorizonStatus("Top", 0); // before it is listed
+  reader->UpdateInformation();
+  CHECK_EQUAL(reader->GetNumberOfHorizons(), 2);
+  CHECK_EQUAL(std::string(reader->GetHorizonName(1)), std::string("Base"));
+  reader->Update();
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
+  CHECK_EQUAL(GetName(reader, 0), std::string("Base"));
+  // Numbers and lattice are those of all horizons.
+  CHECK(HasValues<vtkIntArray>(GetHorizon(reader, 0)->GetPointData(), "SurfaceId", { 2 }));
+  CHECK(HasValues<vtkDoubleArray>(GetHorizon(reader, 0)->GetFieldData(), "LineNumbers", { 100, 4, 8, 2 }));
+  reader->EnableAllHorizons();
+  reader->Update();
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
+}
+
+void HorizonsAreDealtOutToPieces()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  reader->UpdateInformation();
+  for (int piece = 0; piece < 2; ++piece)
+  {
+    reader->UpdatePiece(piece, 2, 0);
+    CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
+    CHECK_EQUAL(GetHorizon(reader, 0) != nullptr, piece == 0);
+    CHECK_EQUAL(GetHorizon(reader, 1) != nullptr, piece == 1);
+  }
+}
+
+// ---- What it says ------------------------------------------------------------------------------------------------
+void NegativeZGivesAWarning()
+{
+  const auto reader = MakeReader("negative.txt", "1 2 -30\n1 3 -31\n2 2 -32\n");
+  Messages warnings(reader, vtkCommand::WarningEvent);
+  reader->Update();
+  CHECK(warnings.WasOne("negative.txt: all z are negative, as elevations are, and grow down; set VerticalDirection"));
+  reader->SetVerticalDirectionToUp();
+  reader->Update();
+  CHECK_EQUAL(warnings.Number(), 0);
+  reader->SetVerticalDirectionToDown();
+  reader->SetFileName(WriteFile("mixed.txt", "1 2 30\n1 3 -31\n2 2 -32\n").c_str());
+  reader->Update();
+  CHECK_EQUAL(warnings.Number(), 0);
+}
+
+void DescriptionTellsWhatWasFound()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  CHECK_EQUAL(std::string(reader->GetDescription()), std::string());
+  reader->Update();
+  const std::string description = reader->GetDescription();
+  for (const char* text : { "plain text, separated by commas: Name, X, Y, Inline, Crossline, Z, Amplitude\n",
+         "2 x 3 columns from (501250, 6000200) in steps of (", "crosslines from 8 in steps of 2, inlines from 100 in",
+         "points at most ", "vertical index 0 at 10, steps of 2 (unit unknown) to smaller world z" })
+  {
+    if (!CHECK(description.find(text) != std::string::npos))
+    {
+      std::cerr << text << " is not in\n" << description << '\n';
+    }
+  }
+}
+
+void PrintListsEveryProperty()
+{
+  vtkNew<vtkHorizonTextReader> reader;
+  reader->SetFileName("some.dat");
+  reader->SetColumns("X,Y,Z");
+  reader->SetVerticalStep(8.5);
+  reader->SetVerticalDirectionToUp();
+  reader->SetVerticalUnit("ft");
+  reader->SetLatticeSourceToCornerPoints();
+  reader->SetThirdCorner(1.5, 2.5, 3.5, 4.5);
+  reader->SetOrigin(1.5, 2.5);
+  reader->SetLatticeTolerance(0.25);
+  reader->SetDuplicatePolicyToLowest();
+  reader->SetHorizonStatus("Top", 1);
+  std::ostringstream stream;
+  reader->Print(stream);
+  for (const char* text : { "FileName: some.dat", "Columns: X,Y,Z", "NullValues: -999.25 -99999 9999900",
+         "VerticalStep: 8.5", "VerticalDirection: Up", "VerticalUnit: ft", "VerticalDomain: (none)",
+         "LatticeSource: CornerPoints", "ThirdCorner: (1.5, 2.5, 3.5, 4.5)", "Origin: (1.5, 2.5)",
+         "LatticeTolerance: 0.25", "DuplicatePolicy: Lowest", "Description: ", "Top" })
+  {
+    CHECK(stream.str().find(text) != std::string::npos);
+  }
+}
+
+// ---- Errors ------------------------------------------------------------------------------------------------------
+void WrongFilesGiveOneErrorEach()
+{
+  vtkNew<vtkHorizonTextReader> reader;
+  Messages errors(reader);
+  reader->Update();
+  CHECK(errors.WasOne("no FileName, expected the path of a file"));
+  reader->SetFileName((Folder + "/nothing.dat").c_str());
+  reader->Update();
+  CHECK(errors.WasOne("nothing.dat: nothing there, expected a file"));
+  reader->SetFileName(Folder.c_str());
+  reader->Update();
+  CHECK(errors.WasOne(Folder + ": a directory, expected a file"));
+  reader->SetFileName(WriteFile("wrong.dat", "1 2 3.5\n1 3 x\n").c_str());
+  reader->Update();
+  CHECK(errors.WasOne("wrong.dat: line 2: \"x\" as Z, expected a number"));
+  CHECK(IsEmpty(reader));
+  reader->SetFileName(WriteFile("line.dat", "1.5 2 3.5\n2.5 2 3.5\n3.5 2 4.5\n").c_str());
+  reader->Update();
+  CHECK(errors.WasOne("line.dat: "));
+  reader->SetFileName(
+    WriteFile("off.dat", "Name X Y IL XL Z\na 0 0 1 1 1\na 10 0 1 2 1\na 0 10 2 1 1\na 15 10 2 2 1\n").c_str());
+  reader->Update();
+  CHECK(errors.WasOne("off.dat: 1 of 4 picks off the lattice"));
+}
+
+void WrongParametersGiveOneErrorEach()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  Messages errors(reader);
+  reader->SetVerticalStep(-1.0);
+  reader->Update();
+  CHECK(errors.WasOne("VerticalStep -1, expected a positive number, or 0 for one that suits the data"));
+  reader->SetVerticalStep(1e-12);
+  reader->Update();
+  CHECK(errors.WasOne("expected one that makes less than 2^31 vertical indices"));
+  reader->SetVerticalStep(0.0);
+  reader->SetLatticeTolerance(0.5);
+  reader->Update();
+  CHECK(errors.WasOne("LatticeTolerance 0.5, expected more than 0 and less than 0.5 columns"));
+  reader->SetLatticeTolerance(0.1);
+  reader->SetColumns("X,Y,Z");
+  reader->Update();
+  CHECK(errors.WasOne("two.csv: line 2: 7 fields, expected one for each of the columns X, Y, Z"));
+  reader->SetColumns("");
+  reader->SetNullValues("10.5");
+  reader->Update();
+  CHECK(HasValues<vtkIdTypeArray>(GetHorizon(reader, 0)->GetFieldData(), "DroppedNulls", { 2 }));
+}
+
+void AbortLeavesTheOutputEmpty()
+{
+  const auto reader = MakeReader("two.csv", TwoHorizons);
+  reader->Update();
+  vtkNew<vtkCallbackCommand> aborter;
+  aborter->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*) { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, aborter);
+  reader->Modified();
+  reader->Update();
+  CHECK(IsEmpty(reader));
+  reader->RemoveObserver(tag);
+  reader->SetAbortExecute(0);
+  reader->Modified();
+  reader->Update();
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
+}
+
+// ---- The rest ----------------------------------------------------------------------------------------------------
+void ChangedFileIsReadAgain()
+{
+  const auto reader = MakeReader("changing.txt", "1 2 3.5\n");
+  reader->Update();
+  CHECK_EQUAL(GetHorizon(reader, 0)->GetNumberOfPoints(), 1);
+  WriteFile("changing.txt", "a 1 2 3.5\nb 1 3 4.5\n"); // of another size, should the clock be coarse
+  reader->Modified();
+  reader->Update();
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
+  CHECK_EQUAL(reader->GetNumberOfHorizons(), 2);
+}
+
+/// Names with blanks, and the name of the file where there is none.
+void NamesComeFromTheFile()
+{
+  const auto reader = MakeReader("top chalk.v2.dat", "1 2 3.5\n1 3 4.5\n");
+  reader->Update();
+  CHECK_EQUAL(GetName(reader, 0), std::string("top chalk.v2"));
+  reader->SetFileName(WriteFile("named.dat", "#Horizon_name____-> A b\n1 2 3.5\n1 3 4.5\n").c_str());
+  reader->Update();
+  CHECK_EQUAL(GetName(reader, 0), std::string("A b"));
+}
+
+void CanReadFileLooksInside()
+{
+  vtkNew<vtkHorizonTextReader> reader;
+  const auto can = [&](const std::string& text)
+  { return reader->CanReadFile(WriteFile("some.dat", text).c_str()) == 1; };
+  CHECK(can(TwoHorizons));
+  CHECK(can("1 2 3.5\n1 3 4.5\n"));
+  CHECK(can("1.5 2 3.5\n1.5 3 4.5\n2.5 2 3.5\n2.5 3 1\n"));
+  CHECK(can("Float Dip\n1.5 2 3.5 4\n"));
+  CHECK(!can(""));
+  CHECK(!can("Dear all,\nsee you at 10 o'clock\n"));
+  CHECK(!can("2 2 10\n3 2 1.5 10 12.5 5 2 2.5 -20 20.5\n4 2 1 1 16\n")); // a sparse matrix
+  CHECK(
+    !can("-996 2 50.0 50.0\n1000.0 1100.0 5000.0 5050.0\n3 30.0 1000.0 5000.0\n0 0 0 0 0 0 0\n1 2 3 4 5 6\n")); // IRAP
+  CHECK(!can("@top HEADER , GRID, 5\n15, -99999.0, , 4, 1\n3, 2, 0.0, 100.0, 0.0, 200.0\n0.0, 0.0, 0.0\n@\n 1 2 3\n"));
+  CHECK(!can("DSAA\n3 2\n0 100\n0 50\n1 6\n1 2 3\n4 5 6\n"));
+  CHECK(!can("FSASCI 0 1 COMPUTED 0 1.0E+30\nFSATTR 0 0\n1 2 3\n"));
+  CHECK(!can("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2 3\n4 5 6\n"));
+  CHECK(!can("GOCAD TSurf 1\nHEADER {\nname: a\n}\nTFACE\nVRTX 1 0 0 0\n"));
+  CHECK(!can("temperature,pressure,day\n1,2,3\n2,3,4\n"));
+  CHECK(!can("0.1 0.7 3\n0.35 0.2 4\n0.93 0.11 5\n0.42 0.87 1\n0.66 0.45 1\n0.71 0.93 2\n"));
+  CHECK(!reader->CanReadFile(nullptr) && !reader->CanReadFile(Folder.c_str()));
+  CHECK(!reader->CanReadFile((Folder + "/nothing").c_str()));
+}
+
+/// Files of other programs, where there are any: by their extensions, which tell the formats of these.
+void CanReadFileTakesRealFiles()
+{
+  const char* const folder = std::getenv("SEISMICHORIZONS_REAL_DATA");
+  if (!folder || !std::filesystem::is_directory(folder))
+  {
+    return;
+  }
+  vtkNew<vtkHorizonTextReader> reader;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+  {
+    const std::string extension = entry.path().extension().string();
+    const bool isText = extension == ".ijz" || extension == ".dat" || extension == ".map";
+    if (entry.is_regular_file() && !CHECK_EQUAL(reader->CanReadFile(entry.path().c_str()) == 1, isText))
+    {
+      std::cerr << entry.path() << '\n';
+    }
+  }
+}
+}
+
+int TestHorizonTextReader(int argc, char* argv[])
+{
+  Folder = MakeFolder("TestHorizonTextReader", argc, argv);
+  PointsAndArraysAreComplete();
+  FieldDataDescribeTheSurvey();
+  UnknownFieldsAreLeftOut();
+  LatticeMayBeGiven();
+  DuplicatePolicyChoosesThePick();
+  SelectionIsObeyed();
+  HorizonsAreDealtOutToPieces();
+  NegativeZGivesAWarning();
+  DescriptionTellsWhatWasFound();
+  PrintListsEveryProperty();
+  WrongFilesGiveOneErrorEach();
+  WrongParametersGiveOneErrorEach();
+  AbortLeavesTheOutputEmpty();
+  ChangedFileIsReadAgain();
+  NamesComeFromTheFile();
+  CanReadFileLooksInside();
+  CanReadFileTakesRealFiles();
+  std::filesystem::remove_all(Folder);
+  return Check::Result();
+}
