@@ -94,6 +94,24 @@ void GridsComeBack()
   CheckSamePoints(GetHorizon(picks->GetOutput(), 0), GetHorizon(reader->GetOutput(), 0));
 }
 
+/// ZMAP+ holds what is along the axes.
+void ExtensionsTellTheFormat()
+{
+  const auto picks = ReadPicks("0 0 5\n10 0 6\n0 20 7\n10 20 8\n");
+  for (const std::string file : { "axes.ZMAP", "axes.irap" })
+  {
+    vtkNew<vtkHorizonGridWriter> writer;
+    writer->SetInputDataObject(picks->GetOutput());
+    writer->SetFileName((Folder + '/' + file).c_str());
+    CHECK_EQUAL(writer->Write(), 1);
+    CHECK_EQUAL(ReadText(Folder + '/' + file).substr(0, 4) == "-996", file == "axes.irap");
+    vtkNew<vtkHorizonGridReader> reader;
+    reader->SetFileName((Folder + '/' + file).c_str());
+    reader->Update();
+    CheckSamePoints(GetHorizon(picks->GetOutput(), 0), GetHorizon(reader->GetOutput(), 0));
+  }
+}
+
 /// A mesh covers the column that the points lack.
 void MeshesAreSampled()
 {
@@ -216,6 +234,7 @@ int TestHorizonGridWriter(int argc, char* argv[])
 {
   Folder = MakeFolder(argc, argv, "HorizonGridWriter");
   GridsComeBack();
+  ExtensionsTellTheFormat();
   MeshesAreSampled();
   GridsHaveFilesOfTheirOwn();
   TextComesBack();

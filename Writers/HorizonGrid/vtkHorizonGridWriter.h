@@ -28,17 +28,20 @@ public:
   /// The formats of grids that are written.
   enum GridKind
   {
-    IrapText = 0,
-    Zmap = 1
+    ByExtension = 0,
+    IrapText = 1,
+    Zmap = 2
   };
 
   ///@{
   /**
-   * The format. IrapText: IRAP classic ASCII, for lattices with perpendicular steps, turned or not. Zmap: ZMAP+, for
-   * lattices along the axes. Default: IrapText.
+   * The format. ByExtension: ZMAP+ for files whose name ends in .zmap or .zmp, in letters of either case, and IRAP
+   * classic ASCII for others. IrapText: IRAP classic ASCII, for lattices with perpendicular steps, turned or not. Zmap:
+   * ZMAP+, for lattices along the axes. Default: ByExtension.
    */
-  vtkSetClampMacro(Format, int, IrapText, Zmap);
+  vtkSetClampMacro(Format, int, ByExtension, Zmap);
   vtkGetMacro(Format, int);
+  void SetFormatToByExtension() { this->SetFormat(ByExtension); }
   void SetFormatToIrapText() { this->SetFormat(IrapText); }
   void SetFormatToZmap() { this->SetFormat(Zmap); }
   ///@}
@@ -55,7 +58,9 @@ private:
   vtkHorizonGridWriter(const vtkHorizonGridWriter&) = delete;
   void operator=(const vtkHorizonGridWriter&) = delete;
 
-  int Format = IrapText;
+  bool WritesZmap();
+
+  int Format = ByExtension;
 };
 
 #endif
