@@ -43,11 +43,11 @@ def pairs(sample):
     ways = ((sh.vtkHorizonRoughSimplification(), {"CellSize": 3}),
             (sh.vtkHorizonRoughSimplification(), {"CellSize": 8}),
             (sh.vtkHorizonElaborateSimplification(), {"FlatnessThreshold": 0.05}))
-    for (number, points), (algorithm, properties) in zip(read(sample)[0], ways):
+    for (name, points), (algorithm, properties) in zip(read(sample)[0], ways):
         outlined = apply(sh.vtkHorizonExteriorBoundary(), points)
         full = apply(sh.vtkHorizonTriangulation(), outlined)
         thinned = apply(algorithm, apply(sh.vtkHorizonBoundarySimplification(), outlined), **properties)
-        yield "Horizon %d" % number, full, apply(sh.vtkHorizonTriangulation(), thinned)
+        yield name, full, apply(sh.vtkHorizonTriangulation(), thinned)
 
 
 def write_ply(mesh, path):

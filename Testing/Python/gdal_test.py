@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""GDAL reads the grids we write, and we read those it writes. Argument: a folder. Exits with 77 where its program
+gdal_translate is not installed (package gdal-bin)."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+from vtkmodules.util import numpy_support
+
+import seismichorizons as sh
+from seismichorizons import reading
+
+FOLDER = pathlib.Path(sys.argv[1])
+# Formats of GDAL that we read, with the extension of their files and how exact their numbers are.
+FORMATS = {"GSAG": (".grd", 1e-6), "GSBG": (".grd", 1e-4), "GS7BG": (".grd", 1e-9), "AAIGrid": (".asc", 1e-4),
+           "ZMap": (".zmap", 1e-3)}
+
+
+def write_horizon(path):
+    """A folded surface with a hole, steps of 25 in x and y."""
+    lines = ["%.1f %.1f %.6f" % (459600.0 + 25.0 * i, 5934800.0 + 25.0 * j, 1500.0 + 30.0 * np.sin(i / 5.0) + 1.5 * j)
+             for j in range(20) for i in range(30) if not (8 < i < 12 and 5 < j < 9)]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    horizons, _ = reading.read(path)
+    return horizons[0][1]
+
+
+def places(horizon):
+    """Its points by ascending y, and then x."""
+    points = numpy_support.vtk_to_numpy(horizon.GetPoints().GetData())
+    return points[np.lexsort((points[:, 0], points[:, 1]))]
+
+
+def translate(source, target, gdal_format):
+    command = ["gdal_translate", "-q", "-of", gdal_format, "--config", "ZMAP_PIXEL_IS_POINT", "TRUE", str(source),
+               str(target)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def main():
+    if not shutil.which("gdal_translate"):
+        print("gdal_translate is not installed")
+        sys.exit(77)
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    horizon = write_horizon(FOLDER / "picks.xyz")
+    writer = sh.vtkHorizonGridWriter()
+    writer.SetInputDataObject(horizon)
+    writer.SetFileName(str(FOLDER / "ours.zmap"))
+    assert writer.Write() == 1
+    expected = places(horizon)
+    for name, (extension, precision) in FORMATS.items():
+        path = FOLDER / (name + extension)
+        translate(FOLDER / "ours.zmap", path, name)
+        horizons, _ = reading.read(path)
+        found = places(horizons[0][1])
+        assert found.shape == expected.shape, "%s: %d points, expected %d" % (name, len(found), len(expected))
+        difference = abs(found - expected).max(axis=0)
+        assert (difference <= [1e-6, 1e-6, precision]).all(), "%s: %s off" % (name, difference)
+        print("%s: %d points, at most %g off" % (name, len(found), difference[2]))
+
+
+main()
