@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <unordered_map>
 
 namespace SeismicHorizons
 {
@@ -157,13 +158,12 @@ private:
     {
       return this->Block.Horizon.back();
     }
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
+    const auto [found, isNew] = this->Numbers.emplace(name, int(names.size()));
+    if (isNew)
     {
       names.emplace_back(name);
-      return int(names.size()) - 1;
     }
-    return int(found - names.begin());
+    return found->second;
   }
 
   void Fail(const std::string& text)
@@ -174,6 +174,7 @@ private:
 
   const TextLayout& Layout;
   PickBlock Block;
+  std::unordered_map<std::string_view, int> Numbers; // of names
 };
 }
 

@@ -8,10 +8,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -21,7 +19,6 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkTestUtilities.h"
 #include "vtkVerneySparseMatrixReader.h"
 
