@@ -306,6 +306,45 @@ class BatchTest(unittest.TestCase):
         self.succeed("--no-pictures", "--horizons", "1", "2", "--", SAMPLE)
         self.assertEqual(files(self.output), ["sample_horizon_1.vtp", "sample_horizon_2.vtp"])
 
+    def write_picks(self, name, text):
+        path = self.output.with_name(self.output.name + "-input") / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="ascii")
+        return path
+
+    def test_formats(self):
+        """Picks of two horizons and a grid, each mesh in all formats under the name of its horizon."""
+        picks = self.write_picks("picks.dat", "".join(
+            '"%s"\t%d\t%d\t%.1f\t%.1f\t%.2f\n' % (name, j, i, 459600 + 25 * i, 5934800 + 25 * j, z + i % 3)
+            for name, z in (("Top Reek", 1500), ("Base", 1600)) for j in range(12) for i in range(15)))
+        grid = self.write_picks("reek.grd", "DSAA\n3 2\n100 120\n200 210\n5 7\n5 6 7\n5 6 7\n")
+        done = self.succeed("--no-pictures", "--largest-error", "0.5", "--formats", "vtp", "ts", "stl", "ply", "obj", "--",
+                            picks, grid)
+        stems = ["picks_Base", "picks_Top_Reek", "reek"]
+        self.assertEqual(files(self.output), sorted(
+            "%s.%s" % (stem, form) for stem in stems for form in ("vtp", "ts", "stl", "ply", "obj")))
+        for stem in stems:
+            mesh = read(self.output / (stem + ".vtp"))
+            self.assertGreater(mesh_checks.check_mesh(mesh), 0)
+            surface = (self.output / (stem + ".ts")).read_text(encoding="ascii")
+            self.assertEqual(surface.count("\nTRGL "), mesh.GetNumberOfPolys())
+            self.assertEqual((self.output / (stem + ".stl")).read_text().count("facet normal"), mesh.GetNumberOfPolys())
+        self.assertIn("name:Top Reek", (self.output / "picks_Top_Reek.ts").read_text(encoding="ascii"))
+        self.assertIn("Top Reek", done.stdout)
+        self.succeed("--no-pictures", "--horizons", "Base", "--", picks)
+
+    def test_format_options(self):
+        """What a format leaves no choice of is refused, and so is what no format has."""
+        picks = self.write_picks("odd.txt", "".join(
+            "%d %d 7 %d\n" % (i, j, i + j) for j in range(5) for i in range(5)))
+        self.succeed("--no-pictures", "--skip-rough", "--columns", "X Y - Z", picks)
+        self.assertEqual(files(self.output), ["odd.vtp"])
+        self.assertIn("its format leaves no choice of Elevation", self.refused(picks, "--elevation", "RealZ"))
+        self.assertIn("its format leaves no choice of Columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
+        self.assertIn("Origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))
+        noise = self.write_picks("noise.txt", "a b\n")
+        self.assertIn("noise.txt: ", self.refused(noise))
+
     def test_files_of_one_name(self):
         folders = [self.output.with_name("one-name") / name for name in "ab"]
         for folder in folders:
