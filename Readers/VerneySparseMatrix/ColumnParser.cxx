@@ -5,6 +5,7 @@
 
 #include "Common/LineErrors.h"
 #include "Common/TextNumbers.h"
+#include "HorizonSorter.h"
 
 #include <algorithm>
 #include <array>
@@ -27,36 +28,36 @@ constexpr std::array<const char*, ValuesPerVoxel> ValueNames = { "vertical index
 class ColumnParser
 {
 public:
-  ColumnParser(const SparseMatrixSize& size, SparseMatrixVisitor& visitor)
+  ColumnParser(const SparseMatrixSize& size, std::int64_t firstColumn, DuplicatePolicy policy)
     : Size(size)
     , NumberOfColumns(std::int64_t(size[0]) * size[1])
-    , Visitor(visitor)
+    , Column(firstColumn)
+    , I(int(std::min(firstColumn, NumberOfColumns) % size[0]))
+    , J(int(std::min(firstColumn, NumberOfColumns) / size[0]))
+    , Horizons(policy)
   {
   }
 
-  /// Takes complete lines: the last character is a newline.
-  void ParseLines(const char* text, const char* last)
+  SparseMatrixBlock Parse(std::string_view lines)
   {
-    while (text != last)
+    SparseMatrixBlock block;
+    std::int64_t line = 0;
+    try
     {
-      text = this->Column < this->NumberOfColumns ? this->ParseColumn(text) : this->ParseRest(text);
-      ++this->LineNumber;
+      const char* text = lines.data();
+      for (const char* const last = text + lines.size(); text != last; ++line)
+      {
+        text = this->Column < this->NumberOfColumns ? this->ParseColumn(text) : this->ParseRest(text);
+      }
     }
-  }
-
-  /// For the end of the file.
-  void RequireAllColumns() const
-  {
-    if (this->Column < this->NumberOfColumns)
+    catch (const InputError& error)
     {
-      throw ErrorAt(this->LineNumber - 1,
-        "end of file after " + std::to_string(this->Column) + " columns, expected " +
-          std::to_string(this->NumberOfColumns));
+      block.ErrorLine = line;
+      block.Error = error.what();
     }
+    block.Horizons = this->Horizons.Take();
+    return block;
   }
-
-  /// The number of the line that comes next.
-  std::int64_t Line() const { return this->LineNumber; }
 
 private:
   // Each of these takes the text at the start of what it parses and returns where that ends.
@@ -69,10 +70,10 @@ private:
     {
       text = this->ParseVoxel(text);
     }
-    if (!this->Voxels.empty())
+    this->RequireOneVoxelPerCell();
+    for (const SparseMatrixVoxel& voxel : this->Voxels)
     {
-      this->RequireOneVoxelPerCell();
-      this->Visitor.VisitColumn(this->I, this->J, this->Voxels);
+      this->Horizons.Add(this->I, this->J, voxel);
     }
     ++this->Column;
     if (++this->I == this->Size[0])
@@ -89,7 +90,7 @@ private:
     text = SkipBlanks(text);
     if (*text != '\n')
     {
-      throw ErrorAt(this->LineNumber, Quote(TokenAt(text)) + " after the last column, expected the end of the file");
+      throw InputError(Quote(TokenAt(text)) + " after the last column, expected the end of the file");
     }
     return text + 1;
   }
@@ -123,9 +124,8 @@ private:
     value = inRange ? static_cast<int>(number) : 0;
     if (!inRange || value != number)
     {
-      throw ErrorAt(this->LineNumber,
-        ValueNames[position] + Quote(TokenAt(text)) + ", expected an integer from " + std::to_string(least) + " to " +
-          std::to_string(largest));
+      throw InputError(ValueNames[position] + Quote(TokenAt(text)) + ", expected an integer from " +
+        std::to_string(least) + " to " + std::to_string(largest));
     }
     return next;
   }
@@ -136,22 +136,24 @@ private:
     const std::string_view token = TokenAt(text);
     if (token.empty())
     {
-      throw ErrorAt(this->LineNumber,
-        std::to_string(ValuesPerVoxel * (this->Voxels.size() - 1) + position) + " values, expected a multiple of " +
-          std::to_string(ValuesPerVoxel));
+      throw InputError(std::to_string(ValuesPerVoxel * (this->Voxels.size() - 1) + position) +
+        " values, expected a multiple of " + std::to_string(ValuesPerVoxel));
     }
     const NumberKind kind = ReadAnyNumber(token, value);
     if (kind != NumberKind::Finite)
     {
-      throw ErrorAt(this->LineNumber,
-        ValueNames[position] + Quote(token) +
-          (kind == NumberKind::NotFinite ? ", expected a finite number" : ", expected a number"));
+      throw InputError(ValueNames[position] + Quote(token) +
+        (kind == NumberKind::NotFinite ? ", expected a finite number" : ", expected a number"));
     }
     return text + token.size();
   }
 
   void RequireOneVoxelPerCell()
   {
+    if (this->Voxels.size() < 2)
+    {
+      return;
+    }
     this->Indices.clear();
     for (const SparseMatrixVoxel& voxel : this->Voxels)
     {
@@ -161,37 +163,25 @@ private:
     const auto twice = std::adjacent_find(this->Indices.begin(), this->Indices.end());
     if (twice != this->Indices.end())
     {
-      throw ErrorAt(this->LineNumber,
-        "two voxels at vertical index " + std::to_string(*twice) + ", expected at most one in a cell");
+      throw InputError("two voxels at vertical index " + std::to_string(*twice) + ", expected at most one in a cell");
     }
   }
 
   const SparseMatrixSize Size;
   const std::int64_t NumberOfColumns;
-  SparseMatrixVisitor& Visitor;
+  std::int64_t Column; // how many came before the line at hand
+  int I;
+  int J;
   std::vector<SparseMatrixVoxel> Voxels; // of the column at hand
   std::vector<int> Indices; // theirs, sorted
-  std::int64_t LineNumber = 2; // of the line at hand; the header is line 1
-  std::int64_t Column = 0; // how many came before the line at hand
-  int I = 0;
-  int J = 0;
+  HorizonSorter Horizons;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ParseColumns(LineBuffer& lines, const SparseMatrixSize& size, SparseMatrixVisitor& visitor, const Monitor& monitor)
+SparseMatrixBlock ParseColumns(
+  std::string_view lines, const SparseMatrixSize& size, std::int64_t firstColumn, DuplicatePolicy policy)
 {
-  ColumnParser columns(size, visitor);
-  while (!lines.AtEnd())
-  {
-    const bool isRead = lines.Read();
-    columns.ParseLines(lines.First(), lines.Last());
-    if (!isRead)
-    {
-      throw ErrorAt(columns.Line(), "reading failed, expected the rest of the file");
-    }
-    monitor.Progress(lines.PartRead());
-  }
-  columns.RequireAllColumns();
+  return ColumnParser(size, firstColumn, policy).Parse(lines);
 }
 }

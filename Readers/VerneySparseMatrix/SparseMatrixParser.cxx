@@ -6,9 +6,10 @@
 #include "ColumnParser.h"
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
+#include "Common/Parallel.h"
 #include "Common/TextNumbers.h"
-#include "CountingVisitor.h"
-#include "LoadingVisitor.h"
+#include "HorizonCollector.h"
+#include "VerticalFit.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,6 +21,8 @@ namespace SeismicHorizons
 namespace
 {
 constexpr const char* ExpectedHeader = ", expected three positive integers \"nX nY nZ\"";
+constexpr std::int64_t HeaderLines = 1;
+constexpr std::size_t BlockSize = 256 * 1024; // bytes that a thread parses at a time
 constexpr std::size_t MaximumHeader = 4096; // characters, the end of the line included
 
 /// Whether the number of cells fits into 63 bits.
@@ -52,14 +55,100 @@ SparseMatrixSize ParseHeader(const std::string& line)
   return size;
 }
 
-SparseMatrixSize ParseSparseMatrix(
-  std::istream& stream, SparseMatrixVisitor& visitor, const Monitor& monitor, std::size_t bufferSize)
+/// Cuts lines into blocks.
+std::vector<std::string_view> CutBlocks(std::string_view lines)
 {
-  const SparseMatrixSize size = ReadSparseMatrixHeader(stream);
-  LineBuffer lines(stream, bufferSize);
-  ParseColumns(lines, size, visitor, monitor);
-  return size;
+  std::vector<std::string_view> blocks;
+  while (!lines.empty())
+  {
+    const std::size_t end = BlockSize < lines.size() ? lines.find('\n', BlockSize) + 1 : lines.size();
+    blocks.push_back(lines.substr(0, end));
+    lines.remove_prefix(end);
+  }
+  return blocks;
 }
+
+/// Parses the lines of a file piece by piece, and each piece block by block on all threads.
+class PieceParser
+{
+public:
+  PieceParser(const SparseMatrixSize& size, DuplicatePolicy policy)
+    : Size(size)
+    , Policy(policy)
+  {
+  }
+
+  void Parse(std::string_view lines)
+  {
+    const std::vector<std::string_view> blocks = CutBlocks(lines);
+    const std::vector<std::int64_t> firstColumns = this->CountLines(blocks);
+    std::vector<SparseMatrixBlock> parsed(blocks.size());
+    ParallelFor(std::int64_t(blocks.size()), 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto block = std::size_t(first); block < std::size_t(last); ++block)
+        {
+          parsed[block] = ParseColumns(blocks[block], this->Size, firstColumns[block], this->Policy);
+        }
+      });
+    for (std::size_t block = 0; block < parsed.size(); ++block)
+    {
+      if (parsed[block].ErrorLine >= 0)
+      {
+        throw ErrorAt(HeaderLines + firstColumns[block] + parsed[block].ErrorLine + 1, parsed[block].Error);
+      }
+      this->Horizons.Add(std::move(parsed[block].Horizons));
+    }
+  }
+
+  /// Makes room for a whole file, of which a part was parsed.
+  void Reserve(double part)
+  {
+    constexpr double surplus = 1.05; // so that it mostly suffices
+    this->Horizons.Reserve(surplus / part);
+  }
+
+  /// The number of the line that comes next.
+  std::int64_t NextLine() const { return HeaderLines + this->Lines + 1; }
+
+  /// For the end of the file.
+  std::vector<HorizonVoxels> Take()
+  {
+    const std::int64_t columns = std::int64_t(this->Size[0]) * this->Size[1];
+    if (this->Lines < columns)
+    {
+      throw ErrorAt(HeaderLines + this->Lines,
+        "end of file after " + std::to_string(this->Lines) + " columns, expected " + std::to_string(columns));
+    }
+    return this->Horizons.Take();
+  }
+
+private:
+  /// How many lines come before each block.
+  std::vector<std::int64_t> CountLines(const std::vector<std::string_view>& blocks)
+  {
+    std::vector<std::int64_t> lines(blocks.size());
+    ParallelFor(std::int64_t(blocks.size()), 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto block = std::size_t(first); block < std::size_t(last); ++block)
+        {
+          lines[block] = std::count(blocks[block].begin(), blocks[block].end(), '\n');
+        }
+      });
+    for (std::int64_t& count : lines)
+    {
+      this->Lines += count;
+      count = this->Lines - count;
+    }
+    return lines;
+  }
+
+  const SparseMatrixSize Size;
+  const DuplicatePolicy Policy;
+  std::int64_t Lines = 0; // parsed so far
+  HorizonCollector Horizons;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -91,19 +180,29 @@ SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SparseMatrixSummary ScanSparseMatrix(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+SparseMatrix ReadSparseMatrix(
+  std::istream& stream, DuplicatePolicy policy, const Monitor& monitor, std::size_t bufferSize)
 {
-  CountingVisitor visitor;
-  const SparseMatrixSize size = ParseSparseMatrix(stream, visitor, monitor, bufferSize);
-  return { size, visitor.Counts(), visitor.VerticalFit() };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-SparseMatrix LoadSparseMatrix(std::istream& stream, const SparseMatrixCounts& horizons, DuplicatePolicy policy,
-  const Monitor& monitor, std::size_t bufferSize)
-{
-  LoadingVisitor visitor(horizons, policy);
-  const SparseMatrixSize size = ParseSparseMatrix(stream, visitor, monitor, bufferSize);
-  return { size, visitor.TakeHorizons() };
+  SparseMatrix matrix;
+  matrix.Size = ReadSparseMatrixHeader(stream);
+  LineBuffer lines(stream, bufferSize);
+  PieceParser pieces(matrix.Size, policy);
+  for (bool isFirst = true; !lines.AtEnd(); isFirst = false)
+  {
+    const bool isRead = lines.Read();
+    pieces.Parse(std::string_view(lines.First(), std::size_t(lines.Last() - lines.First())));
+    if (!isRead)
+    {
+      throw ErrorAt(pieces.NextLine(), "reading failed, expected the rest of the file");
+    }
+    if (isFirst && lines.PartRead() > 0.0)
+    {
+      pieces.Reserve(lines.PartRead());
+    }
+    monitor.Progress(lines.PartRead());
+  }
+  matrix.Horizons = pieces.Take();
+  matrix.VerticalFit = FitVertically(matrix.Horizons);
+  return matrix;
 }
 }

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
-#include <map>
 #include <vector>
 
 namespace SeismicHorizons
@@ -43,26 +42,12 @@ constexpr std::size_t SparseMatrixBufferSize = 4 * 1024 * 1024;
 /// Reads the first line and leaves the stream behind it.
 SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream);
 
-/// Voxels per surface ID, all of them: duplicates count as well.
-using SparseMatrixCounts = std::map<int, std::int64_t>;
-
 /// The straight line real z = Offset + Step * vertical index.
 struct SparseMatrixVerticalFit
 {
   double Offset = 0.0;
   double Step = 0.0; ///< 0 when there is no such line: real z is the same everywhere, or vertical indices are
 };
-
-struct SparseMatrixSummary
-{
-  SparseMatrixSize Size = {};
-  SparseMatrixCounts VoxelCounts;
-  SparseMatrixVerticalFit VerticalFit; ///< by least squares, through all voxels
-};
-
-/// Checks a whole file and lists the horizons it has. Progress is by bytes, where the stream can tell its length.
-SparseMatrixSummary ScanSparseMatrix(
-  std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 
 /// A horizon as parallel arrays, one entry per voxel in the order of the file, at most one voxel per column.
 struct HorizonVoxels
@@ -80,15 +65,13 @@ struct HorizonVoxels
 struct SparseMatrix
 {
   SparseMatrixSize Size = {};
-  std::vector<HorizonVoxels> Horizons; ///< by ascending surface ID
+  std::vector<HorizonVoxels> Horizons; ///< by ascending surface ID; each has at least one voxel
+  SparseMatrixVerticalFit VerticalFit; ///< by least squares, through the voxels of all horizons
 };
 
-/// Loads the horizons named by the keys of `horizons`; the values are the numbers of voxels to make room for. A horizon
-/// that is not in the file comes out without voxels. The whole file is checked, so that a file which breaks the format
-/// is refused whichever horizons are asked for.
-SparseMatrix LoadSparseMatrix(std::istream& stream, const SparseMatrixCounts& horizons,
-  DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, const Monitor& monitor = Monitor(),
-  std::size_t bufferSize = SparseMatrixBufferSize);
+/// Reads a whole file, on all threads. Progress is by bytes, where the stream can tell its length.
+SparseMatrix ReadSparseMatrix(std::istream& stream, DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude,
+  const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 }
 
 #endif

@@ -23,6 +23,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,22 +42,6 @@ bool HasOwnExtension(const std::string& name)
       [](char own, char other) { return own == std::tolower(static_cast<unsigned char>(other)); });
 }
 
-/// The horizons with these numbers, by ascending ID.
-SparseMatrixCounts Select(const SparseMatrixCounts& horizons, const std::vector<int>& numbers)
-{
-  SparseMatrixCounts selected;
-  int number = 0;
-  for (const auto& horizon : horizons)
-  {
-    if (selected.size() < numbers.size() && numbers[selected.size()] == number)
-    {
-      selected.insert(horizon);
-    }
-    ++number;
-  }
-  return selected;
-}
-
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   if (asImage)
@@ -68,10 +53,13 @@ vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, c
 }
 
 // ---- The class ---------------------------------------------------------------------------------------------------
-struct vtkVerneySparseMatrixReader::FileSummary
+struct vtkVerneySparseMatrixReader::FileContent
 {
   FileStamp Stamp;
-  SparseMatrixSummary Content;
+  SeismicHorizons::DuplicatePolicy Policy; // with which it was read
+  std::vector<std::string> Names; // of the horizons
+  SparseMatrixVerticalFit VerticalFit;
+  std::optional<SparseMatrix> Matrix; // until it is used
 };
 
 vtkStandardNewMacro(vtkVerneySparseMatrixReader);
@@ -107,7 +95,14 @@ int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
+SparseMatrix vtkVerneySparseMatrixReader::Read(const Monitor& monitor) const
+{
+  std::ifstream stream = OpenInputFile(this->FileName);
+  return ReadSparseMatrix(stream, static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
 {
   if (!this->FileName)
   {
@@ -117,13 +112,22 @@ void vtkVerneySparseMatrixReader::UpdateSummary(const Monitor& monitor)
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->FileName);
-      if (this->Summary && this->Summary->Stamp == stamp)
+      const auto policy = static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy);
+      if (this->Content && this->Content->Stamp == stamp && this->Content->Policy == policy)
       {
         return;
       }
-      this->Summary.reset();
-      std::ifstream stream = OpenInputFile(this->FileName);
-      this->Summary = std::make_unique<FileSummary>(FileSummary{ stamp, ScanSparseMatrix(stream, monitor) });
+      this->Content.reset();
+      auto content = std::make_unique<FileContent>();
+      content->Stamp = stamp;
+      content->Policy = policy;
+      content->Matrix = this->Read(monitor);
+      content->VerticalFit = content->Matrix->VerticalFit;
+      for (const HorizonVoxels& horizon : content->Matrix->Horizons)
+      {
+        content->Names.push_back(HorizonName(horizon.SurfaceId));
+      }
+      this->Content = std::move(content);
     });
 }
 
@@ -145,7 +149,7 @@ LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
 LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
 {
   LatticePlacement placement = this->MakePlacement();
-  const SparseMatrixVerticalFit& fit = this->Summary->Content.VerticalFit;
+  const SparseMatrixVerticalFit& fit = this->Content->VerticalFit;
   if (this->Elevation == RealZ && fit.Step != 0.0)
   {
     placement.Origin.z() = static_cast<int>(placement.Direction) * fit.Offset;
@@ -163,32 +167,26 @@ void vtkVerneySparseMatrixReader::CheckParameters()
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor& monitor)
 {
-  this->UpdateSummary(monitor);
-  std::vector<std::string> names;
-  for (const auto& horizon : this->Summary->Content.VoxelCounts)
-  {
-    names.push_back(HorizonName(horizon.first));
-  }
-  return names;
+  this->UpdateContent(monitor);
+  return this->Content->Names;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHorizons(
   const std::vector<int>& numbers, const Monitor& monitor)
 {
-  SparseMatrix matrix = PrefixErrors(this->FileName,
-    [&]()
-    {
-      std::ifstream stream = OpenInputFile(this->FileName);
-      return LoadSparseMatrix(stream, Select(this->Summary->Content.VoxelCounts, numbers),
-        static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor.Step(0.0, 0.8));
-    });
+  // What the list was made from is used once: kept, it would take as much memory as the output.
+  std::optional<SparseMatrix> kept = std::exchange(this->Content->Matrix, std::nullopt);
+  SparseMatrix matrix = kept
+    ? std::move(*kept)
+    : PrefixErrors(this->FileName, [&]() { return this->Read(monitor.Step(0.0, 0.8)); });
   const LatticePlacement fitted = this->MakeFittedPlacement();
   const HorizonPlacement placement = { matrix.Size, fitted.ToWorld(), fitted.Direction, this->Elevation == RealZ };
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
-  for (HorizonVoxels& voxels : matrix.Horizons)
+  for (const int number : numbers)
   {
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
+    HorizonVoxels& voxels = matrix.Horizons[static_cast<std::size_t>(number)];
     horizons.push_back(MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
     monitor.Progress(0.8 + 0.2 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }

@@ -35,10 +35,10 @@
  * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
  *   column, see DuplicatePolicy
  *
- * The file is read twice: first to check it and to list its horizons, then to load those that are selected. The list is
- * kept as long as the name, the size and the modification time of the file stay. Time is linear in the size of the
- * file. The peak of memory is 36 bytes per loaded voxel plus 72 bytes per voxel of the output; what was loaded is freed
- * horizon by horizon.
+ * The file is read once, for the list of horizons, and what was found is kept until the horizons are asked for; it is
+ * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
+ * lines are parsed on several threads. The peak of memory is 36 bytes per voxel of the file, those of horizons that are
+ * not selected included, plus 72 bytes per voxel of the output; what was loaded is freed horizon by horizon.
  *
  * Of several processes each reads the whole file.
  *
@@ -59,6 +59,7 @@
 namespace SeismicHorizons
 {
 struct LatticePlacement;
+struct SparseMatrix;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkHorizonSource
@@ -216,7 +217,8 @@ private:
 
   SeismicHorizons::LatticePlacement MakePlacement() const;
   SeismicHorizons::LatticePlacement MakeFittedPlacement() const;
-  void UpdateSummary(const SeismicHorizons::Monitor& monitor);
+  SeismicHorizons::SparseMatrix Read(const SeismicHorizons::Monitor& monitor) const;
+  void UpdateContent(const SeismicHorizons::Monitor& monitor);
 
   char* FileName = nullptr;
   int OutputType = Points;
@@ -228,8 +230,8 @@ private:
   int VerticalDirection = Down;
   int DuplicatePolicy = StrongestAmplitude;
 
-  struct FileSummary;
-  std::unique_ptr<FileSummary> Summary; // what the last scan found
+  struct FileContent;
+  std::unique_ptr<FileContent> Content; // what was found when the file was read last
 };
 
 #endif

@@ -184,7 +184,7 @@ Work ReadSurfaces(int surfaces)
   return [text = file.str()]()
   {
     std::istringstream stream(text);
-    ScanSparseMatrix(stream);
+    ReadSparseMatrix(stream);
   };
 }
 

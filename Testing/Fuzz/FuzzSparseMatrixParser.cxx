@@ -22,7 +22,6 @@ namespace
 struct Outcome
 {
   std::string Error;
-  SparseMatrixSummary Summary;
   SparseMatrix Matrix;
 };
 
@@ -31,10 +30,8 @@ Outcome Read(const std::string& text, DuplicatePolicy policy, std::size_t buffer
   Outcome outcome;
   try
   {
-    std::istringstream scanned(text);
-    outcome.Summary = ScanSparseMatrix(scanned, Monitor(), bufferSize);
-    std::istringstream loaded(text);
-    outcome.Matrix = LoadSparseMatrix(loaded, outcome.Summary.VoxelCounts, policy, Monitor(), bufferSize);
+    std::istringstream stream(text);
+    outcome.Matrix = ReadSparseMatrix(stream, policy, Monitor(), bufferSize);
   }
   catch (const InputError& error)
   {
@@ -60,9 +57,9 @@ bool IsSame(const Outcome& a, const Outcome& b)
   const auto sameVoxels = [](const HorizonVoxels& x, const HorizonVoxels& y) { return IsSame(x, y); };
   const std::vector<HorizonVoxels>& horizons = a.Matrix.Horizons;
   const std::vector<HorizonVoxels>& others = b.Matrix.Horizons;
-  return a.Error == b.Error && a.Summary.Size == b.Summary.Size && a.Summary.VoxelCounts == b.Summary.VoxelCounts &&
-    a.Summary.VerticalFit.Offset == b.Summary.VerticalFit.Offset &&
-    a.Summary.VerticalFit.Step == b.Summary.VerticalFit.Step &&
+  return a.Error == b.Error && a.Matrix.Size == b.Matrix.Size &&
+    a.Matrix.VerticalFit.Offset == b.Matrix.VerticalFit.Offset &&
+    a.Matrix.VerticalFit.Step == b.Matrix.VerticalFit.Step &&
     std::equal(horizons.begin(), horizons.end(), others.begin(), others.end(), sameVoxels);
 }
 
@@ -88,16 +85,13 @@ void CheckVoxels(const HorizonVoxels& horizon, const SparseMatrixSize& size)
 
 void CheckMatrix(const Outcome& outcome)
 {
-  const SparseMatrixCounts& counts = outcome.Summary.VoxelCounts;
-  Require(outcome.Matrix.Size == outcome.Summary.Size, "two sizes");
-  Require(std::isfinite(outcome.Summary.VerticalFit.Offset) && std::isfinite(outcome.Summary.VerticalFit.Step),
-    "vertical fit not finite");
-  Require(outcome.Matrix.Horizons.size() == counts.size(), "number of horizons");
-  for (const HorizonVoxels& horizon : outcome.Matrix.Horizons)
+  const SparseMatrixVerticalFit& fit = outcome.Matrix.VerticalFit;
+  Require(std::isfinite(fit.Offset) && std::isfinite(fit.Step), "vertical fit not finite");
+  for (std::size_t n = 0; n < outcome.Matrix.Horizons.size(); ++n)
   {
-    const auto count = counts.find(horizon.SurfaceId);
-    Require(count != counts.end() && count->second == std::int64_t(horizon.I.size()) + horizon.DroppedDuplicates,
-      "counts do not add up");
+    const HorizonVoxels& horizon = outcome.Matrix.Horizons[n];
+    Require(!horizon.I.empty() && (n == 0 || outcome.Matrix.Horizons[n - 1].SurfaceId < horizon.SurfaceId),
+      "horizons without voxels, or not by ascending ID");
     CheckVoxels(horizon, outcome.Matrix.Size);
   }
 }

@@ -170,11 +170,11 @@ HorizonVoxels HorizonGenerator::MakeHorizon(int position) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SparseMatrixCounts HorizonGenerator::Write(std::ostream& stream, const Monitor& monitor) const
+std::map<int, std::int64_t> HorizonGenerator::Write(std::ostream& stream, const Monitor& monitor) const
 {
   const auto [nX, nY, nZ] = this->Given.Size;
   stream << std::to_string(nX) + ' ' + std::to_string(nY) + ' ' + std::to_string(nZ) + '\n';
-  SparseMatrixCounts counts;
+  std::map<int, std::int64_t> counts;
   std::vector<RowVoxel> row;
   std::vector<std::string> columns(static_cast<std::size_t>(nX));
   for (int j = 0; j < nY; ++j)

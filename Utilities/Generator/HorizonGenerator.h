@@ -22,6 +22,7 @@
 #include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <cstdint>
+#include <map>
 #include <ostream>
 #include <vector>
 
@@ -44,7 +45,7 @@ public:
 
   /// Writes the file row by row and returns the voxels of each horizon. Throws std::runtime_error when the stream
   /// does not take it.
-  SparseMatrixCounts Write(std::ostream& stream, const Monitor& monitor = Monitor()) const;
+  std::map<int, std::int64_t> Write(std::ostream& stream, const Monitor& monitor = Monitor()) const;
 
 private:
   struct RowVoxel

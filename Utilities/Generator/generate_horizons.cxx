@@ -189,7 +189,7 @@ void WriteFile(const HorizonGenerator& generator, const std::string& fileName)
   try
   {
     const auto [nX, nY, nZ] = generator.Options().Size;
-    const SparseMatrixCounts counts = generator.Write(stream);
+    const std::map<int, std::int64_t> counts = generator.Write(stream);
     std::cout << fileName << ": " << nX << " x " << nY << " x " << nZ << " cells\n";
     for (const auto& [surfaceId, numberOfVoxels] : counts)
     {

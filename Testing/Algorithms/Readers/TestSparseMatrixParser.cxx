@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -31,31 +32,37 @@ const std::string Small = "3 2 10\n"
                           "9 -7 1 7 36\n"
                           "0 4 1 3 0.125\n";
 
-SparseMatrixSummary Scan(const std::string& text, std::size_t bufferSize = 4096)
+SparseMatrix Load(
+  const std::string& text, DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, std::size_t bufferSize = 4096)
 {
   std::istringstream stream(text);
-  return ScanSparseMatrix(stream, Monitor(), bufferSize);
+  return ReadSparseMatrix(stream, policy, Monitor(), bufferSize);
 }
 
-SparseMatrix Load(const std::string& text, const SparseMatrixCounts& horizons,
-  DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, std::size_t bufferSize = 4096)
+/// Voxels by surface ID, duplicates included.
+using Counts = std::map<int, std::int64_t>;
+
+Counts Count(const SparseMatrix& matrix)
 {
-  std::istringstream stream(text);
-  return LoadSparseMatrix(stream, horizons, policy, Monitor(), bufferSize);
+  Counts counts;
+  for (const HorizonVoxels& horizon : matrix.Horizons)
+  {
+    counts[horizon.SurfaceId] = static_cast<std::int64_t>(horizon.I.size()) + horizon.DroppedDuplicates;
+  }
+  return counts;
 }
 
 /// The real z of the only voxel of a file, after it went through the parser as `number`.
 double ReadNumber(const std::string& number)
 {
-  return Load("1 1 1\n0 1 0 0 " + number + "\n", { { 1, 1 } }).Horizons.at(0).RealZ.at(0);
+  return Load("1 1 1\n0 1 0 0 " + number + "\n").Horizons.at(0).RealZ.at(0);
 }
 
 void CheckRefused(const std::string& text, const std::string& message)
 {
   for (const std::size_t bufferSize : BufferSizes)
   {
-    CHECK_THROWS_WITH(Scan(text, bufferSize), message);
-    CHECK_THROWS_WITH(Load(text, { { 1, 0 } }, DuplicatePolicy::Topmost, bufferSize), message);
+    CHECK_THROWS_WITH(Load(text, DuplicatePolicy::Lowest, bufferSize), message);
   }
 }
 
@@ -66,30 +73,30 @@ void CheckLineRefused(const std::string& line, const std::string& message)
 }
 
 // ---- What is read ------------------------------------------------------------------------------------------------
-void ScanCountsVoxels()
+void VoxelsAreCounted()
 {
   for (const std::size_t bufferSize : BufferSizes)
   {
-    const SparseMatrixSummary summary = Scan(Small, bufferSize);
-    CHECK((summary.Size == SparseMatrixSize{ 3, 2, 10 }));
-    CHECK((summary.VoxelCounts == SparseMatrixCounts{ { -7, 2 }, { 4, 3 } }));
+    const SparseMatrix matrix = Load(Small, DuplicatePolicy::Topmost, bufferSize);
+    CHECK((matrix.Size == SparseMatrixSize{ 3, 2, 10 }));
+    CHECK((Count(matrix) == Counts{ { -7, 2 }, { 4, 3 } }));
   }
 }
 
 void DefaultBufferSizeWorks()
 {
   std::istringstream stream(Small);
-  CHECK_EQUAL(ScanSparseMatrix(stream).VoxelCounts.size(), 2u);
+  CHECK_EQUAL(ReadSparseMatrix(stream).Horizons.size(), 2u);
 }
 
 void LoadGivesAllAttributes()
 {
   for (const std::size_t bufferSize : BufferSizes)
   {
-    const SparseMatrix matrix = Load(Small, { { 4, 3 } }, DuplicatePolicy::Topmost, bufferSize);
+    const SparseMatrix matrix = Load(Small, DuplicatePolicy::Topmost, bufferSize);
     CHECK((matrix.Size == SparseMatrixSize{ 3, 2, 10 }));
-    CHECK_EQUAL(matrix.Horizons.size(), 1u);
-    const HorizonVoxels& horizon = matrix.Horizons.at(0);
+    CHECK_EQUAL(matrix.Horizons.size(), 2u);
+    const HorizonVoxels& horizon = matrix.Horizons.at(1);
     CHECK_EQUAL(horizon.SurfaceId, 4);
     CHECK((horizon.I == std::vector<int>{ 0, 1, 2 }));
     CHECK((horizon.J == std::vector<int>{ 0, 0, 1 }));
@@ -103,33 +110,30 @@ void LoadGivesAllAttributes()
 
 void HorizonsComeByAscendingId()
 {
-  const SparseMatrix matrix = Load(Small, { { 4, 0 }, { -7, 0 }, { 99, 1000 } });
-  CHECK_EQUAL(matrix.Horizons.size(), 3u);
+  const SparseMatrix matrix = Load(Small);
+  CHECK_EQUAL(matrix.Horizons.size(), 2u);
   CHECK_EQUAL(matrix.Horizons.at(0).SurfaceId, -7);
   CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 2u);
   CHECK_EQUAL(matrix.Horizons.at(1).SurfaceId, 4);
-  CHECK_EQUAL(matrix.Horizons.at(2).SurfaceId, 99);
-  CHECK(matrix.Horizons.at(2).I.empty());
 }
 
 void LayoutIsFree()
 {
-  const SparseMatrixCounts one = { { 1, 1 } };
-  CHECK((Scan("\xEF\xBB\xBF"
-              "1 1 5\n0 1 0 0 0\n")
-           .VoxelCounts == one));
-  CHECK((Scan("1 1 5\r\n0 1 0 0 0\r\n").VoxelCounts == one));
-  CHECK((Scan("\t1  +1 \t5 \n \t0\t1   0 0 0\t \n").VoxelCounts == one));
-  CHECK((Scan("1 1 5\n0 1 0 0 0").VoxelCounts == one));
-  CHECK((Scan("1 1 5\n0 1 0 0 0\n\n \t\r\n\n").VoxelCounts == one));
-  CHECK((Scan("1 1 5\n4.0 +1.0 0 0 0\n").VoxelCounts == one));
-  CHECK((Scan("1 1 5\n0 1e0 0 0 0\n").VoxelCounts == one));
+  const Counts one = { { 1, 1 } };
+  CHECK((Count(Load("\xEF\xBB\xBF"
+                    "1 1 5\n0 1 0 0 0\n")) == one));
+  CHECK((Count(Load("1 1 5\r\n0 1 0 0 0\r\n")) == one));
+  CHECK((Count(Load("\t1  +1 \t5 \n \t0\t1   0 0 0\t \n")) == one));
+  CHECK((Count(Load("1 1 5\n0 1 0 0 0")) == one));
+  CHECK((Count(Load("1 1 5\n0 1 0 0 0\n\n \t\r\n\n")) == one));
+  CHECK((Count(Load("1 1 5\n4.0 +1.0 0 0 0\n")) == one));
+  CHECK((Count(Load("1 1 5\n0 1e0 0 0 0\n")) == one));
 }
 
 void EmptyLastColumnNeedsNoNewline()
 {
-  CHECK((Scan("2 1 5\n0 1 0 0 0\n").VoxelCounts == SparseMatrixCounts{ { 1, 1 } }));
-  CHECK(Scan("1 1 5\n").VoxelCounts.empty());
+  CHECK((Count(Load("2 1 5\n0 1 0 0 0\n")) == Counts{ { 1, 1 } }));
+  CHECK(Load("1 1 5\n").Horizons.empty());
 }
 
 void NumbersAreRoundedCorrectly()
@@ -169,7 +173,7 @@ void DigitsAndExponentMakeUpForEachOther()
 // ---- Duplicates --------------------------------------------------------------------------------------------------
 int KeptIndex(const std::string& column, DuplicatePolicy policy, int expectedDropped)
 {
-  const SparseMatrix matrix = Load("1 1 10\n" + column + "\n", { { 1, 1 } }, policy);
+  const SparseMatrix matrix = Load("1 1 10\n" + column + "\n", policy);
   CHECK_EQUAL(matrix.Horizons.at(0).DroppedDuplicates, expectedDropped);
   CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 1u);
   CHECK_EQUAL(matrix.Horizons.at(0).RealZ.at(0), 4.0 * matrix.Horizons.at(0).K.at(0));
@@ -192,7 +196,7 @@ void EquallyStrongDuplicatesKeepTheTopmost()
 
 void NeighbouringColumnsAreNoDuplicates()
 {
-  const SparseMatrix matrix = Load("2 2 5\n1 1 0 0 0\n1 1 0 0 0\n1 1 0 0 0\n1 1 0 0 0\n", { { 1, 4 } });
+  const SparseMatrix matrix = Load("2 2 5\n1 1 0 0 0\n1 1 0 0 0\n1 1 0 0 0\n1 1 0 0 0\n");
   CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 4u);
   CHECK_EQUAL(matrix.Horizons.at(0).DroppedDuplicates, 0);
 }
@@ -204,9 +208,9 @@ void ManySurfacesAreToldApart()
   {
     column += std::to_string(k) + ' ' + std::to_string(64 * (k - 500)) + " 1 1 1 ";
   }
-  const SparseMatrixSummary summary = Scan("2 1 1000\n" + column + '\n' + column + '\n');
-  CHECK_EQUAL(summary.VoxelCounts.size(), 1000u);
-  for (const auto& horizon : summary.VoxelCounts)
+  const Counts counts = Count(Load("2 1 1000\n" + column + '\n' + column + '\n'));
+  CHECK_EQUAL(counts.size(), 1000u);
+  for (const auto& horizon : counts)
   {
     CHECK_EQUAL(horizon.second, 2);
   }
@@ -327,21 +331,19 @@ void ReadErrorsAreTold()
 {
   BreakingBuffer buffer("2 2 5\n\n\n");
   std::istream stream(&buffer);
-  CHECK_THROWS_WITH(ScanSparseMatrix(stream), "line 2: reading failed, expected the rest of the file");
+  CHECK_THROWS_WITH(ReadSparseMatrix(stream), "line 2: reading failed, expected the rest of the file");
 }
 
 // ---- Wrong files of any kind -------------------------------------------------------------------------------------
-/// Parses a file that may be wrong. True when it is accepted; then scanning and loading agree.
+/// Parses a file that may be wrong. True when it is accepted; then all arrays are as long.
 bool IsAccepted(const std::string& text, std::size_t bufferSize)
 {
   try
   {
-    const SparseMatrixSummary summary = Scan(text, bufferSize);
-    const SparseMatrix matrix = Load(text, summary.VoxelCounts, DuplicatePolicy::Lowest, bufferSize);
+    const SparseMatrix matrix = Load(text, DuplicatePolicy::Lowest, bufferSize);
     for (const HorizonVoxels& horizon : matrix.Horizons)
     {
-      const auto kept = static_cast<std::int64_t>(horizon.I.size());
-      CHECK_EQUAL(kept + horizon.DroppedDuplicates, summary.VoxelCounts.at(horizon.SurfaceId));
+      CHECK(!horizon.I.empty() && horizon.J.size() == horizon.I.size());
       CHECK(horizon.RealZ.size() == horizon.I.size() && horizon.K.size() == horizon.I.size());
     }
     return true;
@@ -401,7 +403,7 @@ void ProgressRunsToTheEnd()
   std::istringstream stream(Small);
   double last = 0.0;
   int calls = 0;
-  ScanSparseMatrix(stream,
+  ReadSparseMatrix(stream, DuplicatePolicy::Topmost,
     Monitor(
       [&](double part)
       {
@@ -420,7 +422,7 @@ void ParsingStopsOnRequest()
   const auto scan = [](const Monitor& monitor)
   {
     std::istringstream stream(Small);
-    ScanSparseMatrix(stream, monitor, 16);
+    ReadSparseMatrix(stream, DuplicatePolicy::Topmost, monitor, 16);
   };
   CHECK_EQUAL(MonitorChecker::Check(3, scan), std::string());
 }
@@ -428,7 +430,7 @@ void ParsingStopsOnRequest()
 
 int TestSparseMatrixParser(int, char*[])
 {
-  ScanCountsVoxels();
+  VoxelsAreCounted();
   DefaultBufferSizeWorks();
   LoadGivesAllAttributes();
   HorizonsComeByAscendingId();

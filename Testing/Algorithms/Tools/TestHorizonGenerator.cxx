@@ -99,8 +99,8 @@ void FileHoldsTheSameAsTheArrays()
 {
   const HorizonGenerator generator(MakeOptions(3));
   std::stringstream stream;
-  const SparseMatrixCounts counts = generator.Write(stream);
-  const SparseMatrix matrix = LoadSparseMatrix(stream, counts);
+  const std::map<int, std::int64_t> counts = generator.Write(stream);
+  const SparseMatrix matrix = ReadSparseMatrix(stream);
   CHECK((matrix.Size == generator.Options().Size));
   CHECK_EQUAL(matrix.Horizons.size(), 3u);
   for (int position = 0; position < 3; ++position)

@@ -61,10 +61,8 @@ void CheckLatticePoints(const std::filesystem::path& path)
 
 void CheckSparseMatrix(const std::filesystem::path& path)
 {
-  std::ifstream scanned(path, std::ios::binary);
-  const SparseMatrixSummary summary = ScanSparseMatrix(scanned);
-  std::ifstream loaded(path, std::ios::binary);
-  for (const HorizonVoxels& voxels : LoadSparseMatrix(loaded, summary.VoxelCounts).Horizons)
+  std::ifstream stream(path, std::ios::binary);
+  for (const HorizonVoxels& voxels : ReadSparseMatrix(stream).Horizons)
   {
     Patches::Columns columns;
     for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)

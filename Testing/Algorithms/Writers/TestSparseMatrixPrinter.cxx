@@ -19,10 +19,8 @@ namespace
 {
 SparseMatrix Load(const std::string& text)
 {
-  std::istringstream scanned(text);
-  const SparseMatrixSummary summary = ScanSparseMatrix(scanned);
-  std::istringstream loaded(text);
-  return LoadSparseMatrix(loaded, summary.VoxelCounts);
+  std::istringstream stream(text);
+  return ReadSparseMatrix(stream);
 }
 
 std::string Print(const SparseMatrix& matrix)
@@ -44,7 +42,7 @@ void NormalFilesStayAsTheyAre()
 {
   CHECK_EQUAL(Print(Load(Normal)), Normal);
   CHECK_EQUAL(Print(Load("1 1 5\n\n")), "1 1 5\n\n");
-  CHECK_EQUAL(Print(SparseMatrix{ { 2, 2, 1 }, {} }), "2 2 1\n\n\n\n\n");
+  CHECK_EQUAL(Print(SparseMatrix{ { 2, 2, 1 }, {}, {} }), "2 2 1\n\n\n\n\n");
 }
 
 void OthersBecomeNormal()
@@ -115,7 +113,7 @@ void WrongVoxelsAreRefused()
 
 void WorkIsMonitored()
 {
-  const SparseMatrix matrix = { { 1000, 1000, 1 }, {} };
+  const SparseMatrix matrix = { { 1000, 1000, 1 }, {}, {} };
   CHECK_EQUAL(MonitorChecker::Check(10,
                 [&matrix](const Monitor& monitor)
                 {

@@ -1,26 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "LoadingVisitor.h"
+#include "HorizonSorter.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace SeismicHorizons
 {
 namespace
 {
-void Reserve(HorizonVoxels& horizon, std::int64_t numberOfVoxels)
-{
-  const auto capacity = static_cast<std::size_t>(std::max<std::int64_t>(numberOfVoxels, 0));
-  horizon.I.reserve(capacity);
-  horizon.J.reserve(capacity);
-  horizon.K.reserve(capacity);
-  horizon.Thickness.reserve(capacity);
-  horizon.Amplitude.reserve(capacity);
-  horizon.RealZ.reserve(capacity);
-}
-
 void RemoveLast(HorizonVoxels& horizon)
 {
   horizon.I.pop_back();
@@ -33,36 +21,22 @@ void RemoveLast(HorizonVoxels& horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LoadingVisitor::LoadingVisitor(const SparseMatrixCounts& horizons, DuplicatePolicy policy)
-  : Policy(policy)
-  , Horizons(horizons.size())
+HorizonVoxels& HorizonSorter::HorizonOf(int surfaceId)
 {
-  int position = 0;
-  for (const auto& [surfaceId, numberOfVoxels] : horizons)
+  int position = this->Positions.Find(surfaceId);
+  if (position == SurfacePositions::None)
   {
+    position = static_cast<int>(this->Horizons.size());
     this->Positions.Insert(surfaceId, position);
-    HorizonVoxels& horizon = this->Horizons[static_cast<std::size_t>(position++)];
-    horizon.SurfaceId = surfaceId;
-    Reserve(horizon, numberOfVoxels);
+    this->Horizons.emplace_back().SurfaceId = surfaceId;
   }
+  return this->Horizons[static_cast<std::size_t>(position)];
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void LoadingVisitor::VisitColumn(int i, int j, const std::vector<SparseMatrixVoxel>& voxels)
+void HorizonSorter::Add(int i, int j, const SparseMatrixVoxel& voxel)
 {
-  for (const SparseMatrixVoxel& voxel : voxels)
-  {
-    const int position = this->Positions.Find(voxel.SurfaceId);
-    if (position != SurfacePositions::None)
-    {
-      this->Add(this->Horizons[static_cast<std::size_t>(position)], i, j, voxel);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void LoadingVisitor::Add(HorizonVoxels& horizon, int i, int j, const SparseMatrixVoxel& voxel) const
-{
+  HorizonVoxels& horizon = this->HorizonOf(voxel.SurfaceId);
   // All voxels of a column come at once, so a duplicate can only be one of the voxel added last.
   if (!horizon.I.empty() && horizon.I.back() == i && horizon.J.back() == j)
   {
@@ -83,7 +57,7 @@ void LoadingVisitor::Add(HorizonVoxels& horizon, int i, int j, const SparseMatri
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Whether a voxel replaces the last one of the horizon.
-bool LoadingVisitor::Prefers(const SparseMatrixVoxel& voxel, const HorizonVoxels& horizon) const
+bool HorizonSorter::Prefers(const SparseMatrixVoxel& voxel, const HorizonVoxels& horizon) const
 {
   const bool isAbove = voxel.VerticalIndex < horizon.K.back();
   if (this->Policy == DuplicatePolicy::StrongestAmplitude)

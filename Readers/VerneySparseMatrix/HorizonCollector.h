@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsHorizonCollector_h
+#define SeismicHorizonsHorizonCollector_h
+
+#include "SparseMatrixParser.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Puts the horizons of blocks together, in the order of the blocks.
+class HorizonCollector
+{
+public:
+  void Add(std::vector<HorizonVoxels> horizons);
+
+  /// Makes room for as many times the voxels that there are. More may come.
+  void Reserve(double times);
+
+  /// All horizons, by ascending surface ID.
+  std::vector<HorizonVoxels> Take();
+
+private:
+  std::unordered_map<int, std::size_t> Positions; // by surface ID
+  std::vector<HorizonVoxels> Horizons;
+};
+}
+
+#endif
