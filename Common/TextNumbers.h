@@ -103,6 +103,22 @@ inline const char* ReadPlainNumber(const char* text, double& value)
   return last;
 }
 
+/// Reads a token of at most nine digits and perhaps a minus sign. Returns its end, or null when it is anything else.
+inline const char* ReadShortInteger(const char* text, int& value)
+{
+  constexpr std::ptrdiff_t mostDigits = std::numeric_limits<int>::digits10;
+  const bool negative = *text == '-';
+  const char* const first = text + (negative ? 1 : 0);
+  int digits = 0;
+  const char* last = first;
+  for (; IsDigit(*last) && last - first < mostDigits; ++last)
+  {
+    digits = 10 * digits + (*last - '0');
+  }
+  value = negative ? -digits : digits;
+  return last != first && EndsToken(*last) ? last : nullptr;
+}
+
 /// The token without a leading plus sign, which the standard library does not take.
 inline std::string_view WithoutPlus(std::string_view token)
 {

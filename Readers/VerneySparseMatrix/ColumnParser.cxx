@@ -28,19 +28,18 @@ constexpr std::array<const char*, ValuesPerVoxel> ValueNames = { "vertical index
 class ColumnParser
 {
 public:
-  ColumnParser(const SparseMatrixSize& size, std::int64_t firstColumn, DuplicatePolicy policy)
+  ColumnParser(const SparseMatrixSize& size, std::int64_t firstColumn, HorizonSorter& horizons)
     : Size(size)
     , NumberOfColumns(std::int64_t(size[0]) * size[1])
     , Column(firstColumn)
     , I(int(std::min(firstColumn, NumberOfColumns) % size[0]))
     , J(int(std::min(firstColumn, NumberOfColumns) / size[0]))
-    , Horizons(policy)
+    , Horizons(horizons)
   {
   }
 
-  SparseMatrixBlock Parse(std::string_view lines)
+  std::optional<ColumnError> Parse(std::string_view lines)
   {
-    SparseMatrixBlock block;
     std::int64_t line = 0;
     try
     {
@@ -52,11 +51,9 @@ public:
     }
     catch (const InputError& error)
     {
-      block.ErrorLine = line;
-      block.Error = error.what();
+      return ColumnError{ line, error.what() };
     }
-    block.Horizons = this->Horizons.Take();
-    return block;
+    return std::nullopt;
   }
 
 private:
@@ -118,6 +115,17 @@ private:
 
   const char* ParseInteger(const char* text, std::size_t position, int least, int largest, int& value)
   {
+    const char* const last = ReadShortInteger(text, value);
+    if (last && value >= least && value <= largest)
+    {
+      return SkipBlanks(last);
+    }
+    return this->ParseRareInteger(text, position, least, largest, value);
+  }
+
+  /// One with many digits, with a point, or none.
+  const char* ParseRareInteger(const char* text, std::size_t position, int least, int largest, int& value)
+  {
     double number = 0.0;
     const char* const next = this->ParseNumber(text, position, number);
     const bool inRange = number >= least && number <= largest; // a conversion of other numbers is undefined
@@ -174,14 +182,14 @@ private:
   int J;
   std::vector<SparseMatrixVoxel> Voxels; // of the column at hand
   std::vector<int> Indices; // theirs, sorted
-  HorizonSorter Horizons;
+  HorizonSorter& Horizons;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SparseMatrixBlock ParseColumns(
-  std::string_view lines, const SparseMatrixSize& size, std::int64_t firstColumn, DuplicatePolicy policy)
+std::optional<ColumnError> ParseColumns(
+  std::string_view lines, const SparseMatrixSize& size, std::int64_t firstColumn, HorizonSorter& horizons)
 {
-  return ColumnParser(size, firstColumn, policy).Parse(lines);
+  return ColumnParser(size, firstColumn, horizons).Parse(lines);
 }
 }

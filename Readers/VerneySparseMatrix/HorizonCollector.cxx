@@ -10,33 +10,35 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Calls visit(a, b) for each pair of arrays of two horizons.
-template <typename Visit>
-void ForEachArray(HorizonVoxels& a, HorizonVoxels& b, Visit&& visit)
+template <typename Value>
+void Append(std::vector<Value>& all, const std::vector<Value>& next)
 {
-  visit(a.I, b.I);
-  visit(a.J, b.J);
-  visit(a.K, b.K);
-  visit(a.Thickness, b.Thickness);
-  visit(a.Amplitude, b.Amplitude);
-  visit(a.RealZ, b.RealZ);
+  all.insert(all.end(), next.begin(), next.end());
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HorizonCollector::Add(std::vector<HorizonVoxels> horizons)
+void HorizonCollector::Add(const std::vector<HorizonVoxels>& horizons)
 {
-  for (HorizonVoxels& part : horizons)
+  for (const HorizonVoxels& part : horizons)
   {
+    if (part.I.empty())
+    {
+      continue;
+    }
     const auto [place, isNew] = this->Positions.emplace(part.SurfaceId, this->Horizons.size());
     if (isNew)
     {
-      this->Horizons.push_back(std::move(part));
-      continue;
+      this->Horizons.emplace_back().SurfaceId = part.SurfaceId;
     }
     HorizonVoxels& whole = this->Horizons[place->second];
     whole.DroppedDuplicates += part.DroppedDuplicates;
-    ForEachArray(whole, part, [](auto& all, const auto& next) { all.insert(all.end(), next.begin(), next.end()); });
+    Append(whole.I, part.I);
+    Append(whole.J, part.J);
+    Append(whole.K, part.K);
+    Append(whole.Thickness, part.Thickness);
+    Append(whole.Amplitude, part.Amplitude);
+    Append(whole.RealZ, part.RealZ);
   }
 }
 
@@ -46,7 +48,7 @@ void HorizonCollector::Reserve(double times)
   for (HorizonVoxels& horizon : this->Horizons)
   {
     const auto size = std::size_t(times * double(horizon.I.size()));
-    ForEachArray(horizon, horizon, [size](auto& all, const auto&) { all.reserve(size); });
+    ForEachVoxelArray(horizon, [size](auto& values) { values.reserve(size); });
   }
 }
 

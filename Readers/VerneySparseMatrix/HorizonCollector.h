@@ -15,7 +15,8 @@ namespace SeismicHorizons
 class HorizonCollector
 {
 public:
-  void Add(std::vector<HorizonVoxels> horizons);
+  /// Copies them.
+  void Add(const std::vector<HorizonVoxels>& horizons);
 
   /// Makes room for as many times the voxels that there are. More may come.
   void Reserve(double times);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -82,22 +83,24 @@ public:
   {
     const std::vector<std::string_view> blocks = CutBlocks(lines);
     const std::vector<std::int64_t> firstColumns = this->CountLines(blocks);
-    std::vector<SparseMatrixBlock> parsed(blocks.size());
+    std::vector<std::optional<ColumnError>> errors(blocks.size());
+    this->Parsed.resize(std::max(this->Parsed.size(), blocks.size()), HorizonSorter(this->Policy));
     ParallelFor(std::int64_t(blocks.size()), 1,
       [&](std::int64_t first, std::int64_t last)
       {
         for (auto block = std::size_t(first); block < std::size_t(last); ++block)
         {
-          parsed[block] = ParseColumns(blocks[block], this->Size, firstColumns[block], this->Policy);
+          this->Parsed[block].Clear();
+          errors[block] = ParseColumns(blocks[block], this->Size, firstColumns[block], this->Parsed[block]);
         }
       });
-    for (std::size_t block = 0; block < parsed.size(); ++block)
+    for (std::size_t block = 0; block < blocks.size(); ++block)
     {
-      if (parsed[block].ErrorLine >= 0)
+      if (errors[block])
       {
-        throw ErrorAt(HeaderLines + firstColumns[block] + parsed[block].ErrorLine + 1, parsed[block].Error);
+        throw ErrorAt(HeaderLines + firstColumns[block] + errors[block]->Line + 1, errors[block]->Text);
       }
-      this->Horizons.Add(std::move(parsed[block].Horizons));
+      this->Horizons.Add(this->Parsed[block].List());
     }
   }
 
@@ -147,6 +150,7 @@ private:
   const SparseMatrixSize Size;
   const DuplicatePolicy Policy;
   std::int64_t Lines = 0; // parsed so far
+  std::vector<HorizonSorter> Parsed; // for each block of a piece
   HorizonCollector Horizons;
 };
 }

@@ -62,6 +62,18 @@ struct HorizonVoxels
   std::int64_t DroppedDuplicates = 0;
 };
 
+/// Calls visit(array) for each array of a horizon.
+template <typename Visit>
+void ForEachVoxelArray(HorizonVoxels& horizon, Visit&& visit)
+{
+  visit(horizon.I);
+  visit(horizon.J);
+  visit(horizon.K);
+  visit(horizon.Thickness);
+  visit(horizon.Amplitude);
+  visit(horizon.RealZ);
+}
+
 struct SparseMatrix
 {
   SparseMatrixSize Size = {};

@@ -177,9 +177,8 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
 {
   // What the list was made from is used once: kept, it would take as much memory as the output.
   std::optional<SparseMatrix> kept = std::exchange(this->Content->Matrix, std::nullopt);
-  SparseMatrix matrix = kept
-    ? std::move(*kept)
-    : PrefixErrors(this->FileName, [&]() { return this->Read(monitor.Step(0.0, 0.8)); });
+  SparseMatrix matrix =
+    kept ? std::move(*kept) : PrefixErrors(this->FileName, [&]() { return this->Read(monitor.Step(0.0, 0.8)); });
   const LatticePlacement fitted = this->MakeFittedPlacement();
   const HorizonPlacement placement = { matrix.Size, fitted.ToWorld(), fitted.Direction, this->Elevation == RealZ };
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
