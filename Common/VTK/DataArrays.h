@@ -7,6 +7,8 @@
 #ifndef SeismicHorizonsDataArrays_h
 #define SeismicHorizonsDataArrays_h
 
+#include "Common/HeapArray.h"
+
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -51,6 +53,17 @@ void MoveToArray(vtkFieldData* data, const char* name, std::vector<Value>& value
 {
   AddArray<Array>(data, name, values);
   values = std::vector<Value>();
+}
+
+/// Adds an array that takes over the memory of these values.
+template <typename Array, typename Value>
+void MoveToArray(vtkFieldData* data, const char* name, HeapArray<Value>& values)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  const auto size = static_cast<vtkIdType>(values.size());
+  array->SetArray(values.Release(), size, 0, Array::VTK_DATA_ARRAY_FREE);
+  data->AddArray(array);
 }
 
 /// Adds an array that has the same value everywhere.

@@ -8,15 +8,6 @@
 
 namespace SeismicHorizons
 {
-namespace
-{
-template <typename Value>
-void Append(std::vector<Value>& all, const std::vector<Value>& next)
-{
-  all.insert(all.end(), next.begin(), next.end());
-}
-}
-
 //----------------------------------------------------------------------------------------------------------------------
 void HorizonCollector::Add(const std::vector<HorizonVoxels>& horizons)
 {
@@ -33,22 +24,12 @@ void HorizonCollector::Add(const std::vector<HorizonVoxels>& horizons)
     }
     HorizonVoxels& whole = this->Horizons[place->second];
     whole.DroppedDuplicates += part.DroppedDuplicates;
-    Append(whole.I, part.I);
-    Append(whole.J, part.J);
-    Append(whole.K, part.K);
-    Append(whole.Thickness, part.Thickness);
-    Append(whole.Amplitude, part.Amplitude);
-    Append(whole.RealZ, part.RealZ);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HorizonCollector::Reserve(double times)
-{
-  for (HorizonVoxels& horizon : this->Horizons)
-  {
-    const auto size = std::size_t(times * double(horizon.I.size()));
-    ForEachVoxelArray(horizon, [size](auto& values) { values.reserve(size); });
+    whole.I.append(part.I.begin(), part.I.end());
+    whole.J.append(part.J.begin(), part.J.end());
+    whole.K.append(part.K.begin(), part.K.end());
+    whole.Thickness.append(part.Thickness.begin(), part.Thickness.end());
+    whole.Amplitude.append(part.Amplitude.begin(), part.Amplitude.end());
+    whole.RealZ.append(part.RealZ.begin(), part.RealZ.end());
   }
 }
 

@@ -18,9 +18,6 @@ public:
   /// Copies them.
   void Add(const std::vector<HorizonVoxels>& horizons);
 
-  /// Makes room for as many times the voxels that there are. More may come.
-  void Reserve(double times);
-
   /// All horizons, by ascending surface ID.
   std::vector<HorizonVoxels> Take();
 

@@ -55,8 +55,8 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(HorizonVoxels voxels, const Horiz
 {
   auto horizon = vtkSmartPointer<vtkPolyData>::New();
   horizon->SetPoints(MakePoints(voxels, placement));
-  voxels.I = std::vector<int>();
-  voxels.J = std::vector<int>();
+  voxels.I = HeapArray<int>();
+  voxels.J = HeapArray<int>();
 
   const vtkIdType numberOfPoints = horizon->GetNumberOfPoints();
   vtkPointData* const data = horizon->GetPointData();

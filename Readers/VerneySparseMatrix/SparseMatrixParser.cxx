@@ -104,13 +104,6 @@ public:
     }
   }
 
-  /// Makes room for a whole file, of which a part was parsed.
-  void Reserve(double part)
-  {
-    constexpr double surplus = 1.05; // so that it mostly suffices
-    this->Horizons.Reserve(surplus / part);
-  }
-
   /// The number of the line that comes next.
   std::int64_t NextLine() const { return HeaderLines + this->Lines + 1; }
 
@@ -191,17 +184,13 @@ SparseMatrix ReadSparseMatrix(
   matrix.Size = ReadSparseMatrixHeader(stream);
   LineBuffer lines(stream, bufferSize);
   PieceParser pieces(matrix.Size, policy);
-  for (bool isFirst = true; !lines.AtEnd(); isFirst = false)
+  while (!lines.AtEnd())
   {
     const bool isRead = lines.Read();
     pieces.Parse(std::string_view(lines.First(), std::size_t(lines.Last() - lines.First())));
     if (!isRead)
     {
       throw ErrorAt(pieces.NextLine(), "reading failed, expected the rest of the file");
-    }
-    if (isFirst && lines.PartRead() > 0.0)
-    {
-      pieces.Reserve(lines.PartRead());
     }
     monitor.Progress(lines.PartRead());
   }

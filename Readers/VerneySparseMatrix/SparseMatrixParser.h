@@ -14,6 +14,7 @@
 #define SeismicHorizonsSparseMatrixParser_h
 
 #include "Common/DuplicatePolicy.h"
+#include "Common/HeapArray.h"
 #include "Common/Monitor.h"
 
 #include <array>
@@ -53,12 +54,12 @@ struct SparseMatrixVerticalFit
 struct HorizonVoxels
 {
   int SurfaceId = 0;
-  std::vector<int> I;
-  std::vector<int> J;
-  std::vector<int> K;
-  std::vector<double> Thickness;
-  std::vector<double> Amplitude;
-  std::vector<double> RealZ;
+  HeapArray<int> I;
+  HeapArray<int> J;
+  HeapArray<int> K;
+  HeapArray<double> Thickness;
+  HeapArray<double> Amplitude;
+  HeapArray<double> RealZ;
   std::int64_t DroppedDuplicates = 0;
 };
 

@@ -36,18 +36,29 @@ vtkDataArray* FindArray(vtkPolyData* horizon, const char* name)
   return array;
 }
 
-std::vector<double> CopyNumbers(vtkDataArray* array)
+HeapArray<double> CopyNumbers(vtkDataArray* array)
 {
   vtkNew<vtkDoubleArray> numbers;
   numbers->DeepCopy(array);
-  return std::vector<double>(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues());
+  HeapArray<double> copy;
+  copy.append(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues());
+  return copy;
 }
 
 /// The numbers of an array, or the same one for each point when there is none of that name.
-std::vector<double> ReadNumbers(vtkPolyData* horizon, const char* name, double otherwise)
+HeapArray<double> ReadNumbers(vtkPolyData* horizon, const char* name, double otherwise)
 {
   vtkDataArray* const array = FindArray(horizon, name);
-  return array ? CopyNumbers(array) : std::vector<double>(std::size_t(horizon->GetNumberOfPoints()), otherwise);
+  if (array)
+  {
+    return CopyNumbers(array);
+  }
+  HeapArray<double> numbers;
+  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  {
+    numbers.push_back(otherwise);
+  }
+  return numbers;
 }
 
 int ToInteger(double number, const char* name, std::size_t point)
@@ -63,21 +74,20 @@ int ToInteger(double number, const char* name, std::size_t point)
 }
 
 /// By the array, or where there is none the nearest to each point on the lattice.
-std::vector<int> ReadIndices(vtkPolyData* horizon, const std::vector<double>& heights)
+HeapArray<int> ReadIndices(vtkPolyData* horizon, const std::vector<double>& heights)
 {
   vtkDataArray* const array = FindArray(horizon, PointArray::VerticalIndex);
-  const std::vector<double> numbers = array ? CopyNumbers(array) : heights;
-  std::vector<int> indices;
-  indices.reserve(numbers.size());
-  for (const double number : numbers)
+  HeapArray<int> indices;
+  for (std::size_t point = 0; point < heights.size(); ++point)
   {
-    indices.push_back(ToInteger(array ? number : std::round(number), PointArray::VerticalIndex, indices.size()));
+    const double number = array ? array->GetComponent(vtkIdType(point), 0) : std::round(heights[point]);
+    indices.push_back(ToInteger(number, PointArray::VerticalIndex, point));
   }
   return indices;
 }
 
 /// By the array, or where there is none what the reader makes world z of.
-std::vector<double> ReadRealZ(vtkPolyData* horizon)
+HeapArray<double> ReadRealZ(vtkPolyData* horizon)
 {
   if (vtkDataArray* const array = FindArray(horizon, PointArray::RealZ))
   {
@@ -85,7 +95,7 @@ std::vector<double> ReadRealZ(vtkPolyData* horizon)
   }
   vtkDataArray* const direction = horizon->GetFieldData()->GetArray(FieldArray::VerticalDirection);
   const bool isUp = direction && direction->GetNumberOfValues() == 1 && direction->GetComponent(0, 0) > 0.0;
-  std::vector<double> realZ;
+  HeapArray<double> realZ;
   for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
   {
     const double z = horizon->GetPoint(point)[2];

@@ -55,7 +55,7 @@ Counts Count(const SparseMatrix& matrix)
 /// The real z of the only voxel of a file, after it went through the parser as `number`.
 double ReadNumber(const std::string& number)
 {
-  return Load("1 1 1\n0 1 0 0 " + number + "\n").Horizons.at(0).RealZ.at(0);
+  return Load("1 1 1\n0 1 0 0 " + number + "\n").Horizons.at(0).RealZ.front();
 }
 
 void CheckRefused(const std::string& text, const std::string& message)
@@ -176,8 +176,8 @@ int KeptIndex(const std::string& column, DuplicatePolicy policy, int expectedDro
   const SparseMatrix matrix = Load("1 1 10\n" + column + "\n", policy);
   CHECK_EQUAL(matrix.Horizons.at(0).DroppedDuplicates, expectedDropped);
   CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 1u);
-  CHECK_EQUAL(matrix.Horizons.at(0).RealZ.at(0), 4.0 * matrix.Horizons.at(0).K.at(0));
-  return matrix.Horizons.at(0).K.at(0);
+  CHECK_EQUAL(matrix.Horizons.at(0).RealZ.front(), 4.0 * matrix.Horizons.at(0).K.front());
+  return matrix.Horizons.at(0).K.front();
 }
 
 void PolicyChoosesAmongDuplicates()

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A vector of numbers that lies in memory of std::malloc. So it grows by std::realloc, which moves large arrays within
+// the address space and copies nothing, and its memory can be handed on to whoever frees it by std::free, as arrays of
+// VTK do.
+
+#ifndef SeismicHorizonsHeapArray_h
+#define SeismicHorizonsHeapArray_h
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+template <typename T>
+class HeapArray
+{
+  static_assert(std::is_arithmetic_v<T>, "numbers only");
+
+public:
+  using value_type = T;
+
+  HeapArray() = default;
+  HeapArray(const HeapArray& other) { this->append(other.begin(), other.end()); }
+  HeapArray(HeapArray&& other) noexcept { this->Swap(other); }
+  HeapArray& operator=(HeapArray other) noexcept
+  {
+    this->Swap(other);
+    return *this;
+  }
+  ~HeapArray() { std::free(this->First); }
+
+  std::size_t size() const { return this->Count; }
+  bool empty() const { return this->Count == 0; }
+  T* data() { return this->First; }
+  const T* data() const { return this->First; }
+  T* begin() { return this->First; }
+  T* end() { return this->First + this->Count; }
+  const T* begin() const { return this->First; }
+  const T* end() const { return this->First + this->Count; }
+  T& operator[](std::size_t n) { return this->First[n]; }
+  const T& operator[](std::size_t n) const { return this->First[n]; }
+  const T& front() const { return this->First[0]; }
+  T& back() { return this->First[this->Count - 1]; }
+  const T& back() const { return this->First[this->Count - 1]; }
+
+  void push_back(T value)
+  {
+    if (this->Count == this->Capacity)
+    {
+      this->MakeRoom(this->Count + 1);
+    }
+    this->First[this->Count++] = value;
+  }
+  void pop_back() { --this->Count; }
+  void clear() { this->Count = 0; }
+
+  void append(const T* first, const T* last)
+  {
+    const auto count = std::size_t(last - first);
+    if (this->Capacity - this->Count < count)
+    {
+      this->MakeRoom(this->Count + count);
+    }
+    std::copy(first, last, this->First + this->Count);
+    this->Count += count;
+  }
+
+  /// Gives the memory, which has size() numbers, to the caller, who frees it by std::free. The array is empty then.
+  T* Release()
+  {
+    if (this->Count > 0)
+    {
+      this->Resize(this->Count); // to a smaller size, which can not fail
+    }
+    this->Count = 0;
+    this->Capacity = 0;
+    return std::exchange(this->First, nullptr);
+  }
+
+private:
+  void Swap(HeapArray& other) noexcept
+  {
+    std::swap(this->First, other.First);
+    std::swap(this->Count, other.Count);
+    std::swap(this->Capacity, other.Capacity);
+  }
+
+  void MakeRoom(std::size_t least)
+  {
+    constexpr std::size_t fewest = 16;
+    this->Resize(std::max({ least, 2 * this->Capacity, fewest }));
+  }
+
+  void Resize(std::size_t capacity)
+  {
+    void* const memory = std::realloc(this->First, capacity * sizeof(T));
+    if (!memory)
+    {
+      throw std::bad_alloc();
+    }
+    this->First = static_cast<T*>(memory);
+    this->Capacity = capacity;
+  }
+
+  T* First = nullptr;
+  std::size_t Count = 0;
+  std::size_t Capacity = 0;
+};
+
+template <typename T>
+bool operator==(const HeapArray<T>& a, const HeapArray<T>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+template <typename T>
+bool operator!=(const HeapArray<T>& a, const HeapArray<T>& b)
+{
+  return !(a == b);
+}
+
+template <typename T>
+bool operator==(const HeapArray<T>& a, const std::vector<T>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+}
+
+#endif
