@@ -61,15 +61,17 @@ public:
   void pop_back() { --this->Count; }
   void clear() { this->Count = 0; }
 
-  void append(const T* first, const T* last)
+  void append(const T* first, const T* last) { std::copy(first, last, this->Extend(std::size_t(last - first))); }
+
+  /// Adds that many numbers, which are still to be written, and returns the first of them.
+  T* Extend(std::size_t count)
   {
-    const auto count = std::size_t(last - first);
     if (this->Capacity - this->Count < count)
     {
       this->MakeRoom(this->Count + count);
     }
-    std::copy(first, last, this->First + this->Count);
     this->Count += count;
+    return this->First + this->Count - count;
   }
 
   /// Gives the memory, which has size() numbers, to the caller, who frees it by std::free. The array is empty then.

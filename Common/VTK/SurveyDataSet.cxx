@@ -4,6 +4,7 @@
 #include "SurveyDataSet.h"
 
 #include "Common/DataModel.h"
+#include "Common/Parallel.h"
 #include "DataArrays.h"
 #include "SurveyFields.h"
 #include "VertexCells.h"
@@ -24,19 +25,25 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 1 << 14; // points that a thread makes at a time
+
 vtkSmartPointer<vtkPoints> MakePoints(const LatticeHorizon& horizon, const SurveyAxes& axes)
 {
   const SurveyLattice& lattice = axes.Lattice;
   auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(horizon.Z.size()), 3);
-  double* world = coordinates->GetPointer(0);
-  for (std::size_t point = 0; point < horizon.Z.size(); ++point)
-  {
-    const double i = horizon.I[point];
-    const double j = horizon.J[point];
-    *world++ = lattice.ColumnStep.x() * i + lattice.RowStep.x() * j + lattice.Origin.x();
-    *world++ = lattice.ColumnStep.y() * i + lattice.RowStep.y() * j + lattice.Origin.y();
-    *world++ = static_cast<int>(axes.Direction) * horizon.Z[point];
-  }
+  double* const world = coordinates->GetPointer(0);
+  ParallelFor(static_cast<std::int64_t>(horizon.Z.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto point = static_cast<std::size_t>(first); point < static_cast<std::size_t>(last); ++point)
+      {
+        const double i = horizon.I[point];
+        const double j = horizon.J[point];
+        world[3 * point] = lattice.ColumnStep.x() * i + lattice.RowStep.x() * j + lattice.Origin.x();
+        world[3 * point + 1] = lattice.ColumnStep.y() * i + lattice.RowStep.y() * j + lattice.Origin.y();
+        world[3 * point + 2] = static_cast<int>(axes.Direction) * horizon.Z[point];
+      }
+    });
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(coordinates);
   return points;

@@ -3,34 +3,68 @@
 
 #include "HorizonCollector.h"
 
+#include "Common/Parallel.h"
+
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace SeismicHorizons
 {
-//----------------------------------------------------------------------------------------------------------------------
-void HorizonCollector::Add(const std::vector<HorizonVoxels>& horizons)
+namespace
 {
-  for (const HorizonVoxels& part : horizons)
+/// What a block has of a horizon, and where that goes in it.
+struct HorizonPart
+{
+  const HorizonVoxels* Part;
+  HorizonVoxels* Whole;
+  std::size_t First;
+};
+
+void Copy(const HorizonPart& part)
+{
+  const auto copy = [&part](const auto& from, auto& to)
+  { std::copy(from.begin(), from.end(), to.begin() + part.First); };
+  copy(part.Part->I, part.Whole->I);
+  copy(part.Part->J, part.Whole->J);
+  copy(part.Part->K, part.Whole->K);
+  copy(part.Part->Thickness, part.Whole->Thickness);
+  copy(part.Part->Amplitude, part.Whole->Amplitude);
+  copy(part.Part->RealZ, part.Whole->RealZ);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonVoxels& HorizonCollector::HorizonOf(int surfaceId)
+{
+  const auto [place, isNew] = this->Positions.emplace(surfaceId, this->Horizons.size());
+  if (isNew)
   {
-    if (part.I.empty())
-    {
-      continue;
-    }
-    const auto [place, isNew] = this->Positions.emplace(part.SurfaceId, this->Horizons.size());
-    if (isNew)
-    {
-      this->Horizons.emplace_back().SurfaceId = part.SurfaceId;
-    }
-    HorizonVoxels& whole = this->Horizons[place->second];
-    whole.DroppedDuplicates += part.DroppedDuplicates;
-    whole.I.append(part.I.begin(), part.I.end());
-    whole.J.append(part.J.begin(), part.J.end());
-    whole.K.append(part.K.begin(), part.K.end());
-    whole.Thickness.append(part.Thickness.begin(), part.Thickness.end());
-    whole.Amplitude.append(part.Amplitude.begin(), part.Amplitude.end());
-    whole.RealZ.append(part.RealZ.begin(), part.RealZ.end());
+    this->Horizons.emplace_back().SurfaceId = surfaceId;
   }
+  return this->Horizons[place->second];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t count)
+{
+  std::vector<HorizonPart> parts;
+  for (std::size_t block = 0; block < count; ++block)
+  {
+    for (const HorizonVoxels& part : blocks[block].List())
+    {
+      if (!part.I.empty())
+      {
+        HorizonVoxels& whole = this->HorizonOf(part.SurfaceId);
+        parts.push_back({ &part, &whole, whole.I.size() });
+        whole.DroppedDuplicates += part.DroppedDuplicates;
+        ForEachVoxelArray(whole, [&part](auto& values) { values.Extend(part.I.size()); });
+      }
+    }
+  }
+  ParallelFor(std::int64_t(parts.size()), 1,
+    [&parts](std::int64_t first, std::int64_t last)
+    { std::for_each(parts.begin() + first, parts.begin() + last, Copy); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -38,6 +72,9 @@ std::vector<HorizonVoxels> HorizonCollector::Take()
 {
   std::sort(this->Horizons.begin(), this->Horizons.end(),
     [](const HorizonVoxels& a, const HorizonVoxels& b) { return a.SurfaceId < b.SurfaceId; });
-  return std::move(this->Horizons);
+  std::vector<HorizonVoxels> horizons(
+    std::make_move_iterator(this->Horizons.begin()), std::make_move_iterator(this->Horizons.end()));
+  this->Horizons.clear();
+  return horizons;
 }
 }

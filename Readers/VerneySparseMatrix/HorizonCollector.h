@@ -4,8 +4,10 @@
 #ifndef SeismicHorizonsHorizonCollector_h
 #define SeismicHorizonsHorizonCollector_h
 
+#include "HorizonSorter.h"
 #include "SparseMatrixParser.h"
 
+#include <deque>
 #include <unordered_map>
 #include <vector>
 
@@ -15,15 +17,17 @@ namespace SeismicHorizons
 class HorizonCollector
 {
 public:
-  /// Copies them.
-  void Add(const std::vector<HorizonVoxels>& horizons);
+  /// Adds the horizons of the first `count` blocks, on all threads.
+  void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
 
   /// All horizons, by ascending surface ID.
   std::vector<HorizonVoxels> Take();
 
 private:
+  HorizonVoxels& HorizonOf(int surfaceId);
+
   std::unordered_map<int, std::size_t> Positions; // by surface ID
-  std::vector<HorizonVoxels> Horizons;
+  std::deque<HorizonVoxels> Horizons; // they stay where they are
 };
 }
 

@@ -4,6 +4,7 @@
 #include "HorizonDataSet.h"
 
 #include "Common/DataModel.h"
+#include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 
@@ -20,21 +21,27 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 1 << 14; // points that a thread makes at a time
+
 vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const HorizonPlacement& placement)
 {
   const LatticeMatrix& toWorld = placement.ToWorld;
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
   coordinates->SetNumberOfTuples(static_cast<vtkIdType>(voxels.I.size()));
-  double* world = coordinates->GetPointer(0);
-  for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
-  {
-    const double i = voxels.I[voxel];
-    const double j = voxels.J[voxel];
-    *world++ = toWorld[0] * i + toWorld[1] * j + toWorld[3];
-    *world++ = toWorld[4] * i + toWorld[5] * j + toWorld[7];
-    *world++ = placement.Elevation(voxels, voxel);
-  }
+  double* const world = coordinates->GetPointer(0);
+  ParallelFor(static_cast<std::int64_t>(voxels.I.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto voxel = static_cast<std::size_t>(first); voxel < static_cast<std::size_t>(last); ++voxel)
+      {
+        const double i = voxels.I[voxel];
+        const double j = voxels.J[voxel];
+        world[3 * voxel] = toWorld[0] * i + toWorld[1] * j + toWorld[3];
+        world[3 * voxel + 1] = toWorld[4] * i + toWorld[5] * j + toWorld[7];
+        world[3 * voxel + 2] = placement.Elevation(voxels, voxel);
+      }
+    });
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(coordinates);
   return points;

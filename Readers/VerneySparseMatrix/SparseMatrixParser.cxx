@@ -100,8 +100,8 @@ public:
       {
         throw ErrorAt(HeaderLines + firstColumns[block] + errors[block]->Line + 1, errors[block]->Text);
       }
-      this->Horizons.Add(this->Parsed[block].List());
     }
+    this->Horizons.Add(this->Parsed, blocks.size());
   }
 
   /// The number of the line that comes next.
