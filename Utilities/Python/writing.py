@@ -30,7 +30,10 @@ def write_mesh(mesh, path, name):
         return []
     writer = _make_writer(form, name, mesh)
     writer.SetFileName(str(path))
-    update(writer, "%s: writing" % path.name)
+    try:
+        update(writer, "%s: writing" % path.name)
+    except HorizonError as error:  # names the file where it lies until it is complete
+        raise HorizonError(str(error).replace(str(path), path.name)) from None
     if writer.GetErrorCode():
         reason = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
         raise HorizonError("%s can not be written: %s" % (path.name, reason))
