@@ -6,7 +6,6 @@
 #include "Common/Parallel.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace SeismicHorizons
@@ -68,13 +67,19 @@ void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<HorizonVoxels> HorizonCollector::Take()
+std::vector<HorizonVoxels> HorizonCollector::Take(std::int64_t smallestSize)
 {
-  std::sort(this->Horizons.begin(), this->Horizons.end(),
-    [](const HorizonVoxels& a, const HorizonVoxels& b) { return a.SurfaceId < b.SurfaceId; });
-  std::vector<HorizonVoxels> horizons(
-    std::make_move_iterator(this->Horizons.begin()), std::make_move_iterator(this->Horizons.end()));
+  std::vector<HorizonVoxels> horizons;
+  for (HorizonVoxels& horizon : this->Horizons)
+  {
+    if (std::int64_t(horizon.I.size()) >= smallestSize)
+    {
+      horizons.push_back(std::move(horizon));
+    }
+  }
   this->Horizons.clear();
+  std::sort(horizons.begin(), horizons.end(),
+    [](const HorizonVoxels& a, const HorizonVoxels& b) { return a.SurfaceId < b.SurfaceId; });
   return horizons;
 }
 }

@@ -20,8 +20,8 @@ public:
   /// Adds the horizons of the first `count` blocks, on all threads.
   void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
 
-  /// All horizons, by ascending surface ID.
-  std::vector<HorizonVoxels> Take();
+  /// All horizons of at least that many voxels, by ascending surface ID.
+  std::vector<HorizonVoxels> Take(std::int64_t smallestSize);
 
 private:
   HorizonVoxels& HorizonOf(int surfaceId);

@@ -12,13 +12,14 @@
 
 namespace SeismicHorizons
 {
-/// Deals the voxels of columns out to their horizons, and leaves one in each column of a horizon. Functions are defined
+/// Deals the voxels of columns out to their horizons, and leaves one in each column of a horizon, in the ranges of the
+/// options only. Functions are defined
 /// inside the class, where compilers inline them: they take a part of the time of reading.
 class HorizonSorter
 {
 public:
-  explicit HorizonSorter(DuplicatePolicy policy)
-    : Policy(policy)
+  explicit HorizonSorter(const SparseMatrixOptions& options)
+    : Options(options)
   {
   }
 
@@ -27,7 +28,7 @@ public:
   {
     if (this->Horizons.size() > MostKept)
     {
-      *this = HorizonSorter(this->Policy);
+      *this = HorizonSorter(this->Options);
     }
     for (HorizonVoxels& horizon : this->Horizons)
     {
@@ -39,6 +40,10 @@ public:
   /// Adds a voxel of column (i, j). All voxels of a column come one after the other.
   void Add(int i, int j, const SparseMatrixVoxel& voxel)
   {
+    if (!IsWithin(i, this->Options.ColumnRange) || !IsWithin(j, this->Options.RowRange))
+    {
+      return;
+    }
     HorizonVoxels& horizon = this->HorizonOf(voxel.SurfaceId);
     // All voxels of a column come at once, so a duplicate can only be one of the voxel added last.
     if (!horizon.I.empty() && horizon.I.back() == i && horizon.J.back() == j)
@@ -65,6 +70,8 @@ private:
   // Of more horizons the memory is given back.
   static constexpr std::size_t MostKept = 256;
 
+  static bool IsWithin(int n, const std::array<int, 2>& range) { return n >= range[0] && n <= range[1]; }
+
   HorizonVoxels& HorizonOf(int surfaceId)
   {
     int position = this->Positions.Find(surfaceId);
@@ -81,16 +88,16 @@ private:
   bool Prefers(const SparseMatrixVoxel& voxel, const HorizonVoxels& horizon) const
   {
     const bool isAbove = voxel.VerticalIndex < horizon.K.back();
-    if (this->Policy == DuplicatePolicy::StrongestAmplitude)
+    if (this->Options.Policy == DuplicatePolicy::StrongestAmplitude)
     {
       const double strength = std::abs(voxel.Amplitude);
       const double lastStrength = std::abs(horizon.Amplitude.back());
       return strength > lastStrength || (strength == lastStrength && isAbove);
     }
-    return isAbove == (this->Policy == DuplicatePolicy::Topmost);
+    return isAbove == (this->Options.Policy == DuplicatePolicy::Topmost);
   }
 
-  DuplicatePolicy Policy;
+  SparseMatrixOptions Options;
   SurfacePositions Positions;
   std::vector<HorizonVoxels> Horizons;
 };

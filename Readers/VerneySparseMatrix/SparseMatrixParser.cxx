@@ -73,9 +73,9 @@ std::vector<std::string_view> CutBlocks(std::string_view lines)
 class PieceParser
 {
 public:
-  PieceParser(const SparseMatrixSize& size, DuplicatePolicy policy)
+  PieceParser(const SparseMatrixSize& size, const SparseMatrixOptions& options)
     : Size(size)
-    , Policy(policy)
+    , Options(options)
   {
   }
 
@@ -84,7 +84,7 @@ public:
     const std::vector<std::string_view> blocks = CutBlocks(lines);
     const std::vector<std::int64_t> firstColumns = this->CountLines(blocks);
     std::vector<std::optional<ColumnError>> errors(blocks.size());
-    this->Parsed.resize(std::max(this->Parsed.size(), blocks.size()), HorizonSorter(this->Policy));
+    this->Parsed.resize(std::max(this->Parsed.size(), blocks.size()), HorizonSorter(this->Options));
     ParallelFor(std::int64_t(blocks.size()), 1,
       [&](std::int64_t first, std::int64_t last)
       {
@@ -116,7 +116,7 @@ public:
       throw ErrorAt(HeaderLines + this->Lines,
         "end of file after " + std::to_string(this->Lines) + " columns, expected " + std::to_string(columns));
     }
-    return this->Horizons.Take();
+    return this->Horizons.Take(this->Options.SmallestSize);
   }
 
 private:
@@ -141,7 +141,7 @@ private:
   }
 
   const SparseMatrixSize Size;
-  const DuplicatePolicy Policy;
+  const SparseMatrixOptions Options;
   std::int64_t Lines = 0; // parsed so far
   std::vector<HorizonSorter> Parsed; // for each block of a piece
   HorizonCollector Horizons;
@@ -178,12 +178,12 @@ SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream)
 
 //----------------------------------------------------------------------------------------------------------------------
 SparseMatrix ReadSparseMatrix(
-  std::istream& stream, DuplicatePolicy policy, const Monitor& monitor, std::size_t bufferSize)
+  std::istream& stream, const SparseMatrixOptions& options, const Monitor& monitor, std::size_t bufferSize)
 {
   SparseMatrix matrix;
   matrix.Size = ReadSparseMatrixHeader(stream);
   LineBuffer lines(stream, bufferSize);
-  PieceParser pieces(matrix.Size, policy);
+  PieceParser pieces(matrix.Size, options);
   while (!lines.AtEnd())
   {
     const bool isRead = lines.Read();

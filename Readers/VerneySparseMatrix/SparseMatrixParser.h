@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <limits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -82,8 +83,23 @@ struct SparseMatrix
   SparseMatrixVerticalFit VerticalFit; ///< by least squares, through the voxels of all horizons
 };
 
+/// What is taken of a file. All of it is checked.
+struct SparseMatrixOptions
+{
+  DuplicatePolicy Policy = DuplicatePolicy::StrongestAmplitude;
+  std::array<int, 2> ColumnRange = { 0, std::numeric_limits<int>::max() }; ///< first and last i
+  std::array<int, 2> RowRange = { 0, std::numeric_limits<int>::max() }; ///< first and last j
+  std::int64_t SmallestSize = 1; ///< horizons of fewer voxels, those in the ranges, are left out
+
+  bool operator==(const SparseMatrixOptions& other) const
+  {
+    return this->Policy == other.Policy && this->ColumnRange == other.ColumnRange && this->RowRange == other.RowRange &&
+      this->SmallestSize == other.SmallestSize;
+  }
+};
+
 /// Reads a whole file, on all threads. Progress is by bytes, where the stream can tell its length.
-SparseMatrix ReadSparseMatrix(std::istream& stream, DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude,
+SparseMatrix ReadSparseMatrix(std::istream& stream, const SparseMatrixOptions& options = SparseMatrixOptions(),
   const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 }
 

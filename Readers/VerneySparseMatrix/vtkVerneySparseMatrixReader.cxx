@@ -10,6 +10,7 @@
 #include "Common/InputFile.h"
 #include "Common/LatticePlacement.h"
 #include "Common/Monitor.h"
+#include "Common/Parameters.h"
 #include "Common/VTK/HorizonName.h"
 #include "HorizonDataSet.h"
 #include "HorizonImage.h"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +44,17 @@ bool HasOwnExtension(const std::string& name)
       [](char own, char other) { return own == std::tolower(static_cast<unsigned char>(other)); });
 }
 
+/// The first and last column or row; -1 stands for the last there is.
+std::array<int, 2> MakeRange(const char* name, const int (&range)[2])
+{
+  if (range[0] < 0 || range[1] < -1 || (range[1] >= 0 && range[1] < range[0]))
+  {
+    throw InputError(name + std::string(" ") + std::to_string(range[0]) + " to " + std::to_string(range[1]) +
+      ", expected a first number of at least 0, and a last one that is not less, or -1 for the end");
+  }
+  return { range[0], range[1] < 0 ? std::numeric_limits<int>::max() : range[1] };
+}
+
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   if (asImage)
@@ -56,7 +69,7 @@ vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, c
 struct vtkVerneySparseMatrixReader::FileContent
 {
   FileStamp Stamp;
-  SeismicHorizons::DuplicatePolicy Policy; // with which it was read
+  SparseMatrixOptions Options; // with which it was read
   std::vector<std::string> Names; // of the horizons
   SparseMatrixVerticalFit VerticalFit;
   std::optional<SparseMatrix> Matrix; // until it is used
@@ -95,10 +108,22 @@ int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SparseMatrixOptions vtkVerneySparseMatrixReader::MakeOptions() const
+{
+  CheckAtLeast<vtkIdType>("SmallestHorizonSize", this->SmallestHorizonSize, 1, " point");
+  SparseMatrixOptions options;
+  options.Policy = static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy);
+  options.ColumnRange = MakeRange("ColumnRange", this->ColumnRange);
+  options.RowRange = MakeRange("RowRange", this->RowRange);
+  options.SmallestSize = this->SmallestHorizonSize;
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 SparseMatrix vtkVerneySparseMatrixReader::Read(const Monitor& monitor) const
 {
   std::ifstream stream = OpenInputFile(this->FileName);
-  return ReadSparseMatrix(stream, static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy), monitor);
+  return ReadSparseMatrix(stream, this->MakeOptions(), monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -108,19 +133,19 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
   {
     throw InputError("no FileName, expected the path of a file");
   }
+  const SparseMatrixOptions options = this->MakeOptions();
   PrefixErrors(this->FileName,
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->FileName);
-      const auto policy = static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy);
-      if (this->Content && this->Content->Stamp == stamp && this->Content->Policy == policy)
+      if (this->Content && this->Content->Stamp == stamp && this->Content->Options == options)
       {
         return;
       }
       this->Content.reset();
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
-      content->Policy = policy;
+      content->Options = options;
       content->Matrix = this->Read(monitor);
       content->VerticalFit = content->Matrix->VerticalFit;
       for (const HorizonVoxels& horizon : content->Matrix->Horizons)
@@ -162,6 +187,7 @@ LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
 void vtkVerneySparseMatrixReader::CheckParameters()
 {
   this->MakePlacement().Check();
+  this->MakeOptions();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -208,6 +234,9 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';
+  os << indent << "SmallestHorizonSize: " << this->SmallestHorizonSize << '\n';
+  os << indent << "ColumnRange: " << this->ColumnRange[0] << " to " << this->ColumnRange[1] << '\n';
+  os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';
   os << indent << "Elevation: " << elevations[static_cast<std::size_t>(this->Elevation)] << '\n';
   const LatticePlacement placement = this->MakePlacement();
   os << indent << "Origin: " << ToText(placement.Origin) << '\n';

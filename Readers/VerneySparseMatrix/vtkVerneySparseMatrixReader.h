@@ -38,7 +38,7 @@
  * The file is read once, for the list of horizons, and what was found is kept until the horizons are asked for; it is
  * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
  * lines are parsed on several threads. The peak of memory is 36 bytes per voxel of the file, those of horizons that are
- * not selected included, plus 72 bytes per voxel of the output; what was loaded is freed horizon by horizon.
+ * not selected included, plus 44 bytes per voxel of the output, which has 72 and takes arrays over as they are.
  *
  * Of several processes each reads the whole file.
  *
@@ -60,6 +60,7 @@ namespace SeismicHorizons
 {
 struct LatticePlacement;
 struct SparseMatrix;
+struct SparseMatrixOptions;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkHorizonSource
@@ -84,6 +85,25 @@ public:
    * the file is looked at.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
+
+  ///@{
+  /**
+   * Horizons of fewer points, those in the ranges below, are not in the list. At least 1. Default: 1.
+   */
+  vtkSetMacro(SmallestHorizonSize, vtkIdType);
+  vtkGetMacro(SmallestHorizonSize, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The first and last column (i) and row (j) of the lattice that are loaded, counted from 0; -1 stands for the last
+   * there is. The lattice stays that of the whole file. Default: 0, -1.
+   */
+  vtkSetVector2Macro(ColumnRange, int);
+  vtkGetVector2Macro(ColumnRange, int);
+  vtkSetVector2Macro(RowRange, int);
+  vtkGetVector2Macro(RowRange, int);
+  ///@}
 
   /// The kind of dataset that a horizon becomes.
   enum OutputKind
@@ -217,10 +237,14 @@ private:
 
   SeismicHorizons::LatticePlacement MakePlacement() const;
   SeismicHorizons::LatticePlacement MakeFittedPlacement() const;
+  SeismicHorizons::SparseMatrixOptions MakeOptions() const;
   SeismicHorizons::SparseMatrix Read(const SeismicHorizons::Monitor& monitor) const;
   void UpdateContent(const SeismicHorizons::Monitor& monitor);
 
   char* FileName = nullptr;
+  vtkIdType SmallestHorizonSize = 1;
+  int ColumnRange[2] = { 0, -1 };
+  int RowRange[2] = { 0, -1 };
   int OutputType = Points;
   int Elevation = VerticalIndex;
   double Origin[3] = { 0.0, 0.0, 0.0 };

@@ -31,7 +31,7 @@ Outcome Read(const std::string& text, DuplicatePolicy policy, std::size_t buffer
   try
   {
     std::istringstream stream(text);
-    outcome.Matrix = ReadSparseMatrix(stream, policy, Monitor(), bufferSize);
+    outcome.Matrix = ReadSparseMatrix(stream, { policy }, Monitor(), bufferSize);
   }
   catch (const InputError& error)
   {

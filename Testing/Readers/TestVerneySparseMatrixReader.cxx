@@ -426,6 +426,10 @@ void WrongParametersGiveOneErrorEach()
   const double infinite = std::numeric_limits<double>::infinity();
   CheckParameterRefused(
     [](Reader* reader) { reader->SetVerticalStep(0.0); }, "VerticalStep (0), expected a finite number other than 0");
+  CheckParameterRefused(
+    [](Reader* reader) { reader->SetSmallestHorizonSize(0); }, "SmallestHorizonSize 0, expected at least 1 point");
+  CheckParameterRefused([](Reader* reader) { reader->SetColumnRange(3, 2); }, "ColumnRange 3 to 2, expected a first");
+  CheckParameterRefused([](Reader* reader) { reader->SetRowRange(-1, 2); }, "RowRange -1 to 2, expected a first");
   CheckParameterRefused([&](Reader* reader) { reader->SetVerticalStep(infinite); }, "VerticalStep (inf), expected");
   CheckParameterRefused([](Reader* reader) { reader->SetRowStep(-2.0, 0.0); },
     "ColumnStep (1, 0) and RowStep (-2, 0), expected finite vectors that are not parallel");
@@ -499,7 +503,8 @@ void PrintListsEveryProperty()
   reader->Print(stream);
   for (const char* text : { "FileName: some.vsm", "OutputType: Images", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)",
          "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "VerticalDirection: Up",
-         "DuplicatePolicy: Lowest", "HorizonSelection:", "Horizon 12" })
+         "DuplicatePolicy: Lowest", "SmallestHorizonSize: 1", "ColumnRange: 0 to -1", "RowRange: 0 to -1",
+         "HorizonSelection:", "Horizon 12" })
   {
     Check::True(stream.str().find(text) != std::string::npos, text, __FILE__, __LINE__);
   }

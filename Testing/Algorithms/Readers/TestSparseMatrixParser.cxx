@@ -36,7 +36,7 @@ SparseMatrix Load(
   const std::string& text, DuplicatePolicy policy = DuplicatePolicy::StrongestAmplitude, std::size_t bufferSize = 4096)
 {
   std::istringstream stream(text);
-  return ReadSparseMatrix(stream, policy, Monitor(), bufferSize);
+  return ReadSparseMatrix(stream, { policy }, Monitor(), bufferSize);
 }
 
 /// Voxels by surface ID, duplicates included.
@@ -115,6 +115,32 @@ void HorizonsComeByAscendingId()
   CHECK_EQUAL(matrix.Horizons.at(0).SurfaceId, -7);
   CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 2u);
   CHECK_EQUAL(matrix.Horizons.at(1).SurfaceId, 4);
+}
+
+/// What lies outside is checked all the same.
+void RangesAndSizesAreLeftOut()
+{
+  const auto load = [](const SparseMatrixOptions& options, const std::string& text)
+  {
+    std::istringstream stream(text);
+    return Count(ReadSparseMatrix(stream, options));
+  };
+  const std::string text = "3 2 9\n1 1 0 0 0\n1 1 0 0 0 2 2 0 0 0\n2 2 0 0 0\n\n1 1 0 0 0\n3 2 0 0 0\n";
+  SparseMatrixOptions options;
+  options.ColumnRange = { 1, 1 };
+  CHECK((load(options, text) == Counts{ { 1, 2 }, { 2, 1 } }));
+  options.RowRange = { 0, 0 };
+  CHECK((load(options, text) == Counts{ { 1, 1 }, { 2, 1 } }));
+  options = SparseMatrixOptions();
+  options.RowRange = { 1, 9 };
+  options.SmallestSize = 2;
+  CHECK(load(options, text).empty());
+  options = SparseMatrixOptions();
+  options.SmallestSize = 3;
+  CHECK((load(options, text) == Counts{ { 1, 3 }, { 2, 3 } }));
+  options.ColumnRange = { 0, 1 };
+  CHECK((load(options, text) == Counts{ { 1, 3 } }));
+  CHECK_THROWS_WITH(load(options, text + "x\n"), "line 8: ");
 }
 
 void LayoutIsFree()
@@ -403,7 +429,7 @@ void ProgressRunsToTheEnd()
   std::istringstream stream(Small);
   double last = 0.0;
   int calls = 0;
-  ReadSparseMatrix(stream, DuplicatePolicy::Topmost,
+  ReadSparseMatrix(stream, {},
     Monitor(
       [&](double part)
       {
@@ -422,7 +448,7 @@ void ParsingStopsOnRequest()
   const auto scan = [](const Monitor& monitor)
   {
     std::istringstream stream(Small);
-    ReadSparseMatrix(stream, DuplicatePolicy::Topmost, monitor, 16);
+    ReadSparseMatrix(stream, {}, monitor, 16);
   };
   CHECK_EQUAL(MonitorChecker::Check(3, scan), std::string());
 }
@@ -434,6 +460,7 @@ int TestSparseMatrixParser(int, char*[])
   DefaultBufferSizeWorks();
   LoadGivesAllAttributes();
   HorizonsComeByAscendingId();
+  RangesAndSizesAreLeftOut();
   LayoutIsFree();
   EmptyLastColumnNeedsNoNewline();
   NumbersAreRoundedCorrectly();
