@@ -3,6 +3,10 @@
 
 #include "GridPlacement.h"
 
+#include "Common/Errors.h"
+#include "Common/Lattice.h"
+#include "Common/LatticePlacement.h"
+
 #include <cmath>
 #include <utility>
 
@@ -10,6 +14,18 @@ namespace SeismicHorizons
 {
 namespace
 {
+/// Refuses nodes that do not span the plane, or whose places are no numbers.
+void CheckLattice(const SurveyLattice& lattice)
+{
+  const Eigen::Vector2d last =
+    lattice.Origin + lattice.Columns[0] * lattice.ColumnStep + lattice.Columns[1] * lattice.RowStep;
+  if (!lattice.Origin.allFinite() || !last.allFinite() || AreParallel(lattice.ColumnStep, lattice.RowStep))
+  {
+    throw InputError("nodes from " + ToText(lattice.Origin) + " in steps of " + ToText(lattice.ColumnStep) + " and " +
+      ToText(lattice.RowStep) + ", expected finite places, and steps that are not parallel");
+  }
+}
+
 /// Leaves the values of the nodes that have a z, in place.
 void Compact(std::vector<double>& values, const std::vector<std::size_t>& nodes)
 {
@@ -24,6 +40,7 @@ void Compact(std::vector<double>& values, const std::vector<std::size_t>& nodes)
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons PlaceGrid(HorizonGrid grid)
 {
+  CheckLattice(grid.Lattice);
   LatticeHorizon horizon;
   std::vector<std::size_t> nodes;
   std::size_t node = 0;

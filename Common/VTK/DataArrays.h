@@ -16,8 +16,14 @@
 #include <algorithm>
 #include <vector>
 
+class vtkAbstractArray;
+
 namespace SeismicHorizons
 {
+/// Throws InputError (Common/Errors.h) when an array does not have as many tuples as there are `items` ("points"): VTK
+/// does not look at that, and would read behind its end.
+void RequireTuples(vtkAbstractArray* array, vtkIdType numberOfItems, const char* items);
+
 /// An array of that size, whose values are still to be written.
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)

@@ -4,6 +4,7 @@
 #include "ImageGrid.h"
 
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -81,6 +82,11 @@ SurveyLattice MakeLattice(vtkImageData* image, bool areCells)
   SurveyLattice lattice;
   const int lessPoints = areCells ? 0 : 1;
   lattice.Columns = { extent[1] - extent[0] + lessPoints, extent[3] - extent[2] + lessPoints };
+  if (lattice.Columns[0] < 1 || lattice.Columns[1] < 1)
+  {
+    throw InputError("an image of " + std::to_string(lattice.Columns[0]) + " x " + std::to_string(lattice.Columns[1]) +
+      (areCells ? " cells" : " points") + ", expected at least one each way");
+  }
   lattice.ColumnStep = spacing[0] * Eigen::Vector2d(direction->GetElement(0, 0), direction->GetElement(1, 0));
   lattice.RowStep = spacing[1] * Eigen::Vector2d(direction->GetElement(0, 1), direction->GetElement(1, 1));
   const double half = areCells ? 0.5 : 0.0;
@@ -116,12 +122,10 @@ HorizonGrid MakeHorizonGrid(vtkImageData* image, const std::string& zArray, cons
   const bool areCells = elevation.Data == image->GetCellData();
   HorizonGrid grid;
   grid.Lattice = MakeLattice(image, areCells);
-  const std::size_t nodes =
-    static_cast<std::size_t>(grid.Lattice.Columns[0]) * static_cast<std::size_t>(grid.Lattice.Columns[1]);
-  if (static_cast<std::size_t>(elevation.Array->GetNumberOfTuples()) != nodes)
+  const vtkIdType nodes = vtkIdType(grid.Lattice.Columns[0]) * grid.Lattice.Columns[1];
+  for (int n = 0; n < elevation.Data->GetNumberOfArrays(); ++n)
   {
-    throw InputError("an array of " + std::to_string(elevation.Array->GetNumberOfTuples()) + " values for " +
-      std::to_string(nodes) + " columns, expected one for each");
+    RequireTuples(elevation.Data->GetAbstractArray(n), nodes, areCells ? "cells" : "points");
   }
   grid.Z = Values(elevation.Array, 0, nulls);
   Blank(grid.Z, areCells ? image->GetCellGhostArray() : image->GetPointGhostArray(),

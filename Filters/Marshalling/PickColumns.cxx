@@ -4,6 +4,7 @@
 #include "PickColumns.h"
 
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -74,6 +75,10 @@ public:
 private:
   void List(vtkIdType rows, vtkUnsignedCharArray* ghosts)
   {
+    for (int n = 0; n < this->Data->GetNumberOfArrays(); ++n)
+    {
+      RequireTuples(this->Data->GetAbstractArray(n), rows, this->Coordinates ? "points" : "rows");
+    }
     constexpr int left = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
     for (vtkIdType row = 0; row < rows; ++row)
     {
@@ -107,9 +112,10 @@ public:
     this->Table.Z = this->NullableValues(ColumnRole::Z, 2);
     this->AddPair(ColumnRole::X, ColumnRole::Y, this->Table.X, this->Table.Y);
     this->AddPair(ColumnRole::Inline, ColumnRole::Crossline, this->Table.Inline, this->Table.Crossline);
-    if (this->Table.Z.size() != this->Source.Size() || !(this->Table.HasPlaces() || this->Table.HasLines()))
+    if (this->Table.Z.empty() || !(this->Table.HasPlaces() || this->Table.HasLines()))
     {
-      throw InputError("arrays " + this->ListArrays() + ", expected Z, and X and Y or Inline and Crossline");
+      throw InputError(
+        "arrays " + this->ListArrays() + ", expected Z, and X and Y or Inline and Crossline, of numbers");
     }
     this->AddAttributes();
     return std::move(this->Table);
@@ -273,6 +279,10 @@ PickTable MakePickTable(vtkDataObject* data, const ColumnChoice& choice, const N
   if (!rows.Arrays())
   {
     throw InputError("no input, expected a table or points");
+  }
+  if (rows.Size() == 0)
+  {
+    throw InputError("no points, expected at least one");
   }
   return TableMaker(rows, choice, nulls).Make();
 }

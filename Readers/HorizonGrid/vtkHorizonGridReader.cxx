@@ -106,13 +106,13 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
 {
-  if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))
-  {
-    return PlaceGrid(std::move(*grid));
-  }
   return PrefixErrors(this->FileName,
     [&]()
     {
+      if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))
+      {
+        return PlaceGrid(std::move(*grid));
+      }
       std::ifstream stream = OpenInputFile(this->FileName);
       return PlaceGrid(ReadHorizonGrid(stream, monitor));
     });

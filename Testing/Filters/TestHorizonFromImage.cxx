@@ -15,6 +15,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -138,7 +139,30 @@ void TestRefusals()
   CheckRefused(cube, nullptr, "an image of 2 layers, expected a map of one layer");
   Image short2 = TurnedMap();
   short2->GetPointData()->AddArray(MakeArray("depth", { 1, 2 }));
-  CheckRefused(short2, "depth", "an array of 2 values for 6 columns, expected one for each");
+  CheckRefused(short2, "amplitude", "array depth of 2 values, expected one for each of the 6 points");
+  Image ghosts = TurnedMap();
+  vtkNew<vtkUnsignedCharArray> few;
+  few->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->GetPointData()->AddArray(few);
+  CheckRefused(ghosts, "depth", "array vtkGhostType of 0 values, expected one for each of the 6 points");
+  auto row = Image::New();
+  row->SetDimensions(4, 1, 1);
+  row->GetCellData()->SetScalars(MakeArray("v", { 1, 2, 3 }));
+  CheckRefused(row, nullptr, "an image of 3 x 0 cells, expected at least one each way");
+}
+
+/// Columns have to be at places, and apart.
+void TestPlaces()
+{
+  for (const double spacing : { 0.0, std::nan(""), std::numeric_limits<double>::max() })
+  {
+    Image image = TurnedMap();
+    image->SetSpacing(10.0, spacing, 1.0);
+    CheckRefused(image, "depth", "nodes from (");
+  }
+  Image nowhere = TurnedMap();
+  nowhere->SetOrigin(std::nan(""), 0.0, 0.0);
+  CheckRefused(nowhere, "depth", "nodes from (nan, 10) in steps of");
 }
 }
 
@@ -148,5 +172,6 @@ int TestHorizonFromImage(int, char*[])
   TestBlanked();
   TestCells();
   TestRefusals();
+  TestPlaces();
   return Check::Result();
 }

@@ -175,6 +175,27 @@ void TestNames()
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
 }
 
+/// Names that are the same, here that of a horizon without one, are told apart.
+void TestEqualNames()
+{
+  const Survey survey;
+  Table table = MakeTable({ { "inline", survey.Inline }, { "crossline", survey.Crossline }, { "z", survey.Z } });
+  vtkNew<vtkStringArray> names;
+  names->SetName("Horizon");
+  for (std::size_t n = 0; n < survey.Z.size(); ++n)
+  {
+    names->InsertNextValue(n % 3 == 0 ? "" : "Horizon 1");
+  }
+  table->AddColumn(names);
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(table);
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfHorizons(), 2);
+  CHECK_EQUAL(Name(filter, 0), std::string("Horizon 1"));
+  CHECK_EQUAL(Name(filter, 1), std::string("Horizon 1 (2)"));
+  CHECK_EQUAL(Horizon(filter, 1)->GetNumberOfPoints(), 8);
+}
+
 void TestChoiceAndNulls()
 {
   Survey survey;
@@ -225,7 +246,15 @@ void TestRefusals()
   CheckRefused(filter, "no array of numbers Q for Y, expected one of X, Z");
   filter->SetYArray(nullptr);
   filter->SetInputDataObject(Table::New());
-  CheckRefused(filter, "arrays (none), expected Z");
+  CheckRefused(filter, "no points, expected at least one");
+  for (const Numbers& wrong : { Numbers(), Numbers(5), Numbers(13) })
+  {
+    const Table table = MakeTable({ { "X", survey.X }, { "Y", survey.Y }, { "Z", survey.Z } });
+    table->GetRowData()->AddArray(MakeTable({ { "Amp", wrong } })->GetColumn(0)); // unlike AddColumn not looked at
+    filter->SetInputDataObject(table);
+    CheckRefused(
+      filter, "array Amp of " + std::to_string(wrong.size()) + " values, expected one for each of the 12 rows");
+  }
   Numbers infinite = survey.X;
   infinite[2] = std::numeric_limits<double>::infinity();
   filter->SetInputDataObject(MakeTable({ { "X", infinite }, { "Y", survey.Y }, { "Z", survey.Z } }));
@@ -244,6 +273,7 @@ int TestHorizonFromPoints(int, char*[])
   TestLinesAndPlaces();
   TestPointSet();
   TestNames();
+  TestEqualNames();
   TestChoiceAndNulls();
   TestRefusals();
   return Check::Result();
