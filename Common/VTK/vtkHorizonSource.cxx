@@ -6,7 +6,9 @@
 
 #include "vtkHorizonSource.h"
 
+#include "Common/Errors.h"
 #include "Common/Monitor.h"
+#include "HorizonName.h"
 #include "PipelineRequest.h"
 
 #include "vtkCompositeDataSet.h"
@@ -19,6 +21,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 namespace
 {
@@ -153,7 +156,23 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
   }
   return RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
-    [this](std::string&, const Monitor& monitor) { List(this->ListHorizons(monitor), this->HorizonSelection); });
+    [this](std::string&, const Monitor& monitor) { List(this->NameHorizons(monitor), this->HorizonSelection); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
+{
+  std::vector<std::string> names = this->ListHorizons(monitor);
+  for (std::size_t number = 0; number < names.size(); ++number)
+  {
+    // Selections and metadata would cut the name there.
+    if (names[number].find('\0') != std::string::npos)
+    {
+      throw InputError(
+        this->ErrorPrefix() + "a byte of 0 in the name of horizon " + std::to_string(number + 1) + ", expected text");
+    }
+  }
+  return MakeDistinct(std::move(names));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -161,7 +180,7 @@ void vtkHorizonSource::Load(int piece, int numberOfPieces, vtkDataObject* output
 {
   this->CheckParameters();
   // The data may have changed since the information was asked for.
-  const std::vector<std::string> names = this->ListHorizons(monitor.Step(0.0, 0.5));
+  const std::vector<std::string> names = this->NameHorizons(monitor.Step(0.0, 0.5));
   List(names, this->HorizonSelection);
   const std::vector<int> selected = Select(names, this->HorizonSelection);
   const std::vector<vtkSmartPointer<vtkDataObject>> made =

@@ -67,7 +67,7 @@ protected:
   /// Refuses parameters, before any data are looked at.
   virtual void CheckParameters() {}
 
-  /// The names of all horizons there are, in their order.
+  /// The names of all horizons there are, in their order. Of several that are the same, the later ones get a number.
   virtual std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) = 0;
 
   /// Makes the datasets of some horizons, by their numbers in that list.
@@ -81,6 +81,7 @@ private:
   vtkHorizonSource(const vtkHorizonSource&) = delete;
   void operator=(const vtkHorizonSource&) = delete;
 
+  std::vector<std::string> NameHorizons(const SeismicHorizons::Monitor& monitor);
   void Load(int piece, int numberOfPieces, vtkDataObject* output, const SeismicHorizons::Monitor& monitor);
 
   vtkNew<vtkDataArraySelection> HorizonSelection;

@@ -8,7 +8,6 @@
 #include "Common/Errors.h"
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
-#include "Common/VTK/HorizonName.h"
 #include "TSurfDataSet.h"
 #include "TSurfParser.h"
 
@@ -36,7 +35,7 @@ std::vector<std::string> NamesOf(const TSurfList& list)
       names[n] = "TSurf " + std::to_string(n + 1);
     }
   }
-  return MakeDistinct(std::move(names));
+  return names;
 }
 }
 

@@ -185,6 +185,8 @@ void WrongFilesGiveOneErrorEach()
   check(WriteText(Folder + "/half.ts", std::string(Deep).substr(0, 300)).c_str(), "half.ts: line ");
   check(WriteText(Folder + "/second.ts", Tiny("a", 1) + "GOCAD TSurf 1\nVRTX x\nEND\n").c_str(),
     "second.ts: line 9: VRTX id \"x\", expected an integer from 0 on");
+  check(WriteText(Folder + "/zero.ts", Tiny("a", 1) + Tiny(std::string("b\0c", 3), 2)).c_str(),
+    "zero.ts: a byte of 0 in the name of horizon 2, expected text");
 }
 
 void AllIsPrinted()
