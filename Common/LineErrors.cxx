@@ -13,12 +13,18 @@ constexpr std::size_t MaximumQuote = 32;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string Excerpt(std::string_view text)
+{
+  std::string excerpt(text.substr(0, MaximumQuote));
+  std::replace_if(
+    excerpt.begin(), excerpt.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return excerpt + (text.size() > MaximumQuote ? "..." : "");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::string Quote(std::string_view text)
 {
-  std::string quote(text.substr(0, MaximumQuote));
-  std::replace_if(
-    quote.begin(), quote.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return '"' + quote + (text.size() > MaximumQuote ? "...\"" : "\"");
+  return '"' + Excerpt(text) + '"';
 }
 
 //----------------------------------------------------------------------------------------------------------------------

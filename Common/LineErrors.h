@@ -14,7 +14,11 @@
 
 namespace SeismicHorizons
 {
-/// Text of a file in quotes: clipped after 32 characters, with a question mark for each one that can not be printed.
+/// Text of a file as it is fit for an error: clipped after 32 characters, with a question mark for each one that can
+/// not be printed.
+std::string Excerpt(std::string_view text);
+
+/// The same in quotes.
 std::string Quote(std::string_view text);
 
 /// An error whose text begins with the number of the line, counted from 1: "line 17: ".

@@ -3,7 +3,7 @@
 
 #include "ColumnNames.h"
 
-#include "Common/Errors.h"
+#include "Common/LineErrors.h"
 #include "Common/TextFields.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ std::string ListNames(const std::vector<TextColumn>& columns)
   std::string names;
   for (const TextColumn& column : columns)
   {
-    names += (names.empty() ? "" : ", ") + Word(column);
+    names += (names.empty() ? "" : ", ") + Excerpt(Word(column));
   }
   return names.empty() ? "(none)" : names;
 }

@@ -35,6 +35,8 @@ void TestLayoutMessages()
     Read("# 1: X\n# 2: Y\n# 3: Z\n1.5 2 3 4\n"), "line 4: 4 fields, expected one for each of the columns X, Y, Z");
   CHECK_THROWS_WITH(
     Read("X,Y,Z,Dip\n\n1,2,3\n"), "line 3: 3 fields, expected one for each of the columns X, Y, Z, Dip");
+  CHECK_THROWS_WITH(Read("X,Y,Z,H\xF6he,D" + std::string(1000, 'i') + "p\n1,2,3\n"),
+    "columns X, Y, Z, H?he, D" + std::string(31, 'i') + "...");
 }
 
 void TestColumnMessages()
