@@ -11,8 +11,11 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -21,6 +24,9 @@ namespace
 constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr std::int64_t WindowSize = 1 << 14; // points
 constexpr double FirstReach = 8.0; // columns
+constexpr double LastReach = double(1 << 28); // columns: no lattice has more along a side
+// A window with fewer places is of picks over each other, as of many horizons, or of nulls that all are at (0, 0).
+constexpr std::size_t FewestPlaces = 64;
 // How far points may be off their columns, root mean square in columns. Places that have nothing to do with a lattice
 // are sqrt(1/6) = 0.41 off, and half of the points on the lines between give 0.35.
 constexpr double LargestSpread = 0.2;
@@ -126,7 +132,7 @@ PlaneMap Grow(const PlaneCloud& points, PlaneMap map, const Monitor& monitor)
     {
       map = *fitted;
     }
-    if (near.Beyond == 0)
+    if (near.Beyond == 0 || reach > LastReach)
     {
       return map;
     }
@@ -148,6 +154,33 @@ PlaneMap Turn(const PlaneMap& map)
   turned.Steps << along, turn < 0.0 ? Eigen::Vector2d(-across) : across;
   return turned;
 }
+
+/// All places, each once.
+class DistinctPlaces
+{
+public:
+  explicit DistinctPlaces(const PlaneCloud& points)
+    : Middle(points.Middle)
+  {
+    std::vector<std::pair<double, double>> places;
+    places.reserve(points.X.size());
+    std::transform(points.X.begin(), points.X.end(), points.Y.begin(), std::back_inserter(places),
+      [](double x, double y) { return std::make_pair(x, y); });
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const auto& [x, y] : places)
+    {
+      this->X.push_back(x);
+      this->Y.push_back(y);
+    }
+  }
+
+  PlaneCloud Cloud() const { return { this->X, this->Y, this->Middle }; }
+
+private:
+  std::vector<double> X, Y;
+  const Eigen::Vector2d Middle;
+};
 
 Eigen::Vector2d Mean(const std::vector<Eigen::Vector2d>& points)
 {
@@ -176,7 +209,11 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
     throw InputError(std::to_string(x.size()) + " points, expected at least three to find a lattice through them");
   }
   PlaneCloud points = { x, y, Eigen::Vector2d(x.front(), y.front()) };
-  const std::vector<Eigen::Vector2d> window = CrowdedWindow(points, WindowSize, monitor.Step(0.0, 0.3));
+  std::vector<Eigen::Vector2d> window = CrowdedWindow(points, WindowSize, monitor.Step(0.0, 0.2));
+  if (window.size() < FewestPlaces && points.Size() > WindowSize)
+  {
+    window = CrowdedWindow(DistinctPlaces(points).Cloud(), WindowSize, monitor.Step(0.2, 0.3));
+  }
   PlaneMap map;
   map.Steps = FindShortSteps(window);
   // All sums are made around a point of the window, which is column (0, 0).

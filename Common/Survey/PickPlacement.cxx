@@ -22,6 +22,8 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
+// A dataset takes 25 kB even for a single pick, and names as many as picks are mostly some other column.
+constexpr std::size_t MostHorizons = 1 << 15;
 constexpr double MostColumns = double((1 << 28) - 1); // along a side, as Lattice.h has it
 
 /// The columns of picks, before it is known which of them is the first.
@@ -196,6 +198,11 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   if (size == 0 || size > std::numeric_limits<std::int32_t>::max())
   {
     throw InputError(std::to_string(size) + " picks, expected at least 1 and less than 2^31");
+  }
+  if (picks.Names.size() > MostHorizons)
+  {
+    throw InputError(std::to_string(size) + " picks of " + std::to_string(picks.Names.size()) +
+      " horizons, expected at most " + std::to_string(MostHorizons) + " names");
   }
   const SurveyMap map = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
   const ColumnFinder finder(picks, map);

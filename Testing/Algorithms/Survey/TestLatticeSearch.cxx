@@ -179,6 +179,38 @@ void TestSmallest()
   CHECK((found.Steps - Eigen::Matrix2d(Eigen::Vector2d(10.0, 20.0).asDiagonal())).norm() < 1e-9);
 }
 
+/// Many nulls at one place say nothing of the steps. They are a column, too.
+void TestStacked()
+{
+  Patches::Random random(5);
+  const PlaneMap map = MakeSurvey(25.0, 1.0, 30.0, 0.0);
+  Cloud cloud = MakeCloud(map, 40, 50, 0.0, 0.01, random);
+  for (int n = 0; n < 40000; ++n)
+  {
+    cloud.Add(Eigen::Vector2d(cloud.X[7], cloud.Y[7]));
+  }
+  CheckFound(cloud, map, 0.01);
+}
+
+/// A pick that is out of the world neither ends the search nor takes long.
+void TestFarAway()
+{
+  Patches::Random random(6);
+  const PlaneMap map = MakeSurvey(25.0, 1.0, 30.0, 0.0);
+  Cloud cloud = MakeCloud(map, 40, 50, 0.0, 0.0, random);
+  cloud.Add({ 1e300, -1e300 });
+  std::vector<double> reached;
+  const Monitor monitor(
+    [&reached](double part)
+    {
+      reached.push_back(part);
+      return true;
+    });
+  const PlaneMap found = FindLattice(cloud.X, cloud.Y, monitor);
+  CHECK(reached.size() < 100); // once for each time that the points are gone through
+  CHECK((found.Steps.cwiseAbs() - map.Steps.cwiseAbs()).norm() < 1e-3);
+}
+
 void TestRefusals()
 {
   CHECK_THROWS_WITH(FindLattice({ 1.0, 2.0 }, { 1.0, 2.0 }), "2 points, expected at least three");
@@ -204,6 +236,8 @@ int TestLatticeSearch(int, char*[])
   TestLinesBetween();
   TestRepeated();
   TestSmallest();
+  TestStacked();
+  TestFarAway();
   TestRefusals();
   return Check::Result();
 }

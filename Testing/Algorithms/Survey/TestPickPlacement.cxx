@@ -221,6 +221,9 @@ void TestRefusals()
   farAway.Inline[3] = 4e9;
   CHECK_THROWS_WITH(
     PlacePicks(farAway, {}), "lattice of 5 x 999999976 columns with the steps (2, 0) and (0, 4), expected");
+  PickTable many = LineTable();
+  many.Names.resize(32769);
+  CHECK_THROWS_WITH(PlacePicks(many, {}), " picks of 32769 horizons, expected at most 32768 names");
 }
 }
 
