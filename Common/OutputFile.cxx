@@ -55,34 +55,59 @@ void Replace(const fs::path& written, const fs::path& path)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteOutputFile(const std::string& name, const std::function<void(std::ostream&)>& write)
+OutputFile::OutputFile(const std::string& name, const std::function<void(std::ostream&)>& write)
 {
   std::error_code ignored;
   const fs::path given = fs::u8path(name);
-  const fs::path path = fs::is_symlink(given, ignored) ? fs::weakly_canonical(given, ignored) : given;
-  if (fs::is_directory(path, ignored))
+  this->Path = fs::is_symlink(given, ignored) ? fs::weakly_canonical(given, ignored) : given;
+  if (fs::is_directory(this->Path, ignored))
   {
     throw InputError("a directory, expected a file");
   }
-  if (path.has_parent_path() && !fs::is_directory(path.parent_path(), ignored))
+  if (this->Path.has_parent_path() && !fs::is_directory(this->Path.parent_path(), ignored))
   {
     throw InputError("a file in a folder that is not there, expected an existing folder");
   }
-  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+  if (fs::exists(this->Path, ignored) && !fs::is_regular_file(this->Path, ignored))
   {
-    WriteStream(path, write);
+    WriteStream(this->Path, write);
     return;
   }
-  const fs::path temporary = MakeTemporaryPath(path);
+  this->Temporary = MakeTemporaryPath(this->Path);
   try
   {
-    WriteStream(temporary, write);
-    Replace(temporary, path);
+    WriteStream(this->Temporary, write);
   }
   catch (...)
   {
-    fs::remove(temporary, ignored);
+    fs::remove(this->Temporary, ignored);
     throw;
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+OutputFile::~OutputFile()
+{
+  std::error_code ignored;
+  if (!this->Temporary.empty())
+  {
+    fs::remove(this->Temporary, ignored);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void OutputFile::Keep()
+{
+  if (!this->Temporary.empty())
+  {
+    Replace(this->Temporary, this->Path);
+    this->Temporary.clear();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteOutputFile(const std::string& name, const std::function<void(std::ostream&)>& write)
+{
+  OutputFile(name, write).Keep();
 }
 }

@@ -6,15 +6,32 @@
 #ifndef SeismicHorizonsOutputFile_h
 #define SeismicHorizonsOutputFile_h
 
+#include <filesystem>
 #include <functional>
 #include <ostream>
 #include <string>
 
 namespace SeismicHorizons
 {
-/// Writes a file by `write`, under a name of its own in the same folder that becomes the right one at the end. So a
-/// file of that name stays as it was until then, and also when `write` throws, which removes what was written. What is
-/// no regular file, as a device, is written to directly. Throws InputError when the file can not be written.
+/// A file that is written under a name of its own in the same folder, and gets the right one by Keep(). Without that,
+/// nothing is left of it, and a file of that name stays as it was. What is no regular file, as a device, is written to
+/// directly. Throws InputError when the file can not be written.
+class OutputFile
+{
+public:
+  OutputFile(const std::string& name, const std::function<void(std::ostream&)>& write);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void Keep();
+
+private:
+  std::filesystem::path Path;
+  std::filesystem::path Temporary; // empty where there is none
+};
+
+/// Writes a file as a whole or not at all.
 void WriteOutputFile(const std::string& name, const std::function<void(std::ostream&)>& write);
 }
 

@@ -6,19 +6,18 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Lattice.h"
+#include "Common/LatticePlacement.h"
 #include "Common/Survey/MeshSampling.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
 #include "Marshalling/HorizonData.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +33,15 @@ constexpr double Null = std::numeric_limits<double>::quiet_NaN();
 // Arrays of real numbers that say nothing of the horizon itself.
 constexpr std::array<const char*, 5> OwnArrays = { PointArray::RealZ, PointArray::Elevation, PointArray::Flatness,
   PointArray::Distance, PointArray::VerticalDistance };
+
+void CheckLines(const LineNumbering& lines)
+{
+  const Eigen::Vector4d numbers(lines.FirstInline, lines.InlineStep, lines.FirstCrossline, lines.CrosslineStep);
+  if (!numbers.allFinite() || lines.InlineStep == 0.0 || lines.CrosslineStep == 0.0)
+  {
+    throw InputError("LineNumbers " + ToText(numbers) + ", expected finite numbers, and steps other than 0");
+  }
+}
 
 SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
 {
@@ -55,26 +63,9 @@ SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
   {
     const auto line = [&](int n) { return value(FieldArray::LineNumbers, n); };
     lattice.Lines = LineNumbering{ line(2), line(3), line(0), line(1) };
+    CheckLines(*lattice.Lines);
   }
   return lattice;
-}
-
-std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
-{
-  std::vector<std::array<PointId, 3>> triangles;
-  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    cells->GetCurrentCell(size, points);
-    if (size != 3)
-    {
-      throw InputError("a polygon of " + std::to_string(size) + " points, expected triangles");
-    }
-    triangles.push_back({ PointId(points[0]), PointId(points[1]), PointId(points[2]) });
-  }
-  return triangles;
 }
 
 /// The horizon as it is being sampled.
@@ -87,8 +78,7 @@ public:
   {
     this->Grid.Lattice = ReadSurveyLattice(horizon);
     this->Grid.Survey = ReadSurveyFields(horizon->GetFieldData());
-    const auto [columns, rows] = this->Grid.Lattice.Columns;
-    this->Grid.Z.assign(std::size_t(columns) * std::size_t(rows), Null);
+    this->Grid.Z.assign(CountColumns(this->Grid.Lattice.Columns[0], this->Grid.Lattice.Columns[1]), Null);
   }
 
   HorizonGrid SamplePoints()
@@ -163,6 +153,7 @@ private:
 
   void AddAttribute(vtkDataArray* array, const std::vector<PlanePoint>& columns)
   {
+    RequireTuples(array, this->Horizon->GetNumberOfPoints(), "points");
     PickAttribute attribute = { array->GetName(), std::vector<double>(this->Grid.Z.size(), Null) };
     for (std::size_t point = 0; point < columns.size(); ++point)
     {
@@ -175,6 +166,18 @@ private:
   const int Sign;
   HorizonGrid Grid;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t CountColumns(int columns, int rows)
+{
+  const std::int64_t count = std::int64_t(columns) * rows;
+  if (count > std::numeric_limits<std::int32_t>::max())
+  {
+    throw InputError("lattice of " + std::to_string(columns) + " x " + std::to_string(rows) +
+      " columns, expected less than 2^31 in all for a file that lists them");
+  }
+  return std::size_t(count);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,10 +9,16 @@
 #include "Common/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 
+#include <cstddef>
+
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
+/// How many columns a lattice has. Throws InputError from 2^31 on: a file with something for each of them would fill
+/// disks, and mostly is of a few points that are far apart.
+std::size_t CountColumns(int columns, int rows);
+
 /// The horizon over its whole lattice, with z as `sign` times world z. Point arrays of real numbers, other than those
 /// that stages keep for themselves, are attributes; meshes have none. Throws InputError on a horizon without a lattice,
 /// on points off its columns where there are no triangles, and on polygons that are no triangles.

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <list>
 
 using namespace SeismicHorizons;
 
@@ -68,11 +69,23 @@ int vtkHorizonWriter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonWriter::WriteFile(
-  const std::string& file, const std::vector<NamedHorizon>& horizons, const Monitor& monitor, std::string& subject)
+void vtkHorizonWriter::WriteFiles(const std::vector<std::string>& names, const std::vector<NamedHorizon>& horizons,
+  const Monitor& monitor, std::string& subject)
 {
-  subject = file;
-  WriteOutputFile(file, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
+  std::list<OutputFile> files;
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    const auto part = [&](std::size_t number) { return double(number) / double(names.size()); };
+    subject = names[n];
+    files.emplace_back(names[n],
+      [&](std::ostream& stream) { this->PrintHorizons({ horizons[n] }, stream, monitor.Step(part(n), part(n + 1))); });
+  }
+  auto name = names.begin();
+  for (OutputFile& file : files)
+  {
+    subject = *name++;
+    file.Keep();
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -102,16 +115,11 @@ void vtkHorizonWriter::WriteData()
     }
     if (!this->WritesFileForEach() || horizons.size() == 1)
     {
-      this->WriteFile(file, horizons, monitor, subject);
+      WriteOutputFile(file, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
     }
     else
     {
-      const std::vector<std::string> files = NameFiles(file, horizons);
-      for (std::size_t n = 0; n < files.size(); ++n)
-      {
-        const auto part = [&](std::size_t number) { return double(number) / double(files.size()); };
-        this->WriteFile(files[n], { horizons[n] }, monitor.Step(part(n), part(n + 1)), subject);
-      }
+      this->WriteFiles(NameFiles(file, horizons), horizons, monitor, subject);
     }
     this->SetErrorCode(vtkErrorCode::NoError);
   };

@@ -7,7 +7,7 @@
  * Takes a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset of them. All horizons go into one
  * file, or in formats of one horizon each into a file of its own. A file is written under another name in the same
  * folder and gets its own once it is complete: nothing is left of a file that could not be written to its end, or whose
- * writing was stopped, and a file of that name stays as it was.
+ * writing was stopped, and a file of that name stays as it was. Several files are all written, or none.
  *
  * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
  * file; Write() returns 0 then, and GetErrorCode() gives vtkErrorCode::UnknownError.
@@ -70,7 +70,8 @@ private:
   vtkHorizonWriter(const vtkHorizonWriter&) = delete;
   void operator=(const vtkHorizonWriter&) = delete;
 
-  void WriteFile(const std::string& file, const std::vector<NamedHorizon>& horizons,
+  /// Writes each horizon into the file of its number; all of them, or none.
+  void WriteFiles(const std::vector<std::string>& names, const std::vector<NamedHorizon>& horizons,
     const SeismicHorizons::Monitor& monitor, std::string& subject);
 
   char* FileName = nullptr;

@@ -257,8 +257,7 @@ std::vector<PlanePoint> ToColumns(const LatticePoints& points)
     if (std::abs(x - std::round(x)) > ColumnTolerance || std::abs(y - std::round(y)) > ColumnTolerance)
     {
       throw InputError("point " + std::to_string(columns.size()) + " at (" + std::to_string(x) + ", " +
-        std::to_string(y) +
-        ") in lattice units, expected whole columns, as points have them before they are merged");
+        std::to_string(y) + ") in lattice units, expected whole columns, as points have them before they are merged");
     }
     columns.push_back({ std::int32_t(std::lround(x)), std::int32_t(std::lround(y)) });
   }
@@ -330,6 +329,38 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
     }
   }
   return values;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfStrips() > 0)
+  {
+    throw InputError(
+      std::to_string(mesh->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate before");
+  }
+  vtkCellArray* const polys = mesh->GetPolys();
+  std::vector<std::array<PointId, 3>> triangles;
+  triangles.reserve(std::size_t(mesh->GetNumberOfPolys()));
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    polys->GetCellAtId(cell, size, corners);
+    if (size != 3)
+    {
+      throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
+        " corners, expected triangles: apply Triangulate before");
+    }
+    const auto [least, greatest] = std::minmax({ corners[0], corners[1], corners[2] });
+    if (least < 0 || greatest >= mesh->GetNumberOfPoints())
+    {
+      throw InputError("point ids " + std::to_string(least) + " to " + std::to_string(greatest) + " in triangle " +
+        std::to_string(cell) + ", expected 0 to " + std::to_string(mesh->GetNumberOfPoints() - 1));
+    }
+    triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
+  }
+  return triangles;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From vtkPolyData to the plain data of the algorithms. All functions throw InputError on a horizon that breaks the data
-// model (Documentation/DataModel.md).
+// From vtkPolyData to the plain data of the algorithms. All functions throw InputError on a horizon that breaks the
+// data model (Documentation/DataModel.md).
 
 #ifndef SeismicHorizonsHorizonData_h
 #define SeismicHorizonsHorizonData_h
@@ -11,6 +11,7 @@
 #include "Common/Lattice.h"
 #include "Common/Types.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,9 @@ std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon);
 
 /// How many points of the original horizon each point stands for: 1 when the horizon does not say.
 std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
+
+/// The corners of all polygons of a mesh, which must be triangles.
+std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh);
 
 /// Without heights and counts, which no mesh needs.
 BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid);

@@ -78,11 +78,6 @@ void CheckSize(vtkPolyData* data)
 /// A mesh in world coordinates.
 TriangleSurface ReadSurface(vtkPolyData* data)
 {
-  if (data->GetNumberOfStrips() > 0)
-  {
-    throw InputError(
-      std::to_string(data->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate before");
-  }
   CheckSize(data);
   TriangleSurface surface;
   surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
@@ -90,26 +85,7 @@ TriangleSurface ReadSurface(vtkPolyData* data)
   {
     data->GetPoint(vtkIdType(point), surface.Points[point].data());
   }
-  vtkCellArray* const polys = data->GetPolys();
-  surface.Triangles.reserve(std::size_t(data->GetNumberOfPolys()));
-  for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    polys->GetCellAtId(cell, size, corners);
-    if (size != 3)
-    {
-      throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
-        " corners, expected triangles: apply Triangulate before");
-    }
-    const auto [least, greatest] = std::minmax({ corners[0], corners[1], corners[2] });
-    if (least < 0 || greatest >= data->GetNumberOfPoints())
-    {
-      throw InputError("point ids " + std::to_string(least) + " to " + std::to_string(greatest) + " in triangle " +
-        std::to_string(cell) + ", expected 0 to " + std::to_string(data->GetNumberOfPoints() - 1));
-    }
-    surface.Triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
-  }
+  surface.Triangles = ReadTriangles(data);
   return surface;
 }
 

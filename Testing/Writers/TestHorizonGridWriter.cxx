@@ -142,6 +142,22 @@ void GridsHaveFilesOfTheirOwn()
   CHECK(std::filesystem::exists(Folder + "/two_Top_Reek (2).irap"));
 }
 
+/// Here the second of two can not be written.
+void SeveralFilesAreWrittenAllOrNone()
+{
+  const auto picks = ReadPicks(MakePicks("Good", true) + MakePicks("Bad", true));
+  GetHorizon(picks->GetOutput(), 1)->GetFieldData()->RemoveArray("LatticeToWorld");
+  const std::string folder = Folder + "/several";
+  std::filesystem::create_directory(folder);
+  vtkNew<vtkHorizonGridWriter> writer;
+  const Errors errors(writer);
+  writer->SetInputDataObject(picks->GetOutput());
+  writer->SetFileName((folder + "/two.irap").c_str());
+  CHECK_EQUAL(writer->Write(), 0);
+  CHECK(errors.FirstContains("two_Bad.irap: no field data array LatticeToWorld"));
+  CHECK(std::filesystem::is_empty(folder));
+}
+
 void TextComesBack()
 {
   const auto picks = ReadPicks(MakePicks("\"Top Reek\"", true) + MakePicks("Base", false));
@@ -216,7 +232,7 @@ void WhatCanNotBeIsRefused()
   polygons->InsertNextCell({ 0, 1, 7, 6 });
   quads->SetPolys(polygons);
   vtkNew<vtkHorizonTextWriter> text;
-  CheckRefused(text, quads, "a polygon of 4 points, expected triangles");
+  CheckRefused(text, quads, "polygon 0 with 4 corners, expected triangles");
   auto bare = vtkSmartPointer<vtkPolyData>::New();
   bare->ShallowCopy(horizon);
   bare->SetFieldData(vtkSmartPointer<vtkFieldData>::New());
@@ -228,6 +244,50 @@ void WhatCanNotBeIsRefused()
   vtkNew<vtkHorizonTextWriter> tooLarge;
   CheckRefused(tooLarge, huge, "Attribute 1 of 1e30 or more, which stands for no value; expected less");
 }
+
+/// What breaks the rules of VTK, or of the data model.
+void BrokenHorizonsAreRefused()
+{
+  const auto picks = ReadPicks(MakePicks("Top", true));
+  vtkPolyData* const horizon = GetHorizon(picks->GetOutput(), 0);
+  const auto check = [&](const auto& spoil, const std::string& message)
+  {
+    auto broken = vtkSmartPointer<vtkPolyData>::New();
+    broken->DeepCopy(horizon);
+    spoil(broken.Get());
+    vtkNew<vtkHorizonTextWriter> writer;
+    CheckRefused(writer, broken, message);
+  };
+  check([](vtkPolyData* data) { data->GetPointData()->GetArray("Attribute 1")->SetNumberOfTuples(3); },
+    "array Attribute 1 of 3 values, expected one for each of the 36 points");
+  check(
+    [](vtkPolyData* data)
+    {
+      vtkNew<vtkCellArray> triangles;
+      triangles->InsertNextCell({ 0, 1, 36 });
+      data->SetPolys(triangles);
+    },
+    "point ids 0 to 36 in triangle 0, expected 0 to 35");
+  check([](vtkPolyData* data) { data->GetFieldData()->GetArray("LineNumbers")->FillComponent(1, 0.0); },
+    "LineNumbers (100, 0, 7, 1), expected finite numbers, and steps other than 0");
+  check([](vtkPolyData* data) { data->GetFieldData()->GetArray("LatticeDimensions")->Fill(100000.0); },
+    "lattice of 100000 x 100000 columns, expected less than 2^31");
+}
+
+/// What can not be printed has no place in a name, and would not be read again.
+void NamesCanBePrinted()
+{
+  const auto picks = ReadPicks(MakePicks("A", true) + MakePicks("B", false));
+  picks->GetOutput()->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "A\x01\n\"B\"");
+  vtkNew<vtkHorizonTextWriter> writer;
+  writer->SetInputDataObject(picks->GetOutput());
+  writer->SetFileName((Folder + "/names.dat").c_str());
+  CHECK_EQUAL(writer->Write(), 1);
+  vtkNew<vtkHorizonTextReader> reader;
+  reader->SetFileName((Folder + "/names.dat").c_str());
+  reader->Update();
+  CHECK_EQUAL(GetName(reader->GetOutput(), 0), std::string("A  'B'"));
+}
 }
 
 int TestHorizonGridWriter(int argc, char* argv[])
@@ -237,8 +297,11 @@ int TestHorizonGridWriter(int argc, char* argv[])
   ExtensionsTellTheFormat();
   MeshesAreSampled();
   GridsHaveFilesOfTheirOwn();
+  SeveralFilesAreWrittenAllOrNone();
   TextComesBack();
   TextOfOneWithoutLines();
   WhatCanNotBeIsRefused();
+  BrokenHorizonsAreRefused();
+  NamesCanBePrinted();
   return Check::Result();
 }

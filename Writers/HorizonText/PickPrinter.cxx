@@ -16,12 +16,12 @@ namespace
 // Numbers from here on are read as none.
 constexpr double LeastHuge = 0.999999e30;
 
-/// Text in quotes, in which quotes and line ends have no place.
+/// Text in quotes, in which quotes and characters that can not be printed have no place.
 std::string Quoted(std::string text)
 {
   std::replace(text.begin(), text.end(), '"', '\'');
   std::replace_if(
-    text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
   return '"' + text + '"';
 }
 

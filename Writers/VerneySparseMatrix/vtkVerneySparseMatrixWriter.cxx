@@ -6,6 +6,7 @@
 #include "Common/Errors.h"
 #include "Common/Monitor.h"
 #include "HorizonMatrix.h"
+#include "HorizonSampling.h"
 #include "SparseMatrixPrinter.h"
 
 #include "vtkObjectFactory.h"
@@ -50,6 +51,7 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
       [&]()
       {
         const SparseMatrixSize size = ReadMatrixSize(horizon.Data);
+        CountColumns(size[0], size[1]);
         matrix.Size = given.empty() ? size : matrix.Size;
         if (size != matrix.Size)
         {
