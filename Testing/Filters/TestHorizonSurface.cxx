@@ -100,6 +100,10 @@ bool IsSame(vtkAbstractArray* a, vtkAbstractArray* b)
   {
     return false;
   }
+  if (a->GetNumberOfValues() == 0)
+  {
+    return true; // there may be no memory to compare
+  }
   if (auto* const texts = vtkStringArray::SafeDownCast(a))
   {
     vtkStdString* const values = texts->GetPointer(0);
