@@ -41,7 +41,7 @@ Outcome Read(const std::string& text, DuplicatePolicy policy, std::size_t buffer
 }
 
 /// Bit by bit.
-bool IsSame(const std::vector<double>& a, const std::vector<double>& b)
+bool IsSame(const HeapArray<double>& a, const HeapArray<double>& b)
 {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
