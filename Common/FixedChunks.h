@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -33,6 +34,27 @@ void ForEachChunk(std::int64_t size, std::int64_t chunkSize, const Monitor& moni
         work(std::size_t(chunk), chunk * chunkSize, std::min(size, (chunk + 1) * chunkSize));
       }
     });
+}
+
+/// Calls work(part, first, last) for each chunk of the indices 0 to `size`, on several threads, with a part of its own
+/// for each, and adds the parts up in their order: `Sums` begins with nothing, and has a function Add for another one.
+template <typename Sums, typename Work>
+Sums AddUpChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Work&& work)
+{
+  std::vector<Sums> parts(CountChunks(size, chunkSize));
+  ForEachChunk(size, chunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      Sums part;
+      work(part, first, last);
+      parts[chunk] = part;
+    });
+  Sums all;
+  for (const Sums& part : parts)
+  {
+    all.Add(part);
+  }
+  return all;
 }
 }
 

@@ -3,8 +3,6 @@
 
 #include "InputFile.h"
 
-#include "Errors.h"
-
 #include <system_error>
 
 namespace SeismicHorizons
@@ -42,5 +40,20 @@ std::ifstream OpenInputFile(const std::string& name)
 std::string StemOf(const std::string& name)
 {
   return std::filesystem::u8path(name).stem().u8string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RequireFileName(const char* name)
+{
+  if (!name)
+  {
+    throw InputError("no FileName, expected the path of a file");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string FilePrefix(const char* name)
+{
+  return name ? std::string(name) + ": " : std::string();
 }
 }

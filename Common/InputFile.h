@@ -6,6 +6,8 @@
 #ifndef SeismicHorizonsInputFile_h
 #define SeismicHorizonsInputFile_h
 
+#include "Errors.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -34,6 +36,29 @@ std::ifstream OpenInputFile(const std::string& name);
 
 /// The name of a file without its folder and extension.
 std::string StemOf(const std::string& name);
+
+/// Refuses a name that was not set.
+void RequireFileName(const char* name);
+
+/// What errors about a file begin with: its name, and a colon.
+std::string FilePrefix(const char* name);
+
+/// Whether recognise(stream) says so of a regular file that can be opened; false where that throws an InputError.
+template <typename Recognise>
+bool IsRecognised(const char* name, Recognise&& recognise)
+{
+  try
+  {
+    const std::string text = name ? name : "";
+    MakeFileStamp(text); // refuses what is no regular file
+    std::ifstream stream = OpenInputFile(text);
+    return recognise(stream);
+  }
+  catch (const InputError&)
+  {
+    return false;
+  }
+}
 }
 
 #endif

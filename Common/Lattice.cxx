@@ -15,7 +15,6 @@ namespace
 {
 // Coordinates stay below 2^29, half a column outside the lattice included (see PlanePoint).
 constexpr int CoordinateBits = 29;
-constexpr int MaximumLatticeBits = 28;
 // No point is known more finely than to a millionth of a column, and smaller numbers are quicker to compare.
 constexpr int MaximumSubVoxelBits = 20;
 
@@ -41,11 +40,11 @@ void CheckDimensions(const std::array<int, 3>& dimensions)
 {
   const int largest = std::max(dimensions[0], dimensions[1]);
   const int smallest = std::min({ dimensions[0], dimensions[1], dimensions[2] });
-  if (smallest < 1 || BitsFor(largest) > MaximumLatticeBits)
+  if (smallest < 1 || largest > MostColumnsPerSide)
   {
     std::ostringstream text;
     text << "lattice of " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
-         << " cells, expected at least 1 and less than 2^" << MaximumLatticeBits << " columns a side";
+         << " cells, expected at least 1 and less than 2^28 columns a side";
     throw InputError(text.str());
   }
 }

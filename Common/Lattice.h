@@ -27,6 +27,9 @@ bool AreParallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 /// and heights are still known to a thousandth.
 constexpr double LargestHeight = double(std::int64_t(1) << 50);
 
+/// The most columns along a side of a lattice.
+constexpr int MostColumnsPerSide = (1 << 28) - 1;
+
 class Lattice
 {
 public:

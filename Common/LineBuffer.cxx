@@ -28,6 +28,19 @@ double CountBytes(std::istream& stream)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string_view> CutLines(std::string_view lines, std::size_t size)
+{
+  std::vector<std::string_view> blocks;
+  while (!lines.empty())
+  {
+    const std::size_t end = size < lines.size() ? lines.find('\n', size) + 1 : lines.size();
+    blocks.push_back(lines.substr(0, end));
+    lines.remove_prefix(end);
+  }
+  return blocks;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 LineBuffer::LineBuffer(std::istream& stream, std::size_t size)
   : Stream(stream)
   , BytesInStream(CountBytes(stream))

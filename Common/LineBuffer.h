@@ -12,12 +12,16 @@
 
 #include <cstddef>
 #include <istream>
+#include <string_view>
 #include <vector>
 
 namespace SeismicHorizons
 {
 /// The bytes of a stream from where it is to its end, or 0 when it can not tell.
 double CountBytes(std::istream& stream);
+
+/// Cuts lines, each of which ends in a newline, into blocks of at least `size` characters, but for the last.
+std::vector<std::string_view> CutLines(std::string_view lines, std::size_t size);
 
 class LineBuffer
 {

@@ -47,22 +47,18 @@ SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
 {
   ReadLattice(horizon); // refuses what is no lattice
   vtkFieldData* const data = horizon->GetFieldData();
-  const auto value = [data](const char* name, int n)
-  {
-    vtkDataArray* const array = data->GetArray(name);
-    const int components = array->GetNumberOfComponents();
-    return array->GetComponent(n / components, n % components);
-  };
+  const auto toWorld = [data](int n) { return FieldValue(data->GetArray(FieldArray::LatticeToWorld), n); };
+  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   SurveyLattice lattice;
-  lattice.Columns = { int(value(FieldArray::LatticeDimensions, 0)), int(value(FieldArray::LatticeDimensions, 1)) };
-  lattice.Origin = { value(FieldArray::LatticeToWorld, 3), value(FieldArray::LatticeToWorld, 7) };
-  lattice.ColumnStep = { value(FieldArray::LatticeToWorld, 0), value(FieldArray::LatticeToWorld, 4) };
-  lattice.RowStep = { value(FieldArray::LatticeToWorld, 1), value(FieldArray::LatticeToWorld, 5) };
+  lattice.Columns = { dimensions[0], dimensions[1] };
+  lattice.Origin = { toWorld(3), toWorld(7) };
+  lattice.ColumnStep = { toWorld(0), toWorld(4) };
+  lattice.RowStep = { toWorld(1), toWorld(5) };
   vtkDataArray* const lines = data->GetArray(FieldArray::LineNumbers);
   if (lines && lines->GetNumberOfValues() == 4)
   {
-    const auto line = [&](int n) { return value(FieldArray::LineNumbers, n); };
-    lattice.Lines = LineNumbering{ line(2), line(3), line(0), line(1) };
+    lattice.Lines =
+      LineNumbering{ FieldValue(lines, 2), FieldValue(lines, 3), FieldValue(lines, 0), FieldValue(lines, 1) };
     CheckLines(*lattice.Lines);
   }
   return lattice;

@@ -3,8 +3,9 @@
 
 #include "ColumnOrder.h"
 
+#include "Common/TextWords.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -12,19 +13,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-bool IsAmplitude(const std::string& name)
-{
-  const std::string amplitude = "amplitude";
-  return name.size() == amplitude.size() &&
-    std::equal(name.begin(), name.end(), amplitude.begin(),
-      [](char own, char other) { return std::tolower(static_cast<unsigned char>(own)) == other; });
-}
-
 /// The attribute that policies look at, or null.
 const std::vector<double>* FindAmplitude(const PickTable& picks)
 {
   const auto found = std::find_if(picks.Attributes.begin(), picks.Attributes.end(),
-    [](const PickAttribute& attribute) { return IsAmplitude(attribute.Name); });
+    [](const PickAttribute& attribute) { return ToLower(attribute.Name) == "amplitude"; });
   return found == picks.Attributes.end() ? nullptr : &found->Values;
 }
 
@@ -64,7 +57,6 @@ private:
   const std::vector<double>* const Amplitude;
   const bool PrefersSmallZ;
 };
-
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ namespace SeismicHorizons
 struct HorizonGrid
 {
   std::string Name; // empty where there is none
+  std::string Format; // of its file, for people; empty where there is none
   SurveyDescription Survey;
   SurveyLattice Lattice;
   std::vector<double> Z; // of column (i, j) at i + j * Columns[0], in the file's unit and sign; nan where there is none

@@ -5,6 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
+#include "Common/Lattice.h"
 #include "Common/LatticePlacement.h"
 #include "PointWindow.h"
 #include "ShortSteps.h"
@@ -24,7 +25,7 @@ namespace
 constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr std::int64_t WindowSize = 1 << 14; // points
 constexpr double FirstReach = 8.0; // columns
-constexpr double LastReach = double(1 << 28); // columns: no lattice has more along a side
+constexpr double LastReach = MostColumnsPerSide + 1.0; // columns
 // A window with fewer places is of picks over each other, as of many horizons, or of nulls that all are at (0, 0).
 constexpr std::size_t FewestPlaces = 64;
 // How far points may be off their columns, root mean square in columns. Places that have nothing to do with a lattice
@@ -56,11 +57,9 @@ struct Numbered
 Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reach, const Monitor& monitor)
 {
   const Eigen::Matrix2d toColumns = map.Steps.inverse();
-  std::vector<Numbered> parts(CountChunks(points.Size(), ChunkSize));
-  ForEachChunk(points.Size(), ChunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  return AddUpChunks<Numbered>(points.Size(), ChunkSize, monitor,
+    [&](Numbered& part, std::int64_t first, std::int64_t last)
     {
-      Numbered part;
       for (std::int64_t point = first; point < last; ++point)
       {
         const Eigen::Vector2d place = points[point];
@@ -74,14 +73,7 @@ Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reac
         part.Fit.Add(index, place);
         part.Squares += (column - index).squaredNorm();
       }
-      parts[chunk] = part;
     });
-  Numbered all;
-  for (const Numbered& part : parts)
-  {
-    all.Add(part);
-  }
-  return all;
 }
 
 [[noreturn]] void RefuseSpread(std::int64_t points, const PlaneMap& map, double spread)

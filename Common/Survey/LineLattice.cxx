@@ -61,27 +61,26 @@ std::int64_t ToParts(const char* name, double line)
   }
   return std::llround(parts);
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
+/// The first line, and the step from one to the next.
+struct LineSteps
+{
+  double First = 0.0;
+  double Step = 1.0; // 1 where there is only one line
+};
+
 LineSteps FindLineSteps(const char* name, const std::vector<double>& lines, const Monitor& monitor)
 {
-  const auto size = std::int64_t(lines.size());
-  std::vector<LineRange> ranges(CountChunks(size, ChunkSize));
-  ForEachChunk(size, ChunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  const auto all = AddUpChunks<LineRange>(std::int64_t(lines.size()), ChunkSize, monitor,
+    [&](LineRange& range, std::int64_t first, std::int64_t last)
     {
-      for (std::int64_t n = first; n < last; ++n)
+      for (auto n = std::size_t(first); n < std::size_t(last); ++n)
       {
-        ranges[chunk].Add(ToParts(name, lines[std::size_t(n)]));
+        range.Add(ToParts(name, lines[n]));
       }
     });
-  LineRange all;
-  for (const LineRange& range : ranges)
-  {
-    all.Add(range);
-  }
   return { double(all.First) / Decimals, all.Step == 0 ? 1.0 : double(all.Step) / Decimals };
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -14,17 +14,9 @@
 
 namespace SeismicHorizons
 {
-/// The first line, and the largest step of which all lines are multiples away from it: lines that are picked at every
-/// second or fourth only have such a step. Numbers may have up to three decimals. Throws InputError, with `name`, on
-/// others.
-struct LineSteps
-{
-  double First = 0.0;
-  double Step = 1.0; // 1 where there is only one line
-};
-LineSteps FindLineSteps(const char* name, const std::vector<double>& lines, const Monitor& monitor = Monitor());
-
-/// Of crosslines and inlines.
+/// The first crossline and inline, and the largest steps of which all lines are multiples away from them: lines that
+/// are picked at every second or fourth only have such a step. Numbers may have up to three decimals. Throws
+/// InputError, with "crossline" or "inline", on others.
 LineNumbering FindLineNumbering(
   const std::vector<double>& crosslines, const std::vector<double>& inlines, const Monitor& monitor = Monitor());
 

@@ -6,6 +6,7 @@
 #include "ColumnOrder.h"
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
+#include "Common/Lattice.h"
 #include "LineLattice.h"
 #include "SurveyMap.h"
 
@@ -24,7 +25,6 @@ namespace
 constexpr std::int64_t ChunkSize = 1 << 16;
 // A dataset takes 25 kB even for a single pick, and names as many as picks are mostly some other column.
 constexpr std::size_t MostHorizons = 1 << 15;
-constexpr double MostColumns = double((1 << 28) - 1); // along a side, as Lattice.h has it
 
 /// The columns of picks, before it is known which of them is the first.
 class ColumnFinder
@@ -90,22 +90,15 @@ struct ColumnRange
 
 ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double tolerance, const Monitor& monitor)
 {
-  std::vector<ColumnRange> ranges(CountChunks(picks, ChunkSize));
-  ForEachChunk(picks, ChunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  return AddUpChunks<ColumnRange>(picks, ChunkSize, monitor,
+    [&](ColumnRange& range, std::int64_t first, std::int64_t last)
     {
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
         const Eigen::Vector2d index = columns.Index(pick);
-        ranges[chunk].Add(index, columns.Distance(pick, index), tolerance);
+        range.Add(index, columns.Distance(pick, index), tolerance);
       }
     });
-  ColumnRange all;
-  for (const ColumnRange& range : ranges)
-  {
-    all.Add(range);
-  }
-  return all;
 }
 
 void CheckRange(const ColumnRange& range, std::int64_t picks, const PlaneMap& map, double tolerance)
@@ -119,7 +112,7 @@ void CheckRange(const ColumnRange& range, std::int64_t picks, const PlaneMap& ma
     throw InputError(text.str());
   }
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
-  if (!(columns.maxCoeff() <= MostColumns))
+  if (!(columns.maxCoeff() <= MostColumnsPerSide))
   {
     std::ostringstream text;
     text.precision(15);

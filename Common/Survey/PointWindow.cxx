@@ -8,69 +8,63 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <atomic>
+#include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-using Box = Eigen::AlignedBox2d;
-
 constexpr std::int64_t ChunkSize = 1 << 16;
 // A rectangle halved as often is smaller than the last digit of its place.
 constexpr int MostHalvings = 2 * 64;
 
+struct Box : Eigen::AlignedBox2d
+{
+  void Add(const Box& other) { this->extend(other); }
+};
+
+struct PointCount
+{
+  std::int64_t Points = 0;
+
+  void Add(const PointCount& other) { this->Points += other.Points; }
+};
+
 Box BoxAround(const PlaneCloud& points, const Monitor& monitor)
 {
-  std::vector<Box> boxes(CountChunks(points.Size(), ChunkSize));
-  ForEachChunk(points.Size(), ChunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  return AddUpChunks<Box>(points.Size(), ChunkSize, monitor,
+    [&](Box& box, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t point = first; point < last; ++point)
       {
-        boxes[chunk].extend(points[point]);
+        box.extend(points[point]);
       }
     });
-  Box all;
-  for (const Box& box : boxes)
-  {
-    all.extend(box);
-  }
-  return all;
 }
 
 std::int64_t CountInside(const PlaneCloud& points, const Box& box, const Monitor& monitor)
 {
-  std::atomic<std::int64_t> count = 0;
-  ForEachChunk(points.Size(), ChunkSize, monitor,
-    [&](std::size_t, std::int64_t first, std::int64_t last)
+  const auto count = AddUpChunks<PointCount>(points.Size(), ChunkSize, monitor,
+    [&](PointCount& inside, std::int64_t first, std::int64_t last)
     {
-      std::int64_t inside = 0;
       for (std::int64_t point = first; point < last; ++point)
       {
-        inside += box.contains(points[point]) ? 1 : 0;
+        inside.Points += box.contains(points[point]) ? 1 : 0;
       }
-      count += inside;
     });
-  return count;
+  return count.Points;
 }
 
-/// The half of a box towards its lesser corner, cut across the longer side.
-Box LowerHalf(const Box& box)
+/// The halves of a box, cut across the longer side, that towards its lesser corner first. Points on the cut belong to
+/// both.
+std::pair<Box, Box> Halve(const Box& box)
 {
-  Box half = box;
+  std::pair<Box, Box> halves = { box, box };
   const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
-  half.max()[axis] = 0.5 * (box.min()[axis] + box.max()[axis]);
-  return half;
-}
-
-/// The other half. Points on the cut belong to both.
-Box UpperHalf(const Box& box)
-{
-  Box half = box;
-  const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
-  half.min()[axis] = 0.5 * (box.min()[axis] + box.max()[axis]);
-  return half;
+  const double middle = 0.5 * (box.min()[axis] + box.max()[axis]);
+  halves.first.max()[axis] = middle;
+  halves.second.min()[axis] = middle;
+  return halves;
 }
 }
 
@@ -81,10 +75,10 @@ std::vector<Eigen::Vector2d> CrowdedWindow(const PlaneCloud& points, std::int64_
   std::int64_t inside = points.Size();
   for (int halvings = 0; inside > mostPoints && halvings < MostHalvings; ++halvings)
   {
-    const Box lower = LowerHalf(box);
+    const auto [lower, upper] = Halve(box);
     const std::int64_t insideLower = CountInside(points, lower, monitor);
     const bool takesLower = 2 * insideLower >= inside;
-    box = takesLower ? lower : UpperHalf(box);
+    box = takesLower ? lower : upper;
     inside = takesLower ? insideLower : CountInside(points, box, monitor);
   }
   std::vector<Eigen::Vector2d> window;

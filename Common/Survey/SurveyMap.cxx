@@ -26,21 +26,15 @@ constexpr std::int64_t ChunkSize = 1 << 16;
 PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor)
 {
   const Eigen::Vector2d middle(picks.X.front(), picks.Y.front());
-  std::vector<PlaneFit> fits(CountChunks(std::int64_t(picks.Size()), ChunkSize));
-  ForEachChunk(std::int64_t(picks.Size()), ChunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  const auto all = AddUpChunks<PlaneFit>(std::int64_t(picks.Size()), ChunkSize, monitor,
+    [&](PlaneFit& fit, std::int64_t first, std::int64_t last)
     {
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
-        fits[chunk].Add(LineIndex(lines, picks.Crossline[pick], picks.Inline[pick]),
+        fit.Add(LineIndex(lines, picks.Crossline[pick], picks.Inline[pick]),
           Eigen::Vector2d(picks.X[pick], picks.Y[pick]) - middle);
       }
     });
-  PlaneFit all;
-  for (const PlaneFit& fit : fits)
-  {
-    all.Add(fit);
-  }
   std::optional<PlaneMap> map = all.Solve();
   if (!map)
   {

@@ -3,8 +3,8 @@
 
 #include "SurveyDataSet.h"
 
+#include "ColumnPoints.h"
 #include "Common/DataModel.h"
-#include "Common/Parallel.h"
 #include "DataArrays.h"
 #include "SurveyFields.h"
 #include "VertexCells.h"
@@ -15,7 +15,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <array>
@@ -25,30 +24,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 14; // points that a thread makes at a time
-
-vtkSmartPointer<vtkPoints> MakePoints(const LatticeHorizon& horizon, const SurveyAxes& axes)
-{
-  const SurveyLattice& lattice = axes.Lattice;
-  auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(horizon.Z.size()), 3);
-  double* const world = coordinates->GetPointer(0);
-  ParallelFor(static_cast<std::int64_t>(horizon.Z.size()), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto point = static_cast<std::size_t>(first); point < static_cast<std::size_t>(last); ++point)
-      {
-        const double i = horizon.I[point];
-        const double j = horizon.J[point];
-        world[3 * point] = lattice.ColumnStep.x() * i + lattice.RowStep.x() * j + lattice.Origin.x();
-        world[3 * point + 1] = lattice.ColumnStep.y() * i + lattice.RowStep.y() * j + lattice.Origin.y();
-        world[3 * point + 2] = static_cast<int>(axes.Direction) * horizon.Z[point];
-      }
-    });
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(coordinates);
-  return points;
-}
-
 void AddFields(vtkFieldData* data, const LatticeHorizon& horizon, const SurveyAxes& axes)
 {
   const SurveyLattice& lattice = axes.Lattice;
@@ -86,7 +61,9 @@ LatticeMatrix SurveyAxes::ToWorld() const
 vtkSmartPointer<vtkPolyData> MakeSurveyPoints(LatticeHorizon horizon, int surfaceId, const SurveyAxes& axes)
 {
   auto points = vtkSmartPointer<vtkPolyData>::New();
-  points->SetPoints(MakePoints(horizon, axes));
+  const int sign = static_cast<int>(axes.Direction);
+  points->SetPoints(
+    MakeColumnPoints(horizon.I, horizon.J, axes.ToWorld(), [&](std::size_t point) { return sign * horizon.Z[point]; }));
   horizon.I = std::vector<int>();
   horizon.J = std::vector<int>();
 

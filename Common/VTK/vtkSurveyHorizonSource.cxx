@@ -71,10 +71,16 @@ vtkSurveyHorizonSource::~vtkSurveyHorizonSource()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void vtkSurveyHorizonSource::CheckParameters()
+{
+  this->Superclass::CheckParameters();
+  FindVerticalSampling({}, this->VerticalStep);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons(
   const std::vector<int>& numbers, const Monitor& monitor)
 {
-  FindVerticalSampling({}, this->VerticalStep); // refuses a wrong one before anything is read
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
   SurveyAxes axes;
   axes.Survey = survey.Survey;

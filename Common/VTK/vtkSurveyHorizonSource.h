@@ -102,6 +102,8 @@ protected:
   vtkSurveyHorizonSource();
   ~vtkSurveyHorizonSource() override;
 
+  void CheckParameters() override;
+
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
 

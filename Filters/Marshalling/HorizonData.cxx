@@ -66,12 +66,6 @@ vtkDataArray* FindFieldArray(vtkPolyData* horizon, const char* name, int values)
   return array;
 }
 
-double FieldValue(vtkDataArray* array, int n)
-{
-  const int components = array->GetNumberOfComponents();
-  return array->GetComponent(n / components, n % components);
-}
-
 template <typename Number>
 std::string Text(Number number)
 {
@@ -184,10 +178,16 @@ void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Lattice ReadLattice(vtkPolyData* horizon)
+double FieldValue(vtkDataArray* array, int n)
+{
+  const int components = array->GetNumberOfComponents();
+  return array->GetComponent(n / components, n % components);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::array<int, 3> ReadLatticeDimensions(vtkPolyData* horizon)
 {
   vtkDataArray* const size = FindFieldArray(horizon, FieldArray::LatticeDimensions, 3);
-  vtkDataArray* const map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
   std::array<int, 3> dimensions;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -199,6 +199,14 @@ Lattice ReadLattice(vtkPolyData* horizon)
     }
     dimensions[std::size_t(axis)] = int(cells);
   }
+  return dimensions;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Lattice ReadLattice(vtkPolyData* horizon)
+{
+  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
+  vtkDataArray* const map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
   Eigen::Matrix4d toWorld;
   for (int n = 0; n < 16; ++n)
   {

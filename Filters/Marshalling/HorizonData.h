@@ -15,12 +15,19 @@
 #include <cstdint>
 #include <vector>
 
+class vtkDataArray;
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
 /// The lattice of a horizon.
 Lattice ReadLattice(vtkPolyData* horizon);
+
+/// Its numbers of columns along i and j, and of vertical indices.
+std::array<int, 3> ReadLatticeDimensions(vtkPolyData* horizon);
+
+/// A number of a field data array, counted through all tuples.
+double FieldValue(vtkDataArray* array, int n);
 
 /// The points of a horizon on their lattice.
 struct LatticePoints

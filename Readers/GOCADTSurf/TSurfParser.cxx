@@ -21,13 +21,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t HeadSize = 4096; // bytes
-constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 constexpr const char* ExpectedObject = ", expected \"GOCAD TSurf 1\"";
-
-bool StartsWith(std::string_view text, std::string_view start)
-{
-  return text.substr(0, start.size()) == start;
-}
 
 bool SaysNothing(const LineTokens& line)
 {
@@ -259,7 +253,7 @@ std::string ReadHead(std::istream& stream)
   const std::string head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   stream.clear();
   stream.seekg(here);
-  return StartsWith(head, ByteOrderMark) ? head.substr(ByteOrderMark.size()) : head;
+  return std::string(WithoutByteOrderMark(head));
 }
 
 void SkipByteOrderMark(std::istream& stream)

@@ -60,26 +60,13 @@ vtkGOCADTSurfReader::~vtkGOCADTSurfReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
 {
-  try
-  {
-    const std::string name = fileName ? fileName : "";
-    MakeFileStamp(name); // refuses what is no regular file
-    std::ifstream stream = OpenInputFile(name);
-    return BeginsAsGOCAD(stream) ? 1 : 0;
-  }
-  catch (const InputError&)
-  {
-    return 0;
-  }
+  return IsRecognised(fileName, [](std::istream& stream) { return BeginsAsGOCAD(stream); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monitor)
 {
-  if (!this->FileName)
-  {
-    throw InputError("no FileName, expected the path of a file");
-  }
+  RequireFileName(this->FileName);
   PrefixErrors(this->FileName,
     [&]()
     {
@@ -119,7 +106,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
 //----------------------------------------------------------------------------------------------------------------------
 std::string vtkGOCADTSurfReader::ErrorPrefix()
 {
-  return this->FileName ? std::string(this->FileName) + ": " : std::string();
+  return FilePrefix(this->FileName);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

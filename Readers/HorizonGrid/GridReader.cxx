@@ -4,7 +4,6 @@
 #include "GridReader.h"
 
 #include "Common/LineErrors.h"
-#include "GridFormat.h"
 #include "GridParsers.h"
 
 #include <string>
@@ -42,10 +41,8 @@ GridFormat RequireFormat(const std::string& firstBytes)
   throw InputError("a file that begins with " + Quote(firstBytes.substr(0, firstBytes.find('\n'))) +
     ", expected a grid of IRAP, STORM, ZMAP+, CPS-3, EarthVision, Surfer, GXF or Esri");
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+HorizonGrid ReadFormat(GridFormat format, std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
 {
   const auto text = [&](auto read)
   {
@@ -57,7 +54,7 @@ HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor, std::s
     GridBytes bytes(stream, monitor, order);
     return read(bytes);
   };
-  switch (RequireFormat(PeekBytes(stream)))
+  switch (format)
   {
     case GridFormat::IrapText:
       return text(ReadIrapText);
@@ -83,5 +80,21 @@ HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor, std::s
       return text(ReadEsriGrid);
   }
   return {};
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<GridFormat> RecogniseGrid(std::istream& stream)
+{
+  return RecogniseGrid(PeekBytes(stream));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+{
+  const GridFormat format = RequireFormat(PeekBytes(stream));
+  HorizonGrid grid = ReadFormat(format, stream, monitor, bufferSize);
+  grid.Format = FormatName(format);
+  return grid;
 }
 }

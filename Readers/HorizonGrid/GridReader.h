@@ -8,14 +8,20 @@
 
 #include "Common/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
+#include "GridFormat.h"
 
 #include <cstddef>
 #include <istream>
+#include <optional>
 
 namespace SeismicHorizons
 {
 /// How many bytes of a text file are held at a time. A longer line makes the buffer grow.
 constexpr std::size_t GridBufferSize = 4 * 1024 * 1024;
+
+/// The format of a file by the bytes from where the stream is, which goes back there; nothing when it is none of those
+/// known. Throws InputError when reading fails.
+std::optional<GridFormat> RecogniseGrid(std::istream& stream);
 
 /// Recognises the format by the content (GridFormat.h) and reads the whole file, from where the stream is, which must
 /// be able to go back there. The lattice comes with all rotation, shear and handedness that the format has; unit,

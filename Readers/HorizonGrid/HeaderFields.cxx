@@ -45,13 +45,6 @@ std::string_view Unquote(std::string_view text)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string_view WithoutByteOrderMark(std::string_view text)
-{
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 bool IsSameWord(std::string_view a, std::string_view b)
 {
   return ToLower(a) == ToLower(b);

@@ -20,9 +20,6 @@ namespace SeismicHorizons
 /// Without quotes around it, and without blanks around these.
 std::string_view Unquote(std::string_view text);
 
-/// Without the mark of UTF-8 that some editors put at the start of a file.
-std::string_view WithoutByteOrderMark(std::string_view text);
-
 /// Whether two words are the same but for capital letters.
 bool IsSameWord(std::string_view a, std::string_view b);
 

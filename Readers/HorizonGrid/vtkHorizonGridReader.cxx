@@ -7,7 +7,6 @@
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "Common/Survey/GridPlacement.h"
-#include "GridFormat.h"
 #include "GridReader.h"
 
 #include "vtkObjectFactory.h"
@@ -21,16 +20,6 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// The format of a file, if it is one of those known.
-std::optional<GridFormat> FormatOf(const std::string& fileName)
-{
-  std::ifstream stream = OpenInputFile(fileName);
-  std::string bytes(RecognitionBytes, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return RecogniseGrid(bytes);
-}
-
 /// Some programs put the name of the file in the place of that of the horizon.
 bool IsNameOf(const std::string& name, const std::string& fileName)
 {
@@ -61,16 +50,7 @@ vtkHorizonGridReader::~vtkHorizonGridReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonGridReader::CanReadFile(const char* fileName)
 {
-  const std::string name = fileName ? fileName : "";
-  try
-  {
-    MakeFileStamp(name); // refuses what is no regular file
-    return FormatOf(name) ? 1 : 0;
-  }
-  catch (const InputError&)
-  {
-    return 0;
-  }
+  return IsRecognised(fileName, [](std::istream& stream) { return RecogniseGrid(stream).has_value(); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -78,10 +58,7 @@ int vtkHorizonGridReader::CanReadFile(const char* fileName)
 /// is asked for.
 std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monitor)
 {
-  if (!this->FileName)
-  {
-    throw InputError("no FileName, expected the path of a file");
-  }
+  RequireFileName(this->FileName);
   PrefixErrors(this->FileName,
     [&]()
     {
@@ -97,7 +74,7 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
       content->Grid = ReadHorizonGrid(stream, monitor);
       const std::string& name = content->Grid->Name;
       content->Name = name.empty() || IsNameOf(name, this->FileName) ? StemOf(this->FileName) : name;
-      content->Format = FormatName(FormatOf(this->FileName).value());
+      content->Format = content->Grid->Format;
       this->Content = std::move(content);
     });
   return { this->Content->Name };
@@ -127,7 +104,7 @@ std::string vtkHorizonGridReader::DescribeFormat()
 //----------------------------------------------------------------------------------------------------------------------
 std::string vtkHorizonGridReader::ErrorPrefix()
 {
-  return (this->FileName ? this->FileName : "") + std::string(": ");
+  return FilePrefix(this->FileName);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "Common/LineErrors.h"
 #include "Common/Parallel.h"
 #include "Common/Survey/PickPlacement.h"
+#include "Common/TextWords.h"
 #include "IesxParser.h"
 #include "PickBlock.h"
 #include "PickCollector.h"
@@ -19,13 +20,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t LookAhead = 256 * 1024; // bytes that the layout is found from
-
-/// The text behind a byte order mark.
-std::string_view SkipMark(std::string_view text)
-{
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
-}
 
 /// Calls take(lines) with some complete lines after the other.
 template <typename Take>
@@ -41,7 +35,7 @@ void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& m
       throw InputError("reading failed");
     }
     const std::string_view text(lines.First(), std::size_t(lines.Last() - lines.First()));
-    take(isFirst ? SkipMark(text) : text, lines.PartRead());
+    take(isFirst ? WithoutByteOrderMark(text) : text, lines.PartRead());
     monitor.Progress(lines.PartRead());
   }
 }
@@ -57,19 +51,6 @@ std::string_view SkipLines(std::string_view text, std::int64_t& count)
   return text;
 }
 
-/// Cuts lines into blocks.
-std::vector<std::string_view> MakeBlocks(std::string_view text, std::size_t size)
-{
-  std::vector<std::string_view> blocks;
-  while (!text.empty())
-  {
-    const std::size_t end = size < text.size() ? text.find('\n', size) + 1 : text.size();
-    blocks.push_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return blocks;
-}
-
 PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   PickCollector picks(layout);
@@ -77,7 +58,7 @@ PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Moni
   ForEachPiece(stream, pieces.Buffer, monitor,
     [&](std::string_view text, double partRead)
     {
-      const std::vector<std::string_view> blocks = MakeBlocks(SkipLines(text, headerLines), pieces.Block);
+      const std::vector<std::string_view> blocks = CutLines(SkipLines(text, headerLines), pieces.Block);
       std::vector<PickBlock> parsed(blocks.size());
       ParallelFor(std::int64_t(blocks.size()), 1,
         [&](std::int64_t first, std::int64_t last)
@@ -149,7 +130,7 @@ TextLines SplitLines(std::string_view text)
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
 {
   const std::string text = ReadBeginning(stream);
-  return FindTextLayout(SplitLines(SkipMark(text)), options);
+  return FindTextLayout(SplitLines(WithoutByteOrderMark(text)), options);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -157,7 +138,7 @@ void CheckFirstPicks(std::istream& stream, const TextLayout& layout)
 {
   const std::string text = ReadBeginning(stream);
   std::int64_t headerLines = layout.HeaderLines;
-  const std::string_view lines = SkipLines(SkipMark(text), headerLines);
+  const std::string_view lines = SkipLines(WithoutByteOrderMark(text), headerLines);
   if (layout.Kind == TextKind::Iesx)
   {
     IesxParser(layout).Parse(lines);

@@ -16,11 +16,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::string_view EndMark = "EOD";
-
-bool StartsWith(std::string_view text, std::string_view start)
-{
-  return text.substr(0, start.size()) == start;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -15,11 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-bool StartsWith(std::string_view text, std::string_view start)
-{
-  return text.substr(0, start.size()) == start;
-}
-
 bool IsComment(std::string_view line)
 {
   return !line.empty() && (line[0] == '#' || line[0] == '!' || line[0] == '@');

@@ -45,27 +45,18 @@ vtkHorizonTextReader::~vtkHorizonTextReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonTextReader::CanReadFile(const char* fileName)
 {
-  const std::string name = fileName ? fileName : "";
-  try
-  {
-    MakeFileStamp(name); // refuses what is no regular file
-    std::ifstream stream = OpenInputFile(name);
-    CheckFirstPicks(stream, ReadTextLayout(stream, {}));
-    return 1;
-  }
-  catch (const InputError&)
-  {
-    return 0;
-  }
+  return IsRecognised(fileName,
+    [](std::istream& stream)
+    {
+      CheckFirstPicks(stream, ReadTextLayout(stream, {}));
+      return true;
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
 {
-  if (!this->FileName)
-  {
-    throw InputError("no FileName, expected the path of a file");
-  }
+  RequireFileName(this->FileName);
   PrefixErrors(this->FileName,
     [&]()
     {
@@ -128,7 +119,7 @@ std::string vtkHorizonTextReader::DescribeFormat()
 //----------------------------------------------------------------------------------------------------------------------
 std::string vtkHorizonTextReader::ErrorPrefix()
 {
-  return (this->FileName ? this->FileName : "") + std::string(": ");
+  return FilePrefix(this->FileName);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

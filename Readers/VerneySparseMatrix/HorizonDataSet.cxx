@@ -4,7 +4,7 @@
 #include "HorizonDataSet.h"
 
 #include "Common/DataModel.h"
-#include "Common/Parallel.h"
+#include "Common/VTK/ColumnPoints.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 
@@ -12,42 +12,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 namespace SeismicHorizons
 {
-namespace
-{
-constexpr std::int64_t Grain = 1 << 14; // points that a thread makes at a time
-
-vtkSmartPointer<vtkPoints> MakePoints(const HorizonVoxels& voxels, const HorizonPlacement& placement)
-{
-  const LatticeMatrix& toWorld = placement.ToWorld;
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(voxels.I.size()));
-  double* const world = coordinates->GetPointer(0);
-  ParallelFor(static_cast<std::int64_t>(voxels.I.size()), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto voxel = static_cast<std::size_t>(first); voxel < static_cast<std::size_t>(last); ++voxel)
-      {
-        const double i = voxels.I[voxel];
-        const double j = voxels.J[voxel];
-        world[3 * voxel] = toWorld[0] * i + toWorld[1] * j + toWorld[3];
-        world[3 * voxel + 1] = toWorld[4] * i + toWorld[5] * j + toWorld[7];
-        world[3 * voxel + 2] = placement.Elevation(voxels, voxel);
-      }
-    });
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(coordinates);
-  return points;
-}
-}
-
 //----------------------------------------------------------------------------------------------------------------------
 void AddHorizonFields(vtkFieldData* data, const HorizonPlacement& placement, std::int64_t droppedDuplicates)
 {
@@ -61,7 +30,8 @@ void AddHorizonFields(vtkFieldData* data, const HorizonPlacement& placement, std
 vtkSmartPointer<vtkPolyData> MakeHorizonPoints(HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   auto horizon = vtkSmartPointer<vtkPolyData>::New();
-  horizon->SetPoints(MakePoints(voxels, placement));
+  horizon->SetPoints(MakeColumnPoints(
+    voxels.I, voxels.J, placement.ToWorld, [&](std::size_t voxel) { return placement.Elevation(voxels, voxel); }));
   voxels.I = HeapArray<int>();
   voxels.J = HeapArray<int>();
 

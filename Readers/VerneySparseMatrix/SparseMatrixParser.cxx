@@ -8,6 +8,7 @@
 #include "Common/LineErrors.h"
 #include "Common/Parallel.h"
 #include "Common/TextNumbers.h"
+#include "Common/TextWords.h"
 #include "HorizonCollector.h"
 #include "VerticalFit.h"
 
@@ -56,19 +57,6 @@ SparseMatrixSize ParseHeader(const std::string& line)
   return size;
 }
 
-/// Cuts lines into blocks.
-std::vector<std::string_view> CutBlocks(std::string_view lines)
-{
-  std::vector<std::string_view> blocks;
-  while (!lines.empty())
-  {
-    const std::size_t end = BlockSize < lines.size() ? lines.find('\n', BlockSize) + 1 : lines.size();
-    blocks.push_back(lines.substr(0, end));
-    lines.remove_prefix(end);
-  }
-  return blocks;
-}
-
 /// Parses the lines of a file piece by piece, and each piece block by block on all threads.
 class PieceParser
 {
@@ -81,7 +69,7 @@ public:
 
   void Parse(std::string_view lines)
   {
-    const std::vector<std::string_view> blocks = CutBlocks(lines);
+    const std::vector<std::string_view> blocks = CutLines(lines, BlockSize);
     const std::vector<std::int64_t> firstColumns = this->CountLines(blocks);
     std::vector<std::optional<ColumnError>> errors(blocks.size());
     this->Parsed.resize(std::max(this->Parsed.size(), blocks.size()), HorizonSorter(this->Options));
@@ -159,12 +147,8 @@ SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream)
     throw ErrorAt(1, std::string("reading failed") + ExpectedHeader);
   }
   const bool isComplete = stream.good();
-  std::string line(text.data(), static_cast<std::size_t>(stream.gcount()) - (isComplete ? 1 : 0));
-  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  if (line.compare(0, byteOrderMark.size(), byteOrderMark) == 0)
-  {
-    line.erase(0, byteOrderMark.size());
-  }
+  const std::size_t length = static_cast<std::size_t>(stream.gcount()) - (isComplete ? 1 : 0);
+  const std::string line(WithoutByteOrderMark(std::string_view(text.data(), length)));
   if (!isComplete && line.empty())
   {
     throw ErrorAt(1, std::string("empty file") + ExpectedHeader);

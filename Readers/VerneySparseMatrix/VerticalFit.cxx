@@ -51,24 +51,14 @@ struct Reference
 
 VerticalSums SumUp(const HorizonVoxels& horizon, const Reference& reference)
 {
-  const auto size = std::int64_t(horizon.K.size());
-  std::vector<VerticalSums> parts(CountChunks(size, ChunkSize));
-  ForEachChunk(size, ChunkSize, Monitor(),
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  return AddUpChunks<VerticalSums>(std::int64_t(horizon.K.size()), ChunkSize, Monitor(),
+    [&](VerticalSums& part, std::int64_t first, std::int64_t last)
     {
-      VerticalSums part;
       for (auto voxel = std::size_t(first); voxel < std::size_t(last); ++voxel)
       {
         part.Add(horizon.K[voxel] - reference.K, horizon.RealZ[voxel] - reference.Z);
       }
-      parts[chunk] = part;
     });
-  VerticalSums all;
-  for (const VerticalSums& part : parts)
-  {
-    all.Add(part);
-  }
-  return all;
 }
 }
 

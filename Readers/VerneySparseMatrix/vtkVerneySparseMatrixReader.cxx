@@ -11,6 +11,7 @@
 #include "Common/LatticePlacement.h"
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
+#include "Common/TextWords.h"
 #include "Common/VTK/HorizonName.h"
 #include "HorizonDataSet.h"
 #include "HorizonImage.h"
@@ -22,12 +23,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,10 +37,8 @@ using namespace SeismicHorizons;
 /// Whether a name ends in .vsm, in letters of either case.
 bool HasOwnExtension(const std::string& name)
 {
-  constexpr std::string_view extension = ".vsm";
-  return name.size() >= extension.size() &&
-    std::equal(extension.rbegin(), extension.rend(), name.rbegin(),
-      [](char own, char other) { return own == std::tolower(static_cast<unsigned char>(other)); });
+  const std::string extension = ".vsm";
+  return name.size() >= extension.size() && ToLower(name.substr(name.size() - extension.size())) == extension;
 }
 
 /// The first and last column or row; -1 stands for the last there is.
@@ -89,22 +86,13 @@ vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 {
-  const std::string name = fileName ? fileName : "";
-  if (HasOwnExtension(name))
-  {
-    return 1;
-  }
-  try
-  {
-    MakeFileStamp(name); // refuses what is no regular file
-    std::ifstream stream = OpenInputFile(name);
-    ReadSparseMatrixHeader(stream);
-    return 1;
-  }
-  catch (const InputError&)
-  {
-    return 0;
-  }
+  return HasOwnExtension(fileName ? fileName : "") ||
+    IsRecognised(fileName,
+      [](std::istream& stream)
+      {
+        ReadSparseMatrixHeader(stream);
+        return true;
+      });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -129,10 +117,7 @@ SparseMatrix vtkVerneySparseMatrixReader::Read(const Monitor& monitor) const
 //----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
 {
-  if (!this->FileName)
-  {
-    throw InputError("no FileName, expected the path of a file");
-  }
+  RequireFileName(this->FileName);
   const SparseMatrixOptions options = this->MakeOptions();
   PrefixErrors(this->FileName,
     [&]()
@@ -221,7 +206,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
 //----------------------------------------------------------------------------------------------------------------------
 std::string vtkVerneySparseMatrixReader::ErrorPrefix()
 {
-  return (this->FileName ? this->FileName : "") + std::string(": ");
+  return FilePrefix(this->FileName);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

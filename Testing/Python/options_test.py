@@ -12,7 +12,7 @@ import sys
 import unittest
 
 import seismichorizons as sh
-from seismichorizons import pipeline, stage
+from seismichorizons import pipeline, stage, writing
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 
@@ -40,6 +40,7 @@ class OptionsTest(unittest.TestCase):
                 values = [getattr(algorithm, "Get" + key)() for algorithm in (given, usual)]
                 self.assertEqual(*values, "%s of %s" % (key, class_name))
         self.assertIsNone(settings.horizons)
+        self.assertEqual(load_program().FORMATS, writing.FORMATS)
 
     def test_left_out(self):
         settings = self.settings("--skip-rough", "--horizons", "3", "1")

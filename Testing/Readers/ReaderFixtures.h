@@ -6,23 +6,19 @@
 #ifndef SeismicHorizonsReaderFixtures_h
 #define SeismicHorizonsReaderFixtures_h
 
+#include "FileFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
 #include "vtkPolyData.h"
 #include "vtkTestErrorObserver.h"
-#include "vtkTestUtilities.h"
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -30,39 +26,18 @@ namespace ReaderFixtures
 {
 using Reader = vtkPartitionedDataSetCollectionAlgorithm;
 
-/// Takes over a text that VTK has allocated.
-inline std::string TakeString(char* text)
-{
-  const std::string taken = text ? text : "";
-  delete[] text;
-  return taken;
-}
-
-/// The folder for files of a test, which is made here.
-inline std::string MakeFolder(const char* test, int argc, char* argv[])
-{
-  const std::string folder =
-    TakeString(vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary")) + "/" +
-    test;
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
-inline std::string WriteText(const std::string& path, const std::string& text)
-{
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
-}
+using FileFixtures::MakeFolder;
+using FileFixtures::TakeString;
+using FileFixtures::WriteText;
 
 inline vtkPolyData* GetHorizon(Reader* reader, unsigned int position)
 {
-  return vtkPolyData::SafeDownCast(reader->GetOutput()->GetPartition(position, 0));
+  return FileFixtures::GetHorizon(reader->GetOutput(), position);
 }
 
 inline std::string GetName(Reader* reader, unsigned int position)
 {
-  const char* name = reader->GetOutput()->GetMetaData(position)->Get(vtkCompositeDataSet::NAME());
-  return name ? name : "";
+  return FileFixtures::GetName(reader->GetOutput(), position);
 }
 
 inline bool IsEmpty(Reader* reader)

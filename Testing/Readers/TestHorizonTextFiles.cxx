@@ -96,7 +96,7 @@ void CanReadFileTakesRealFiles()
 
 int TestHorizonTextFiles(int argc, char* argv[])
 {
-  Folder = MakeFolder("TestHorizonTextFiles", argc, argv);
+  Folder = MakeFolder(argc, argv, "TestHorizonTextFiles");
   WrongFilesGiveOneErrorEach();
   CanReadFileLooksInside();
   CanReadFileTakesRealFiles();

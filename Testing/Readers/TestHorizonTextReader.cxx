@@ -345,7 +345,7 @@ void NamesComeFromTheFile()
 
 int TestHorizonTextReader(int argc, char* argv[])
 {
-  Folder = MakeFolder("TestHorizonTextReader", argc, argv);
+  Folder = MakeFolder(argc, argv, "TestHorizonTextReader");
   PointsAndArraysAreComplete();
   FieldDataDescribeTheSurvey();
   UnknownFieldsAreLeftOut();

@@ -522,7 +522,7 @@ void SampleIsRead(const std::string& path)
 
 int TestVerneySparseMatrixReader(int argc, char* argv[])
 {
-  Folder = MakeFolder("TestVerneySparseMatrixReader", argc, argv);
+  Folder = MakeFolder(argc, argv, "TestVerneySparseMatrixReader");
   ArraysAreComplete();
   FieldDataDescribeTheLattice();
   RotatedSurveyKeepsDoublePrecision();

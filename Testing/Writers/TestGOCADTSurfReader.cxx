@@ -3,8 +3,8 @@
 //
 // The reader of GOCAD files: the datasets it makes, its parameters, and its errors.
 
-#include "FileFixtures.h"
 #include "Filters/HorizonFixtures.h"
+#include "Readers/FileFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkCellData.h"

@@ -3,8 +3,8 @@
 //
 // The writer of GOCAD files: what it makes of datasets, that it comes back from the reader, and its errors.
 
-#include "FileFixtures.h"
 #include "Filters/HorizonFixtures.h"
+#include "Readers/FileFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkCellArray.h"

@@ -3,8 +3,8 @@
 //
 // The writers of grids and of text: what is written is read again as the same horizon, also from a mesh.
 
-#include "FileFixtures.h"
 #include "Filters/HorizonFixtures.h"
+#include "Readers/FileFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkHorizonExteriorBoundary.h"

@@ -3,8 +3,8 @@
 //
 // The writer of sparse-matrix files: that files come back from the reader, what it makes up, and its errors.
 
-#include "FileFixtures.h"
 #include "Filters/HorizonFixtures.h"
+#include "Readers/FileFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkHorizonExteriorBoundary.h"

@@ -129,8 +129,9 @@ class _Names:
     """The names of the files of results."""
 
     def __init__(self, stem, horizons, settings, with_pictures):
+        names = [name for name, _ in horizons]
         self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats]
-                       for name, mesh_stem in zip(*_mesh_stems(stem, [name for name, _ in horizons]))}
+                       for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
 
@@ -142,7 +143,7 @@ class _Names:
 
 
 def _mesh_stems(stem, names):
-    """The names, and for each what its files are called: `x_horizon_7` for Horizon 7 of x.vsm, `x_Top` for Top. A horizon
+    """What the files of each horizon are called: `x_horizon_7` for Horizon 7 of x.vsm, `x_Top` for Top. A horizon
     that has the name of its file is called as that. Raises HorizonError where two would be called the same."""
     stems = []
     for name in names:
@@ -153,7 +154,7 @@ def _mesh_stems(stem, names):
     if twins:
         second = twins[0]
         raise HorizonError("%s and %s would write the same results" % (names[stems.index(stems[second])], names[second]))
-    return names, stems
+    return stems
 
 
 def _write(results, names, folder, report):

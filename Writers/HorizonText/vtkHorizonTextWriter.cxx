@@ -39,15 +39,20 @@ void vtkHorizonTextWriter::PrintHorizons(
   PrintedColumns columns;
   columns.HasNames = horizons.size() > 1;
   columns.HasLines = true;
+  const auto part = [&horizons](std::size_t number, const Monitor& step)
+  {
+    const auto size = static_cast<double>(horizons.size());
+    return step.Step(static_cast<double>(number) / size, static_cast<double>(number + 1) / size);
+  };
   std::vector<HorizonGrid> grids;
   for (const NamedHorizon& horizon : horizons)
   {
-    const double done = static_cast<double>(grids.size()) / static_cast<double>(horizons.size());
+    const Monitor step = part(grids.size(), monitor.Step(0.0, 0.5));
     PrefixErrors(horizon.Name,
       [&]()
       {
         const int sign = this->VerticalSign(horizon.Data);
-        grids.push_back(SampleHorizon(horizon.Data, sign, monitor.Step(0.5 * done, 0.5)));
+        grids.push_back(SampleHorizon(horizon.Data, sign, step));
       });
     grids.back().Name = horizon.Name;
     columns.HasLines = columns.HasLines && grids.back().Lattice.Lines;
@@ -57,9 +62,9 @@ void vtkHorizonTextWriter::PrintHorizons(
     }
   }
   PrintPickHeader(stream, columns);
-  for (const HorizonGrid& grid : grids)
+  for (std::size_t number = 0; number < grids.size(); ++number)
   {
-    PrintPicks(stream, grid, columns, monitor.Step(0.5, 1.0));
+    PrintPicks(stream, grids[number], columns, part(number, monitor.Step(0.5, 1.0)));
   }
 }
 

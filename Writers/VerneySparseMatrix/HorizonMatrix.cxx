@@ -109,14 +109,7 @@ HeapArray<double> ReadRealZ(vtkPolyData* horizon)
 SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon)
 {
   ReadLattice(horizon); // refuses what is no lattice
-  vtkDataArray* const dimensions = horizon->GetFieldData()->GetArray(FieldArray::LatticeDimensions);
-  SparseMatrixSize size;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int components = dimensions->GetNumberOfComponents();
-    size[std::size_t(axis)] = int(dimensions->GetComponent(axis / components, axis % components));
-  }
-  return size;
+  return ReadLatticeDimensions(horizon);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -262,17 +262,10 @@ FaceSums MeasureFaces(const MeasuredSurface& from, const MeasuredSurface& to, do
   WeightedHistogram& histogram, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(from.Surface.Triangles.size());
-  std::vector<FaceSums> chunks(CountChunks(size, TrianglesPerChunk));
   const double weightPerArea = TotalWeight / (from.Area + to.Area);
-  ForEachChunk(size, TrianglesPerChunk, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
-    { chunks[chunk] = FaceMeter(to.Tree, density, weightPerArea, seed).Run(from, first, last, histogram); });
-  FaceSums sums;
-  for (const FaceSums& chunk : chunks)
-  {
-    sums.Add(chunk);
-  }
-  return sums;
+  return AddUpChunks<FaceSums>(size, TrianglesPerChunk, monitor,
+    [&](FaceSums& sums, std::int64_t first, std::int64_t last)
+    { sums = FaceMeter(to.Tree, density, weightPerArea, seed).Run(from, first, last, histogram); });
 }
 
 /// Fills in the figures that follow from the faces.

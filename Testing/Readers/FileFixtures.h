@@ -20,12 +20,19 @@
 
 namespace FileFixtures
 {
+/// Takes over a text that VTK has allocated.
+inline std::string TakeString(char* text)
+{
+  const std::unique_ptr<char[]> taken(text);
+  return text ? text : "";
+}
+
 /// An empty folder of that name for files of a test.
 inline std::string MakeFolder(int argc, char* argv[], const std::string& name)
 {
-  const std::unique_ptr<char[]> temporary(
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
-  const std::string folder = std::string(temporary.get()) + '/' + name;
+  const std::string folder =
+    TakeString(vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary")) + '/' +
+    name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;
