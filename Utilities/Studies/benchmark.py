@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 from benchmark_page import page
-from benchmark_programs import HUGE, measure_programs
+from benchmark_programs import HUGE, measure_programs, measure_reading
 from text import report
 
 SIZES = (15626, 32402, 60511, 68956, 98231, 148317, 346796, 664582, 886639, 10000000)
@@ -84,6 +84,7 @@ def measure(options):
                 ours = {r["stage"]: r["seconds"] for r in found if r["threads"] == threads}
                 others += [dict(r, points=size, threads=threads, our_seconds=ours[r["stage"]])
                            for r in peers.measure(path, size, threads)]
+                others += measure_reading(options.programs, path, size)
     if not options.no_peers:
         others += measure_programs(options.programs, sizes)
     return {"processors": os.cpu_count(), "stages": stages,

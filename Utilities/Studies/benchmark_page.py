@@ -84,15 +84,16 @@ The time per point, by the clock on {most_threads} threads, is in
 ## Other programs
 
 Their time divided by ours at the same thread count, above 1 where ours is faster; each until it would take longer than
-{most_seconds:g} s. Those in C++ (OpenCV, CGAL, vtkStaticCellLocator) are timed with our algorithm alone in one process
-on one thread, on horizons that they make themselves; the others with our filters, attributes included. OpenCV begins
-with an image that is ready, ours with a list of points. CGAL's triangulations fill the hull; *triangles inside* is the
-constrained one with what it takes to list the triangles inside the outline, as ours does. What is meshed *after rough*
-and *after elaborate* has the outline as simplified, and stands under the points before. The clustering filters are
-timed with cells of 3 on the mesh of all points, and `vtkQuadricDecimation` down to as many triangles as the mesh after
-rough has, all without the time to make that mesh. *ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k,
-vtkDelaunay2D and vtkDecimatePro. What their results are worth is on another page:
-[Tables.md](Tables.md#what-a-vertex-buys).
+{most_seconds:g} s. Those in C++ (the bare loop, OpenCV, CGAL, vtkStaticCellLocator) are timed with our algorithm alone
+in one process on one thread, on horizons that they make themselves; the others with our filters, attributes included.
+OpenCV begins with an image that is ready, ours with a list of points. The *bare loop* over a mapped file knows digits,
+points and minus signs, checks nothing, and puts numbers into vectors; ours is the parser without VTK's part. CGAL's
+triangulations fill the hull; *triangles inside* is the constrained one with what it takes to list the triangles inside
+the outline, as ours does. What is meshed *after rough* and *after elaborate* has the outline as simplified, and stands
+under the points before. The clustering filters are timed with cells of 3 on the mesh of all points, and
+`vtkQuadricDecimation` down to as many triangles as the mesh after rough has, all without the time to make that mesh.
+*ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro. What their
+results are worth is on another page: [Tables.md](Tables.md#what-a-vertex-buys).
 
 {peers}"""
 

@@ -24,6 +24,15 @@ def program_result(stage, peer, points, theirs, ours):
     return {"stage": stage, "peer": peer, "points": points, "threads": 1, "seconds": theirs, "our_seconds": ours}
 
 
+def measure_reading(folder, path, size):
+    """The parser alone, on one thread and on two, beside a bare loop on one."""
+    rows = [line.split(",") for line in run_program(folder, "ReadingBenchmark", path)[1:]]
+    seconds = {(what, int(threads)): float(value) for _, what, threads, value in rows}
+    names = {1: "bare loop", 2: "bare loop on one thread, ours on two"}
+    return [program_result("read", names[threads], size, seconds["bare", 1], ours)
+            for (what, threads), ours in seconds.items() if what == "parser"]
+
+
 def measure_opencv(folder, sizes):
     rows = [line.split(",") for line in run_program(folder, "BoundaryBenchmark", "--exterior", *sizes)[1:]]
     ours = {row[0]: float(row[3]) for row in rows if row[1] == "exterior"}
