@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace SeismicHorizons
 {
@@ -38,6 +39,26 @@ std::vector<std::string_view> CutLines(std::string_view lines, std::size_t size)
     lines.remove_prefix(end);
   }
   return blocks;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t CountLines(std::string_view text)
+{
+  // So many counts fit a byte, and compilers add bytes side by side.
+  constexpr std::size_t most = std::numeric_limits<unsigned char>::max();
+  std::int64_t lines = 0;
+  while (!text.empty())
+  {
+    const std::string_view some = text.substr(0, most);
+    unsigned char count = 0;
+    for (const char letter : some)
+    {
+      count = static_cast<unsigned char>(count + (letter == '\n'));
+    }
+    lines += count;
+    text.remove_prefix(some.size());
+  }
+  return lines;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

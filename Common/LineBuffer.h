@@ -10,7 +10,10 @@
 #ifndef SeismicHorizonsLineBuffer_h
 #define SeismicHorizonsLineBuffer_h
 
+#include "RawVector.h"
+
 #include <cstddef>
+#include <cstdint>
 #include <istream>
 #include <string_view>
 #include <vector>
@@ -22,6 +25,9 @@ double CountBytes(std::istream& stream);
 
 /// Cuts lines, each of which ends in a newline, into blocks of at least `size` characters, but for the last.
 std::vector<std::string_view> CutLines(std::string_view lines, std::size_t size);
+
+/// How many newlines there are.
+std::int64_t CountLines(std::string_view text);
 
 class LineBuffer
 {
@@ -48,7 +54,7 @@ private:
   std::istream& Stream;
   const double BytesInStream;
   std::size_t BytesRead = 0;
-  std::vector<char> Bytes;
+  RawVector<char> Bytes; // of a small file, few of them are ever touched
   std::size_t Filled = 0; // bytes in use
   std::size_t Complete = 0; // of these, bytes of complete lines
 };

@@ -70,7 +70,7 @@ public:
   void Parse(std::string_view lines)
   {
     const std::vector<std::string_view> blocks = CutLines(lines, BlockSize);
-    const std::vector<std::int64_t> firstColumns = this->CountLines(blocks);
+    const std::vector<std::int64_t> firstColumns = this->CountLinesBefore(blocks);
     std::vector<std::optional<ColumnError>> errors(blocks.size());
     this->Parsed.resize(std::max(this->Parsed.size(), blocks.size()), HorizonSorter(this->Options));
     ParallelFor(std::int64_t(blocks.size()), 1,
@@ -109,7 +109,7 @@ public:
 
 private:
   /// How many lines come before each block.
-  std::vector<std::int64_t> CountLines(const std::vector<std::string_view>& blocks)
+  std::vector<std::int64_t> CountLinesBefore(const std::vector<std::string_view>& blocks)
   {
     std::vector<std::int64_t> lines(blocks.size());
     ParallelFor(std::int64_t(blocks.size()), 1,
@@ -117,7 +117,7 @@ private:
       {
         for (auto block = std::size_t(first); block < std::size_t(last); ++block)
         {
-          lines[block] = std::count(blocks[block].begin(), blocks[block].end(), '\n');
+          lines[block] = CountLines(blocks[block]);
         }
       });
     for (std::int64_t& count : lines)
