@@ -3,7 +3,12 @@
 
 #include "InputFile.h"
 
+#include "GzipStream.h"
+#include "TextWords.h"
+
+#include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -26,12 +31,16 @@ FileStamp MakeFileStamp(const std::string& name)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::ifstream OpenInputFile(const std::string& name)
+std::unique_ptr<std::istream> OpenInputFile(const std::string& name)
 {
-  std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
-  if (!stream)
+  auto stream = std::make_unique<std::ifstream>(std::filesystem::u8path(name), std::ios::binary);
+  if (!*stream)
   {
     throw InputError("a file that can not be opened, expected a readable one");
+  }
+  if (BeginsAsGzip(*stream))
+  {
+    return std::make_unique<GzipStream>(std::move(stream));
   }
   return stream;
 }
@@ -39,7 +48,12 @@ std::ifstream OpenInputFile(const std::string& name)
 //----------------------------------------------------------------------------------------------------------------------
 std::string StemOf(const std::string& name)
 {
-  return std::filesystem::u8path(name).stem().u8string();
+  std::filesystem::path path = std::filesystem::u8path(name);
+  if (ToLower(path.extension().u8string()) == ".gz")
+  {
+    path.replace_extension();
+  }
+  return path.stem().u8string();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

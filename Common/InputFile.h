@@ -10,7 +10,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <string>
 
 namespace SeismicHorizons
@@ -31,10 +32,11 @@ struct FileStamp
 /// The stamp of a file as it is now. Throws InputError when there is no regular file of that name.
 FileStamp MakeFileStamp(const std::string& name);
 
-/// Opens a file to read its bytes. Throws InputError when that fails.
-std::ifstream OpenInputFile(const std::string& name);
+/// Opens a file to read its bytes or, where gzip compressed it, what they were made from (GzipStream.h). Throws
+/// InputError when that fails.
+std::unique_ptr<std::istream> OpenInputFile(const std::string& name);
 
-/// The name of a file without its folder and extension.
+/// The name of a file without its folder and extension: "a" for "b/a.vsm", and for "b/a.vsm.gz".
 std::string StemOf(const std::string& name);
 
 /// Refuses a name that was not set.
@@ -51,8 +53,7 @@ bool IsRecognised(const char* name, Recognise&& recognise)
   {
     const std::string text = name ? name : "";
     MakeFileStamp(text); // refuses what is no regular file
-    std::ifstream stream = OpenInputFile(text);
-    return recognise(stream);
+    return recognise(*OpenInputFile(text));
   }
   catch (const InputError&)
   {

@@ -3,6 +3,8 @@
 
 #include "LineBuffer.h"
 
+#include "StreamProgress.h"
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -12,20 +14,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t SmallestSize = 2; // room for one character and a newline
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double CountBytes(std::istream& stream)
-{
-  const std::istream::pos_type here = stream.good() ? stream.tellg() : std::istream::pos_type(-1);
-  if (here == std::istream::pos_type(-1))
-  {
-    return 0.0;
-  }
-  stream.seekg(0, std::ios::end);
-  const std::istream::pos_type end = stream.tellg();
-  stream.seekg(here);
-  return static_cast<double>(end - here);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -72,7 +60,7 @@ LineBuffer::LineBuffer(std::istream& stream, std::size_t size)
 //----------------------------------------------------------------------------------------------------------------------
 double LineBuffer::PartRead() const
 {
-  return this->BytesInStream > 0.0 ? std::min(1.0, static_cast<double>(this->BytesRead) / this->BytesInStream) : 0.0;
+  return SeismicHorizons::PartRead(this->Stream, static_cast<double>(this->BytesRead), this->BytesInStream);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -20,9 +20,6 @@
 
 namespace SeismicHorizons
 {
-/// The bytes of a stream from where it is to its end, or 0 when it can not tell.
-double CountBytes(std::istream& stream);
-
 /// Cuts lines, each of which ends in a newline, into blocks of at least `size` characters, but for the last.
 std::vector<std::string_view> CutLines(std::string_view lines, std::size_t size);
 
@@ -45,7 +42,7 @@ public:
   const char* First() const { return this->Bytes.data(); }
   const char* Last() const { return this->Bytes.data() + this->Complete; }
 
-  /// Which part of the stream was read, 0 to 1. Always 0 when the stream can not tell its length.
+  /// Which part of the stream was read, 0 to 1. Always 0 when the stream can not tell (StreamProgress.h).
   double PartRead() const;
 
 private:

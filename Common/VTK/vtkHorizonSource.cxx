@@ -149,15 +149,24 @@ vtkMTimeType vtkHorizonSource::GetMTime()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   if (this->GetNumberOfInputPorts() > 0)
   {
     return 1;
   }
   return RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
-    [this](std::string&, const Monitor& monitor) { List(this->NameHorizons(monitor), this->HorizonSelection); });
+    [this, info](std::string&, const Monitor& monitor)
+    {
+      const std::vector<std::string> names = this->NameHorizons(monitor);
+      List(names, this->HorizonSelection);
+      this->DescribeOutput(Select(names, this->HorizonSelection), info);
+    });
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::DescribeOutput(const std::vector<int>&, vtkInformation*) {}
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
@@ -176,17 +185,16 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonSource::Load(int piece, int numberOfPieces, vtkDataObject* output, const Monitor& monitor)
+void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
+  vtkInformation* outputInformation, const Monitor& monitor)
 {
-  this->CheckParameters();
-  // The data may have changed since the information was asked for.
-  const std::vector<std::string> names = this->NameHorizons(monitor.Step(0.0, 0.5));
-  List(names, this->HorizonSelection);
-  const std::vector<int> selected = Select(names, this->HorizonSelection);
+  const int piece = outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int numberOfPieces =
+    std::max(1, outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
   const std::vector<vtkSmartPointer<vtkDataObject>> made =
-    this->MakeHorizons(DealOut(selected, piece, numberOfPieces), monitor.Step(0.5, 1.0));
+    this->MakeHorizons(DealOut(numbers, piece, numberOfPieces), monitor);
   vtkNew<vtkPartitionedDataSetCollection> horizons;
-  for (const int number : selected)
+  for (const int number : numbers)
   {
     AddName(horizons, names[static_cast<std::size_t>(number)]);
   }
@@ -196,18 +204,23 @@ void vtkHorizonSource::Load(int piece, int numberOfPieces, vtkDataObject* output
     horizons->SetPartition(position, 0, horizon);
     position += static_cast<unsigned int>(numberOfPieces);
   }
-  output->ShallowCopy(horizons);
+  vtkDataObject::GetData(outputInformation)->ShallowCopy(horizons);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
-  const int numberOfPieces = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  vtkDataObject* const output = vtkDataObject::GetData(outputVector);
-  return RunRequest(this, { output }, this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
-    [&](std::string&, const Monitor& monitor) { this->Load(piece, std::max(1, numberOfPieces), output, monitor); });
+  return RunRequest(this, { vtkDataObject::GetData(info) },
+    this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
+    [&](std::string&, const Monitor& monitor)
+    {
+      this->CheckParameters();
+      // The data may have changed since the information was asked for.
+      const std::vector<std::string> names = this->NameHorizons(monitor.Step(0.0, 0.5));
+      List(names, this->HorizonSelection);
+      this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -74,6 +74,14 @@ protected:
   virtual std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) = 0;
 
+  /// Says what is known of an output before it is made, when the numbers of the chosen horizons are known.
+  virtual void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation);
+
+  /// Makes the output that `outputInformation` asks for out of the chosen horizons, by their names and numbers in the
+  /// list: a collection of them.
+  virtual void MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
+    vtkInformation* outputInformation, const SeismicHorizons::Monitor& monitor);
+
   /// What errors begin with that come from the data: the name of a file, and ": ".
   virtual std::string ErrorPrefix() { return std::string(); }
 
@@ -82,7 +90,6 @@ private:
   void operator=(const vtkHorizonSource&) = delete;
 
   std::vector<std::string> NameHorizons(const SeismicHorizons::Monitor& monitor);
-  void Load(int piece, int numberOfPieces, vtkDataObject* output, const SeismicHorizons::Monitor& monitor);
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
 };

@@ -15,7 +15,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,8 +75,8 @@ std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monito
       if (!this->List || !(this->List->Stamp == stamp))
       {
         this->List.reset();
-        std::ifstream stream = OpenInputFile(this->FileName);
-        this->List = std::make_unique<FileList>(FileList{ stamp, NamesOf(ListTSurfs(stream, monitor)) });
+        const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+        this->List = std::make_unique<FileList>(FileList{ stamp, NamesOf(ListTSurfs(*stream, monitor)) });
       }
     });
   return this->List->Names;
@@ -90,8 +91,8 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
   std::vector<TSurf> surfaces = PrefixErrors(this->FileName,
     [&]()
     {
-      std::ifstream stream = OpenInputFile(this->FileName);
-      return LoadTSurfs(stream, isChosen, monitor.Step(0.0, 0.9));
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      return LoadTSurfs(*stream, isChosen, monitor.Step(0.0, 0.9));
     });
   std::vector<vtkSmartPointer<vtkDataObject>> datasets;
   for (TSurf& surface : surfaces)

@@ -3,7 +3,7 @@
 
 #include "GridBytes.h"
 
-#include "Common/LineBuffer.h"
+#include "Common/StreamProgress.h"
 
 #include <algorithm>
 
@@ -64,8 +64,7 @@ const char* GridBytes::ReadPart(std::size_t count)
 {
   this->Part.resize(count);
   this->Read(this->Part.data(), count, "values");
-  this->Work.Progress(
-    this->BytesInStream > 0.0 ? std::min(1.0, static_cast<double>(this->Position) / this->BytesInStream) : 0.0);
+  this->Work.Progress(PartRead(this->Stream, static_cast<double>(this->Position), this->BytesInStream));
   return this->Part.data();
 }
 }

@@ -4,6 +4,7 @@
 #include "GridText.h"
 
 #include "Common/LineErrors.h"
+#include "Common/StreamProgress.h"
 #include "HeaderFields.h"
 
 #include <algorithm>

@@ -12,7 +12,8 @@
 #include "vtkObjectFactory.h"
 
 #include <filesystem>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -70,8 +71,8 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
       this->Content.reset();
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
-      std::ifstream stream = OpenInputFile(this->FileName);
-      content->Grid = ReadHorizonGrid(stream, monitor);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      content->Grid = ReadHorizonGrid(*stream, monitor);
       const std::string& name = content->Grid->Name;
       content->Name = name.empty() || IsNameOf(name, this->FileName) ? StemOf(this->FileName) : name;
       content->Format = content->Grid->Format;
@@ -90,8 +91,8 @@ SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
       {
         return PlaceGrid(std::move(*grid));
       }
-      std::ifstream stream = OpenInputFile(this->FileName);
-      return PlaceGrid(ReadHorizonGrid(stream, monitor));
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      return PlaceGrid(ReadHorizonGrid(*stream, monitor));
     });
 }
 

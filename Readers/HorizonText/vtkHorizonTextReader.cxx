@@ -10,7 +10,8 @@
 
 #include "vtkObjectFactory.h"
 
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -72,12 +73,12 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
       content->Stamp = stamp;
       content->Columns = options.Columns;
       content->NullValues = options.NullValues;
-      std::ifstream stream = OpenInputFile(this->FileName);
-      content->Layout = ReadTextLayout(stream, options);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      content->Layout = ReadTextLayout(*stream, options);
       content->Names = { content->Layout.HorizonName };
       if (content->Layout.HasNames())
       {
-        content->Picks = SeismicHorizons::ReadPicks(stream, content->Layout, monitor);
+        content->Picks = SeismicHorizons::ReadPicks(*stream, content->Layout, monitor);
         content->Names = content->Picks->Names;
       }
       for (std::string& name : content->Names)
@@ -105,8 +106,8 @@ PickTable vtkHorizonTextReader::ReadPicks(const Monitor& monitor)
   return PrefixErrors(this->FileName,
     [&]()
     {
-      std::ifstream stream = OpenInputFile(this->FileName);
-      return SeismicHorizons::ReadPicks(stream, this->Content->Layout, monitor);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      return SeismicHorizons::ReadPicks(*stream, this->Content->Layout, monitor);
     });
 }
 

@@ -4,8 +4,8 @@
 #include "HorizonImage.h"
 
 #include "Common/DataModel.h"
-#include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
+#include "ImageFrame.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -15,17 +15,12 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// The largest cosine of the angle between the steps of an image. What is left of a shear moves the last of a million
-// columns by a thousandth of a column, which no map shows.
-constexpr double LargestCosine = 1e-9;
-
 /// The pixel of each voxel, in an image whose extent is the bounding box of their columns.
 class HorizonPixels
 {
@@ -61,23 +56,13 @@ private:
   std::vector<vtkIdType> Pixels;
 };
 
-/// Places an image below the columns of the lattice, at z = 0, so that warping it by world z gives the surface. z of
-/// the image is z of the world, whichever way vertical indices count. Images can be turned and stretched, but not
-/// sheared.
+/// Places an image below the columns of the lattice, so that warping it by world z gives the surface.
 void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
 {
-  const double column[2] = { toWorld[0], toWorld[4] };
-  const double row[2] = { toWorld[1], toWorld[5] };
-  const double columnSize = std::hypot(column[0], column[1]);
-  const double rowSize = std::hypot(row[0], row[1]);
-  if (std::abs(column[0] * row[0] + column[1] * row[1]) > LargestCosine * columnSize * rowSize)
-  {
-    throw InputError("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for images");
-  }
-  image->SetOrigin(toWorld[3], toWorld[7], 0.0);
-  image->SetSpacing(columnSize, rowSize, std::abs(toWorld[10]));
-  image->SetDirectionMatrix(
-    column[0] / columnSize, row[0] / rowSize, 0, column[1] / columnSize, row[1] / rowSize, 0, 0, 0, 1);
+  const ImageFrame frame = MakeMapFrame(toWorld);
+  image->SetOrigin(frame.Origin.data());
+  image->SetSpacing(frame.Spacing.data());
+  image->SetDirectionMatrix(frame.Direction.data());
 }
 
 /// Adds the point data of an image. There is at least one voxel.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parser reads files, and HorizonDataSet and HorizonImage make datasets of what it gives; here parameters become
-// what they are asked for.
+// The parser reads files, and HorizonDataSet, HorizonImage and HorizonVolume make datasets of what it gives; here
+// parameters become what they are asked for.
 
 #include "vtkVerneySparseMatrixReader.h"
 
@@ -15,16 +15,24 @@
 #include "Common/VTK/HorizonName.h"
 #include "HorizonDataSet.h"
 #include "HorizonImage.h"
+#include "HorizonVolume.h"
+#include "ImageFrame.h"
 #include "SparseMatrixParser.h"
+#include "VoxelExtent.h"
 
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <istream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,11 +42,12 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// Whether a name ends in .vsm, in letters of either case.
+/// Whether a name ends in .vsm or .vsm.gz, in letters of either case.
 bool HasOwnExtension(const std::string& name)
 {
-  const std::string extension = ".vsm";
-  return name.size() >= extension.size() && ToLower(name.substr(name.size() - extension.size())) == extension;
+  const auto endsIn = [&name](const std::string& extension)
+  { return name.size() >= extension.size() && ToLower(name.substr(name.size() - extension.size())) == extension; };
+  return endsIn(".vsm") || endsIn(".vsm.gz");
 }
 
 /// The first and last column or row; -1 stands for the last there is.
@@ -68,6 +77,8 @@ struct vtkVerneySparseMatrixReader::FileContent
   FileStamp Stamp;
   SparseMatrixOptions Options; // with which it was read
   std::vector<std::string> Names; // of the horizons
+  std::vector<VoxelExtent> Extents; // theirs
+  SparseMatrixSize Size = {};
   SparseMatrixVerticalFit VerticalFit;
   std::optional<SparseMatrix> Matrix; // until it is used
 };
@@ -110,8 +121,8 @@ SparseMatrixOptions vtkVerneySparseMatrixReader::MakeOptions() const
 //----------------------------------------------------------------------------------------------------------------------
 SparseMatrix vtkVerneySparseMatrixReader::Read(const Monitor& monitor) const
 {
-  std::ifstream stream = OpenInputFile(this->FileName);
-  return ReadSparseMatrix(stream, this->MakeOptions(), monitor);
+  const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+  return ReadSparseMatrix(*stream, this->MakeOptions(), monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -132,10 +143,12 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
       content->Stamp = stamp;
       content->Options = options;
       content->Matrix = this->Read(monitor);
+      content->Size = content->Matrix->Size;
       content->VerticalFit = content->Matrix->VerticalFit;
       for (const HorizonVoxels& horizon : content->Matrix->Horizons)
       {
         content->Names.push_back(HorizonName(horizon.SurfaceId));
+        content->Extents.push_back(FindExtent(horizon));
       }
       this->Content = std::move(content);
     });
@@ -156,7 +169,7 @@ LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
 
 //----------------------------------------------------------------------------------------------------------------------
 /// With real z, heights are those of the line that fits it; where there is none, those of the parameters.
-LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
+HorizonPlacement vtkVerneySparseMatrixReader::MakeHorizonPlacement() const
 {
   LatticePlacement placement = this->MakePlacement();
   const SparseMatrixVerticalFit& fit = this->Content->VerticalFit;
@@ -165,7 +178,7 @@ LatticePlacement vtkVerneySparseMatrixReader::MakeFittedPlacement() const
     placement.Origin.z() = static_cast<int>(placement.Direction) * fit.Offset;
     placement.VerticalStep = fit.Step;
   }
-  return placement;
+  return { this->Content->Size, placement.ToWorld(), placement.Direction, this->Elevation == RealZ };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -173,6 +186,7 @@ void vtkVerneySparseMatrixReader::CheckParameters()
 {
   this->MakePlacement().Check();
   this->MakeOptions();
+  CheckAtLeast<int>("VolumeMemoryLimit", this->VolumeMemoryLimit, 1, " MB");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -183,15 +197,19 @@ std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// What the list was made from is used once: kept, it would take as much memory as the output.
+SparseMatrix vtkVerneySparseMatrixReader::TakeMatrix(const Monitor& monitor)
+{
+  std::optional<SparseMatrix> kept = std::exchange(this->Content->Matrix, std::nullopt);
+  return kept ? std::move(*kept) : PrefixErrors(this->FileName, [&]() { return this->Read(monitor); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHorizons(
   const std::vector<int>& numbers, const Monitor& monitor)
 {
-  // What the list was made from is used once: kept, it would take as much memory as the output.
-  std::optional<SparseMatrix> kept = std::exchange(this->Content->Matrix, std::nullopt);
-  SparseMatrix matrix =
-    kept ? std::move(*kept) : PrefixErrors(this->FileName, [&]() { return this->Read(monitor.Step(0.0, 0.8)); });
-  const LatticePlacement fitted = this->MakeFittedPlacement();
-  const HorizonPlacement placement = { matrix.Size, fitted.ToWorld(), fitted.Direction, this->Elevation == RealZ };
+  SparseMatrix matrix = this->TakeMatrix(monitor.Step(0.0, 0.8));
+  const HorizonPlacement placement = this->MakeHorizonPlacement();
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
@@ -204,6 +222,79 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+int vtkVerneySparseMatrixReader::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // which one depends on OutputType
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkVerneySparseMatrixReader::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  const char* const type = this->OutputType == Volume ? "vtkImageData" : "vtkPartitionedDataSetCollection";
+  vtkDataObject* const output = vtkDataObject::GetData(info);
+  if (!output || !output->IsA(type))
+  {
+    const auto fresh = this->OutputType == Volume
+      ? vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkImageData>::New())
+      : vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkPartitionedDataSetCollection>::New());
+    info->Set(vtkDataObject::DATA_OBJECT(), fresh);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// The extent of a volume, which the pipeline cuts into pieces. A collection has none.
+void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (this->OutputType != Volume)
+  {
+    outputInformation->Remove(Pipeline::WHOLE_EXTENT());
+    outputInformation->Remove(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
+    return;
+  }
+  this->CheckParameters();
+  VoxelExtent extent = this->VolumeExtent == Whole ? WholeExtent(this->Content->Size) : EmptyExtent;
+  for (const int number : numbers)
+  {
+    extent = Unite(extent, this->Content->Extents[static_cast<std::size_t>(number)]);
+  }
+  const ImageFrame frame = MakeVolumeFrame(this->MakeHorizonPlacement().ToWorld);
+  outputInformation->Set(Pipeline::WHOLE_EXTENT(), ToImageExtent(extent, frame).data(), 6);
+  outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
+  outputInformation->Set(vtkDataObject::SPACING(), frame.Spacing.data(), 3);
+  outputInformation->Set(vtkDataObject::DIRECTION(), frame.Direction.data(), 9);
+  outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  outputInformation->Remove(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
+  vtkInformation* outputInformation, const Monitor& monitor)
+{
+  if (this->OutputType != Volume)
+  {
+    this->Superclass::MakeOutput(names, numbers, outputInformation, monitor);
+    return;
+  }
+  const SparseMatrix matrix = this->TakeMatrix(monitor.Step(0.0, 0.6));
+  std::vector<const HorizonVoxels*> horizons;
+  for (const int number : numbers)
+  {
+    horizons.push_back(&matrix.Horizons[static_cast<std::size_t>(number)]);
+  }
+  VoxelExtent extent = EmptyExtent;
+  outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  const VolumeOptions options = { static_cast<VolumeAttribute>(this->VolumeArray), this->BackgroundValue,
+    this->VolumeMemoryLimit };
+  vtkDataObject::GetData(outputInformation)
+    ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeHorizonPlacement(), extent, options, monitor.Step(0.6, 1.0)));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::string vtkVerneySparseMatrixReader::ErrorPrefix()
 {
   return FilePrefix(this->FileName);
@@ -212,13 +303,19 @@ std::string vtkVerneySparseMatrixReader::ErrorPrefix()
 //----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
 {
-  constexpr std::array<const char*, 2> types = { "Points", "Images" };
+  constexpr std::array<const char*, 3> types = { "Points", "Images", "Volume" };
+  constexpr std::array<const char*, 2> extents = { "Whole", "BoundingBox" };
+  constexpr std::array<const char*, 3> volumeArrays = { "SurfaceId", "Amplitude", "Thickness" };
   constexpr std::array<const char*, 2> elevations = { "VerticalIndex", "RealZ" };
   constexpr std::array<const char*, 2> directions = { "Down", "Up" };
   constexpr std::array<const char*, 3> policies = { "StrongestAmplitude", "Topmost", "Lowest" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';
+  os << indent << "VolumeExtent: " << extents[static_cast<std::size_t>(this->VolumeExtent)] << '\n';
+  os << indent << "VolumeArray: " << volumeArrays[static_cast<std::size_t>(this->VolumeArray)] << '\n';
+  os << indent << "BackgroundValue: " << this->BackgroundValue << '\n';
+  os << indent << "VolumeMemoryLimit: " << this->VolumeMemoryLimit << '\n';
   os << indent << "SmallestHorizonSize: " << this->SmallestHorizonSize << '\n';
   os << indent << "ColumnRange: " << this->ColumnRange[0] << " to " << this->ColumnRange[1] << '\n';
   os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';

@@ -10,7 +10,8 @@
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, by ascending
  * surface ID, named "Horizon <ID>". Its partition is a vtkPolyData with one point and one vertex cell per voxel: what
- * the stages work on. On request (OutputType) it is a map instead, a vtkImageData.
+ * the stages work on. On request (OutputType) it is a map instead, a vtkImageData; or the whole output is one
+ * vtkImageData, a volume with the voxels of all selected horizons.
  *
  * Point data of the vtkPolyData, one component each:
  * - SurfaceId (int): the ID of the horizon
@@ -26,6 +27,12 @@
  * - VerticalIndex, Thickness, Amplitude, RealZ (double): as above
  * - vtkGhostType (unsigned char): blanks the columns without a voxel, where all arrays of doubles are nan
  *
+ * Point data of a volume, which has a point at the centre of each cell of the lattice or of the selected horizons'
+ * bounding box (VolumeExtent). The extent is that of i, j and k; where these three are left-handed in the world, as
+ * they are when k counts downwards and i and j do not, that of i, j and -k.
+ * - SurfaceId (int): the ID of the horizon that has the voxel, or BackgroundValue
+ * - Amplitude or Thickness (float), when VolumeArray asks for it: as in the file, or 0 where there is no voxel
+ *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components): nX, nY, nZ
  * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row. Its columns
@@ -33,7 +40,7 @@
  *   Elevation for the last two.
  * - VerticalDirection (int, 1 component): -1 for Down, 1 for Up
  * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
- *   column, see DuplicatePolicy
+ *   column, see DuplicatePolicy; of all selected horizons in a volume
  *
  * The file is read once, for the list of horizons, and what was found is kept until the horizons are asked for; it is
  * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
@@ -58,6 +65,7 @@
 
 namespace SeismicHorizons
 {
+struct HorizonPlacement;
 struct LatticePlacement;
 struct SparseMatrix;
 struct SparseMatrixOptions;
@@ -105,22 +113,80 @@ public:
   vtkGetVector2Macro(RowRange, int);
   ///@}
 
-  /// The kind of dataset that a horizon becomes.
+  /// What horizons become.
   enum OutputKind
   {
     Points = 0,
-    Images = 1
+    Images = 1,
+    Volume = 2
   };
 
   ///@{
   /**
-   * The kind of dataset that a horizon becomes. Points: a vtkPolyData, for the stages. Images: a map as vtkImageData,
-   * whose ColumnStep and RowStep must be perpendicular. Default: Points.
+   * What horizons become. Points: a vtkPolyData each, for the stages. Images: a map each, as vtkImageData. Volume: the
+   * output is one vtkImageData with all of them, and GetOutput() gives null; use GetOutputDataObject(0). For the last
+   * two ColumnStep and RowStep must be perpendicular. Default: Points.
    */
-  vtkSetClampMacro(OutputType, int, Points, Images);
+  vtkSetClampMacro(OutputType, int, Points, Volume);
   vtkGetMacro(OutputType, int);
   void SetOutputTypeToPoints() { this->SetOutputType(Points); }
   void SetOutputTypeToImages() { this->SetOutputType(Images); }
+  void SetOutputTypeToVolume() { this->SetOutputType(Volume); }
+  ///@}
+
+  /// What a volume covers.
+  enum VolumeBox
+  {
+    Whole = 0,
+    BoundingBox = 1
+  };
+
+  ///@{
+  /**
+   * What a volume covers. Whole: all cells of the lattice, whatever is chosen. BoundingBox: the least box with all
+   * voxels of the chosen horizons. Default: Whole.
+   */
+  vtkSetClampMacro(VolumeExtent, int, Whole, BoundingBox);
+  vtkGetMacro(VolumeExtent, int);
+  void SetVolumeExtentToWhole() { this->SetVolumeExtent(Whole); }
+  void SetVolumeExtentToBoundingBox() { this->SetVolumeExtent(BoundingBox); }
+  ///@}
+
+  /// What a volume shows.
+  enum VolumeContent
+  {
+    SurfaceId = 0,
+    Amplitude = 1,
+    Thickness = 2
+  };
+
+  ///@{
+  /**
+   * The active scalars of a volume. SurfaceId is there always, each of the others when it is chosen. Default:
+   * SurfaceId.
+   */
+  vtkSetClampMacro(VolumeArray, int, SurfaceId, Thickness);
+  vtkGetMacro(VolumeArray, int);
+  void SetVolumeArrayToSurfaceId() { this->SetVolumeArray(SurfaceId); }
+  void SetVolumeArrayToAmplitude() { this->SetVolumeArray(Amplitude); }
+  void SetVolumeArrayToThickness() { this->SetVolumeArray(Thickness); }
+  ///@}
+
+  ///@{
+  /**
+   * The SurfaceId of a volume where there is no voxel. It must not be the ID of a horizon that is loaded. Default: 0.
+   */
+  vtkSetMacro(BackgroundValue, int);
+  vtkGetMacro(BackgroundValue, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most memory that the arrays of a volume may take on a process, in MB (2^20 bytes). A larger volume is an error
+   * that says how much it takes. At least 1. Default: 2048.
+   */
+  vtkSetMacro(VolumeMemoryLimit, int);
+  vtkGetMacro(VolumeMemoryLimit, int);
   ///@}
 
   /// Where the z coordinate of a point comes from.
@@ -137,7 +203,7 @@ public:
    * LatticeToWorld then holds the straight line that fits it over the vertical index best, for all voxels of the file,
    * so that a height of 1 in lattice units is one vertical index all the same. (Where real z or the index is the same
    * everywhere there is no such line, and Origin and VerticalStep hold.) The sign is that of VerticalDirection.
-   * Default: VerticalIndex.
+   * The voxels of a volume always lie where LatticeToWorld puts their vertical index. Default: VerticalIndex.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
   vtkGetMacro(Elevation, int);
@@ -224,11 +290,17 @@ protected:
   vtkVerneySparseMatrixReader();
   ~vtkVerneySparseMatrixReader() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
   void CheckParameters() override;
   /// "Horizon <ID>", by ascending ID.
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
+  void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation) override;
+  void MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
+    vtkInformation* outputInformation, const SeismicHorizons::Monitor& monitor) override;
   std::string ErrorPrefix() override;
 
 private:
@@ -236,9 +308,10 @@ private:
   void operator=(const vtkVerneySparseMatrixReader&) = delete;
 
   SeismicHorizons::LatticePlacement MakePlacement() const;
-  SeismicHorizons::LatticePlacement MakeFittedPlacement() const;
+  SeismicHorizons::HorizonPlacement MakeHorizonPlacement() const;
   SeismicHorizons::SparseMatrixOptions MakeOptions() const;
   SeismicHorizons::SparseMatrix Read(const SeismicHorizons::Monitor& monitor) const;
+  SeismicHorizons::SparseMatrix TakeMatrix(const SeismicHorizons::Monitor& monitor);
   void UpdateContent(const SeismicHorizons::Monitor& monitor);
 
   char* FileName = nullptr;
@@ -246,6 +319,10 @@ private:
   int ColumnRange[2] = { 0, -1 };
   int RowRange[2] = { 0, -1 };
   int OutputType = Points;
+  int VolumeExtent = Whole;
+  int VolumeArray = SurfaceId;
+  int BackgroundValue = 0;
+  int VolumeMemoryLimit = 2048;
   int Elevation = VerticalIndex;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double ColumnStep[2] = { 1.0, 0.0 };

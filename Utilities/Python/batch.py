@@ -72,7 +72,9 @@ def make_labels(files):
 
 
 def _stem(label):
-    """What the names of results start with: `a_x` for `a/x.vsm`."""
+    """What the names of results start with: `a_x` for `a/x.vsm` and for `a/x.vsm.gz`."""
+    if label.suffix.lower() == ".gz":
+        label = label.with_suffix("")
     return "_".join(label.with_suffix("").parts)
 
 

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Turns the voxels of horizons into a volume.
+
+#ifndef SeismicHorizonsHorizonVolume_h
+#define SeismicHorizonsHorizonVolume_h
+
+#include "Common/Monitor.h"
+#include "HorizonDataSet.h"
+#include "ImageFrame.h"
+#include "SparseMatrixParser.h"
+#include "VoxelExtent.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkImageData;
+
+namespace SeismicHorizons
+{
+/// What a volume holds besides the surface ID.
+enum class VolumeAttribute
+{
+  None,
+  Amplitude,
+  Thickness
+};
+
+struct VolumeOptions
+{
+  VolumeAttribute Attribute = VolumeAttribute::None;
+  int Background = 0; // the surface ID where there is no voxel
+  int MemoryLimit = 0; // 2^20 bytes
+};
+
+/// The extent of image data for a box of voxels, and the other way round.
+VoxelExtent ToImageExtent(const VoxelExtent& extent, const ImageFrame& frame);
+
+/// Makes image data of that extent with a point for each cell of the lattice. Horizons have to be in the order of their
+/// numbers. Throws InputError when it takes more memory than allowed, when the background is the ID of a horizon, and
+/// when an attribute is too large for single precision.
+vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const HorizonVoxels*>& horizons,
+  const HorizonPlacement& placement, const VoxelExtent& imageExtent, const VolumeOptions& options,
+  const Monitor& monitor);
+}
+
+#endif
