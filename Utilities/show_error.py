@@ -54,7 +54,7 @@ def open_reference(path, horizon):
     reader = simple.OpenDataFile(path)
     if reader is None:
         sys.exit("show_error: %s can not be read" % path)
-    if path.endswith(".vsm"):
+    if path.endswith((".vsm", ".vsm.gz")):
         reader.UpdatePipelineInformation()
         names = list(reader.HorizonStatus.Available)
         name = names[0] if horizon is None else "Horizon %d" % horizon

@@ -91,21 +91,6 @@ void ForEachVoxel(const HorizonVoxels& horizon, const VolumePoints& points, Writ
     });
 }
 
-void CheckMemory(const VolumePoints& points, const VolumeOptions& options)
-{
-  const double bytesPerPoint = options.Attribute == VolumeAttribute::None ? sizeof(int) : sizeof(int) + sizeof(float);
-  const std::array<std::int64_t, 3>& sizes = points.Dimensions();
-  const double size = double(sizes[0]) * double(sizes[1]) * double(sizes[2]) * bytesPerPoint / BytesOfMB;
-  if (size > options.MemoryLimit)
-  {
-    std::ostringstream text;
-    text.precision(0);
-    text << std::fixed << "a volume of " << sizes[0] << " x " << sizes[1] << " x " << sizes[2] << " points that takes "
-         << std::ceil(size) << " MB, expected at most VolumeMemoryLimit, " << options.MemoryLimit << " MB";
-    throw InputError(text.str());
-  }
-}
-
 void CheckBackground(const std::vector<const HorizonVoxels*>& horizons, int background)
 {
   for (const HorizonVoxels* horizon : horizons)
@@ -180,13 +165,28 @@ VoxelExtent ToImageExtent(const VoxelExtent& extent, const ImageFrame& frame)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& options)
+{
+  const double bytesPerPoint = options.Attribute == VolumeAttribute::None ? sizeof(int) : sizeof(int) + sizeof(float);
+  const std::array<std::int64_t, 3> sizes = VolumePoints(imageExtent, 1).Dimensions();
+  const double size = double(sizes[0]) * double(sizes[1]) * double(sizes[2]) * bytesPerPoint / BytesOfMB;
+  if (size > options.MemoryLimit)
+  {
+    std::ostringstream text;
+    text.precision(0);
+    text << std::fixed << "a volume of " << sizes[0] << " x " << sizes[1] << " x " << sizes[2] << " points that takes "
+         << std::ceil(size) << " MB, expected at most VolumeMemoryLimit, " << options.MemoryLimit << " MB";
+    throw InputError(text.str());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const HorizonVoxels*>& horizons,
   const HorizonPlacement& placement, const VoxelExtent& imageExtent, const VolumeOptions& options,
   const Monitor& monitor)
 {
   const ImageFrame frame = MakeVolumeFrame(placement.ToWorld);
   const VolumePoints points(imageExtent, frame.VerticalSign);
-  CheckMemory(points, options);
   CheckBackground(horizons, options.Background);
   auto image = vtkSmartPointer<vtkImageData>::New();
   VoxelExtent extent = imageExtent; // VTK takes it as if it changed it

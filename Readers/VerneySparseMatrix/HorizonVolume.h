@@ -38,9 +38,11 @@ struct VolumeOptions
 /// The extent of image data for a box of voxels, and the other way round.
 VoxelExtent ToImageExtent(const VoxelExtent& extent, const ImageFrame& frame);
 
-/// Makes image data of that extent with a point for each cell of the lattice. Horizons have to be in the order of their
-/// numbers. Throws InputError when it takes more memory than allowed, when the background is the ID of a horizon, and
-/// when an attribute is too large for single precision.
+/// Throws InputError when a volume takes more memory than allowed.
+void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& options);
+
+/// Makes image data of that extent with a point for each cell of the lattice. Throws InputError when the background is
+/// the ID of a horizon, and when an attribute is too large for single precision.
 vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const HorizonVoxels*>& horizons,
   const HorizonPlacement& placement, const VoxelExtent& imageExtent, const VolumeOptions& options,
   const Monitor& monitor);

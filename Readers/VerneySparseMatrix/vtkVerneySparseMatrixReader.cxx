@@ -264,6 +264,8 @@ void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers
   }
   const ImageFrame frame = MakeVolumeFrame(this->MakeHorizonPlacement().ToWorld);
   outputInformation->Set(Pipeline::WHOLE_EXTENT(), ToImageExtent(extent, frame).data(), 6);
+  // After an error the pipeline would still ask for what could not be made then.
+  outputInformation->Remove(Pipeline::COMBINED_UPDATE_EXTENT());
   outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
   outputInformation->Set(vtkDataObject::SPACING(), frame.Spacing.data(), 3);
   outputInformation->Set(vtkDataObject::DIRECTION(), frame.Direction.data(), 9);
@@ -280,16 +282,17 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
     this->Superclass::MakeOutput(names, numbers, outputInformation, monitor);
     return;
   }
+  VoxelExtent extent = EmptyExtent;
+  outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  const VolumeOptions options = { static_cast<VolumeAttribute>(this->VolumeArray), this->BackgroundValue,
+    this->VolumeMemoryLimit };
+  CheckVolumeMemory(extent, options);
   const SparseMatrix matrix = this->TakeMatrix(monitor.Step(0.0, 0.6));
   std::vector<const HorizonVoxels*> horizons;
   for (const int number : numbers)
   {
     horizons.push_back(&matrix.Horizons[static_cast<std::size_t>(number)]);
   }
-  VoxelExtent extent = EmptyExtent;
-  outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
-  const VolumeOptions options = { static_cast<VolumeAttribute>(this->VolumeArray), this->BackgroundValue,
-    this->VolumeMemoryLimit };
   vtkDataObject::GetData(outputInformation)
     ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeHorizonPlacement(), extent, options, monitor.Step(0.6, 1.0)));
 }

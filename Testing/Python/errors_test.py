@@ -70,10 +70,12 @@ def main():
     for path, parts in wrong_files.write(folder):
         check(path.name, parts, simple.VerneySparseMatrixReader, FileName=str(path))
     # File > Open finds the reader by the name of the file, so that it is the reader that says what is wrong.
-    for name, content in (("empty.vsm", b""), ("zipped.vsm", b"\x1f\x8b\x08\x00"), ("CAPITALS.VSM", b"2 2\n")):
+    header = ["line 1", "expected three positive integers"]
+    cut = ["byte 4: end of file, expected the rest of the compressed data"]
+    for name, content, parts in (("empty.vsm", b"", header), ("CAPITALS.VSM", b"2 2\n", header),
+                                 ("cut.vsm", b"\x1f\x8b\x08\x00", cut), ("cut.vsm.gz", b"\x1f\x8b\x08\x00", cut)):
         (folder / name).write_bytes(content)
-        check("open " + name, ["line 1", "expected three positive integers"],
-              lambda path=folder / name: simple.OpenDataFile(str(path)))
+        check("open " + name, parts, lambda path=folder / name: simple.OpenDataFile(str(path)))
     # A sphere is no horizon: it has neither a lattice nor an outline.
     sphere = simple.Sphere()
     for stage in ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",

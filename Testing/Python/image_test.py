@@ -5,11 +5,15 @@
 With --changed a parameter is slightly off, and the picture has to differ: this shows that the comparison sees.
 """
 
+import math
+
 import image_compare
 import seismichorizons as sh
 from seismichorizons import pictures
 from seismichorizons.pipeline import read_first, surface
-from seismichorizons.stage import apply
+from seismichorizons.stage import apply, make, update
+from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 SIZE = (480, 420)
 
@@ -23,6 +27,7 @@ class Parameters:
         self.cell_size = 4 if changed else 3
         self.flatness_threshold = 0.0 if changed else 0.12
         self.maximum_error = 0.9 if changed else 0.75
+        self.angle = 0.52 if changed else 0.5
 
 
 def simplified_boundary(data, parameters):
@@ -40,11 +45,29 @@ def elaborate(data, parameters):
     return apply(sh.vtkHorizonElaborateSimplification(), straight, FlatnessThreshold=parameters.flatness_threshold)
 
 
+def voxels(sample, angle):
+    """The cells of a volume at the voxels of all horizons, on a survey that is turned."""
+    along, across = (2.0 * math.cos(angle), 2.0 * math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    reader = make("vtkVerneySparseMatrixReader", FileName=sample, OutputType="Volume", ColumnStep=along, RowStep=across)
+    update(reader)
+    cells = vtkThreshold()
+    cells.SetInputConnection(reader.GetOutputPort())
+    cells.SetInputArrayToProcess(0, 0, 0, 0, "SurfaceId")
+    cells.SetLowerThreshold(1)
+    cells.AllScalarsOff()
+    surface = vtkGeometryFilter()
+    surface.SetInputConnection(cells.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
+
+
 def panel(scene, sample, changed):
     """The panel of a scene. Only what belongs to the scene is changed, not what leads to it."""
     usual, own = Parameters(False), Parameters(changed)
     if scene == "Points":
         return pictures.Panel("", "", read_first(sample, RowStep=own.row_step), pictures.POINTS)
+    if scene == "Volume":
+        return pictures.Panel("", "", voxels(sample, own.angle), pictures.MESH)
     if scene == "ExteriorBoundary":
         data = apply(sh.vtkHorizonExteriorBoundary(), read_first(sample, RowStep=own.row_step))
         return pictures.Panel("", "", data, pictures.OUTLINE)

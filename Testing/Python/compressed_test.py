@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that gzip compressed, of all formats: what is read is the same, and results have the names of the files within.
+
+Argument: a folder for the files.
+"""
+
+import contextlib
+import gzip
+import io
+import pathlib
+import sys
+import unittest
+
+from seismichorizons import batch, pipeline
+from seismichorizons.stage import HorizonError, make, update
+
+MATRIX = b"3 2 9\n1 1 1 1 1\n2 1 1 2 2\n3 1 1 3 3\n4 1 1 4 4\n5 1 1 5 5\n6 1 1 6 6\n"
+PICKS = b"".join(b"%.1f %.1f %d\n" % (100 + 25 * i, 200 + 25 * j, 1000 + i * j) for j in range(6) for i in range(5))
+GRID = b"-996 2 25.0 25.0\n0 50 0 25\n3 0.0 0.0 0.0\n0 0 0 0 0 0 0\n1 2 3 4 5 6\n"
+SURFACE = b"GOCAD TSurf 1\nHEADER {\nname:Top\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"
+FILES = (("a.vsm", MATRIX, "vtkVerneySparseMatrixReader"), ("picks.xyz", PICKS, "vtkHorizonTextReader"),
+         ("map.irap", GRID, "vtkHorizonGridReader"), ("top.ts", SURFACE, "vtkGOCADTSurfReader"))
+
+FOLDER = pathlib.Path(sys.argv[1]).resolve()
+
+
+def write(name, content):
+    path = FOLDER / name
+    path.write_bytes(content)
+    return path
+
+
+def load(path, class_name):
+    """The names and points of the horizons of a file."""
+    reader = make(class_name, FileName=str(path))
+    update(reader)
+    output = reader.GetOutput()
+    blocks = [output.GetPartition(n, 0) for n in range(output.GetNumberOfPartitionedDataSets())]
+    names = [reader.GetHorizonName(n) for n in range(reader.GetNumberOfHorizons())]
+    return names, [[block.GetPoint(n) for n in range(block.GetNumberOfPoints())] for block in blocks]
+
+
+class CompressedFiles(unittest.TestCase):
+    def test_all_formats(self):
+        for name, content, class_name in FILES:
+            with self.subTest(name):
+                plain = write(name, content)
+                compressed = write(name + ".gz", gzip.compress(content[:40]) + gzip.compress(content[40:]))
+                self.assertEqual(make(class_name).CanReadFile(str(compressed)), 1)
+                names, points = load(plain, class_name)
+                self.assertEqual(load(compressed, class_name), (names, points))
+                self.assertEqual(names, {"a.vsm": ["Horizon 1"], "top.ts": ["Top"]}.get(name, [plain.stem]))
+                self.assertGreaterEqual(len(points[0]), 3)
+
+    def test_recognised_by_content(self):
+        matrix = make("vtkVerneySparseMatrixReader")
+        self.assertEqual(matrix.CanReadFile(str(write("some.dat", gzip.compress(MATRIX)))), 1)
+        self.assertEqual(matrix.CanReadFile(str(write("text.dat", gzip.compress(b"dear all\n")))), 0)
+        self.assertEqual(matrix.CanReadFile(str(write("cut.dat", gzip.compress(MATRIX)[:-1]))), 1)
+        self.assertEqual(matrix.CanReadFile(str(write("cut.vsm.gz", b"\x1f\x8b"))), 1)  # so that it says what is wrong
+        self.assertEqual(matrix.CanReadFile(str(write("plain.vsm.gz", MATRIX))), 1)
+        self.assertEqual(load(FOLDER / "plain.vsm.gz", "vtkVerneySparseMatrixReader"),
+                         load(FOLDER / "some.dat", "vtkVerneySparseMatrixReader"))
+
+    def test_errors(self):
+        """One for each, with the name of the file."""
+        for name, content, class_name in FILES:
+            compressed = gzip.compress(content)
+            for wrong, text in ((compressed[:-1], "byte %d: end of file, expected the rest" % (len(compressed) - 1)),
+                                (compressed[:-5] + b"\0" + compressed[-4:], "damaged compressed data"),
+                                (compressed + b"x", "byte %d: more bytes after" % len(compressed))):
+                with self.subTest(name + ": " + text):
+                    path = write(name + ".gz", wrong)
+                    with self.assertRaises(HorizonError) as raised:
+                        load(path, class_name)
+                    self.assertIn("%s: " % path, str(raised.exception))
+                    self.assertIn(text, str(raised.exception))
+        path = write("lines.vsm.gz", gzip.compress(MATRIX.replace(b"4 1 1 4", b"4 1 x 4")))
+        with self.assertRaisesRegex(HorizonError, 'line 5: thickness "x", expected a number'):
+            load(path, "vtkVerneySparseMatrixReader")
+
+    def test_names_of_results(self):
+        """Those of the file within."""
+        folder = FOLDER / "batch"
+        folder.mkdir(exist_ok=True)
+        (folder / "a.vsm.gz").write_bytes(gzip.compress(MATRIX))
+        (folder / "picks.xyz.GZ").write_bytes(gzip.compress(PICKS))
+        messages = []
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            batch.run([folder], folder / "output", pipeline.Settings(rough=None), False,
+                      lambda kind, text: messages.append("%s: %s" % (kind, text)))
+        self.assertEqual(messages, [])
+        self.assertEqual(sorted(path.name for path in (folder / "output").iterdir()), ["a_horizon_1.vtp", "picks.vtp"])
+        self.assertTrue(printed.getvalue().startswith("a.vsm.gz: read in "), printed.getvalue())
+        with self.assertRaisesRegex(HorizonError, "would write the same results"):
+            batch.make_labels([folder / "a.vsm", folder / "a.vsm.gz"])
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=["compressed_test"], verbosity=2)
