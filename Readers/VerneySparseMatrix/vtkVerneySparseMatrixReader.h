@@ -45,7 +45,8 @@
  * The file is read once, for the list of horizons, and what was found is kept until the horizons are asked for; it is
  * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
  * lines are parsed on several threads. The peak of memory is 36 bytes per voxel of the file, those of horizons that are
- * not selected included, plus 44 bytes per voxel of the output, which has 72 and takes arrays over as they are.
+ * not selected included, plus 44 bytes per voxel of the output, which has 72 and takes arrays over as they are; or plus
+ * what a volume takes, 4 or 8 bytes for each of its points.
  *
  * Of several processes each reads the whole file.
  *
@@ -80,15 +81,15 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The path of the file, in UTF-8. It may be compressed by gzip, whatever its name. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * 1 for any name that ends in .vsm, in letters of either case: when something is wrong with the file, reading it says
-   * what. For other names 1 when the first line of the file is what the format asks for: three positive integers,
+   * 1 for any name that ends in .vsm or .vsm.gz, in letters of either case: when something is wrong with the file,
+   * reading it says what. For other names 1 when the first line of the file is what the format asks for: three positive integers,
    * separated by blanks, within the first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of
    * the file is looked at.
    */

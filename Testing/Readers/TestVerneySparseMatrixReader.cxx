@@ -500,11 +500,14 @@ void PrintListsEveryProperty()
   reader->SetHorizonStatus("Horizon 12", 1);
   std::ostringstream stream;
   reader->SetOutputTypeToImages();
+  reader->SetVolumeExtentToBoundingBox();
+  reader->SetVolumeArrayToThickness();
   reader->Print(stream);
-  for (const char* text : { "FileName: some.vsm", "OutputType: Images", "Elevation: RealZ", "Origin: (1.5, 2.5, 3.5)",
-         "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5", "VerticalDirection: Up",
-         "DuplicatePolicy: Lowest", "SmallestHorizonSize: 1", "ColumnRange: 0 to -1", "RowRange: 0 to -1",
-         "HorizonSelection:", "Horizon 12" })
+  for (const char* text : { "FileName: some.vsm", "OutputType: Images", "VolumeExtent: BoundingBox",
+         "VolumeArray: Thickness", "BackgroundValue: 0", "VolumeMemoryLimit: 2048", "Elevation: RealZ",
+         "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5",
+         "VerticalDirection: Up", "DuplicatePolicy: Lowest", "SmallestHorizonSize: 1", "ColumnRange: 0 to -1",
+         "RowRange: 0 to -1", "HorizonSelection:", "Horizon 12" })
   {
     Check::True(stream.str().find(text) != std::string::npos, text, __FILE__, __LINE__);
   }

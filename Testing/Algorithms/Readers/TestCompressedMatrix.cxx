@@ -11,7 +11,7 @@
 #include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <array>
-#include <cstdint>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -114,12 +114,8 @@ void CutFilesGiveOneError()
 void DamagedFilesGiveOneErrorOrTheSame()
 {
   const std::string compressed = Gzip::Compress(Small);
-  std::uint64_t state = 1;
-  const auto random = [&state](std::size_t below)
-  {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<std::size_t>((state >> 33) % below);
-  };
+  std::mt19937_64 engine;
+  const auto random = [&engine](std::size_t below) { return static_cast<std::size_t>(engine() % below); };
   int refused = 0;
   constexpr int numberOfFiles = 5000;
   for (int file = 0; file < numberOfFiles; ++file)
