@@ -99,8 +99,8 @@ inline CellRange ShrunkRange(const RasterGrid& grid, int axis, double low, doubl
   return grid.Range(axis, std::min(low + grid.Slack, middle), std::max(high - grid.Slack, middle));
 }
 
-/// Calls visit(cell) for all cells that a triangle touches, until that returns false. Each place of the triangle is in
-/// one of them, or beyond it by twice the slack at most.
+/// Calls visit(cell) for all cells that a triangle touches. Each place of the triangle is in one of them, or beyond it
+/// by twice the slack at most.
 template <typename Visitor>
 void ForEachCell(const RasterGrid& grid, const PlanTriangle& triangle, Visitor&& visit)
 {
@@ -118,12 +118,20 @@ void ForEachCell(const RasterGrid& grid, const PlanTriangle& triangle, Visitor&&
     }
     for (std::int64_t cell = row * grid.Size[0] + cells.First; cell <= row * grid.Size[0] + cells.Last; ++cell)
     {
-      if (!visit(cell))
-      {
-        return;
-      }
+      visit(cell);
     }
   }
+}
+
+constexpr std::uint32_t ManyCells = 0xffffffffU;
+
+/// The one cell that a triangle touches, or ManyCells.
+inline std::uint32_t OnlyCell(const RasterGrid& grid, const PlanTriangle& triangle)
+{
+  const CellRange x = ShrunkRange(grid, 0, triangle.Low(0), triangle.High(0));
+  const CellRange y = ShrunkRange(grid, 1, triangle.Low(1), triangle.High(1));
+  const bool isOne = x.First == x.Last && y.First == y.Last;
+  return isOne ? std::uint32_t(y.First * grid.Size[0] + x.First) : ManyCells;
 }
 
 struct HeightRange
@@ -141,6 +149,11 @@ inline HeightRange HeightsWithin(
   const Eigen::Vector3d& c = surface.Point(t[2]);
   const double low = std::min({ a.z(), b.z(), c.z() });
   const double high = std::max({ a.z(), b.z(), c.z() });
+  const auto offset = [&middle](const Eigen::Vector3d& v) { return (v.head<2>().array() - middle).abs().maxCoeff(); };
+  if (std::max({ offset(a), offset(b), offset(c) }) <= reach)
+  {
+    return { low, high };
+  }
   const Eigen::Vector3d normal = (b - a).cross(c - a);
   const Eigen::Array2d slope = -normal.head<2>().array() / normal.z();
   const double height = a.z() + (slope * (middle - a.head<2>().array())).sum();

@@ -21,6 +21,9 @@ constexpr std::size_t MostMetrics = 2;
 
 class Facet
 {
+  // Balls are a little larger than they are, as rounding may put places on the other side of an edge.
+  static constexpr double LittleMore = 1.0 + 1e-6;
+
 public:
   /// No triangle.
   Facet() = default;
@@ -73,8 +76,8 @@ public:
   {
     const Plane& plane = this->Planes[metric];
     const double height = plane.Normal.dot(place - this->Origin);
-    squared = height * height * plane.Inverse;
-    const double grown = squared * Grown;
+    squared = height * height / plane.SquaredNormal;
+    const double grown = squared * plane.Grown;
     return this->Areas[0] * this->Areas[0] >= grown * plane.SquaredSides[0] &&
       this->Areas[1] * this->Areas[1] >= grown * plane.SquaredSides[1] &&
       this->Areas[2] * this->Areas[2] >= grown * plane.SquaredSides[2] && plane.IsSure;
@@ -97,14 +100,12 @@ public:
   }
 
 private:
-  // Balls are a little larger than they are, as rounding may put places on the other side of an edge.
-  static constexpr double Grown = 1.0 + 1e-6;
-
   struct Plane
   {
     Eigen::Vector3d Normal = Eigen::Vector3d::Zero(); // times the difference of places: the distance, times its length
-    double Inverse = 0.0; // of the square of that length
-    std::array<double, 3> SquaredSides = {}; // over the square of the scale of areas in plan
+    double SquaredNormal = 1.0; // the square of that length
+    std::array<double, 3> SquaredSides = {}; // in plan
+    double Grown = 1.0; // squared distances times these are as areas of the lattice over sides of the metric
     bool IsSure = false;
   };
 
@@ -118,11 +119,11 @@ private:
     const double longest =
       std::max({ mapped[0].squaredNorm(), mapped[1].squaredNorm(), mapped[2].squaredNorm() });
     plane.Normal = metric.Transposed(normal);
-    plane.Inverse = 1.0 / square;
-    const double scale = 1.0 / (metric.PlanScale() * metric.PlanScale());
+    plane.SquaredNormal = square;
+    plane.Grown = LittleMore * metric.SquaredPlanShrinkage();
     for (std::size_t side = 0; side < 3; ++side)
     {
-      plane.SquaredSides[side] = scale * mapped[side].head<2>().squaredNorm();
+      plane.SquaredSides[side] = mapped[side].head<2>().squaredNorm();
     }
     plane.IsSure = square > SquaredWidthOfNeedle * longest * longest;
   }

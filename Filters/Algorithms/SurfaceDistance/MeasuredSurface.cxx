@@ -48,10 +48,12 @@ MeasuredSurface::MeasuredSurface(
   const TriangleSurface& surface, const std::vector<Metric>& metrics, const Monitor& monitor)
   : Surface(surface)
   , Metrics(metrics)
-  , Search(surface, monitor)
+  , Search(surface, monitor.Step(0.0, 0.7))
   , Edges(surface)
-  , Outline(FindOutline(surface, this->Edges))
-  , Area(MeasureAreas(surface, metrics))
 {
+  monitor.Progress(0.8);
+  this->Outline = FindOutline(surface, this->Edges);
+  monitor.Progress(0.9);
+  this->Area = MeasureAreas(surface, metrics);
 }
 }

@@ -37,6 +37,7 @@ public:
     const double yLength = plan.col(1).norm();
     const double least = std::sqrt(std::max(0.0, 1.0 - std::abs(this->YtoX) / yLength));
     this->AxisWeights = { least * this->XtoX, least * yLength, this->ZtoZ };
+    this->Shrinkage = 1.0 / (this->XtoX * this->YtoY * this->XtoX * this->YtoY);
   }
 
   Eigen::Vector3d operator()(const Eigen::Vector3d& v) const
@@ -53,8 +54,8 @@ public:
   /// The length of a difference is at least that of its coordinates times these.
   const Eigen::Array3d& Weights() const { return this->AxisWeights; }
 
-  /// An area in plan becomes so many times as large.
-  double PlanScale() const { return this->XtoX * this->YtoY; }
+  /// The square of an area in plan is so much of that of its image.
+  double SquaredPlanShrinkage() const { return this->Shrinkage; }
 
   double Length(const Eigen::Vector3d& v) const { return (*this)(v).norm(); }
 
@@ -94,6 +95,7 @@ private:
   double YtoX = 0.0;
   double YtoY = 1.0;
   double ZtoZ = 1.0;
+  double Shrinkage = 1.0;
   Eigen::Array3d AxisWeights = { 1.0, 1.0, 1.0 };
 };
 }

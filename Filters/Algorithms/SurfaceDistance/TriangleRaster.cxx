@@ -21,6 +21,9 @@ constexpr double SlackOfCells = 1e-6; // of their side
 // Slack is at least so many times the rounding of the largest coordinate.
 constexpr double LeastSlack = 64.0;
 
+// Rounding to single precision moves a height by up to 2^-24 of half of their range, and so does the margin itself.
+constexpr double RoundingOfHeights = 0x1p-22;
+
 // Limits beyond which a tree takes less time and memory.
 constexpr std::int64_t MostCellsPerTriangle = 2;
 constexpr std::int64_t MostItemsPerTriangle = 8;
@@ -65,17 +68,22 @@ double RoundSide(double side)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TriangleRaster::TriangleRaster(const TriangleSurface& surface)
+TriangleRaster::TriangleRaster(const TriangleSurface& surface, const Monitor& monitor)
   : Surface(surface)
 {
-  if (!this->MakeGrid() || !this->SortIntoCells() || this->IsCrowded())
+  monitor.Progress(0.0);
+  const bool hasGrid = this->MakeGrid();
+  monitor.Progress(0.2);
+  if (!hasGrid || !this->SortIntoCells() || this->IsCrowded())
   {
     this->Grid.Size[0] = this->Grid.Size[1] = 0;
     this->Sort = CountingSort<std::uint32_t>();
     this->Items = std::vector<std::uint32_t>();
     return;
   }
+  monitor.Progress(0.5);
   this->FindOverlaps();
+  monitor.Progress(0.75);
   this->MakePyramid();
 }
 
@@ -88,6 +96,7 @@ bool TriangleRaster::MakeGrid()
   const std::int64_t triangles = std::int64_t(this->Surface.Triangles.size());
   const double most = double(MostCellsPerTriangle * triangles + FewItems);
   this->Middle = extent.Box.center().z();
+  this->Margin = float(RoundingOfHeights * extent.Box.sizes().z());
   double side = RoundSide(std::sqrt(extent.PlanArea / double(triangles)));
   if (!(side > 0.0) || !std::isfinite(side))
   {
@@ -108,42 +117,65 @@ bool TriangleRaster::MakeGrid()
   this->Grid.Slack = SlackOfCells * side;
   this->Grid.Size[0] = std::int64_t(size[0]);
   this->Grid.Size[1] = std::int64_t(size[1]);
-  const double largest = std::max(extent.Box.min().cwiseAbs().maxCoeff(), extent.Box.max().cwiseAbs().maxCoeff());
+  const double largest =
+    std::max(extent.Box.min().head<2>().cwiseAbs().maxCoeff(), extent.Box.max().head<2>().cwiseAbs().maxCoeff());
   return this->Grid.Slack > LeastSlack * std::numeric_limits<double>::epsilon() * largest;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// By triangle: the one cell that it touches, or ManyCells.
+std::vector<std::uint32_t> TriangleRaster::FindOnlyCells() const
+{
+  const std::vector<Corners>& triangles = this->Surface.Triangles;
+  std::vector<std::uint32_t> only(triangles.size());
+  ParallelFor(std::int64_t(triangles.size()), TrianglesPerChunk,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::size_t n = std::size_t(first); n < std::size_t(last); ++n)
+      {
+        only[n] = OnlyCell(this->Grid, PlanTriangle(this->Surface, triangles[n]));
+      }
+    });
+  return only;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 /// False where there are too many items.
 bool TriangleRaster::SortIntoCells()
 {
-  const std::vector<Corners>& triangles = this->Surface.Triangles;
-  const std::int64_t most = MostItemsPerTriangle * std::int64_t(triangles.size()) + FewItems;
-  this->Sort = CountingSort<std::uint32_t>(this->Grid.Cells());
-  std::int64_t items = 0;
-  for (const Corners& t : triangles)
+  const std::vector<std::uint32_t> only = this->FindOnlyCells();
+  const std::size_t most = std::size_t(MostItemsPerTriangle) * only.size() + std::size_t(FewItems);
+  const auto forEach = [&](std::size_t n, auto&& visit)
   {
-    ForEachCell(this->Grid, PlanTriangle(this->Surface, t),
+    only[n] != ManyCells
+      ? visit(std::int64_t(only[n]))
+      : ForEachCell(this->Grid, PlanTriangle(this->Surface, this->Surface.Triangles[n]), visit);
+  };
+  this->Sort = CountingSort<std::uint32_t>(this->Grid.Cells());
+  std::size_t items = 0;
+  for (std::size_t n = 0; n < only.size() && items <= most; ++n)
+  {
+    forEach(n,
       [&](std::int64_t cell)
       {
         this->Sort.Count(cell);
-        return ++items <= most;
+        ++items;
       });
-    if (items > most)
-    {
-      return false;
-    }
+  }
+  if (items > most)
+  {
+    return false;
   }
   this->Sort.EndCounting();
-  this->Items.resize(std::size_t(items));
-  for (std::size_t n = 0; n < triangles.size(); ++n)
+  this->Items.resize(items);
+  for (std::size_t n = 0; n < only.size(); ++n)
   {
     std::uint32_t owner = OwnerBit;
-    ForEachCell(this->Grid, PlanTriangle(this->Surface, triangles[n]),
+    forEach(n,
       [&](std::int64_t cell)
       {
         this->Items[this->Sort.NextPosition(cell)] = std::uint32_t(n) | owner;
         owner = 0;
-        return true;
       });
   }
   return true;
@@ -205,8 +237,7 @@ TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
     low = std::min(low, heights.Low);
     high = std::max(high, heights.High);
   }
-  constexpr float Infinity = std::numeric_limits<float>::infinity();
-  return { std::nextafter(float(low - this->Middle), -Infinity), std::nextafter(float(high - this->Middle), Infinity) };
+  return { float(low - this->Middle) - this->Margin, float(high - this->Middle) + this->Margin };
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #define SeismicHorizonsTriangleRaster_h
 
 #include "Common/CountingSort.h"
+#include "Common/Monitor.h"
 #include "Metric.h"
 #include "TriangleSurface.h"
 
@@ -74,7 +75,7 @@ class TriangleRaster
 public:
   /// `surface` is one that CheckSurface takes, and must outlive the raster. Linear, on several threads; about 15 bytes
   /// per triangle where all are about the same size. The same raster for any number of threads.
-  explicit TriangleRaster(const TriangleSurface& surface);
+  explicit TriangleRaster(const TriangleSurface& surface, const Monitor& monitor = Monitor());
 
   /// False where a tree is quicker: then the raster is empty.
   bool IsWorthwhile() const { return this->Grid.Cells() > 0; }
@@ -128,6 +129,7 @@ private:
   struct Waiting;
 
   bool MakeGrid();
+  std::vector<std::uint32_t> FindOnlyCells() const;
   bool SortIntoCells();
   bool IsCrowded() const;
   void FindOverlaps();
@@ -145,6 +147,7 @@ private:
   std::vector<std::atomic<unsigned char>> Overlaps; // by triangle
   std::vector<Level> Pyramid;
   double Middle = 0.0;
+  float Margin = 0.0F; // by how much heights are widened: more than rounding moves any
 };
 }
 

@@ -23,6 +23,15 @@ constexpr std::size_t MostWaiting = 3 * 64 + 1;
 // How far outside a triangle a place still counts as across: of its area. It is then searched for anything nearer all
 // the same.
 constexpr double Across = 1e-9;
+
+/// Whether the box of a triangle in plan reaches a place up to a tolerance.
+bool MayReach(const PlanTriangle& triangle, const Eigen::Vector3d& place, double tolerance)
+{
+  const auto low = triangle.Corner[0].array().min(triangle.Corner[1].array()).min(triangle.Corner[2].array());
+  const auto high = triangle.Corner[0].array().max(triangle.Corner[1].array()).max(triangle.Corner[2].array());
+  const auto plan = place.head<2>().array();
+  return (low - plan).max(plan - high).maxCoeff() <= tolerance;
+}
 }
 
 /// A box that is still to be searched.
@@ -166,8 +175,11 @@ double TriangleRaster::FindHeight(const Eigen::Vector3d& point, double tolerance
       const std::int64_t cell = row * this->Grid.Size[0] + column;
       for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
       {
-        best = NearerHeight(
-          this->Surface, this->Surface.Triangles[this->Items[n] & ~OwnerBit], point, tolerance, best);
+        const Corners& t = this->Surface.Triangles[this->Items[n] & ~OwnerBit];
+        if (MayReach(PlanTriangle(this->Surface, t), point, 2.0 * tolerance))
+        {
+          best = NearerHeight(this->Surface, t, point, tolerance, best);
+        }
       }
     }
   }

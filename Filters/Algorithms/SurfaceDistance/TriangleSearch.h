@@ -21,12 +21,12 @@ class TriangleSearch
 public:
   /// `surface` is one that CheckSurface takes, and must outlive the search.
   explicit TriangleSearch(const TriangleSurface& surface, const Monitor& monitor = Monitor())
-    : Raster(std::make_unique<TriangleRaster>(surface))
+    : Raster(std::make_unique<TriangleRaster>(surface, monitor.Step(0.0, 0.5)))
   {
     if (!this->Raster->IsWorthwhile())
     {
       this->Raster.reset();
-      this->Tree = std::make_unique<TriangleTree>(surface, monitor);
+      this->Tree = std::make_unique<TriangleTree>(surface, monitor.Step(0.5, 1.0));
       this->Triangles = std::int64_t(surface.Triangles.size());
     }
   }
