@@ -19,7 +19,7 @@ std::int32_t DistanceProbe::FindAcross(const TriangleRaster& raster, const Eigen
   const std::int32_t across = raster.FindAcross(place);
   if (across >= 0 && across != this->Across.GetNumber())
   {
-    this->Across.Set(raster.GetSurface(), across, raster.IsAlone(across), this->Metrics);
+    this->Across.Set(raster.GetSurface(), across, raster.IsAlone(across), raster.Slack(), this->Metrics);
     this->IsAcross = this->Across.Contains(place);
   }
   return across;

@@ -21,20 +21,24 @@ constexpr std::size_t MostMetrics = 2;
 
 class Facet
 {
-  // Balls are a little larger than they are, as rounding may put places on the other side of an edge.
-  static constexpr double LittleMore = 1.0 + 1e-6;
+  // Squares of sums: (a + b)^2 is at most LittleMore a^2 + MuchMore b^2.
+  static constexpr double LittleMore = 1.01;
+  static constexpr double MuchMore = 101.0;
 
 public:
   /// No triangle.
   Facet() = default;
 
-  /// `isAlone` tells that no other triangle overlaps it in plan.
-  void Set(const TriangleSurface& surface, std::int32_t number, bool isAlone, const std::vector<Metric>& metrics)
+  /// `isAlone` tells that no other triangle overlaps it in plan, but for a strip along its sides that is narrower than
+  /// `slack`.
+  void Set(const TriangleSurface& surface, std::int32_t number, bool isAlone, double slack,
+    const std::vector<Metric>& metrics)
   {
     const Corners& t = surface.Triangles[std::size_t(number)];
     this->Number = number;
     this->Origin = surface.Point(t[0]);
     this->IsAlone = isAlone;
+    this->Slack = slack;
     this->Heights = { surface.Point(t[0]).z(), surface.Point(t[1]).z(), surface.Point(t[2]).z() };
     const Eigen::Vector3d sides[3] = { surface.Point(t[1]) - surface.Point(t[0]),
       surface.Point(t[2]) - surface.Point(t[1]), surface.Point(t[0]) - surface.Point(t[2]) };
@@ -54,6 +58,7 @@ public:
     {
       SetPlane(metrics[n], sides, this->Planes[n]);
       this->Planes[n].IsSure = this->Planes[n].IsSure && isAlone;
+      this->Planes[n].SquaredSlack = MuchMore * slack * slack * metrics[n].SquaredPlanNorm();
     }
   }
 
@@ -71,13 +76,13 @@ public:
   }
 
   /// Of a place that it contains: whether the nearest place of the surface is known to be on this triangle's face, as
-  /// the ball around the place that touches its plane is within the triangle in plan; with the squared distance.
+  /// the ball around the place that touches its plane is well within the triangle in plan; with the squared distance.
   bool IsNearest(std::size_t metric, const Eigen::Vector3d& place, double& squared) const
   {
     const Plane& plane = this->Planes[metric];
     const double height = plane.Normal.dot(place - this->Origin);
     squared = height * height / plane.SquaredNormal;
-    const double grown = squared * plane.Grown;
+    const double grown = (LittleMore * squared + plane.SquaredSlack) * plane.Shrinkage;
     return this->Areas[0] * this->Areas[0] >= grown * plane.SquaredSides[0] &&
       this->Areas[1] * this->Areas[1] >= grown * plane.SquaredSides[1] &&
       this->Areas[2] * this->Areas[2] >= grown * plane.SquaredSides[2] && plane.IsSure;
@@ -93,7 +98,7 @@ public:
   /// Of a place that it contains: whether no other triangle is within that distance of the place in plan.
   bool IsOnlyOne(double distance) const
   {
-    const double squared = distance * distance;
+    const double squared = (distance + this->Slack) * (distance + this->Slack);
     return this->IsAlone && this->Areas[0] * this->Areas[0] > squared * this->Along[0].squaredNorm() &&
       this->Areas[1] * this->Areas[1] > squared * this->Along[1].squaredNorm() &&
       this->Areas[2] * this->Areas[2] > squared * this->Along[2].squaredNorm();
@@ -105,7 +110,8 @@ private:
     Eigen::Vector3d Normal = Eigen::Vector3d::Zero(); // times the difference of places: the distance, times its length
     double SquaredNormal = 1.0; // the square of that length
     std::array<double, 3> SquaredSides = {}; // in plan
-    double Grown = 1.0; // squared distances times these are as areas of the lattice over sides of the metric
+    double Shrinkage = 1.0; // times the square of an area in plan: that of the coordinates
+    double SquaredSlack = 0.0; // MuchMore times as large
     bool IsSure = false;
   };
 
@@ -120,7 +126,7 @@ private:
       std::max({ mapped[0].squaredNorm(), mapped[1].squaredNorm(), mapped[2].squaredNorm() });
     plane.Normal = metric.Transposed(normal);
     plane.SquaredNormal = square;
-    plane.Grown = LittleMore * metric.SquaredPlanShrinkage();
+    plane.Shrinkage = metric.SquaredPlanShrinkage();
     for (std::size_t side = 0; side < 3; ++side)
     {
       plane.SquaredSides[side] = mapped[side].head<2>().squaredNorm();
@@ -130,6 +136,7 @@ private:
 
   std::int32_t Number = -1;
   bool IsAlone = false;
+  double Slack = 0.0;
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
   std::array<double, 3> Heights = {}; // of the corners
   Eigen::Vector2d Second = Eigen::Vector2d::Zero(); // the second corner, from the first one

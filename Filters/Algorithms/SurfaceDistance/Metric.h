@@ -57,6 +57,12 @@ public:
   /// The square of an area in plan is so much of that of its image.
   double SquaredPlanShrinkage() const { return this->Shrinkage; }
 
+  /// A difference in plan becomes at most so many times as long; the square.
+  double SquaredPlanNorm() const
+  {
+    return this->XtoX * this->XtoX + this->YtoX * this->YtoX + this->YtoY * this->YtoY;
+  }
+
   double Length(const Eigen::Vector3d& v) const { return (*this)(v).norm(); }
 
   double Area(const TriangleSurface& surface, const Corners& t) const

@@ -100,8 +100,11 @@ public:
   /// A triangle right above or below a place; -1 for none. One that reaches the place by rounding alone counts.
   std::int32_t FindAcross(const Eigen::Vector3d& place) const;
 
-  /// Whether a triangle overlaps no other one in plan.
+  /// Whether a triangle overlaps no other one in plan, but for a strip along its sides that is narrower than Slack.
   bool IsAlone(std::int32_t triangle) const { return this->Overlaps[std::size_t(triangle)].load(std::memory_order_relaxed) == 0; }
+
+  /// Triangles reach over the cells that they are listed in by twice the slack of the grid at most, along both axes.
+  double Slack() const { return 4.0 * this->Grid.Slack; }
 
   /// Finds the nearest triangle. `best` and `nearest` are the squared distance to a triangle and its number, and become
   /// those of the nearest one.
