@@ -6,6 +6,7 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/Parallel.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPairs.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +29,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t PointsPerThread = 16384; // that a thread takes at a time
+
 bool HasTriangles(vtkPolyData* data)
 {
   return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
@@ -75,16 +79,28 @@ void CheckSize(vtkPolyData* data)
   }
 }
 
+/// Calls work(point, place) for the points of a surface, on several threads.
+template <typename Work>
+void ForEachPoint(TriangleSurface& surface, Work&& work)
+{
+  ParallelFor(std::int64_t(surface.Points.size()), PointsPerThread,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::size_t point = std::size_t(first); point < std::size_t(last); ++point)
+      {
+        work(point, surface.Points[point]);
+      }
+    });
+}
+
 /// A mesh in world coordinates.
 TriangleSurface ReadSurface(vtkPolyData* data)
 {
   CheckSize(data);
   TriangleSurface surface;
   surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
-  for (std::size_t point = 0; point < surface.Points.size(); ++point)
-  {
-    data->GetPoint(vtkIdType(point), surface.Points[point].data());
-  }
+  ForEachPoint(surface,
+    [data](std::size_t point, Eigen::Vector3d& place) { data->GetPoint(vtkIdType(point), place.data()); });
   surface.Triangles = ReadTriangles(data);
   return surface;
 }
@@ -100,15 +116,6 @@ std::optional<Lattice> FindLattice(vtkPolyData* reference, vtkPolyData* mesh)
     }
   }
   return std::nullopt;
-}
-
-template <typename Map>
-void MovePoints(TriangleSurface& surface, Map&& map)
-{
-  for (Eigen::Vector3d& point : surface.Points)
-  {
-    point = map(point);
-  }
 }
 
 std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distance)
@@ -149,17 +156,28 @@ struct Surfaces
   }
 
   template <typename Map>
-  void Move(Map&& map)
+  void Move(const Map& map)
   {
-    MovePoints(this->Reference, map);
-    MovePoints(this->Mesh, map);
-  }
-
-  SurfaceDistance Measure(const SurfaceDistanceOptions& options, const Monitor& monitor) const
-  {
-    return MeasureSurfaceDistance(this->Reference, this->Mesh, options, monitor);
+    for (TriangleSurface* const surface : { &this->Reference, &this->Mesh })
+    {
+      ForEachPoint(*surface, [&map](std::size_t, Eigen::Vector3d& place) { place = map(place); });
+    }
   }
 };
+
+/// Distances on the lattice, and in the world where these do not follow from them.
+std::vector<Metric> MakeMetrics(const Lattice& lattice, bool isUniform)
+{
+  std::vector<Metric> metrics = { Metric() };
+  if (!isUniform)
+  {
+    const Eigen::Vector3d origin = lattice.ToWorld({ 0, 0, 0 });
+    Eigen::Matrix2d plan;
+    plan << (lattice.ToWorld({ 1, 0, 0 }) - origin).head<2>(), (lattice.ToWorld({ 0, 1, 0 }) - origin).head<2>();
+    metrics.emplace_back(plan, (lattice.ToWorld({ 0, 0, 1 }) - origin).z());
+  }
+  return metrics;
+}
 
 /// What was measured on a lattice, in world units, when a lattice unit is `scale` of these long in all directions: then
 /// the nearest place is the same one in the world.
@@ -174,12 +192,9 @@ void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
   }
 }
 
-/// Measures surfaces in world units that were measured on a lattice.
-void MeasureInWorld(const Surfaces& surfaces, SurfaceDistanceOptions options, bool inWorldUnits, const Monitor& monitor,
-  MeasuredPair& measured)
+/// What was measured in world units at once.
+void TakeWorld(SurfaceDistance& inWorld, bool inWorldUnits, MeasuredPair& measured)
 {
-  options.Vertical = false; // follows from that on the lattice, whose columns are vertical
-  SurfaceDistance inWorld = surfaces.Measure(options, monitor);
   measured.Report.World = FiguresOf(inWorld);
   if (inWorldUnits)
   {
@@ -211,26 +226,20 @@ MeasuredPair MeasureSurfaces(
     { return Eigen::Vector3d(lattice ? lattice->ToLattice(world) : world - origin); });
   const double scale = lattice ? lattice->UniformScale() : 1.0;
   const bool isUniform = scale > 0.0;
+  const std::vector<Metric> metrics = lattice ? MakeMetrics(*lattice, isUniform) : std::vector<Metric>{ Metric() };
+  std::vector<SurfaceDistance> distances =
+    MeasureSurfaceDistances(surfaces.Reference, surfaces.Mesh, metrics, options, monitor);
   MeasuredPair measured;
-  measured.Points = surfaces.Measure(options, monitor.Step(0.0, isUniform ? 1.0 : 0.5));
+  measured.Points = std::move(distances.front());
   measured.Report.Lattice = FiguresOf(measured.Points);
   measured.Report.World = measured.Report.Lattice;
   measured.Report.Diagonal = MeasureDiagonal(surfaces.Reference);
   measured.Report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
-  if (!lattice)
+  if (lattice)
   {
-    return measured;
-  }
-  const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
-  measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
-  if (isUniform)
-  {
-    ScaleToWorld(scale, inWorldUnits, measured);
-  }
-  else
-  {
-    surfaces.Move([&](const Eigen::Vector3d& place) { return Eigen::Vector3d(lattice->ToWorld(place) - origin); });
-    MeasureInWorld(surfaces, options, inWorldUnits, monitor.Step(0.5, 1.0), measured);
+    const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
+    measured.Upwards = inWorldUnits ? step : step < 0.0 ? -1.0 : 1.0;
+    isUniform ? ScaleToWorld(scale, inWorldUnits, measured) : TakeWorld(distances.back(), inWorldUnits, measured);
   }
   return measured;
 }

@@ -13,6 +13,7 @@
 #define SeismicHorizonsSurfaceDistance_h
 
 #include "Common/Monitor.h"
+#include "Metric.h"
 #include "TriangleSurface.h"
 
 #include <array>
@@ -75,6 +76,13 @@ struct SurfaceDistance
 /// for any number of threads. Near linear; about 40 bytes per triangle of both.
 SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const TriangleSurface& mesh,
   const SurfaceDistanceOptions& options = SurfaceDistanceOptions(), const Monitor& monitor = Monitor());
+
+/// The same in one or two metrics at once, in their order: the places are the same ones, spread evenly in the first
+/// metric, and faces are weighted by their areas in each. Only the first result has PointDistances::Vertical, in units
+/// of z.
+std::vector<SurfaceDistance> MeasureSurfaceDistances(const TriangleSurface& reference, const TriangleSurface& mesh,
+  const std::vector<Metric>& metrics, const SurfaceDistanceOptions& options = SurfaceDistanceOptions(),
+  const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -4,7 +4,10 @@
 #include "TriangleSurface.h"
 
 #include "Common/Errors.h"
+#include "Common/Parallel.h"
 
+#include <atomic>
+#include <cstdint>
 #include <sstream>
 #include <string>
 
@@ -12,6 +15,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 16384; // points or triangles that a thread takes at a time
+
 void CheckPoint(const Eigen::Vector3d& place, std::size_t point, const char* name)
 {
   if (!(place.cwiseAbs().maxCoeff() <= LargestCoordinate) || !place.allFinite())
@@ -20,6 +25,18 @@ void CheckPoint(const Eigen::Vector3d& place, std::size_t point, const char* nam
     text << name << ": point " << point << " at (" << place.x() << ", " << place.y() << ", " << place.z()
          << "), expected finite coordinates of at most " << LargestCoordinate;
     throw InputError(text.str());
+  }
+}
+
+void CheckCorners(const TriangleSurface& surface, std::size_t triangle, const char* name)
+{
+  for (const PointId corner : surface.Triangles[triangle])
+  {
+    if (corner < 0 || std::size_t(corner) >= surface.Points.size())
+    {
+      throw InputError(std::string(name) + ": triangle " + std::to_string(triangle) + " has the corner " +
+        std::to_string(corner) + ", expected points from 0 to " + std::to_string(surface.Points.size() - 1));
+    }
   }
 }
 }
@@ -32,24 +49,30 @@ void CheckSurface(const TriangleSurface& surface, const char* name)
     throw InputError(std::string(name) + ": " + std::to_string(surface.Points.size()) +
       " points and no triangles, expected a triangle mesh");
   }
-  for (std::size_t point = 0; point < surface.Points.size(); ++point)
-  {
-    CheckPoint(surface.Points[point], point, name);
-  }
-  double area = 0.0;
-  for (std::size_t triangle = 0; triangle < surface.Triangles.size(); ++triangle)
-  {
-    for (const PointId corner : surface.Triangles[triangle])
+  ParallelFor(std::int64_t(surface.Points.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
     {
-      if (corner < 0 || std::size_t(corner) >= surface.Points.size())
+      for (std::size_t point = std::size_t(first); point < std::size_t(last); ++point)
       {
-        throw InputError(std::string(name) + ": triangle " + std::to_string(triangle) + " has the corner " +
-          std::to_string(corner) + ", expected points from 0 to " + std::to_string(surface.Points.size() - 1));
+        CheckPoint(surface.Points[point], point, name);
       }
-    }
-    area += surface.Area(surface.Triangles[triangle]);
-  }
-  if (!(area > 0.0))
+    });
+  std::atomic<bool> hasArea = false;
+  ParallelFor(std::int64_t(surface.Triangles.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      bool found = false;
+      for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
+      {
+        CheckCorners(surface, triangle, name);
+        found = found || surface.Area(surface.Triangles[triangle]) > 0.0;
+      }
+      if (found)
+      {
+        hasArea = true;
+      }
+    });
+  if (!hasArea)
   {
     throw InputError(std::string(name) + ": " + std::to_string(surface.Triangles.size()) +
       " triangles without any area, expected a surface");

@@ -138,8 +138,10 @@ void TriangleTree::Sort(const Monitor& monitor)
     ParallelFor(std::int64_t(this->NodesOf(level)), Grain / std::int64_t(capacity) + 1, split);
   }
   this->Triangles.reserve(size);
+  this->Numbers.reserve(size);
   for (const Middle& middle : middles)
   {
+    this->Numbers.push_back(middle.Triangle);
     this->Triangles.push_back(this->Surface.Triangles[std::size_t(middle.Triangle)]);
   }
 }

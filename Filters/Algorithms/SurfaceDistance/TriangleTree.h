@@ -13,6 +13,7 @@
 #define SeismicHorizonsTriangleTree_h
 
 #include "Common/Monitor.h"
+#include "Metric.h"
 #include "TriangleSurface.h"
 
 #include <Eigen/Core>
@@ -27,16 +28,17 @@ class TriangleTree
 {
 public:
   /// `surface` is one that CheckSurface takes, but needs no area; it must outlive the tree. Time near n log n, on
-  /// several threads; about 19 bytes per triangle, and 16 more while the tree is made. The same tree for any number of
+  /// several threads; about 23 bytes per triangle, and 16 more while the tree is made. The same tree for any number of
   /// threads.
   explicit TriangleTree(const TriangleSurface& surface, const Monitor& monitor = Monitor());
 
-  /// The triangles in the order of the tree: those that follow each other are near each other.
-  const std::vector<Corners>& SortedTriangles() const { return this->Triangles; }
+  /// The number, in the surface, of a triangle in the order of the tree: those that follow each other are near each
+  /// other.
+  std::int32_t NumberOf(std::size_t sorted) const { return this->Numbers[sorted]; }
 
   /// The squared distance to the nearest triangle. `hint` is the number of the sorted triangle to begin with, and
   /// becomes that of the nearest one: a query is quick when it begins with the result for a place near by.
-  double SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint) const;
+  double SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint, const Metric& metric = Metric()) const;
 
   /// The z of the surface at the x and y of a point; where there are several, the one nearest to its own z, and nan
   /// where there is none. A place that is within `tolerance` of an edge in plan counts as on the triangle. Vertical
@@ -72,11 +74,13 @@ private:
   {
     return { leaf * Fan, std::min((leaf + 1) * Fan, this->Triangles.size()) };
   }
-  void SearchLeaf(std::size_t leaf, const Eigen::Vector3d& point, std::int32_t& nearest, double& best) const;
+  void SearchLeaf(
+    std::size_t leaf, const Eigen::Vector3d& point, const Metric& metric, std::int32_t& nearest, double& best) const;
   double HeightInLeaf(std::size_t leaf, const Eigen::Vector3d& point, double tolerance, double best) const;
 
   const TriangleSurface& Surface;
   std::vector<Corners> Triangles;
+  std::vector<std::int32_t> Numbers; // of the sorted triangles
   std::vector<Node> Nodes;
   std::vector<std::size_t> LevelStart; // the first node of each level, the root first, and the end of the last one
   float Margin = 0.0F; // by how much boxes are widened: more than rounding to single precision moves any coordinate

@@ -5,10 +5,9 @@
 
 #include "TriangleTree.h"
 
-#include "ClosestPoint.h"
+#include "TriangleHeight.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -45,64 +44,20 @@ void SortByDistance(Waiting* first, Waiting* last)
     *place = moved;
   }
 }
-
-double SquaredDistanceTo(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& point)
-{
-  return SquaredDistanceToTriangle(point, surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]));
-}
-
-/// The same to the box of a triangle, which is never farther away.
-double SquaredDistanceToBox(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& point)
-{
-  const auto& a = surface.Point(t[0]).array();
-  const auto& b = surface.Point(t[1]).array();
-  const auto& c = surface.Point(t[2]).array();
-  return (a.min(b).min(c) - point.array()).max(point.array() - a.max(b).max(c)).max(0.0).square().sum();
-}
-
-/// The z of a triangle at a place in plan; nan when the place is more than `tolerance` outside it, or when it is no
-/// wider than that in plan.
-double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners, double tolerance)
-{
-  std::array<double, 3> part;
-  double sum = 0.0;
-  for (std::size_t n = 0; n < 3; ++n)
-  {
-    const Eigen::Vector2d from = corners[(n + 1) % 3].head<2>() - p.head<2>();
-    const Eigen::Vector2d to = corners[(n + 2) % 3].head<2>() - p.head<2>();
-    part[n] = from.x() * to.y() - from.y() * to.x();
-    sum += part[n];
-  }
-  const double turn = sum < 0.0 ? -1.0 : 1.0;
-  double height = 0.0;
-  double inside = 0.0;
-  for (std::size_t n = 0; n < 3; ++n)
-  {
-    const double edge = (corners[(n + 2) % 3] - corners[(n + 1) % 3]).head<2>().norm();
-    if (!(std::abs(sum) > tolerance * edge) || turn * part[n] < -tolerance * edge)
-    {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    // Just outside an edge the height is that on it.
-    part[n] = std::max(0.0, turn * part[n]);
-    inside += part[n];
-    height += part[n] * corners[n].z();
-  }
-  return height / inside;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TriangleTree::SearchLeaf(std::size_t leaf, const Eigen::Vector3d& point, std::int32_t& nearest, double& best) const
+void TriangleTree::SearchLeaf(
+  std::size_t leaf, const Eigen::Vector3d& point, const Metric& metric, std::int32_t& nearest, double& best) const
 {
   const TriangleRange triangles = this->TrianglesOf(leaf);
   for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
   {
     // The boxes of most triangles are too far away already, which takes less time to find out.
     const Corners& corners = this->Triangles[triangle];
-    if (std::int32_t(triangle) != nearest && SquaredDistanceToBox(this->Surface, corners, point) < best)
+    if (std::int32_t(triangle) != nearest && metric.SquaredDistanceToBox(this->Surface, corners, point) < best)
     {
-      const double distance = SquaredDistanceTo(this->Surface, corners, point);
+      const double distance = metric.SquaredDistance(this->Surface, corners, point);
       nearest = distance < best ? std::int32_t(triangle) : nearest;
       best = std::min(best, distance);
     }
@@ -110,11 +65,12 @@ void TriangleTree::SearchLeaf(std::size_t leaf, const Eigen::Vector3d& point, st
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint) const
+double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint, const Metric& metric) const
 {
   const Eigen::Vector3f place = point.cast<float>();
+  const Eigen::Array3f weights = metric.Weights().cast<float>();
   const std::uint32_t levels = std::uint32_t(this->Levels());
-  double best = SquaredDistanceTo(this->Surface, this->Triangles[std::size_t(hint)], point);
+  double best = metric.SquaredDistance(this->Surface, this->Triangles[std::size_t(hint)], point);
   float bound = float(SlackOfDistances * best);
   Waiting stack[MostWaiting];
   std::size_t size = 1;
@@ -128,7 +84,7 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
     }
     if (box.Level == levels)
     {
-      this->SearchLeaf(box.Node, point, hint, best);
+      this->SearchLeaf(box.Node, point, metric, hint, best);
       bound = float(SlackOfDistances * best);
       continue;
     }
@@ -136,7 +92,8 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
     Eigen::Array4f distances = Eigen::Array4f::Zero();
     for (int axis = 0; axis < 3; ++axis)
     {
-      distances += (node.Low[axis] - place[axis]).max(place[axis] - node.High[axis]).max(0.0F).square();
+      distances +=
+        (weights[axis] * (node.Low[axis] - place[axis]).max(place[axis] - node.High[axis]).max(0.0F)).square();
     }
     const std::size_t oldSize = size;
     for (std::uint32_t child = 0; child < Fan; ++child)
@@ -158,11 +115,7 @@ double TriangleTree::HeightInLeaf(std::size_t leaf, const Eigen::Vector3d& point
   const TriangleRange triangles = this->TrianglesOf(leaf);
   for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
   {
-    const Corners& t = this->Triangles[triangle];
-    const double height =
-      HeightAt(point, { this->Surface.Point(t[0]), this->Surface.Point(t[1]), this->Surface.Point(t[2]) }, tolerance);
-    // The first comparison is false for nan.
-    best = std::abs(height - point.z()) >= std::abs(best - point.z()) || std::isnan(height) ? best : height;
+    best = NearerHeight(this->Surface, this->Triangles[triangle], point, tolerance, best);
   }
   return best;
 }
