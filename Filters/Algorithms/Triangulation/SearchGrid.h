@@ -41,6 +41,9 @@ public:
     return this->EdgeDistances[std::size_t(this->Grid.Index(x, y))];
   }
 
+  PointId NumberOfPoints() const { return PointId(this->Sorted.Names.size()); }
+  int VoxelShift() const { return this->Shift; }
+
   /// At() may be asked for so many numbers after the last: a search can look at this many points at once.
   static constexpr PointId Padding = 4;
 
@@ -67,6 +70,7 @@ private:
 
   const double PointSpacing;
   const CellGrid Grid;
+  const int Shift;
   const SortedPoints Sorted;
   const EdgeLists EdgesInVoxel;
   std::vector<unsigned char> EdgeDistances; // by voxel

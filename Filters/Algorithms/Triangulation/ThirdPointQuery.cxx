@@ -84,12 +84,15 @@ bool ThirdPointQuery::MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to)
 // That does no harm: the end of the edge is nearer, and lies inside the circle of the point behind it.
 bool ThirdPointQuery::IsVisible(PointId point) const
 {
-  const SegmentEnd middle = this->Middle();
   const PlanePoint& place = this->Points.At(point);
-  if (!this->MayMeetEdges(middle, place))
+  const int shift = this->Points.VoxelShift();
+  const std::int32_t cellX = this->DoubledMiddle().X >> (shift + 1);
+  const std::int32_t cellY = this->DoubledMiddle().Y >> (shift + 1);
+  if (std::max(std::abs((place.X >> shift) - cellX), std::abs((place.Y >> shift) - cellY)) < this->Points.EdgeDistance(cellX, cellY))
   {
     return true;
   }
+  const SegmentEnd middle = this->Middle();
   const PlanePoint target = Doubled(place);
   bool visible = true;
   const auto blocks = [&](const Edge& edge)

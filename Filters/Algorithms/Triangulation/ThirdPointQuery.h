@@ -79,6 +79,7 @@ struct ThirdPointQuery
   const PlanePoint B;
   std::vector<WalkedVoxel>* const Walk; // takes the voxels that are looked into, if not null
   int Dilatation = -1; // of the voxels that are being looked into
+  float SquaredHint = 0.0f;
   bool OnlyVisible = false; // whether points behind boundary edges do not count
   PointId Best = NoPoint;
   double BestCotangent = 0.0; // of the angle at which the best point sees the edge

@@ -3,6 +3,7 @@
 
 #include "ThirdPointSearch.h"
 
+#include "BoxScan.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 #include "VoxelWalk.h"
@@ -16,16 +17,18 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The first circle that is looked into: its diameter when points are one apart on average, and the least one for an
-// edge of length 1. Larger circles have more points than needed, smaller ones too often none.
-constexpr double NearbyDiameter = 1.5;
-constexpr double LeastDiameter = 1.1;
-
-// A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain.
-constexpr double CotangentMargin = 1e-12;
+#ifndef HPD
+#define HPD 1.15f
+#define HPS 1.31f
+#define GH 3.0f
+#endif
+constexpr float HeightPerDiameter = HPD;
+constexpr float HeightPerSpacing = HPS;
+constexpr float GreatestHeight = GH;
 
 // The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar is quicker.
-constexpr std::int64_t LargestBoxToTraverse = 8;
+constexpr std::int32_t LargestBoxToTraverse = 8;
+constexpr std::int32_t LongestToScan = 16;
 
 /// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
 double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
@@ -35,9 +38,10 @@ double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
+ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float squaredHint, std::vector<WalkedVoxel>* walk) const
 {
   ThirdPointQuery query(this->Points, a, b, walk);
+  query.SquaredHint = squaredHint;
   this->Search(query);
   if (query.Best != NoPoint && !query.IsVisible(query.Best))
   {
@@ -45,7 +49,7 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
     query.Best = NoPoint;
     this->Search(query);
   }
-  return query.Best;
+  return { query.Best, float((1.0 + query.BestCotangent * query.BestCotangent) * query.SquaredLength()) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -58,7 +62,8 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
   this->Search(left);
   ThirdPointQuery right(this->Points, b, a, nullptr);
   right.BestCotangent = -left.BestCotangent;
-  const VoxelBox box = this->LeftPartOf(EdgeCircle(right, right.BestCotangent), right);
+  const EdgeCircle circle(right, right.BestCotangent);
+  const VoxelBox box = this->LeftPartOf(circle, right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -66,7 +71,7 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
       [&](PointId point)
       {
         empty = empty &&
-          (SignedArea(right.A, right.B, this->At(point)) <= 0 ||
+          (!circle.MayHold(this->At(point)) || SignedArea(right.A, right.B, this->At(point)) <= 0 ||
             InCircle(left.A, left.B, this->At(left.Best), this->At(point)) <= 0);
       });
   }
@@ -77,19 +82,22 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 void ThirdPointSearch::Search(ThirdPointQuery& query) const
 {
   const bool isTraced = query.Walk != nullptr;
-  const EdgeBox edgeBox(query, this->Grid);
-  if (edgeBox.Size > LargestBoxToTraverse && !isTraced)
+  const std::int32_t extent =
+    std::max(std::abs(query.A.X - query.B.X), std::abs(query.A.Y - query.B.Y)) >> this->Points.VoxelShift();
+  if (!isTraced && this->Strategy == SearchStrategy::VoxelTraversal && extent < LongestToScan &&
+    this->SearchNearby(query))
+  {
+    return;
+  }
+  if (!isTraced && extent >= LargestBoxToTraverse)
   {
     this->SearchFar(query);
     return;
   }
+  const EdgeBox edgeBox(query, this->Grid);
   if (this->Strategy == SearchStrategy::Compactness)
   {
     this->CompareBox(query, edgeBox);
-  }
-  else if (!isTraced && this->SearchNearby(query))
-  {
-    return;
   }
   else
   {
@@ -108,32 +116,64 @@ void ThirdPointSearch::Search(ThirdPointQuery& query) const
   if (query.Best != NoPoint)
   {
     const EdgeCircle circle(query, query.BestCotangent);
-    this->SearchCircle(query, circle, this->LeftPartOf(circle, query));
+    this->ScanBox(query, this->LeftPartOf(circle, query), float(query.BestCotangent));
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Where points are as dense as on average, the third point lies in a circle through the ends of the edge that is little
-// wider than points are apart: when the circle has points to the left of the edge, the third point is one of them.
-// Where it has none, points are further apart, and a circle twice as wide is searched.
+// XXX
 bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
 {
-  const double squaredLength = query.SquaredLength();
-  const double nearby = NearbyDiameter * this->Points.Spacing();
-  double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
-  double cotangent = 0.0;
-  for (int look = 0; query.Best == NoPoint && look < 2; ++look)
+  const float length = std::sqrt(float(query.SquaredLength()));
+  const float greatest = GreatestHeight * float(this->Points.Spacing());
+  float height = query.SquaredHint > 0.0f ? std::min(HeightPerDiameter * std::sqrt(query.SquaredHint), greatest)
+                                          : HeightPerSpacing * float(this->Points.Spacing());
+  const auto cotangentFor = [length](float h) { return h / length - 0.25f * length / h; };
+  for (int look = 0; look < 3; ++look)
   {
-    cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
-    const EdgeCircle circle(query, cotangent, 0.5 * std::sqrt(squaredDiameter));
-    const double reach = circle.Radius + circle.Margin;
-    this->SearchCircle(query, circle,
-      { this->Grid.CellX(query.A.X + circle.X - reach), this->Grid.CellY(query.A.Y + circle.Y - reach),
-        this->Grid.CellX(query.A.X + circle.X + reach), this->Grid.CellY(query.A.Y + circle.Y + reach) });
-    squaredDiameter *= 4.0;
+    const float cotangent = cotangentFor(height);
+    height *= 2.0f;
+    this->ScanBox(query, this->BoxOf(query, cotangent), cotangent);
+    if (query.Best != NoPoint && query.BestCotangent <= cotangentFor(height))
+    {
+      if (query.BestCotangent >= cotangent - 1e-5f * std::abs(cotangent))
+      {
+        const float best = float(query.BestCotangent);
+        this->ScanBox(query, this->BoxOf(query, best), best);
+      }
+      return true;
+    }
+    query.Best = NoPoint;
   }
-  // When the best point is in the margin of the circle, a better one may be outside.
-  return query.Best != NoPoint && query.BestCotangent < cotangent * (1.0 - CotangentMargin);
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+VoxelBox ThirdPointSearch::BoxOf(const ThirdPointQuery& query, float cotangent) const
+{
+  using Floats = float __attribute__((vector_size(16)));
+  using Integers = std::int32_t __attribute__((vector_size(16)));
+  const float edgeX = float(query.B.X - query.A.X);
+  const float edgeY = float(query.B.Y - query.A.Y);
+  const float squaredLength = edgeX * edgeX + edgeY * edgeY;
+  const float radius = 0.5f * std::sqrt((1.0f + cotangent * cotangent) * squaredLength);
+  const float cross = 0.5f * cotangent * squaredLength;
+  const float x = 0.5f * (edgeX - edgeY * cotangent);
+  const float y = 0.5f * (edgeY + edgeX * cotangent);
+  const Floats centre = { x, y, -x, -y };
+  const Floats edge = { edgeX, edgeY, -edgeX, -edgeY };
+  const Floats turned = { edgeY, -edgeX, -edgeY, edgeX };
+  const Floats zero = {};
+  const float margin = 1.0f + 4e-6f * (radius + std::abs(x) + std::abs(y));
+  // The least x, the least y, and the greatest of both with the other sign.
+  const Floats outermost = centre - radius;
+  const Floats ends = edge < zero ? edge : zero;
+  const Floats least = (cross + turned * radius > -margin * (std::abs(edgeX) + std::abs(edgeY)) ? outermost : ends) - margin;
+  const Integers whole = __builtin_convertvector(least, Integers);
+  const int shift = this->Points.VoxelShift();
+  return { std::max((query.A.X + whole[0] - 1) >> shift, 0), std::max((query.A.Y + whole[1] - 1) >> shift, 0),
+    std::min((query.A.X - whole[2] + 1) >> shift, std::int32_t(this->Grid.SizeX() - 1)),
+    std::min((query.A.Y - whole[3] + 1) >> shift, std::int32_t(this->Grid.SizeY() - 1)) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -199,10 +239,7 @@ void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox
 // best one. Every better point makes that circle smaller, which is why near boxes come first.
 void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
 {
-  if (!this->Pyramid)
-  {
-    this->Pyramid = std::make_unique<PointPyramid>(this->Points);
-  }
+  std::call_once(this->PyramidFlag, [this]() { this->Pyramid = std::make_unique<PointPyramid>(this->Points); });
   std::optional<EdgeCircle> circle;
   const SegmentEnd middle = query.Middle();
   const auto isLeft = [&](std::int32_t x, std::int32_t y) { return SignedArea(query.A, query.B, { x, y }) > 0; };
@@ -274,41 +311,13 @@ VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPoint
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Points are tested in batches of fixed size, even where a row of voxels has fewer, and those inside are collected
-// without branches. Which points are inside follows no pattern, and a branch that a processor predicts wrongly takes it
-// longer than to test some points more.
-void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const
+void ThirdPointSearch::ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const
 {
-  constexpr PointId Batch = SearchGrid::Padding;
-  std::array<PointId, 16 * std::size_t(Batch)> inside;
-  std::size_t count = 0;
-  const auto considerAll = [&]()
-  {
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      query.Consider(inside[n]);
-    }
-    count = 0;
-  };
-  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  for (std::int64_t row = box.FirstY; query.Walk && row <= box.LastY; ++row)
   {
     this->Trace(query, row, box.FirstX, box.LastX);
-    const PointId end = this->Points.EndOf(this->Grid.Index(box.LastX, row));
-    for (PointId first = this->Points.FirstIn(this->Grid.Index(box.FirstX, row)); first < end; first += Batch)
-    {
-      for (PointId point = first; point < first + Batch; ++point)
-      {
-        inside[count] = point;
-        count +=
-          std::size_t((point < end) & (point != query.From) & (point != query.To) & circle.MayHold(this->At(point)));
-      }
-      if (count > inside.size() - Batch)
-      {
-        considerAll();
-      }
-    }
   }
-  considerAll();
+  BoxScan(this->Points, query, box, bound);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

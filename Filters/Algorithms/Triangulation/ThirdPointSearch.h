@@ -54,6 +54,7 @@
 #include "ThirdPointQuery.h"
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace SeismicHorizons
@@ -64,7 +65,12 @@ enum class SearchStrategy
   Compactness
 };
 
-/// Not for several threads at a time.
+struct ThirdPoint
+{
+  PointId Point = NoPoint;
+  float SquaredDiameter = 0.0f;
+};
+
 class ThirdPointSearch
 {
 public:
@@ -79,7 +85,7 @@ public:
   /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
   /// given, takes the voxels that were looked into, in their order; the circle that comes first otherwise is left out
   /// then, so that they show the strategy.
-  PointId Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk = nullptr) const;
+  ThirdPoint Find(PointId a, PointId b, float squaredHint, std::vector<WalkedVoxel>* walk = nullptr) const;
 
   /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it is
   /// an edge of the Delaunay triangulation without constraints, too. There must be a point to the left of it.
@@ -96,7 +102,8 @@ private:
 
   VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
   VoxelBox LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const;
-  void SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const;
+  void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const;
+  VoxelBox BoxOf(const ThirdPointQuery& query, float cotangent) const;
   void SearchBox(ThirdPointQuery& query, const VoxelBox& box) const;
   void SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
   void Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
@@ -108,6 +115,7 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
+  mutable std::once_flag PyramidFlag;
   mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };
 }
