@@ -1,151 +1,65 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Looks through the points of a block of voxels for the third point of an edge, four at a time.
+//
+// Of the points to the left of the edge, that with the least cotangent is looked for: of the angle at which it sees the
+// edge. Cotangents are calculated in single precision for all points. Those that are less than the least one, or not
+// more by some slack, are candidates: most often there is one, on a lattice often two. ThirdPointQuery::Consider
+// compares candidates exactly. So the slack has to be larger than the rounding.
+//
+// That is so for points that are far enough from the line through the edge: with s, the size of the block and of the
+// edge, and u, the rounding of a number, scalar product and doubled area are right to 48 u s^2, and their quotient c to
+// 48 u s^2 (1 + |c|) / area. From an area of 4 * 48 u s^2 / slack on, that is a quarter of the slack. Points that are
+// nearer to the line are candidates, too, if they might be better than those the caller asks for. Most often these are
+// only the ends of the edge; then they are left out.
 
 #ifndef SeismicHorizonsBoxScan_h
 #define SeismicHorizonsBoxScan_h
 
+#include "FloatBatch.h"
 #include "SearchGrid.h"
 #include "ThirdPointQuery.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-
 namespace SeismicHorizons
 {
+/// The voxels that the part of a circle to the left of an edge may touch. The circle is that of the points to the left
+/// from which the edge is seen at an angle with some cotangent; `radius` is its own.
+VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius);
+
+/// The same for the circle of the best point so far.
+VoxelBox VoxelsOfBest(const ThirdPointQuery& query);
+
 class BoxScan
 {
 public:
-  BoxScan(const SearchGrid& points, ThirdPointQuery& query, const VoxelBox& box, float bound)
-    : Points(points)
-    , Query(query)
-    , Start{ query.A.X, query.A.Y, query.A.X, query.A.Y }
-    , EdgeX(float(query.B.X - query.A.X))
-    , EdgeY(float(query.B.Y - query.A.Y))
-    , Fixed(query.OnlyVisible)
-    , Bound(bound)
-  {
-    const float size = float(points.Voxels().CellSize()) *
-      float(std::int32_t(std::max(box.LastX - box.FirstX, box.LastY - box.FirstY)) + 1);
-    this->Near = Rounding / Slack * size * (size + (std::abs(this->EdgeX) + std::abs(this->EdgeY)));
-    this->Lowest = Splat(query.OnlyVisible || query.Best != NoPoint ? bound : Far);
-    if (this->Visit<false>(box) > 2)
-    {
-      this->Visit<true>(box);
-    }
-  }
+  /// Lets the query consider those of the points in a box, in which the edge has to be, that may be the third point, as
+  /// long as there is one whose cotangent is not above the bound; else perhaps others, or none. When only visible points
+  /// count, these are all up to the bound.
+  static void Run(ThirdPointQuery& query, const VoxelBox& box, float bound);
 
 private:
-  using Floats = float __attribute__((vector_size(16)));
-  using Integers = std::int32_t __attribute__((vector_size(16)));
+  BoxScan(ThirdPointQuery& query, const VoxelBox& box, float bound);
 
   template <bool WithNear>
-  int Visit(const VoxelBox& box)
-  {
-    const CellGrid& voxels = this->Points.Voxels();
-    PointId quads[Capacity + 3];
-    std::size_t count = 0;
-    int near = 0;
-    for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
-    {
-      const PointId first = this->Points.FirstIn(voxels.Index(box.FirstX, row));
-      const PointId last = this->Points.EndOf(voxels.Index(box.LastX, row));
-      quads[count] = first;
-      quads[count + 1] = first + 4;
-      quads[count + 2] = first + 8;
-      count += std::size_t(std::min((last - first + 3) >> 2, 3));
-      for (PointId next = first + 12; next < last; next += 4)
-      {
-        if (count >= Capacity)
-        {
-          near += this->Evaluate<WithNear>(quads, count);
-          count = 0;
-        }
-        quads[count++] = next;
-      }
-      if (count >= Capacity)
-      {
-        near += this->Evaluate<WithNear>(quads, count);
-        count = 0;
-      }
-    }
-    return near + this->Evaluate<WithNear>(quads, count);
-  }
+  int Visit(const VoxelBox& box);
 
   template <bool WithNear>
-  int Evaluate(const PointId* quads, std::size_t count)
-  {
-    const Integers start = this->Start;
-    const Floats edgeX = Splat(this->EdgeX);
-    const Floats edgeY = Splat(this->EdgeY);
-    const Floats near = Splat(this->Near);
-    const Floats right = -near;
-    const Floats nearProduct = near * std::max(1.0f, this->Bound);
-    Floats lowest = this->Lowest;
-    Integers nearCount = {};
-    Floats keys[Capacity + 3];
-    const PlanePoint* const all = &this->Points.At(0);
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      const PlanePoint* places = all + quads[n];
-      Integers even;
-      Integers odd;
-      std::memcpy(&even, places, sizeof(even));
-      std::memcpy(&odd, places + 2, sizeof(odd));
-      const Floats p = __builtin_convertvector(even - start, Floats);
-      const Floats q = __builtin_convertvector(odd - start, Floats);
-      const Floats x = __builtin_shufflevector(p, q, 0, 2, 4, 6);
-      const Floats y = __builtin_shufflevector(p, q, 1, 3, 5, 7);
-      const Floats area = edgeX * y - edgeY * x;
-      const Floats product = x * (x - edgeX) + y * (y - edgeY);
-      const Integers irregular = area <= near;
-      const Integers special = irregular & (area >= right) & (product <= nearProduct);
-      nearCount -= special;
-      const Floats cotangent = Floats(Integers(product / area) | irregular); // NaN
-      lowest = cotangent < lowest ? cotangent : lowest;
-      keys[n] = WithNear ? (special ? Splat(-Far) : cotangent) : cotangent;
-    }
-    this->Lowest = lowest;
-    const float low =
-      this->Fixed ? this->Bound : std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
-    const Floats limit = Splat(low + Slack * (1.0f + std::abs(low)));
-    PointId found[4 * (Capacity + 3)];
-    std::size_t size = 0;
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      const Integers inside = keys[n] <= limit;
-      for (PointId lane = 0; lane < 4; ++lane)
-      {
-        found[size] = quads[n] + lane;
-        size -= std::size_t(std::ptrdiff_t(inside[lane]));
-      }
-    }
-    for (std::size_t n = 0; n < size; ++n)
-    {
-      if (found[n] < this->Points.NumberOfPoints())
-      {
-        this->Query.Consider(found[n]);
-      }
-    }
-    return nearCount[0] + nearCount[1] + nearCount[2] + nearCount[3];
-  }
+  int Evaluate(const PointId* batches, std::size_t count);
 
-  static Floats Splat(float value) { return Floats{ value, value, value, value }; }
+  float Limit() const;
 
-  static constexpr std::size_t Capacity = 29;
-  static constexpr float Rounding = 64.0f / 16777216.0f;
-  static constexpr float Slack = 1.0f / 128.0f;
-  static constexpr float Far = 1e30f;
+  // So many batches are evaluated at a time. They are listed first, without a branch on how many a row has where it has
+  // no more than three: a branch that a processor predicts wrongly takes it as long as a batch.
+  static constexpr std::size_t Capacity = 8;
+  static constexpr std::size_t MostPerRow = 3;
 
-  const SearchGrid& Points;
   ThirdPointQuery& Query;
-  const Integers Start;
   const float EdgeX;
   const float EdgeY;
-  const bool Fixed;
   const float Bound;
-  float Near;
-  Floats Lowest;
+  float Near; // the doubled area of a triangle whose third point is near the line through the edge
+  FloatBatch Lowest; // of the cotangents so far
 };
 }
 

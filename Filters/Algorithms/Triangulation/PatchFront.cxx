@@ -15,7 +15,7 @@ namespace SeismicHorizons
 namespace
 {
 // A strip has at least so many points, and on average so many rows of voxels: in thinner ones walls are most of it.
-constexpr PointId LeastPointsPerStrip = 2048;
+constexpr std::int64_t LeastPointsPerStrip = 2048;
 constexpr std::int64_t LeastRowsPerStrip = 8;
 
 // Between so many triangles of a front, and between so many regions, the monitor is called.
@@ -24,24 +24,26 @@ constexpr std::size_t RegionsPerCall = 16;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PatchFront::PatchFront(const SearchGrid& points, const ThirdPointSearch& search, bool oneStrip)
+PatchFront::PatchFront(const SearchGrid& points, const ThirdPointSearch& search, std::int64_t strips)
   : Points(points)
   , Search(search)
-  , StripStarts({ 0, points.NumberOfPoints() })
   , Used(std::size_t(points.NumberOfPoints()), 0)
 {
-  if (!oneStrip)
-  {
-    this->MakeStrips();
-  }
+  this->MakeStrips(strips);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PatchFront::MakeStrips()
+std::int64_t PatchFront::FindStrips(const SearchGrid& points)
+{
+  return std::max<std::int64_t>(
+    1, std::min(points.NumberOfPoints() / LeastPointsPerStrip, points.Voxels().SizeY() / LeastRowsPerStrip));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchFront::MakeStrips(std::int64_t strips)
 {
   const CellGrid& voxels = this->Points.Voxels();
   const std::int64_t points = this->Points.NumberOfPoints();
-  const std::int64_t strips = std::min(points / LeastPointsPerStrip, voxels.SizeY() / LeastRowsPerStrip);
   this->StripStarts = { 0 };
   for (std::int64_t row = 1; row < voxels.SizeY(); ++row)
   {
@@ -180,7 +182,9 @@ void PatchFront::GrowTriangles(AdvancingFront& front, const Region& region, std:
       this->ThrowNoThird(edge);
     }
     this->Use(third.Point);
-    triangles.insert(triangles.end(), { edge.From, edge.To, third.Point });
+    triangles.push_back(edge.From);
+    triangles.push_back(edge.To);
+    triangles.push_back(third.Point);
     addSide({ edge.To, third.Point, third.SquaredDiameter });
     addSide({ third.Point, edge.From, third.SquaredDiameter });
   }

@@ -42,8 +42,12 @@ namespace SeismicHorizons
 class PatchFront
 {
 public:
-  /// Both must outlive the front. With `oneStrip` there is one front, of which the newest edge is always the next.
-  PatchFront(const SearchGrid& points, const ThirdPointSearch& search, bool oneStrip);
+  /// Both must outlive the front. It has about as many strips as asked for, fewer where one row of voxels has more
+  /// points. With one strip the newest edge is always the next.
+  PatchFront(const SearchGrid& points, const ThirdPointSearch& search, std::int64_t strips);
+
+  /// How many strips make the walls a small part of the mesh.
+  static std::int64_t FindStrips(const SearchGrid& points);
 
   /// Adds a side that has the outside or something meshed to its left: its reverse waits for a triangle. One that is
   /// added in both directions has surface on neither side.
@@ -88,7 +92,7 @@ private:
     RawVector<PointId> Triangles;
   };
 
-  void MakeStrips();
+  void MakeStrips(std::int64_t strips);
   std::vector<Region> GrowRegions(const std::vector<Region>& regions, const Monitor& monitor);
   Growth GrowWall(const Region& region);
   void GrowStrip(const Region& region, std::size_t most, const Monitor& monitor, RawVector<PointId>& triangles);

@@ -4,6 +4,7 @@
 #include "SearchGrid.h"
 
 #include "Common/Errors.h"
+#include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
@@ -18,6 +19,9 @@ namespace
 {
 // The largest distance to boundary edges that is told from larger ones: distances are kept in bytes.
 constexpr unsigned char FarFromEdges = 255;
+
+// How many voxels a thread takes at a time.
+constexpr std::int64_t Grain = 16384;
 
 // Bounds the memory of the grid where points are crowded in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
@@ -80,12 +84,16 @@ void LowerAlong(std::int64_t size, unsigned char* row)
 SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names)
   : PointSpacing(SpacingOf(points, boundary))
   , Grid(points, 1, VoxelSizeFor(this->PointSpacing))
-  , Shift(int(std::lround(std::log2(double(this->Grid.CellSize())))))
+  , Shift(std::ilogb(double(this->Grid.CellSize())))
+  , Origin(this->Grid.Corner(0))
+  , Last({ std::int32_t(this->Grid.SizeX() - 1), std::int32_t(this->Grid.SizeY() - 1) })
   , Sorted(this->Grid, points, names)
   , EdgesInVoxel(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
-  this->CheckPlaces();
-  this->CheckEdges();
+  ParallelFor(this->Grid.Size(), Grain,
+    [this](std::int64_t first, std::int64_t last) { this->CheckPlaces(first, last); });
+  ParallelFor(this->Grid.Size(), Grain,
+    [this](std::int64_t first, std::int64_t last) { this->CheckEdges(first, last); });
   this->MeasureEdgeDistances();
 }
 
@@ -142,10 +150,10 @@ void SearchGrid::MeasureEdgeDistances()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckPlaces() const
+void SearchGrid::CheckPlaces(std::int64_t firstVoxel, std::int64_t endVoxel) const
 {
   std::vector<PointId> numbers;
-  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
+  for (std::int64_t cell = firstVoxel; cell < endVoxel; ++cell)
   {
     numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
     if (numbers.size() < 2)
@@ -166,9 +174,9 @@ void SearchGrid::CheckPlaces() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckEdges() const
+void SearchGrid::CheckEdges(std::int64_t firstVoxel, std::int64_t endVoxel) const
 {
-  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
+  for (std::int64_t voxel = firstVoxel; voxel < endVoxel; ++voxel)
   {
     for (const Edge* edge = this->EdgesInVoxel.begin(voxel); edge != this->EdgesInVoxel.end(voxel); ++edge)
     {

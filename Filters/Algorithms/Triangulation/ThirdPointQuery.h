@@ -79,7 +79,6 @@ struct ThirdPointQuery
   const PlanePoint B;
   std::vector<WalkedVoxel>* const Walk; // takes the voxels that are looked into, if not null
   int Dilatation = -1; // of the voxels that are being looked into
-  float SquaredHint = 0.0f;
   bool OnlyVisible = false; // whether points behind boundary edges do not count
   PointId Best = NoPoint;
   double BestCotangent = 0.0; // of the angle at which the best point sees the edge
@@ -87,7 +86,6 @@ struct ThirdPointQuery
 private:
   double CotangentOf(const PlanePoint& place, std::int64_t area) const;
   bool IsBetter(const PlanePoint& place, PointId candidate, double cotangent) const;
-  bool MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const;
 };
 
 /// The square box of an edge (thesis 5.3.2), in voxels: as far around its middle as it is long.

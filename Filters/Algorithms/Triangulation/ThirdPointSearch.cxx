@@ -9,7 +9,6 @@
 #include "VoxelWalk.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -17,18 +16,22 @@ namespace SeismicHorizons
 {
 namespace
 {
-#ifndef HPD
-#define HPD 1.15f
-#define HPS 1.31f
-#define GH 3.0f
-#endif
-constexpr float HeightPerDiameter = HPD;
-constexpr float HeightPerSpacing = HPS;
-constexpr float GreatestHeight = GH;
+// How high the part of a circle is that is looked into first: in diameters of the circle of the triangle on the other
+// side of the edge, or where there is none in distances between points, as at most. Larger ones have more points than
+// needed, smaller ones too often none.
+constexpr float HeightPerNeighbor = 1.15f;
+constexpr float HeightPerSpacing = 1.3f;
+constexpr float MostHeightPerSpacing = 3.0f;
+constexpr int MostLooks = 3; // each is twice as high as the one before
+
+// A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain.
+constexpr float CotangentMargin = 1e-5f;
+
+// The longest edge, in voxels, that is looked at in this way: a box around a long slanted one has many points.
+constexpr std::int64_t LongestNearby = 16;
 
 // The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar is quicker.
-constexpr std::int32_t LargestBoxToTraverse = 8;
-constexpr std::int32_t LongestToScan = 16;
+constexpr std::int64_t LargestBoxToTraverse = 8;
 
 /// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
 double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
@@ -38,18 +41,29 @@ double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float squaredHint, std::vector<WalkedVoxel>* walk) const
+ThirdPointSearch::ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy)
+  : Strategy(strategy)
+  , Points(grid)
+  , Grid(grid.Voxels())
+  , UsualHeight(HeightPerSpacing * float(grid.Spacing()))
+  , GreatestHeight(MostHeightPerSpacing * float(grid.Spacing()))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float squaredNeighbor, std::vector<WalkedVoxel>* walk) const
 {
   ThirdPointQuery query(this->Points, a, b, walk);
-  query.SquaredHint = squaredHint;
-  this->Search(query);
+  const float height = this->FirstHeight(squaredNeighbor);
+  this->Search(query, height);
   if (query.Best != NoPoint && !query.IsVisible(query.Best))
   {
     query.OnlyVisible = true;
     query.Best = NoPoint;
-    this->Search(query);
+    this->Search(query, height);
   }
-  return { query.Best, float((1.0 + query.BestCotangent * query.BestCotangent) * query.SquaredLength()) };
+  const double cotangent = query.BestCotangent;
+  return { query.Best, float((1.0 + cotangent * cotangent) * query.SquaredLength()) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -59,11 +73,11 @@ ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float squaredHint, std::
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
   ThirdPointQuery left(this->Points, a, b, nullptr);
-  this->Search(left);
+  this->Search(left, this->UsualHeight);
   ThirdPointQuery right(this->Points, b, a, nullptr);
   right.BestCotangent = -left.BestCotangent;
   const EdgeCircle circle(right, right.BestCotangent);
-  const VoxelBox box = this->LeftPartOf(circle, right);
+  const VoxelBox box = VoxelsOfBest(right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -79,20 +93,22 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Search(ThirdPointQuery& query) const
+void ThirdPointSearch::Search(ThirdPointQuery& query, float height) const
 {
   const bool isTraced = query.Walk != nullptr;
-  const std::int32_t extent =
-    std::max(std::abs(query.A.X - query.B.X), std::abs(query.A.Y - query.B.Y)) >> this->Points.VoxelShift();
-  if (!isTraced && this->Strategy == SearchStrategy::VoxelTraversal && extent < LongestToScan &&
-    this->SearchNearby(query))
+  if (!isTraced)
   {
-    return;
-  }
-  if (!isTraced && extent >= LargestBoxToTraverse)
-  {
-    this->SearchFar(query);
-    return;
+    const std::int64_t extent = std::max(std::abs(query.A.X - query.B.X), std::abs(query.A.Y - query.B.Y));
+    if (this->Strategy == SearchStrategy::VoxelTraversal && extent < LongestNearby * this->Grid.CellSize() &&
+      this->SearchNearby(query, height))
+    {
+      return;
+    }
+    if (extent >= LargestBoxToTraverse * this->Grid.CellSize())
+    {
+      this->SearchFar(query);
+      return;
+    }
   }
   const EdgeBox edgeBox(query, this->Grid);
   if (this->Strategy == SearchStrategy::Compactness)
@@ -115,65 +131,51 @@ void ThirdPointSearch::Search(ThirdPointQuery& query) const
   }
   if (query.Best != NoPoint)
   {
-    const EdgeCircle circle(query, query.BestCotangent);
-    this->ScanBox(query, this->LeftPartOf(circle, query), float(query.BestCotangent));
+    this->ScanBox(query, VoxelsOfBest(query), float(query.BestCotangent));
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// XXX
-bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
+// The third point is looked for in the part of a circle through the ends of the edge that is to its left and so high:
+//
+//          . * .         -
+//       .         .      | height     The centre is (height - rest) / 2 to the left of the edge, and the radius is
+//      a-----------b     -            (height + rest) / 2, where rest is the height of the other part of the circle.
+//       .         .      | rest
+//          . . .         -
+//
+// When that part has points, the third point is one of them. When it has none, but others are near, the circle of the
+// best of these is searched, as long as it is not higher than twice as much; else that height is the next to be tried.
+bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
 {
-  const float length = std::sqrt(float(query.SquaredLength()));
-  const float greatest = GreatestHeight * float(this->Points.Spacing());
-  float height = query.SquaredHint > 0.0f ? std::min(HeightPerDiameter * std::sqrt(query.SquaredHint), greatest)
-                                          : HeightPerSpacing * float(this->Points.Spacing());
-  const auto cotangentFor = [length](float h) { return h / length - 0.25f * length / h; };
-  for (int look = 0; look < 3; ++look)
+  const float squaredLength = float(query.SquaredLength());
+  const float perLength = 1.0f / std::sqrt(squaredLength);
+  for (int look = 0; look < MostLooks; ++look)
   {
-    const float cotangent = cotangentFor(height);
-    height *= 2.0f;
-    this->ScanBox(query, this->BoxOf(query, cotangent), cotangent);
-    if (query.Best != NoPoint && query.BestCotangent <= cotangentFor(height))
+    const float rest = 0.25f * squaredLength / height;
+    const float cotangent = (height - rest) * perLength;
+    const float cotangentOfTwice = (2.0f * height - 0.5f * rest) * perLength;
+    this->ScanBox(query, VoxelsOfCircle(query, cotangent, 0.5f * (height + rest)), cotangent);
+    if (query.Best != NoPoint && query.BestCotangent <= cotangentOfTwice)
     {
-      if (query.BestCotangent >= cotangent - 1e-5f * std::abs(cotangent))
+      if (query.BestCotangent >= cotangent - CotangentMargin * std::abs(cotangent))
       {
-        const float best = float(query.BestCotangent);
-        this->ScanBox(query, this->BoxOf(query, best), best);
+        this->ScanBox(query, VoxelsOfBest(query), float(query.BestCotangent));
       }
       return true;
     }
     query.Best = NoPoint;
+    height *= 2.0f;
   }
   return false;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-VoxelBox ThirdPointSearch::BoxOf(const ThirdPointQuery& query, float cotangent) const
+// As high as the neighbour suggests, or as points are apart.
+float ThirdPointSearch::FirstHeight(float squaredNeighbor) const
 {
-  using Floats = float __attribute__((vector_size(16)));
-  using Integers = std::int32_t __attribute__((vector_size(16)));
-  const float edgeX = float(query.B.X - query.A.X);
-  const float edgeY = float(query.B.Y - query.A.Y);
-  const float squaredLength = edgeX * edgeX + edgeY * edgeY;
-  const float radius = 0.5f * std::sqrt((1.0f + cotangent * cotangent) * squaredLength);
-  const float cross = 0.5f * cotangent * squaredLength;
-  const float x = 0.5f * (edgeX - edgeY * cotangent);
-  const float y = 0.5f * (edgeY + edgeX * cotangent);
-  const Floats centre = { x, y, -x, -y };
-  const Floats edge = { edgeX, edgeY, -edgeX, -edgeY };
-  const Floats turned = { edgeY, -edgeX, -edgeY, edgeX };
-  const Floats zero = {};
-  const float margin = 1.0f + 4e-6f * (radius + std::abs(x) + std::abs(y));
-  // The least x, the least y, and the greatest of both with the other sign.
-  const Floats outermost = centre - radius;
-  const Floats ends = edge < zero ? edge : zero;
-  const Floats least = (cross + turned * radius > -margin * (std::abs(edgeX) + std::abs(edgeY)) ? outermost : ends) - margin;
-  const Integers whole = __builtin_convertvector(least, Integers);
-  const int shift = this->Points.VoxelShift();
-  return { std::max((query.A.X + whole[0] - 1) >> shift, 0), std::max((query.A.Y + whole[1] - 1) >> shift, 0),
-    std::min((query.A.X - whole[2] + 1) >> shift, std::int32_t(this->Grid.SizeX() - 1)),
-    std::min((query.A.Y - whole[3] + 1) >> shift, std::int32_t(this->Grid.SizeY() - 1)) };
+  return squaredNeighbor > 0.0f ? std::min(HeightPerNeighbor * std::sqrt(squaredNeighbor), this->GreatestHeight)
+                                : this->UsualHeight;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -282,42 +284,13 @@ VoxelBox ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t rad
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The box of the circle's part to the left of the edge: around the ends of the edge, and those of the circle's
-// leftmost, rightmost, lowest and highest points that are to the left.
-VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const
-{
-  const double bx = double(query.B.X) - query.A.X;
-  const double by = double(query.B.Y) - query.A.Y;
-  double minX = std::min(0.0, bx);
-  double minY = std::min(0.0, by);
-  double maxX = std::max(0.0, bx);
-  double maxY = std::max(0.0, by);
-  const double outermost[4][2] = { { circle.X - circle.Radius, circle.Y }, { circle.X + circle.Radius, circle.Y },
-    { circle.X, circle.Y - circle.Radius }, { circle.X, circle.Y + circle.Radius } };
-  const double nearlyLeft = -2.0 * circle.Margin * (std::abs(bx) + std::abs(by));
-  for (const auto& point : outermost)
-  {
-    // Without branches: one that is not to the left counts as the start of the edge, which is in the box anyway.
-    const bool left = bx * point[1] - by * point[0] > nearlyLeft;
-    const double px = left ? point[0] : 0.0;
-    const double py = left ? point[1] : 0.0;
-    minX = std::min(minX, px);
-    maxX = std::max(maxX, px);
-    minY = std::min(minY, py);
-    maxY = std::max(maxY, py);
-  }
-  return { this->Grid.CellX(query.A.X + minX - circle.Margin), this->Grid.CellY(query.A.Y + minY - circle.Margin),
-    this->Grid.CellX(query.A.X + maxX + circle.Margin), this->Grid.CellY(query.A.Y + maxY + circle.Margin) };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void ThirdPointSearch::ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const
 {
   for (std::int64_t row = box.FirstY; query.Walk && row <= box.LastY; ++row)
   {
     this->Trace(query, row, box.FirstX, box.LastX);
   }
-  BoxScan(this->Points, query, box, bound);
+  BoxScan::Run(query, box, bound);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

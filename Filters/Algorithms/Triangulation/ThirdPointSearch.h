@@ -75,25 +75,21 @@ class ThirdPointSearch
 {
 public:
   /// `grid` must outlive the search; edges are asked for by its numbers.
-  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy)
-    : Strategy(strategy)
-    , Points(grid)
-    , Grid(grid.Voxels())
-  {
-  }
+  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy);
 
   /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
   /// given, takes the voxels that were looked into, in their order; the circle that comes first otherwise is left out
   /// then, so that they show the strategy.
-  ThirdPoint Find(PointId a, PointId b, float squaredHint, std::vector<WalkedVoxel>* walk = nullptr) const;
+  ThirdPoint Find(PointId a, PointId b, float squaredNeighbor, std::vector<WalkedVoxel>* walk = nullptr) const;
 
   /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it is
   /// an edge of the Delaunay triangulation without constraints, too. There must be a point to the left of it.
   bool IsDelaunay(PointId a, PointId b) const;
 
 private:
-  void Search(ThirdPointQuery& query) const;
-  bool SearchNearby(ThirdPointQuery& query) const;
+  void Search(ThirdPointQuery& query, float height) const;
+  bool SearchNearby(ThirdPointQuery& query, float height) const;
+  float FirstHeight(float squaredNeighbor) const;
   void TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
   void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const;
   void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
@@ -101,9 +97,7 @@ private:
   void SearchFar(ThirdPointQuery& query) const;
 
   VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
-  VoxelBox LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const;
   void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const;
-  VoxelBox BoxOf(const ThirdPointQuery& query, float cotangent) const;
   void SearchBox(ThirdPointQuery& query, const VoxelBox& box) const;
   void SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
   void Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
@@ -115,6 +109,8 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
+  const float UsualHeight;
+  const float GreatestHeight;
   mutable std::once_flag PyramidFlag;
   mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };

@@ -46,7 +46,7 @@ public:
     , Options(options)
     , Points(patch.Places, patch.Boundary, patch.Points)
     , Search(this->Points, options.Strategy)
-    , Front(this->Points, this->Search, options.MostTriangles > 0)
+    , Front(this->Points, this->Search, options.MostTriangles > 0 ? 1 : PatchFront::FindStrips(this->Points))
     , Result(result)
   {
     // The surface lies to the right of each boundary edge, so its reverse waits for a triangle. An edge that the
