@@ -18,7 +18,7 @@ struct FrontEdge
   PointId From = NoPoint;
   PointId To = NoPoint;
   /// Of the circle of the triangle on the side that is meshed; 0 where that is not known.
-  float SquaredDiameter = 0.0f;
+  float Diameter = 0.0f;
 };
 
 /// A set of edges from which the newest can be taken. Few of its edges begin in the same point, so each point has a
@@ -65,7 +65,7 @@ public:
   {
     if (!this->Remove(side.From, side.To))
     {
-      this->Add({ side.To, side.From, side.SquaredDiameter });
+      this->Add({ side.To, side.From, side.Diameter });
     }
   }
 

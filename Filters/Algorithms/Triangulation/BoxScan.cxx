@@ -29,8 +29,8 @@ constexpr float FarOutside = 1073741824.0f;
 
 //----------------------------------------------------------------------------------------------------------------------
 // From the start of the edge, four numbers stand for x and y, and for both with the other sign: of all four the least
-// is looked for. It is that of the circle where that place of the circle is to the left of the edge, else that of an end
-// of the edge.
+// is looked for. It is that of the circle where that place of the circle is to the left of the edge, else that of an
+// end of the edge.
 VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius)
 {
   const std::int32_t edgeX = query.B.X - query.A.X;
@@ -135,9 +135,11 @@ int BoxScan::Evaluate(const PointId* batches, std::size_t count)
   const FloatBatch edgeX = FourTimes(this->EdgeX);
   const FloatBatch edgeY = FourTimes(this->EdgeY);
   const FloatBatch nearArea = FourTimes(this->Near);
-  const FloatBatch nearProduct = nearArea * std::max(1.0f, this->Bound);
+  // Twice as much as such a point can have whose cotangent is up to the bound.
+  const FloatBatch nearProduct = nearArea * (2.0f * std::max(1.0f, this->Bound));
   const PlanePoint* const places = &this->Query.Points.At(0);
   FloatBatch cotangents[Capacity];
+  FloatBatch lowest = this->Lowest;
   IntegerBatch nearCount = {};
   for (std::size_t n = 0; n < count; ++n)
   {
@@ -155,10 +157,11 @@ int BoxScan::Evaluate(const PointId* batches, std::size_t count)
     const IntegerBatch near = notLeft & (area >= -nearArea) & (product <= nearProduct);
     nearCount -= near;
     const FloatBatch cotangent = FloatBatch(IntegerBatch(product / area) | notLeft);
-    this->Lowest = cotangent < this->Lowest ? cotangent : this->Lowest;
+    lowest = cotangent < lowest ? cotangent : lowest;
     cotangents[n] = WithNear ? (near ? FourTimes(-Unknown) : cotangent) : cotangent;
   }
-  const FloatBatch limit = FourTimes(this->Limit());
+  this->Lowest = lowest;
+  const FloatBatch limit = FourTimes(this->LimitFor(lowest));
   BitBatch bit = { 1, 2, 4, 8 };
   BitBatch marks = {};
   for (std::size_t n = 0; n < count; ++n, bit <<= BatchSize)
@@ -178,12 +181,11 @@ int BoxScan::Evaluate(const PointId* batches, std::size_t count)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The greatest cotangent of a candidate.
-float BoxScan::Limit() const
+// The greatest cotangent of a candidate, for the lowest so far.
+float BoxScan::LimitFor(const FloatBatch& lowest) const
 {
-  const FloatBatch& low = this->Lowest;
   const float least =
-    this->Query.OnlyVisible ? this->Bound : std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
+    this->Query.OnlyVisible ? this->Bound : std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
   return least + Slack * (1.0f + std::abs(least));
 }
 }

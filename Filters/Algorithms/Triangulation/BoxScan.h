@@ -4,15 +4,15 @@
 // Looks through the points of a block of voxels for the third point of an edge, four at a time.
 //
 // Of the points to the left of the edge, that with the least cotangent is looked for: of the angle at which it sees the
-// edge. Cotangents are calculated in single precision for all points. Those that are less than the least one, or not
-// more by some slack, are candidates: most often there is one, on a lattice often two. ThirdPointQuery::Consider
-// compares candidates exactly. So the slack has to be larger than the rounding.
+// edge. Cotangents are calculated in single precision for all points. Those that exceed the least one by no more than
+// some slack are candidates: most often one, on a lattice often two. ThirdPointQuery::Consider compares candidates
+// exactly. So all that matters is that the slack is larger than rounding.
 //
-// That is so for points that are far enough from the line through the edge: with s, the size of the block and of the
-// edge, and u, the rounding of a number, scalar product and doubled area are right to 48 u s^2, and their quotient c to
-// 48 u s^2 (1 + |c|) / area. From an area of 4 * 48 u s^2 / slack on, that is a quarter of the slack. Points that are
-// nearer to the line are candidates, too, if they might be better than those the caller asks for. Most often these are
-// only the ends of the edge; then they are left out.
+// It is for points that are far enough from the line through the edge. In a box of size s, with an edge of length e,
+// the scalar product and the doubled area of a point are right to r = 48 u s (s + e), where u is the rounding of a
+// number of size 1. So their quotient c is right to r (1 + |c|) / area: for an area of 4 r / slack, to a quarter of the
+// slack. Points that are nearer to the line are candidates as well, if they may be better than the caller asks for.
+// Mostly these are the ends of the edge alone; then they are left out.
 
 #ifndef SeismicHorizonsBoxScan_h
 #define SeismicHorizonsBoxScan_h
@@ -34,8 +34,8 @@ class BoxScan
 {
 public:
   /// Lets the query consider those of the points in a box, in which the edge has to be, that may be the third point, as
-  /// long as there is one whose cotangent is not above the bound; else perhaps others, or none. When only visible points
-  /// count, these are all up to the bound.
+  /// long as there is one whose cotangent is not above the bound; else perhaps others, or none. When only visible
+  /// points count, these are all up to the bound.
   static void Run(ThirdPointQuery& query, const VoxelBox& box, float bound);
 
 private:
@@ -47,7 +47,7 @@ private:
   template <bool WithNear>
   int Evaluate(const PointId* batches, std::size_t count);
 
-  float Limit() const;
+  float LimitFor(const FloatBatch& lowest) const;
 
   // So many batches are evaluated at a time. They are listed first, without a branch on how many a row has where it has
   // no more than three: a branch that a processor predicts wrongly takes it as long as a batch.

@@ -175,7 +175,7 @@ void PatchFront::GrowTriangles(AdvancingFront& front, const Region& region, std:
     {
       monitor.Progress(std::min(1.0, double(made) / double(this->MostTriangles())));
     }
-    const ThirdPoint third = this->Search.Find(edge.From, edge.To, edge.SquaredDiameter);
+    const ThirdPoint third = this->Search.Find(edge.From, edge.To, edge.Diameter);
     if (third.Point < this->FirstPointOf(region) || third.Point >= this->EndPointOf(region) ||
       made >= this->MostTriangles())
     {
@@ -185,16 +185,16 @@ void PatchFront::GrowTriangles(AdvancingFront& front, const Region& region, std:
     triangles.push_back(edge.From);
     triangles.push_back(edge.To);
     triangles.push_back(third.Point);
-    addSide({ edge.To, third.Point, third.SquaredDiameter });
-    addSide({ third.Point, edge.From, third.SquaredDiameter });
+    addSide({ edge.To, third.Point, third.Diameter });
+    addSide({ third.Point, edge.From, third.Diameter });
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void PatchFront::ThrowNoThird(const FrontEdge& edge) const
 {
-  throw InputError("no surface to the left of the edge from point " +
-    std::to_string(this->Points.NameOf(edge.From)) + " to point " + std::to_string(this->Points.NameOf(edge.To)) +
+  throw InputError("no surface to the left of the edge from point " + std::to_string(this->Points.NameOf(edge.From)) +
+    " to point " + std::to_string(this->Points.NameOf(edge.To)) +
     ", expected closed boundary loops with the surface to their right");
 }
 

@@ -90,10 +90,10 @@ SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& bound
   , Sorted(this->Grid, points, names)
   , EdgesInVoxel(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
-  ParallelFor(this->Grid.Size(), Grain,
-    [this](std::int64_t first, std::int64_t last) { this->CheckPlaces(first, last); });
-  ParallelFor(this->Grid.Size(), Grain,
-    [this](std::int64_t first, std::int64_t last) { this->CheckEdges(first, last); });
+  ParallelFor(
+    this->Grid.Size(), Grain, [this](std::int64_t first, std::int64_t last) { this->CheckPlaces(first, last); });
+  ParallelFor(
+    this->Grid.Size(), Grain, [this](std::int64_t first, std::int64_t last) { this->CheckEdges(first, last); });
   this->MeasureEdgeDistances();
 }
 
@@ -120,8 +120,8 @@ SearchGrid::SortedPoints::SortedPoints(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A shortest way from an edge goes along a row first, and then from row to row, straight or across corners. So distances
-// along the rows come first, and then two passes over the rows, upwards and downwards.
+// A shortest way from an edge goes along a row first, and then from row to row, straight or across corners. So
+// distances along the rows come first, and then two passes over the rows, upwards and downwards.
 void SearchGrid::MeasureEdgeDistances()
 {
   this->EdgeDistances.assign(std::size_t(this->Grid.Size()), FarFromEdges);
@@ -150,16 +150,31 @@ void SearchGrid::MeasureEdgeDistances()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// Whether a voxel has at most eight points, no two of them in one place.
+bool SearchGrid::AreFewAndApart(std::int64_t voxel) const
+{
+  constexpr PointId few = 8;
+  const PlanePoint* const first = this->Sorted.Places.data() + this->FirstIn(voxel);
+  const PlanePoint* const end = this->Sorted.Places.data() + this->EndOf(voxel);
+  bool apart = end - first <= few;
+  for (const PlanePoint* place = first; apart && place < end; ++place)
+  {
+    apart = std::find(first, place, *place) == place;
+  }
+  return apart;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void SearchGrid::CheckPlaces(std::int64_t firstVoxel, std::int64_t endVoxel) const
 {
   std::vector<PointId> numbers;
   for (std::int64_t cell = firstVoxel; cell < endVoxel; ++cell)
   {
-    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
-    if (numbers.size() < 2)
+    if (this->AreFewAndApart(cell))
     {
       continue;
     }
+    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
     std::iota(numbers.begin(), numbers.end(), this->FirstIn(cell));
     std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
     const auto twin = std::adjacent_find(

@@ -71,6 +71,7 @@ private:
   };
 
   void MeasureEdgeDistances();
+  bool AreFewAndApart(std::int64_t voxel) const;
   void CheckPlaces(std::int64_t firstVoxel, std::int64_t endVoxel) const;
   void CheckEdges(std::int64_t firstVoxel, std::int64_t endVoxel) const;
   void CheckEdge(const Edge* edge, std::int64_t voxel) const;

@@ -84,7 +84,7 @@ bool ThirdPointQuery::IsVisible(PointId point) const
   const std::int64_t toX = this->Points.VoxelX(place.X);
   const std::int64_t toY = this->Points.VoxelY(place.Y);
   const std::int64_t steps = std::max(std::abs(toX - fromX), std::abs(toY - fromY));
-  if (steps < this->Points.EdgeDistance(fromX, fromY))
+  if (steps < std::max(this->Points.EdgeDistance(fromX, fromY), this->Points.EdgeDistance(toX, toY)))
   {
     return true;
   }
@@ -95,8 +95,9 @@ bool ThirdPointQuery::IsVisible(PointId point) const
   {
     visible = visible &&
       std::none_of(edges.begin(voxel), edges.end(voxel),
-        [&](const Edge& edge)
-        { return ProperlyCross(middle, target, Doubled(this->Points.At(edge.From)), Doubled(this->Points.At(edge.To))); });
+        [&](const Edge& edge) {
+          return ProperlyCross(middle, target, Doubled(this->Points.At(edge.From)), Doubled(this->Points.At(edge.To)));
+        });
   };
   if (steps > MostStepsInBox)
   {

@@ -51,10 +51,10 @@ ThirdPointSearch::ThirdPointSearch(const SearchGrid& grid, SearchStrategy strate
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float squaredNeighbor, std::vector<WalkedVoxel>* walk) const
+ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float neighbor, std::vector<WalkedVoxel>* walk) const
 {
   ThirdPointQuery query(this->Points, a, b, walk);
-  const float height = this->FirstHeight(squaredNeighbor);
+  const float height = this->FirstHeight(neighbor);
   this->Search(query, height);
   if (query.Best != NoPoint && !query.IsVisible(query.Best))
   {
@@ -63,7 +63,7 @@ ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float squaredNeighbor, s
     this->Search(query, height);
   }
   const double cotangent = query.BestCotangent;
-  return { query.Best, float((1.0 + cotangent * cotangent) * query.SquaredLength()) };
+  return { query.Best, std::sqrt(float((1.0 + cotangent * cotangent) * query.SquaredLength())) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -172,10 +172,9 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
 
 //----------------------------------------------------------------------------------------------------------------------
 // As high as the neighbour suggests, or as points are apart.
-float ThirdPointSearch::FirstHeight(float squaredNeighbor) const
+float ThirdPointSearch::FirstHeight(float neighbor) const
 {
-  return squaredNeighbor > 0.0f ? std::min(HeightPerNeighbor * std::sqrt(squaredNeighbor), this->GreatestHeight)
-                                : this->UsualHeight;
+  return neighbor > 0.0f ? std::min(HeightPerNeighbor * neighbor, this->GreatestHeight) : this->UsualHeight;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ struct Sum
 template <typename Item, typename Condition>
 std::size_t CountIf(const std::vector<Item>& items, Condition&& condition)
 {
-  constexpr std::int64_t grain = 256;
+  constexpr std::int64_t grain = 1024;
   return AddUpChunks<Sum>(std::int64_t(items.size()), grain, Monitor(),
     [&](Sum& sum, std::int64_t first, std::int64_t last)
     { sum.Value += std::size_t(std::count_if(items.begin() + first, items.begin() + last, condition)); })

@@ -271,8 +271,8 @@ void TestMonitor()
     }
     const BoundedHorizon horizon = FromPicture(picture);
     const int leastCalls = size < 100 ? 3 : 6;
-    CHECK_EQUAL(MonitorChecker::Check(leastCalls,
-                  [&](const Monitor& monitor) { Triangulate(horizon, TriangulationOptions(), monitor); }),
+    CHECK_EQUAL(MonitorChecker::Check(
+                  leastCalls, [&](const Monitor& monitor) { Triangulate(horizon, TriangulationOptions(), monitor); }),
       std::string());
   }
 }
