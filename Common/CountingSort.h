@@ -50,6 +50,8 @@ public:
   /// The items of a key have the positions from First to before End.
   Position First(std::int64_t key) const { return this->Starts[std::size_t(key)]; }
   Position End(std::int64_t key) const { return this->Starts[std::size_t(key) + 1]; }
+  /// First(key) for all keys, one after the other, and then End(key) of the last one.
+  const Position* Firsts() const { return this->Starts.data(); }
 
 private:
   // The positions of a key begin at [key + 1] until they are given away, which counts this entry up to where those of

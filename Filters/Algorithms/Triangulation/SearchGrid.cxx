@@ -4,6 +4,7 @@
 #include "SearchGrid.h"
 
 #include "Common/Errors.h"
+#include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
@@ -18,6 +19,9 @@ namespace
 {
 // The largest distance to boundary edges that is told from larger ones: distances are kept in bytes.
 constexpr unsigned char FarFromEdges = 255;
+
+// How many voxels a thread takes at a time.
+constexpr std::int64_t Grain = 16384;
 
 // Bounds the memory of the grid where points are crowded in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
@@ -42,79 +46,54 @@ std::int64_t VoxelSizeFor(double spacing)
   return std::int64_t(1) << std::max(0L, std::lround(std::log2(spacing)));
 }
 
-/// Distances on a grid, in steps to neighbours, also across corners.
-class DistanceField
+/// Lowers the distances of a row to one more than the least of the three beside each in the next row.
+void LowerTo(const unsigned char* next, std::int64_t size, unsigned char* row)
 {
-public:
-  /// `distances` are those that are known so far, row by row: upper bounds, and 0 where the distance is 0.
-  DistanceField(std::int64_t sizeX, std::int64_t sizeY, std::vector<unsigned char>& distances)
-    : SizeX(sizeX)
-    , SizeY(sizeY)
-    , Distances(distances)
+  // Most rows are long, so that compilers make this loop work on many distances at a time.
+  for (std::int64_t x = 1; x + 1 < size; ++x)
   {
+    const unsigned char nearest = std::min(std::min(next[x - 1], next[x]), next[x + 1]);
+    row[x] = std::min(row[x], static_cast<unsigned char>(nearest + (nearest < FarFromEdges)));
   }
-
-  /// Row by row upwards, and in each row to the right.
-  void PassUp()
+  for (const std::int64_t x : { std::int64_t(0), size - 1 })
   {
-    for (std::int64_t y = 0; y < this->SizeY; ++y)
-    {
-      for (std::int64_t x = 0; x < this->SizeX; ++x)
-      {
-        this->Lower(x, y, y - 1, x - 1);
-      }
-    }
+    const unsigned char nearest = std::min(next[x], next[x == 0 ? std::min<std::int64_t>(1, size - 1) : x - 1]);
+    row[x] = std::min(row[x], static_cast<unsigned char>(nearest + (nearest < FarFromEdges)));
   }
+}
 
-  /// Row by row downwards, and in each row to the left.
-  void PassDown()
+/// Lowers the distances of a row to those along the row.
+void LowerAlong(std::int64_t size, unsigned char* row)
+{
+  int distance = FarFromEdges;
+  for (std::int64_t x = 0; x < size; ++x)
   {
-    for (std::int64_t y = this->SizeY; y-- > 0;)
-    {
-      for (std::int64_t x = this->SizeX; x-- > 0;)
-      {
-        this->Lower(x, y, y + 1, x + 1);
-      }
-    }
+    distance = std::min<int>(row[x], std::min<int>(distance + 1, FarFromEdges));
+    row[x] = static_cast<unsigned char>(distance);
   }
-
-private:
-  /// Lowers a distance to one more than those of its neighbours in the row before, and of that in the column before.
-  void Lower(std::int64_t x, std::int64_t y, std::int64_t rowBefore, std::int64_t columnBefore)
+  distance = FarFromEdges;
+  for (std::int64_t x = size; x-- > 0;)
   {
-    int nearest = FarFromEdges;
-    if (rowBefore >= 0 && rowBefore < this->SizeY)
-    {
-      for (std::int64_t column = std::max<std::int64_t>(0, x - 1); column <= std::min(x + 1, this->SizeX - 1); ++column)
-      {
-        nearest = std::min<int>(nearest, this->At(column, rowBefore));
-      }
-    }
-    if (columnBefore >= 0 && columnBefore < this->SizeX)
-    {
-      nearest = std::min<int>(nearest, this->At(columnBefore, y));
-    }
-    unsigned char& distance = this->At(x, y);
-    distance = static_cast<unsigned char>(std::min<int>(distance, nearest + 1));
+    distance = std::min<int>(row[x], std::min<int>(distance + 1, FarFromEdges));
+    row[x] = static_cast<unsigned char>(distance);
   }
-
-  unsigned char& At(std::int64_t x, std::int64_t y) { return this->Distances[std::size_t(y * this->SizeX + x)]; }
-
-  const std::int64_t SizeX;
-  const std::int64_t SizeY;
-  std::vector<unsigned char>& Distances;
-};
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names)
   : PointSpacing(SpacingOf(points, boundary))
   , Grid(points, 1, VoxelSizeFor(this->PointSpacing))
+  , Shift(std::ilogb(double(this->Grid.CellSize())))
+  , Origin(this->Grid.Corner(0))
+  , Last({ std::int32_t(this->Grid.SizeX() - 1), std::int32_t(this->Grid.SizeY() - 1) })
   , Sorted(this->Grid, points, names)
   , EdgesInVoxel(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
-  this->CheckPlaces();
-  this->CheckEdges();
+  ParallelFor(
+    this->Grid.Size(), Grain, [this](std::int64_t first, std::int64_t last) { this->CheckPlaces(first, last); });
+  ParallelFor(
+    this->Grid.Size(), Grain, [this](std::int64_t first, std::int64_t last) { this->CheckEdges(first, last); });
   this->MeasureEdgeDistances();
 }
 
@@ -141,8 +120,8 @@ SearchGrid::SortedPoints::SortedPoints(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Two passes are enough, as the next voxel on a shortest way to an edge is met earlier in one of their two orders
-// (Rosenfeld and Pfaltz, "Sequential operations in digital picture processing", 1966).
+// A shortest way from an edge goes along a row first, and then from row to row, straight or across corners. So
+// distances along the rows come first, and then two passes over the rows, upwards and downwards.
 void SearchGrid::MeasureEdgeDistances()
 {
   this->EdgeDistances.assign(std::size_t(this->Grid.Size()), FarFromEdges);
@@ -150,29 +129,52 @@ void SearchGrid::MeasureEdgeDistances()
   {
     return;
   }
+  const std::int64_t size = this->Grid.SizeX();
+  unsigned char* const distances = this->EdgeDistances.data();
   for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
   {
-    if (!this->EdgesInVoxel.IsEmpty(voxel))
-    {
-      this->EdgeDistances[std::size_t(voxel)] = 0;
-    }
+    distances[voxel] = this->EdgesInVoxel.IsEmpty(voxel) ? FarFromEdges : 0;
   }
-  DistanceField field(this->Grid.SizeX(), this->Grid.SizeY(), this->EdgeDistances);
-  field.PassUp();
-  field.PassDown();
+  for (std::int64_t y = 0; y < this->Grid.SizeY(); ++y)
+  {
+    LowerAlong(size, distances + y * size);
+  }
+  for (std::int64_t y = 1; y < this->Grid.SizeY(); ++y)
+  {
+    LowerTo(distances + (y - 1) * size, size, distances + y * size);
+  }
+  for (std::int64_t y = this->Grid.SizeY() - 1; y-- > 0;)
+  {
+    LowerTo(distances + (y + 1) * size, size, distances + y * size);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckPlaces() const
+// Whether a voxel has at most eight points, no two of them in one place.
+bool SearchGrid::AreFewAndApart(std::int64_t voxel) const
+{
+  constexpr PointId few = 8;
+  const PlanePoint* const first = this->Sorted.Places.data() + this->FirstIn(voxel);
+  const PlanePoint* const end = this->Sorted.Places.data() + this->EndOf(voxel);
+  bool apart = end - first <= few;
+  for (const PlanePoint* place = first; apart && place < end; ++place)
+  {
+    apart = std::find(first, place, *place) == place;
+  }
+  return apart;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SearchGrid::CheckPlaces(std::int64_t firstVoxel, std::int64_t endVoxel) const
 {
   std::vector<PointId> numbers;
-  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
+  for (std::int64_t cell = firstVoxel; cell < endVoxel; ++cell)
   {
-    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
-    if (numbers.size() < 2)
+    if (this->AreFewAndApart(cell))
     {
       continue;
     }
+    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
     std::iota(numbers.begin(), numbers.end(), this->FirstIn(cell));
     std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
     const auto twin = std::adjacent_find(
@@ -187,9 +189,9 @@ void SearchGrid::CheckPlaces() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckEdges() const
+void SearchGrid::CheckEdges(std::int64_t firstVoxel, std::int64_t endVoxel) const
 {
-  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
+  for (std::int64_t voxel = firstVoxel; voxel < endVoxel; ++voxel)
   {
     for (const Edge* edge = this->EdgesInVoxel.begin(voxel); edge != this->EdgesInVoxel.end(voxel); ++edge)
     {

@@ -10,6 +10,7 @@
 #include "Common/CountingSort.h"
 #include "Common/Types.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,21 @@ public:
   PointId NumberOf(PointId point) const { return this->Sorted.Numbers[std::size_t(point)]; }
   PointId NameOf(PointId number) const { return this->Sorted.Names[std::size_t(number)]; }
 
+  PointId NumberOfPoints() const { return PointId(this->Sorted.Names.size()); }
+
   const PlanePoint& At(PointId number) const { return this->Sorted.Places[std::size_t(number)]; }
 
   /// The points in a voxel have the numbers from the first to before the end.
   PointId FirstIn(std::int64_t voxel) const { return this->Sorted.Voxels.First(voxel); }
   PointId EndOf(std::int64_t voxel) const { return this->Sorted.Voxels.End(voxel); }
+
+  /// The first points of all voxels, row by row: those of a row of voxels end at the first point of the next voxel.
+  const PointId* VoxelStarts() const { return this->Sorted.Voxels.Firsts(); }
+
+  /// The column and the row of voxels at a coordinate; for one outside the grid, of the nearest voxel in it. Quicker
+  /// than CellX and CellY of the grid, as coordinates are whole and the side of a voxel is a power of two.
+  std::int64_t VoxelX(std::int32_t x) const { return std::clamp((x - this->Origin.X) >> this->Shift, 0, this->Last.X); }
+  std::int64_t VoxelY(std::int32_t y) const { return std::clamp((y - this->Origin.Y) >> this->Shift, 0, this->Last.Y); }
 
   /// How far apart points are on average: the side of a square with the area that there is for one point.
   double Spacing() const { return this->PointSpacing; }
@@ -60,13 +71,17 @@ private:
   };
 
   void MeasureEdgeDistances();
-  void CheckPlaces() const;
-  void CheckEdges() const;
+  bool AreFewAndApart(std::int64_t voxel) const;
+  void CheckPlaces(std::int64_t firstVoxel, std::int64_t endVoxel) const;
+  void CheckEdges(std::int64_t firstVoxel, std::int64_t endVoxel) const;
   void CheckEdge(const Edge* edge, std::int64_t voxel) const;
   std::string Describe(const Edge& edge) const;
 
   const double PointSpacing;
   const CellGrid Grid;
+  const int Shift; // the exponent of the side of a voxel
+  const PlanePoint Origin; // of the grid
+  const PlanePoint Last; // the last column and the last row of voxels
   const SortedPoints Sorted;
   const EdgeLists EdgesInVoxel;
   std::vector<unsigned char> EdgeDistances; // by voxel

@@ -13,6 +13,10 @@ namespace
 // For points whose cotangents are closer to each other than this part, InCircle decides.
 constexpr double CotangentRounding = 1e-14;
 
+// A segment that leads no more voxels away from its start is looked for boundary edges in the whole box around it: to
+// find the voxels that it touches takes longer.
+constexpr std::int64_t MostStepsInBox = 1;
+
 PlanePoint Doubled(const PlanePoint& p)
 {
   return { 2 * p.X, 2 * p.Y };
@@ -69,37 +73,44 @@ bool ThirdPointQuery::IsBetter(const PlanePoint& place, PointId candidate, doubl
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether a segment leads as many voxels away from its start as the nearest boundary edge is.
-bool ThirdPointQuery::MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const
-{
-  const CellGrid& voxels = this->Points.Voxels();
-  const std::int64_t x = voxels.CellX(from.X);
-  const std::int64_t y = voxels.CellY(from.Y);
-  return std::max(std::abs(voxels.CellX(to.X) - x), std::abs(voxels.CellY(to.Y) - y)) >=
-    this->Points.EdgeDistance(x, y);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 // A segment that runs through the end of a boundary edge does not cross it, and the point behind counts as visible.
 // That does no harm: the end of the edge is nearer, and lies inside the circle of the point behind it.
 bool ThirdPointQuery::IsVisible(PointId point) const
 {
-  const SegmentEnd middle = this->Middle();
   const PlanePoint& place = this->Points.At(point);
-  if (!this->MayMeetEdges(middle, place))
+  const PlanePoint middle = this->DoubledMiddle();
+  const std::int64_t fromX = this->Points.VoxelX(middle.X >> 1);
+  const std::int64_t fromY = this->Points.VoxelY(middle.Y >> 1);
+  const std::int64_t toX = this->Points.VoxelX(place.X);
+  const std::int64_t toY = this->Points.VoxelY(place.Y);
+  const std::int64_t steps = std::max(std::abs(toX - fromX), std::abs(toY - fromY));
+  if (steps < std::max(this->Points.EdgeDistance(fromX, fromY), this->Points.EdgeDistance(toX, toY)))
   {
     return true;
   }
   const PlanePoint target = Doubled(place);
+  const EdgeLists& edges = this->Points.Edges();
   bool visible = true;
-  const auto blocks = [&](const Edge& edge)
+  const auto look = [&](std::int64_t voxel)
   {
-    return ProperlyCross(
-      Doubled(this->Points.At(edge.From)), Doubled(this->Points.At(edge.To)), this->DoubledMiddle(), target);
+    visible = visible &&
+      std::none_of(edges.begin(voxel), edges.end(voxel),
+        [&](const Edge& edge) {
+          return ProperlyCross(middle, target, Doubled(this->Points.At(edge.From)), Doubled(this->Points.At(edge.To)));
+        });
   };
-  this->Points.Voxels().ForEachCellAlong(middle, place,
-    [&](std::int64_t cell)
-    { visible = visible && std::none_of(this->Points.Edges().begin(cell), this->Points.Edges().end(cell), blocks); });
+  if (steps > MostStepsInBox)
+  {
+    this->Points.Voxels().ForEachCellAlong(this->Middle(), place, look);
+    return visible;
+  }
+  for (std::int64_t y = std::min(fromY, toY); y <= std::max(fromY, toY); ++y)
+  {
+    for (std::int64_t x = std::min(fromX, toX); x <= std::max(fromX, toX); ++x)
+    {
+      look(this->Points.Voxels().Index(x, y));
+    }
+  }
   return visible;
 }
 }

@@ -86,7 +86,6 @@ struct ThirdPointQuery
 private:
   double CotangentOf(const PlanePoint& place, std::int64_t area) const;
   bool IsBetter(const PlanePoint& place, PointId candidate, double cotangent) const;
-  bool MayMeetEdges(const SegmentEnd& from, const SegmentEnd& to) const;
 };
 
 /// The square box of an edge (thesis 5.3.2), in voxels: as far around its middle as it is long.
@@ -115,21 +114,15 @@ constexpr double CircleMarginPerRadius = 1e-12;
 struct EdgeCircle
 {
   EdgeCircle(const ThirdPointQuery& query, double cotangent)
-    : EdgeCircle(query, cotangent, 0.5 * std::sqrt((1.0 + cotangent * cotangent) * query.SquaredLength()))
-  {
-  }
-
-  /// For a radius that is known already.
-  EdgeCircle(const ThirdPointQuery& query, double cotangent, double radius)
     : Start(query.A)
     , EdgeX(double(query.B.X) - query.A.X)
     , EdgeY(double(query.B.Y) - query.A.Y)
     , X(0.5 * (this->EdgeX - this->EdgeY * cotangent))
     , Y(0.5 * (this->EdgeY + this->EdgeX * cotangent))
-    , Radius(radius)
-    , Margin(CircleMargin + CircleMarginPerRadius * this->Radius)
-    , SquaredReach((this->Radius + this->Margin) * (this->Radius + this->Margin))
   {
+    const double radius = 0.5 * std::sqrt((1.0 + cotangent * cotangent) * query.SquaredLength());
+    const double reach = radius + CircleMargin + CircleMarginPerRadius * radius;
+    this->SquaredReach = reach * reach;
   }
 
   /// False only when the point is for certain outside, or to the right of the edge. Without branches: points are inside
@@ -155,8 +148,6 @@ struct EdgeCircle
   double EdgeY;
   double X; // the centre
   double Y;
-  double Radius;
-  double Margin;
   double SquaredReach; // of the radius and the margin
 };
 }

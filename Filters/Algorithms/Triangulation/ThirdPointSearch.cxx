@@ -3,12 +3,12 @@
 
 #include "ThirdPointSearch.h"
 
+#include "BoxScan.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 #include "VoxelWalk.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -16,13 +16,19 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The first circle that is looked into: its diameter when points are one apart on average, and the least one for an
-// edge of length 1. Larger circles have more points than needed, smaller ones too often none.
-constexpr double NearbyDiameter = 1.5;
-constexpr double LeastDiameter = 1.1;
+// How high the part of a circle is that is looked into first: in diameters of the circle of the triangle on the other
+// side of the edge, or where there is none in distances between points, as at most. Larger ones have more points than
+// needed, smaller ones too often none.
+constexpr float HeightPerNeighbor = 1.15f;
+constexpr float HeightPerSpacing = 1.3f;
+constexpr float MostHeightPerSpacing = 3.0f;
+constexpr int MostLooks = 3; // each is twice as high as the one before
 
 // A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain.
-constexpr double CotangentMargin = 1e-12;
+constexpr float CotangentMargin = 1e-5f;
+
+// The longest edge, in voxels, that is looked at in this way: a box around a long slanted one has many points.
+constexpr std::int64_t LongestNearby = 16;
 
 // The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar is quicker.
 constexpr std::int64_t LargestBoxToTraverse = 8;
@@ -35,17 +41,29 @@ double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk) const
+ThirdPointSearch::ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy)
+  : Strategy(strategy)
+  , Points(grid)
+  , Grid(grid.Voxels())
+  , UsualHeight(HeightPerSpacing * float(grid.Spacing()))
+  , GreatestHeight(MostHeightPerSpacing * float(grid.Spacing()))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float neighbor, std::vector<WalkedVoxel>* walk) const
 {
   ThirdPointQuery query(this->Points, a, b, walk);
-  this->Search(query);
+  const float height = this->FirstHeight(neighbor);
+  this->Search(query, height);
   if (query.Best != NoPoint && !query.IsVisible(query.Best))
   {
     query.OnlyVisible = true;
     query.Best = NoPoint;
-    this->Search(query);
+    this->Search(query, height);
   }
-  return query.Best;
+  const double cotangent = query.BestCotangent;
+  return { query.Best, std::sqrt(float((1.0 + cotangent * cotangent) * query.SquaredLength())) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -55,10 +73,11 @@ PointId ThirdPointSearch::Find(PointId a, PointId b, std::vector<WalkedVoxel>* w
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
   ThirdPointQuery left(this->Points, a, b, nullptr);
-  this->Search(left);
+  this->Search(left, this->UsualHeight);
   ThirdPointQuery right(this->Points, b, a, nullptr);
   right.BestCotangent = -left.BestCotangent;
-  const VoxelBox box = this->LeftPartOf(EdgeCircle(right, right.BestCotangent), right);
+  const EdgeCircle circle(right, right.BestCotangent);
+  const VoxelBox box = VoxelsOfBest(right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -66,7 +85,7 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
       [&](PointId point)
       {
         empty = empty &&
-          (SignedArea(right.A, right.B, this->At(point)) <= 0 ||
+          (!circle.MayHold(this->At(point)) || SignedArea(right.A, right.B, this->At(point)) <= 0 ||
             InCircle(left.A, left.B, this->At(left.Best), this->At(point)) <= 0);
       });
   }
@@ -74,22 +93,27 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ThirdPointSearch::Search(ThirdPointQuery& query) const
+void ThirdPointSearch::Search(ThirdPointQuery& query, float height) const
 {
   const bool isTraced = query.Walk != nullptr;
-  const EdgeBox edgeBox(query, this->Grid);
-  if (edgeBox.Size > LargestBoxToTraverse && !isTraced)
+  if (!isTraced)
   {
-    this->SearchFar(query);
-    return;
+    const std::int64_t extent = std::max(std::abs(query.A.X - query.B.X), std::abs(query.A.Y - query.B.Y));
+    if (this->Strategy == SearchStrategy::VoxelTraversal && extent < LongestNearby * this->Grid.CellSize() &&
+      this->SearchNearby(query, height))
+    {
+      return;
+    }
+    if (extent >= LargestBoxToTraverse * this->Grid.CellSize())
+    {
+      this->SearchFar(query);
+      return;
+    }
   }
+  const EdgeBox edgeBox(query, this->Grid);
   if (this->Strategy == SearchStrategy::Compactness)
   {
     this->CompareBox(query, edgeBox);
-  }
-  else if (!isTraced && this->SearchNearby(query))
-  {
-    return;
   }
   else
   {
@@ -107,33 +131,50 @@ void ThirdPointSearch::Search(ThirdPointQuery& query) const
   }
   if (query.Best != NoPoint)
   {
-    const EdgeCircle circle(query, query.BestCotangent);
-    this->SearchCircle(query, circle, this->LeftPartOf(circle, query));
+    this->ScanBox(query, VoxelsOfBest(query), float(query.BestCotangent));
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Where points are as dense as on average, the third point lies in a circle through the ends of the edge that is little
-// wider than points are apart: when the circle has points to the left of the edge, the third point is one of them.
-// Where it has none, points are further apart, and a circle twice as wide is searched.
-bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query) const
+// The third point is looked for in the part of a circle through the ends of the edge that is to its left and so high:
+//
+//          . * .         -
+//       .         .      | height     The centre is (height - rest) / 2 to the left of the edge, and the radius is
+//      a-----------b     -            (height + rest) / 2, where rest is the height of the other part of the circle.
+//       .         .      | rest
+//          . . .         -
+//
+// When that part has points, the third point is one of them. When it has none, but others are near, the circle of the
+// best of these is searched, as long as it is not higher than twice as much; else that height is the next to be tried.
+bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
 {
-  const double squaredLength = query.SquaredLength();
-  const double nearby = NearbyDiameter * this->Points.Spacing();
-  double squaredDiameter = std::max(nearby * nearby, LeastDiameter * LeastDiameter * squaredLength);
-  double cotangent = 0.0;
-  for (int look = 0; query.Best == NoPoint && look < 2; ++look)
+  const float squaredLength = float(query.SquaredLength());
+  const float perLength = 1.0f / std::sqrt(squaredLength);
+  for (int look = 0; look < MostLooks; ++look)
   {
-    cotangent = std::sqrt(squaredDiameter / squaredLength - 1.0);
-    const EdgeCircle circle(query, cotangent, 0.5 * std::sqrt(squaredDiameter));
-    const double reach = circle.Radius + circle.Margin;
-    this->SearchCircle(query, circle,
-      { this->Grid.CellX(query.A.X + circle.X - reach), this->Grid.CellY(query.A.Y + circle.Y - reach),
-        this->Grid.CellX(query.A.X + circle.X + reach), this->Grid.CellY(query.A.Y + circle.Y + reach) });
-    squaredDiameter *= 4.0;
+    const float rest = 0.25f * squaredLength / height;
+    const float cotangent = (height - rest) * perLength;
+    const float cotangentOfTwice = (2.0f * height - 0.5f * rest) * perLength;
+    this->ScanBox(query, VoxelsOfCircle(query, cotangent, 0.5f * (height + rest)), cotangent);
+    if (query.Best != NoPoint && query.BestCotangent <= cotangentOfTwice)
+    {
+      if (query.BestCotangent >= cotangent - CotangentMargin * std::abs(cotangent))
+      {
+        this->ScanBox(query, VoxelsOfBest(query), float(query.BestCotangent));
+      }
+      return true;
+    }
+    query.Best = NoPoint;
+    height *= 2.0f;
   }
-  // When the best point is in the margin of the circle, a better one may be outside.
-  return query.Best != NoPoint && query.BestCotangent < cotangent * (1.0 - CotangentMargin);
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// As high as the neighbour suggests, or as points are apart.
+float ThirdPointSearch::FirstHeight(float neighbor) const
+{
+  return neighbor > 0.0f ? std::min(HeightPerNeighbor * neighbor, this->GreatestHeight) : this->UsualHeight;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -199,10 +240,7 @@ void ThirdPointSearch::CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox
 // best one. Every better point makes that circle smaller, which is why near boxes come first.
 void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
 {
-  if (!this->Pyramid)
-  {
-    this->Pyramid = std::make_unique<PointPyramid>(this->Points);
-  }
+  std::call_once(this->PyramidFlag, [this]() { this->Pyramid = std::make_unique<PointPyramid>(this->Points); });
   std::optional<EdgeCircle> circle;
   const SegmentEnd middle = query.Middle();
   const auto isLeft = [&](std::int32_t x, std::int32_t y) { return SignedArea(query.A, query.B, { x, y }) > 0; };
@@ -245,70 +283,13 @@ VoxelBox ThirdPointSearch::SquareAround(const EdgeBox& edgeBox, std::int64_t rad
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The box of the circle's part to the left of the edge: around the ends of the edge, and those of the circle's
-// leftmost, rightmost, lowest and highest points that are to the left.
-VoxelBox ThirdPointSearch::LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const
+void ThirdPointSearch::ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const
 {
-  const double bx = double(query.B.X) - query.A.X;
-  const double by = double(query.B.Y) - query.A.Y;
-  double minX = std::min(0.0, bx);
-  double minY = std::min(0.0, by);
-  double maxX = std::max(0.0, bx);
-  double maxY = std::max(0.0, by);
-  const double outermost[4][2] = { { circle.X - circle.Radius, circle.Y }, { circle.X + circle.Radius, circle.Y },
-    { circle.X, circle.Y - circle.Radius }, { circle.X, circle.Y + circle.Radius } };
-  const double nearlyLeft = -2.0 * circle.Margin * (std::abs(bx) + std::abs(by));
-  for (const auto& point : outermost)
-  {
-    // Without branches: one that is not to the left counts as the start of the edge, which is in the box anyway.
-    const bool left = bx * point[1] - by * point[0] > nearlyLeft;
-    const double px = left ? point[0] : 0.0;
-    const double py = left ? point[1] : 0.0;
-    minX = std::min(minX, px);
-    maxX = std::max(maxX, px);
-    minY = std::min(minY, py);
-    maxY = std::max(maxY, py);
-  }
-  return { this->Grid.CellX(query.A.X + minX - circle.Margin), this->Grid.CellY(query.A.Y + minY - circle.Margin),
-    this->Grid.CellX(query.A.X + maxX + circle.Margin), this->Grid.CellY(query.A.Y + maxY + circle.Margin) };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Points are tested in batches of fixed size, even where a row of voxels has fewer, and those inside are collected
-// without branches. Which points are inside follows no pattern, and a branch that a processor predicts wrongly takes it
-// longer than to test some points more.
-void ThirdPointSearch::SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const
-{
-  constexpr PointId Batch = SearchGrid::Padding;
-  std::array<PointId, 16 * std::size_t(Batch)> inside;
-  std::size_t count = 0;
-  const auto considerAll = [&]()
-  {
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      query.Consider(inside[n]);
-    }
-    count = 0;
-  };
-  for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
+  for (std::int64_t row = box.FirstY; query.Walk && row <= box.LastY; ++row)
   {
     this->Trace(query, row, box.FirstX, box.LastX);
-    const PointId end = this->Points.EndOf(this->Grid.Index(box.LastX, row));
-    for (PointId first = this->Points.FirstIn(this->Grid.Index(box.FirstX, row)); first < end; first += Batch)
-    {
-      for (PointId point = first; point < first + Batch; ++point)
-      {
-        inside[count] = point;
-        count +=
-          std::size_t((point < end) & (point != query.From) & (point != query.To) & circle.MayHold(this->At(point)));
-      }
-      if (count > inside.size() - Batch)
-      {
-        considerAll();
-      }
-    }
   }
-  considerAll();
+  BoxScan::Run(query, box, bound);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

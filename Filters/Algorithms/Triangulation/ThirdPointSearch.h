@@ -20,8 +20,9 @@
 //      . 2 1 0 1 2 .
 //      a . . . . . .
 //
-// Most often the point is in the voxel beside the edge. So before all this a circle through a and b is searched that is
-// little wider than points are apart: when it has points to the left of the edge, the third point is one of them.
+// Most often the point is in the voxel beside the edge. So before all this a circle through a and b is searched, the
+// part of it to the left of the edge: one as large as the circle of the triangle on the other side of the edge
+// suggests, which is empty, or little higher than points are apart. When it has points, the third point is one of them.
 //
 // Compactness takes that point of the box which makes the most compact triangle (eq. 5.9).
 //
@@ -54,6 +55,7 @@
 #include "ThirdPointQuery.h"
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace SeismicHorizons
@@ -64,30 +66,32 @@ enum class SearchStrategy
   Compactness
 };
 
-/// Not for several threads at a time.
+struct ThirdPoint
+{
+  PointId Point = NoPoint; // none when nothing can be seen to the left of the edge
+  float Diameter = 0.0f; // of its circle with the edge
+};
+
 class ThirdPointSearch
 {
 public:
   /// `grid` must outlive the search; edges are asked for by its numbers.
-  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy)
-    : Strategy(strategy)
-    , Points(grid)
-    , Grid(grid.Voxels())
-  {
-  }
+  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy);
 
-  /// The third point for the edge from a to b, or NoPoint when nothing can be seen to the left of it. `walk`, when
-  /// given, takes the voxels that were looked into, in their order; the circle that comes first otherwise is left out
-  /// then, so that they show the strategy.
-  PointId Find(PointId a, PointId b, std::vector<WalkedVoxel>* walk = nullptr) const;
+  /// The third point for the edge from a to b. `neighbor` is about the diameter of the circle of the triangle on the
+  /// other side of the edge, 0 where that is not known: it says where to look first. `walk`, when given, takes the
+  /// voxels that were looked into, in their order; the circle that comes first otherwise is left out then, so that they
+  /// show the strategy.
+  ThirdPoint Find(PointId a, PointId b, float neighbor, std::vector<WalkedVoxel>* walk = nullptr) const;
 
   /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it is
   /// an edge of the Delaunay triangulation without constraints, too. There must be a point to the left of it.
   bool IsDelaunay(PointId a, PointId b) const;
 
 private:
-  void Search(ThirdPointQuery& query) const;
-  bool SearchNearby(ThirdPointQuery& query) const;
+  void Search(ThirdPointQuery& query, float height) const;
+  bool SearchNearby(ThirdPointQuery& query, float height) const;
+  float FirstHeight(float neighbor) const;
   void TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
   void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const;
   void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
@@ -95,8 +99,7 @@ private:
   void SearchFar(ThirdPointQuery& query) const;
 
   VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
-  VoxelBox LeftPartOf(const EdgeCircle& circle, const ThirdPointQuery& query) const;
-  void SearchCircle(ThirdPointQuery& query, const EdgeCircle& circle, const VoxelBox& box) const;
+  void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const;
   void SearchBox(ThirdPointQuery& query, const VoxelBox& box) const;
   void SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
   void Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
@@ -108,6 +111,9 @@ private:
   const SearchStrategy Strategy;
   const SearchGrid& Points;
   const CellGrid& Grid;
+  const float UsualHeight;
+  const float GreatestHeight;
+  mutable std::once_flag PyramidFlag;
   mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
 };
 }

@@ -5,7 +5,9 @@
 
 #include "AdvancingFront.h"
 #include "Common/Errors.h"
+#include "Common/FixedChunks.h"
 #include "FullBlocks.h"
+#include "PatchFront.h"
 #include "PatchList.h"
 
 #include <algorithm>
@@ -17,6 +19,24 @@ namespace SeismicHorizons
 {
 namespace
 {
+struct Sum
+{
+  std::size_t Value = 0;
+
+  void Add(const Sum& other) { this->Value += other.Value; }
+};
+
+/// How many items fulfil a condition, by several threads.
+template <typename Item, typename Condition>
+std::size_t CountIf(const std::vector<Item>& items, Condition&& condition)
+{
+  constexpr std::int64_t grain = 1024;
+  return AddUpChunks<Sum>(std::int64_t(items.size()), grain, Monitor(),
+    [&](Sum& sum, std::int64_t first, std::int64_t last)
+    { sum.Value += std::size_t(std::count_if(items.begin() + first, items.begin() + last, condition)); })
+    .Value;
+}
+
 /// Meshes a patch from its boundary inwards, and from its full blocks outwards.
 class PatchTriangulator
 {
@@ -26,70 +46,58 @@ public:
     , Options(options)
     , Points(patch.Places, patch.Boundary, patch.Points)
     , Search(this->Points, options.Strategy)
-    , Front(patch.Points.size())
-    , Used(patch.Points.size(), false)
+    , Front(this->Points, this->Search, options.MostTriangles > 0 ? 1 : PatchFront::FindStrips(this->Points))
     , Result(result)
-    , Triangles(result.Triangles)
   {
     // The surface lies to the right of each boundary edge, so its reverse waits for a triangle. An edge that the
     // boundary has in both directions has surface on neither side.
-    patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddOuterSide(from, to); });
+    patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddSide(from, to); });
     for (const Edge& side : patch.BlockSides)
     {
-      this->AddOuterSide(side.From, side.To);
+      this->AddSide(side.From, side.To);
     }
     for (std::size_t loop = 0; loop < patch.Boundary.Size(); ++loop)
     {
       // A loop of one point has no edge.
-      this->Used[std::size_t(this->Points.NumberOf(*patch.Boundary.begin(loop)))] = true;
+      this->Front.Use(this->Points.NumberOf(*patch.Boundary.begin(loop)));
     }
   }
 
   void Run(const Monitor& monitor)
   {
-    // By Euler's formula a plane mesh has less than two triangles per point.
-    const std::size_t most = 2 * this->Used.size();
-    const std::size_t wanted = this->Options.MostTriangles > 0 ? this->Options.MostTriangles : most + 1;
-    std::size_t made = 0;
-    for (Edge edge; made < wanted && this->Front.TakeNewest(edge); ++made)
-    {
-      if (made % 4096 == 0)
-      {
-        monitor.Progress(std::min(1.0, double(made) / double(most)));
-      }
-      const PointId third = this->FindThird(edge, made + 1 == this->Options.MostTriangles);
-      if (third == NoPoint || made >= most)
-      {
-        throw InputError("no surface to the left of the edge from point " + this->Name(edge.From) + " to point " +
-          this->Name(edge.To) + ", expected closed boundary loops with the surface to their right");
-      }
-      this->AddTriangle(edge.From, edge.To, third);
-    }
-    if (this->Options.MostTriangles == 0)
+    const std::size_t most = this->Options.MostTriangles;
+    this->Front.Grow(most > 0 ? most : this->Front.MostTriangles() + 1, monitor);
+    if (most == 0)
     {
       this->CheckAllUsed();
     }
+    else if (this->Front.NumberOfTriangles() == most)
+    {
+      this->TraceLast();
+    }
+    this->Front.MoveTriangles(this->Result.Triangles);
   }
 
   /// How many edges, by the numbers of the patch, are not Delaunay among its points.
   std::size_t CountNonDelaunay(const std::vector<Edge>& edges) const
   {
-    return std::size_t(std::count_if(edges.begin(), edges.end(),
+    return CountIf(edges,
       [this](const Edge& edge)
-      { return !this->Search.IsDelaunay(this->Points.NumberOf(edge.From), this->Points.NumberOf(edge.To)); }));
+      { return !this->Search.IsDelaunay(this->Points.NumberOf(edge.From), this->Points.NumberOf(edge.To)); });
   }
 
 private:
-  std::string Name(PointId point) const { return std::to_string(this->Points.NameOf(point)); }
-
-  PointId FindThird(const Edge& edge, bool traced)
+  void AddSide(PointId from, PointId to)
   {
-    if (!traced)
-    {
-      return this->Search.Find(edge.From, edge.To);
-    }
+    this->Front.AddSide(this->Points.NumberOf(from), this->Points.NumberOf(to));
+  }
+
+  /// Searches once more for the third point of the last edge.
+  void TraceLast()
+  {
+    const Edge edge = this->Front.LastEdge();
     std::vector<WalkedVoxel> walk;
-    const PointId third = this->Search.Find(edge.From, edge.To, &walk);
+    this->Search.Find(edge.From, edge.To, 0.0f, &walk);
     const CellGrid& voxels = this->Points.Voxels();
     const PlaneFrame& frame = this->Input.Frame;
     this->Result.Walk.clear();
@@ -98,47 +106,17 @@ private:
       this->Result.Walk.push_back({ frame.Outward(voxels.CornerOf(voxel.X, voxel.Y)),
         frame.Outward(voxels.CornerOf(voxel.X + 1, voxel.Y + 1)), voxel.Dilatation });
     }
-    return third;
-  }
-
-  void AddOuterSide(PointId from, PointId to)
-  {
-    const PointId a = this->Points.NumberOf(from);
-    const PointId b = this->Points.NumberOf(to);
-    this->Used[std::size_t(a)] = true;
-    this->Used[std::size_t(b)] = true;
-    this->AddSide(a, b);
-  }
-
-  void AddTriangle(PointId a, PointId b, PointId c)
-  {
-    // a and b are the ends of an edge of the front, and so were used before.
-    this->Used[std::size_t(c)] = true;
-    for (const PointId point : { a, b, c })
-    {
-      this->Triangles.push_back(this->Points.NameOf(point));
-    }
-    this->AddSide(b, c);
-    this->AddSide(c, a);
-  }
-
-  /// Adds a side that has something to its left now: if it waited for that it leaves the front, else its reverse waits
-  /// for a triangle.
-  void AddSide(PointId from, PointId to)
-  {
-    if (!this->Front.Remove(from, to))
-    {
-      this->Front.Add(to, from);
-    }
   }
 
   void CheckAllUsed() const
   {
-    const auto unused = std::find(this->Used.begin(), this->Used.end(), false);
-    if (unused != this->Used.end())
+    for (PointId point = 0; point < this->Points.NumberOfPoints(); ++point)
     {
-      throw InputError("point " + this->Name(PointId(unused - this->Used.begin())) +
-        " lies outside the boundary of its patch, expected all points inside");
+      if (!this->Front.IsUsed(point))
+      {
+        throw InputError("point " + std::to_string(this->Points.NameOf(point)) +
+          " lies outside the boundary of its patch, expected all points inside");
+      }
     }
   }
 
@@ -146,28 +124,19 @@ private:
   const TriangulationOptions Options;
   const SearchGrid Points;
   const ThirdPointSearch Search;
-  AdvancingFront Front;
-  std::vector<bool> Used; // by the numbers of the search, as in the front
+  PatchFront Front;
   Triangulation& Result;
-  RawVector<PointId>& Triangles;
 };
 
 /// The boundary edges of a patch that have surface on one side, turned so that it is to their left.
 std::vector<Edge> FindBoundaryEdges(const Patch& patch)
 {
-  AdvancingFront walked(patch.Points.size());
-  patch.Boundary.ForEachEdge(
-    [&walked](PointId from, PointId to)
-    {
-      if (!walked.Remove(from, to))
-      {
-        walked.Add(to, from);
-      }
-    });
+  AdvancingFront walked(0, PointId(patch.Points.size()));
+  patch.Boundary.ForEachEdge([&walked](PointId from, PointId to) { walked.AddSide({ from, to }); });
   std::vector<Edge> edges;
-  for (Edge edge; walked.TakeNewest(edge);)
+  for (FrontEdge edge; walked.TakeNewest(edge);)
   {
-    edges.push_back(edge);
+    edges.push_back({ edge.From, edge.To });
   }
   return edges;
 }
@@ -263,8 +232,8 @@ private:
       const SearchGrid points(patch.Places, Loops(), patch.Points);
       const ThirdPointSearch search(points, this->Options.Strategy);
       const auto number = [&](PointId point) { return points.NumberOf(whole.NumberInPatch(point)); };
-      this->Result.NonDelaunayEdges += std::size_t(std::count_if(
-        first, last, [&](const DoubtfulEdge& edge) { return !search.IsDelaunay(number(edge.From), number(edge.To)); }));
+      this->Result.NonDelaunayEdges += CountIf(std::vector<DoubtfulEdge>(first, last),
+        [&](const DoubtfulEdge& edge) { return !search.IsDelaunay(number(edge.From), number(edge.To)); });
       first = last;
     }
   }

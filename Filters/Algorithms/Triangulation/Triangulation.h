@@ -7,8 +7,9 @@
 // triangles and from the boundary, by an advancing front of edges that wait for a triangle. An edge of the front makes
 // a triangle with the one point for which this is constrained Delaunay (ThirdPointSearch). The two new sides join the
 // front; one that is in it already, in the other direction, leaves it. As each third point follows from the edge alone,
-// by exact predicates without ties (Predicates.h), triangles fit together in whatever order they are found. None is
-// ever found outside the boundary, so that there is nothing to delete afterwards (thesis 5.3.8).
+// by exact predicates without ties (Predicates.h), triangles fit together in whatever order they are found, and fronts
+// grow side by side in strips of a patch (PatchFront.h). None is ever found outside the boundary, so that there is
+// nothing to delete afterwards (thesis 5.3.8).
 
 #ifndef SeismicHorizonsTriangulation_h
 #define SeismicHorizonsTriangulation_h
@@ -54,9 +55,10 @@ struct Triangulation
 /// Every boundary edge is an edge of the mesh unless the surface lies on neither side of it (a spur, walked out and
 /// back); every point inside the boundary is a vertex; every other edge is locally Delaunay.
 ///
-/// Patches are meshed one after the other, a patch being the points and the loops with one patch number. Throws
-/// InputError when two points are in one place, a point lies on or outside the boundary of its patch, or boundary
-/// edges cross or leave a gap. Time is near linear in the points where their density in a patch is even.
+/// Patches are meshed one after the other, a patch being the points and the loops with one patch number. The order of
+/// the triangles depends on the points alone, and not on the number of threads. Throws InputError when two points are
+/// in one place, a point lies on or outside the boundary of its patch, or boundary edges cross or leave a gap. Time is
+/// near linear in the points where their density in a patch is even.
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options = TriangulationOptions(),
   const Monitor& monitor = Monitor());
 }

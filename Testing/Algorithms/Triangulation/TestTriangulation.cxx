@@ -256,21 +256,25 @@ void TestErrors()
   CHECK_THROWS_WITH(Triangulate(horizon), "patch numbers from -5 to 0, expected numbers from 0");
 }
 
-/// Every other column, so that all triangles have to be searched for.
+/// Every other column, so that all triangles have to be searched for: in one strip, and in many.
 void TestMonitor()
 {
-  std::vector<std::string> picture(100);
-  for (std::size_t row = 0; row < picture.size(); ++row)
+  for (const std::size_t size : { 80, 300 })
   {
-    for (int n = 0; n < 50; ++n)
+    std::vector<std::string> picture(size);
+    for (std::size_t row = 0; row < picture.size(); ++row)
     {
-      picture[row] += row % 2 == 0 ? "#." : ".#";
+      for (std::size_t n = 0; n < size / 2; ++n)
+      {
+        picture[row] += row % 2 == 0 ? "#." : ".#";
+      }
     }
+    const BoundedHorizon horizon = FromPicture(picture);
+    const int leastCalls = size < 100 ? 3 : 6;
+    CHECK_EQUAL(MonitorChecker::Check(
+                  leastCalls, [&](const Monitor& monitor) { Triangulate(horizon, TriangulationOptions(), monitor); }),
+      std::string());
   }
-  const BoundedHorizon horizon = FromPicture(picture);
-  CHECK_EQUAL(
-    MonitorChecker::Check(4, [&](const Monitor& monitor) { Triangulate(horizon, TriangulationOptions(), monitor); }),
-    std::string());
 }
 
 void TestEmpty()
