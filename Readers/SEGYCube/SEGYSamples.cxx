@@ -6,20 +6,30 @@
 
 #include "SEGYSamples.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <type_traits>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// A whole number from bytes in memory, the first one highest. Compilers make one instruction of it.
+constexpr std::size_t BufferSize = 256; // samples
+
+/// Of a number of that many bytes, the whole number that holds its bits.
+template <std::size_t Size>
+using BitsOf = std::conditional_t<Size == 8, std::uint64_t, std::uint32_t>;
+
+/// A whole number from bytes in memory. Compilers make one or two instructions of it.
 template <std::size_t Size, ByteOrder Order>
-std::uint64_t Load(const unsigned char* bytes)
+BitsOf<Size> Load(const unsigned char* bytes)
 {
-  std::uint64_t number = 0;
+  BitsOf<Size> number = 0;
   for (std::size_t n = 0; n < Size; ++n)
   {
-    number = number << 8 | bytes[Order == ByteOrder::BigEndian ? n : Size - 1 - n];
+    const std::size_t shift = 8 * (Order == ByteOrder::BigEndian ? Size - 1 - n : n);
+    number |= BitsOf<Size>(bytes[n]) << shift;
   }
   return number;
 }
@@ -41,36 +51,46 @@ float FromIbm(std::uint32_t bits)
   constexpr int DoubleDigits = 52;
   const auto exponent = std::uint64_t(4 * int(bits >> 24 & 0x7f) - Bias + DoubleBias);
   const double power = CopyBits<double>(exponent << DoubleDigits);
-  const double size = double(std::int32_t(bits & 0x00ffffff)) * power;
-  return float(bits >> 31 ? -size : size);
+  const auto size = float(double(std::int32_t(bits & 0x00ffffff)) * power);
+  return CopyBits<float>(CopyBits<std::uint32_t>(size) | (bits & 0x80000000));
 }
 
 template <std::size_t Size>
-std::int32_t ExtendSign(std::uint64_t bits)
+std::int32_t ExtendSign(std::uint32_t bits)
 {
   constexpr int Unused = 32 - 8 * int(Size);
-  return std::int32_t(std::uint32_t(bits) << Unused) >> Unused;
+  return std::int32_t(bits << Unused) >> Unused;
 }
 
 template <std::size_t Size, ByteOrder Order, typename FromBits>
 void Convert(const unsigned char* bytes, std::size_t samples, float* values, FromBits&& fromBits)
 {
-  for (std::size_t n = 0; n < samples; ++n)
+  // Through a buffer, as compilers have to take the bytes for those of the values otherwise, and go one by one.
+  std::array<BitsOf<Size>, BufferSize> bits;
+  for (std::size_t first = 0; first < samples; first += BufferSize)
   {
-    values[n] = fromBits(Load<Size, Order>(bytes + Size * n));
+    const std::size_t count = std::min(BufferSize, samples - first);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      bits[n] = Load<Size, Order>(bytes + Size * (first + n));
+    }
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      values[first + n] = fromBits(bits[n]);
+    }
   }
 }
 
 template <std::size_t Size, ByteOrder Order>
 void ConvertSigned(const unsigned char* bytes, std::size_t samples, float* values)
 {
-  Convert<Size, Order>(bytes, samples, values, [](std::uint64_t bits) { return float(ExtendSign<Size>(bits)); });
+  Convert<Size, Order>(bytes, samples, values, [](std::uint32_t bits) { return float(ExtendSign<Size>(bits)); });
 }
 
 template <std::size_t Size, ByteOrder Order>
 void ConvertUnsigned(const unsigned char* bytes, std::size_t samples, float* values)
 {
-  Convert<Size, Order>(bytes, samples, values, [](std::uint64_t bits) { return float(std::uint32_t(bits)); });
+  Convert<Size, Order>(bytes, samples, values, [](std::uint32_t bits) { return float(bits); });
 }
 
 template <ByteOrder Order>
@@ -79,10 +99,9 @@ void ToFloatsOf(const unsigned char* bytes, std::size_t samples, SEGYFormat form
   switch (format)
   {
     case SEGYFormat::IbmFloat:
-      return Convert<4, Order>(bytes, samples, values, [](std::uint64_t bits) { return FromIbm(std::uint32_t(bits)); });
+      return Convert<4, Order>(bytes, samples, values, [](std::uint32_t bits) { return FromIbm(bits); });
     case SEGYFormat::IeeeFloat:
-      return Convert<4, Order>(
-        bytes, samples, values, [](std::uint64_t bits) { return CopyBits<float>(std::uint32_t(bits)); });
+      return Convert<4, Order>(bytes, samples, values, [](std::uint32_t bits) { return CopyBits<float>(bits); });
     case SEGYFormat::IeeeDouble:
       return Convert<8, Order>(
         bytes, samples, values, [](std::uint64_t bits) { return float(CopyBits<double>(bits)); });
