@@ -178,6 +178,7 @@ int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkI
   return RunRequest(this, { output }, NoMemory(this->FileName),
     [&](std::string&, const Monitor& monitor)
     {
+      output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
       // The file may have changed since the information was asked for.
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;

@@ -6,13 +6,11 @@
 #ifndef SeismicHorizonsSEGYSample_h
 #define SeismicHorizonsSEGYSample_h
 
-#include "SEGYCube/SEGYCube.h"
+#include "SEGYCube/SEGYSamples.h"
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -176,6 +174,27 @@ inline std::string MakeHeader(const File& file)
   return header.Text;
 }
 
+/// The bytes of a sample.
+inline int SizeOf(SEGYFormat format)
+{
+  switch (format)
+  {
+    case SEGYFormat::IeeeDouble:
+      return 8;
+    case SEGYFormat::Integer24:
+    case SEGYFormat::Unsigned24:
+      return 3;
+    case SEGYFormat::Integer16:
+    case SEGYFormat::Unsigned16:
+      return 2;
+    case SEGYFormat::Integer8:
+    case SEGYFormat::Unsigned8:
+      return 1;
+    default:
+      return 4;
+  }
+}
+
 inline std::string MakeTrace(const File& file, const Trace& trace, int number)
 {
   Bytes header(240, file.Order);
@@ -195,7 +214,7 @@ inline std::string MakeTrace(const File& file, const Trace& trace, int number)
   header.Put(file.YByte, 4, stored(file.Y(trace)));
   header.Put(file.InlineByte, 4, trace.Inline);
   header.Put(file.CrosslineByte, 4, trace.Crossline);
-  const auto size = int(SampleSize(int(file.Format)));
+  const int size = SizeOf(file.Format);
   Bytes samples(std::size_t(size * file.Samples), file.Order);
   for (int sample = 0; sample < file.Samples; ++sample)
   {
@@ -221,25 +240,6 @@ inline std::string Make(const File& file)
     bytes += MakeTrace(file, trace, ++number);
   }
   return bytes;
-}
-
-/// Writes the bytes of a file into the folder of temporary files, and gives its name.
-inline std::string Write(const std::string& bytes, const std::string& name = "sample")
-{
-  const std::string path = "SEGYCube_" + name + ".sgy";
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path;
-}
-
-inline SEGYCube Read(const File& file, const SEGYOptions& options = SEGYOptions(), const std::string& name = "sample")
-{
-  return ReadSEGYCube(Write(Make(file), name), options);
-}
-
-/// Two cubes have the traces of the same lines at the same columns.
-inline std::int32_t TraceAt(const SEGYCube& cube, int i, int j)
-{
-  return cube.Traces[cube.Column(i, j)];
 }
 }
 

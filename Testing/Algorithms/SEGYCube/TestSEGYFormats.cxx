@@ -24,7 +24,8 @@ constexpr std::array<ByteOrder, 2> Orders = { ByteOrder::BigEndian, ByteOrder::L
 
 float Convert(std::int64_t bits, SEGYFormat format, ByteOrder order)
 {
-  const auto size = int(SampleSize(int(format)));
+  const int size = SizeOf(format);
+  CHECK_EQUAL(std::size_t(size), SampleSize(int(format)));
   Bytes bytes(std::size_t(size), order);
   bytes.Put(1, size, bits);
   float value = 0.0f;

@@ -7,11 +7,32 @@
 #include "SEGYCube/SEGYWindow.h"
 #include "SEGYSample.h"
 
+#include <fstream>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace SEGYSample
 {
+/// Writes the bytes of a file into the folder of temporary files, and gives its name.
+inline std::string Write(const std::string& bytes, const std::string& name = "sample")
+{
+  const std::string path = "SEGYCube_" + name + ".sgy";
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
+}
+
+inline SEGYCube Read(const File& file, const SEGYOptions& options = SEGYOptions(), const std::string& name = "sample")
+{
+  return ReadSEGYCube(Write(Make(file), name), options);
+}
+
+/// The number of the trace of a column.
+inline std::int32_t TraceAt(const SEGYCube& cube, int i, int j)
+{
+  return cube.Traces[cube.Column(i, j)];
+}
+
 /// The samples of a window, and what is said of them.
 struct Window
 {
