@@ -22,11 +22,37 @@ constexpr std::int64_t ChunkSize = 1 << 16;
   throw InputError(std::string(what) + " on one line, expected some that span a lattice");
 }
 
-/// The map through picks with line numbers and places.
+PlaneMap FitCorners(const std::array<CornerPoint, 3>& corners, const LineNumbering& lines)
+{
+  PlaneFit fit;
+  const Eigen::Vector2d first(corners[0].X, corners[0].Y);
+  for (const CornerPoint& corner : corners)
+  {
+    fit.Add(LineIndex(lines, corner.Crossline, corner.Inline), Eigen::Vector2d(corner.X, corner.Y) - first);
+  }
+  std::optional<PlaneMap> map = fit.Solve();
+  if (!map)
+  {
+    RefuseLine("three corner points whose line numbers are");
+  }
+  map->Origin += first;
+  return *map;
+}
+
+PlaneMap GivenMap(const PlacementOptions& options)
+{
+  PlaneMap map;
+  map.Origin = options.Origin;
+  map.Steps << options.ColumnStep, options.RowStep;
+  return map;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor)
 {
   const Eigen::Vector2d middle(picks.X.front(), picks.Y.front());
-  const auto all = AddUpChunks<PlaneFit>(std::int64_t(picks.Size()), ChunkSize, monitor,
+  const auto all = AddUpChunks<PlaneFit>(std::int64_t(picks.X.size()), ChunkSize, monitor,
     [&](PlaneFit& fit, std::int64_t first, std::int64_t last)
     {
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
@@ -48,39 +74,13 @@ PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Mon
   return *map;
 }
 
-PlaneMap FitCorners(const std::array<CornerPoint, 3>& corners, const LineNumbering& lines)
-{
-  PlaneFit fit;
-  const Eigen::Vector2d first(corners[0].X, corners[0].Y);
-  for (const CornerPoint& corner : corners)
-  {
-    fit.Add(LineIndex(lines, corner.Crossline, corner.Inline), Eigen::Vector2d(corner.X, corner.Y) - first);
-  }
-  std::optional<PlaneMap> map = fit.Solve();
-  if (!map)
-  {
-    RefuseLine("three corner points whose line numbers are");
-  }
-  map->Origin += first;
-  return *map;
-}
-
-/// Columns stand where the numbers of their lines are.
+//----------------------------------------------------------------------------------------------------------------------
 PlaneMap LinesAsPlaces(const LineNumbering& lines)
 {
   PlaneMap map;
   map.Origin = { lines.FirstCrossline, lines.FirstInline };
   map.Steps = Eigen::Vector2d(lines.CrosslineStep, lines.InlineStep).asDiagonal();
   return map;
-}
-
-PlaneMap GivenMap(const PlacementOptions& options)
-{
-  PlaneMap map;
-  map.Origin = options.Origin;
-  map.Steps << options.ColumnStep, options.RowStep;
-  return map;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -21,6 +21,13 @@ struct SurveyMap
   std::optional<LineNumbering> Lines; // of the same columns
 };
 
+/// The map through picks with line numbers and places, of which there is at least one. Only these are looked at. Where
+/// all are on one line the step across is as long as that along it. Throws InputError where they do not even make that.
+PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor);
+
+/// Columns stand where the numbers of their lines are.
+PlaneMap LinesAsPlaces(const LineNumbering& lines);
+
 /// Throws InputError where there is no lattice.
 SurveyMap FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor);
 }

@@ -26,21 +26,9 @@ namespace
 {
 void AddFields(vtkFieldData* data, const LatticeHorizon& horizon, const SurveyAxes& axes)
 {
-  const SurveyLattice& lattice = axes.Lattice;
-  const std::array<int, 3> dimensions = { lattice.Columns[0], lattice.Columns[1], axes.Sampling.Indices };
-  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, dimensions);
-  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, axes.ToWorld());
-  AddValue<vtkIntArray>(data, FieldArray::VerticalDirection, static_cast<int>(axes.Direction));
-  if (lattice.Lines)
-  {
-    const std::array<double, 4> lines = { lattice.Lines->FirstInline, lattice.Lines->InlineStep,
-      lattice.Lines->FirstCrossline, lattice.Lines->CrosslineStep };
-    AddTuple<vtkDoubleArray>(data, FieldArray::LineNumbers, lines);
-  }
-  AddValue<vtkDoubleArray>(data, FieldArray::LatticeDeviation, axes.LatticeDeviation);
+  AddSurveyAxes(axes, data);
   AddValue<vtkIdTypeArray>(data, FieldArray::DroppedDuplicates, static_cast<vtkIdType>(horizon.DroppedDuplicates));
   AddValue<vtkIdTypeArray>(data, FieldArray::DroppedNulls, static_cast<vtkIdType>(horizon.DroppedNulls));
-  AddSurveyFields(axes.Survey, data);
 }
 }
 
@@ -55,6 +43,24 @@ LatticeMatrix SurveyAxes::ToWorld() const
   placement.VerticalStep = this->Sampling.Step;
   placement.Direction = this->Direction;
   return placement.ToWorld();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AddSurveyAxes(const SurveyAxes& axes, vtkFieldData* data)
+{
+  const SurveyLattice& lattice = axes.Lattice;
+  const std::array<int, 3> dimensions = { lattice.Columns[0], lattice.Columns[1], axes.Sampling.Indices };
+  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, dimensions);
+  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, axes.ToWorld());
+  AddValue<vtkIntArray>(data, FieldArray::VerticalDirection, static_cast<int>(axes.Direction));
+  if (lattice.Lines)
+  {
+    const std::array<double, 4> lines = { lattice.Lines->FirstInline, lattice.Lines->InlineStep,
+      lattice.Lines->FirstCrossline, lattice.Lines->CrosslineStep };
+    AddTuple<vtkDoubleArray>(data, FieldArray::LineNumbers, lines);
+  }
+  AddValue<vtkDoubleArray>(data, FieldArray::LatticeDeviation, axes.LatticeDeviation);
+  AddSurveyFields(axes.Survey, data);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

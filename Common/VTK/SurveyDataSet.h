@@ -12,6 +12,7 @@
 
 #include "vtkSmartPointer.h"
 
+class vtkFieldData;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -27,6 +28,9 @@ struct SurveyAxes
 
   LatticeMatrix ToWorld() const;
 };
+
+/// Adds what the data model says of a survey: the lattice and its place in the world, line numbers and units.
+void AddSurveyAxes(const SurveyAxes& axes, vtkFieldData* data);
 
 /// Makes a point and a vertex cell of each column of a horizon. Its memory is freed on the way.
 vtkSmartPointer<vtkPolyData> MakeSurveyPoints(LatticeHorizon horizon, int surfaceId, const SurveyAxes& axes);

@@ -59,7 +59,7 @@ Array* GetArray(vtkFieldData* data, const char* name, vtkIdType numberOfTuples, 
 class Messages
 {
 public:
-  explicit Messages(Reader* reader, vtkCommand::EventIds event = vtkCommand::ErrorEvent)
+  explicit Messages(vtkAlgorithm* reader, vtkCommand::EventIds event = vtkCommand::ErrorEvent)
     : IsOfWarnings(event == vtkCommand::WarningEvent)
   {
     reader->AddObserver(event, this->Observer);

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CubeFrame.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// The largest cosine of the angle between steps that are perpendicular: what is left moves the last of a million
+// columns by a thousandth of one.
+constexpr double LargestCosine = 1e-9;
+
+/// The vector turned by a right angle to the left.
+Eigen::Vector2d TurnLeft(const Eigen::Vector2d& v)
+{
+  return { -v.y(), v.x() };
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubeFrame MakeCubeFrame(const LatticeMatrix& toWorld, const std::array<int, 2>& columns)
+{
+  Eigen::Matrix2d steps;
+  steps << toWorld[0], toWorld[1], toWorld[4], toWorld[5];
+  const Eigen::Vector2d origin(toWorld[3], toWorld[7]);
+  const double side = steps.determinant() < 0.0 ? -1.0 : 1.0; // where the step along j is, seen from that along i
+  Eigen::Matrix2d axes;
+  axes << steps.col(0).normalized(), steps.col(1).normalized();
+  Eigen::Vector2d spacing(steps.col(0).norm(), steps.col(1).norm());
+  CubeFrame frame;
+  frame.Origin << origin, toWorld[11];
+  if (std::abs(axes.col(0).dot(axes.col(1))) > LargestCosine)
+  {
+    axes.col(0) = (axes.col(0) - side * TurnLeft(axes.col(1))).normalized();
+    axes.col(1) = side * TurnLeft(axes.col(0));
+    spacing = (axes.transpose() * steps).diagonal();
+    const Eigen::Matrix2d shear = steps - axes * spacing.asDiagonal();
+    const Eigen::Vector2d half(0.5 * (columns[0] - 1), 0.5 * (columns[1] - 1));
+    frame.Origin.head<2>() = origin + shear * half;
+    const Eigen::Matrix2d inColumns = steps.inverse() * shear;
+    frame.Deviation = std::max((inColumns * half).norm(), (inColumns * Eigen::Vector2d(half.x(), -half.y())).norm());
+  }
+  frame.Spacing << spacing, std::abs(toWorld[10]);
+  frame.Direction.setZero();
+  frame.Direction.topLeftCorner<2, 2>() = axes;
+  frame.Direction(2, 2) = toWorld[10] < 0.0 ? -1.0 : 1.0;
+  return frame;
+}
+}

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CubeImage.h"
+
+#include "Common/DataModel.h"
+#include "Common/Parallel.h"
+#include "Common/VTK/DataArrays.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace SeismicHorizons
+{
+namespace
+{
+std::array<double, 9> RowByRow(const Eigen::Matrix3d& matrix)
+{
+  return { matrix(0, 0), matrix(0, 1), matrix(0, 2), matrix(1, 0), matrix(1, 1), matrix(1, 2), matrix(2, 0),
+    matrix(2, 1), matrix(2, 2) };
+}
+
+/// Hides the points of columns at levels where they have no samples.
+void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, vtkImageData* image)
+{
+  auto ghosts = NewArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), image->GetNumberOfPoints());
+  unsigned char* const marks = ghosts->GetPointer(0);
+  const std::size_t columns = window.Columns.size();
+  ParallelFor(std::int64_t(extent[5]) - extent[4] + 1, 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t level = first; level < last; ++level)
+      {
+        unsigned char* const mark = marks + std::size_t(level) * columns;
+        const int k = extent[4] + int(level);
+        for (std::size_t column = 0; column < columns; ++column)
+        {
+          const SampleRange& range = window.Columns[column];
+          mark[column] = range.First <= k && k < range.End ? 0 : vtkDataSetAttributes::HIDDENPOINT;
+        }
+      }
+    });
+  image->GetPointData()->AddArray(ghosts);
+}
+
+void AddFields(const SEGYCube& cube, const CubeView& view, vtkFieldData* data)
+{
+  AddSurveyAxes(view.Axes, data);
+  AddValue<vtkDoubleArray>(data, FieldArray::ImageDeviation, view.Frame.Deviation);
+  auto text = NewArray<vtkStringArray>(FieldArray::TextHeader, vtkIdType(cube.Header.Text.size()));
+  for (std::size_t line = 0; line < cube.Header.Text.size(); ++line)
+  {
+    text->SetValue(vtkIdType(line), cube.Header.Text[line]);
+  }
+  data->AddArray(text);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void Announce(const CubeView& view, const CubeExtent& extent, vtkInformation* info)
+{
+  std::array<double, 9> direction = RowByRow(view.Frame.Direction);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data(), 6);
+  info->Set(vtkDataObject::ORIGIN(), view.Frame.Origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), view.Frame.Spacing.data(), 3);
+  info->Set(vtkDataObject::DIRECTION(), direction.data(), 9);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t FillImage(
+  const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, vtkImageData* image, const Monitor& monitor)
+{
+  image->SetExtent(const_cast<int*>(extent.data()));
+  image->SetOrigin(view.Frame.Origin.data());
+  image->SetSpacing(view.Frame.Spacing.data());
+  image->SetDirectionMatrix(RowByRow(view.Frame.Direction).data());
+  AddFields(cube, view, image->GetFieldData());
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return 0;
+  }
+  auto amplitude = NewArray<vtkFloatArray>(PointArray::Amplitude, image->GetNumberOfPoints());
+  const SEGYWindow window = ReadSEGYWindow(cube, extent, amplitude->GetPointer(0), monitor);
+  image->GetPointData()->SetScalars(amplitude);
+  if (!window.IsFull)
+  {
+    AddBlanking(window, extent, image);
+  }
+  return window.NotFinite;
+}
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsCubeImage_h
+#define SeismicHorizonsCubeImage_h
+
+#include "Common/Monitor.h"
+#include "Common/VTK/SurveyDataSet.h"
+#include "CubeFrame.h"
+#include "SEGYWindow.h"
+
+class vtkImageData;
+class vtkInformation;
+
+namespace SeismicHorizons
+{
+/// A cube, as its user wants it, and the image that holds it.
+struct CubeView
+{
+  SurveyAxes Axes;
+  CubeFrame Frame;
+};
+
+/// Tells the pipeline what image there will be.
+void Announce(const CubeView& view, const CubeExtent& extent, vtkInformation* info);
+
+/// Fills an image with the samples of an extent. Gives how many of them are nan or infinite.
+std::int64_t FillImage(
+  const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, vtkImageData* image, const Monitor& monitor);
+}
+
+#endif

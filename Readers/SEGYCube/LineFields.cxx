@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LineFields.h"
+
+#include "Common/Errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// In the order in which they are preferred. The first is that of the standard since revision 1.
+constexpr std::array<FieldPair, 7> UsualPairs = { { { 189, 193 }, { 9, 21 }, { 5, 21 }, { 9, 13 }, { 17, 13 },
+  { 221, 225 }, { 181, 185 } } };
+// Those of lines: 21 is the number of the common depth point, and 17 that of the shot point.
+constexpr std::array<FieldPair, 3> LinePairs = { { { 189, 193 }, { 9, 21 }, { 9, 17 } } };
+constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 81, 85 } } };
+
+constexpr double LeastDensity = 0.1;
+constexpr double DensityMargin = 0.15;
+
+/// The numbers of a field: least, largest, and the largest step of which all differences are multiples.
+struct FieldRange
+{
+  std::int64_t First = std::numeric_limits<std::int64_t>::max();
+  std::int64_t Last = std::numeric_limits<std::int64_t>::min();
+  std::int64_t Step = 0;
+  std::int64_t Previous = 0;
+
+  void Add(std::int64_t number)
+  {
+    if (this->First > this->Last)
+    {
+      this->First = this->Last = this->Previous = number;
+      return;
+    }
+    // The greatest common divisor is looked for only where it changes.
+    const std::int64_t difference = number - this->Previous;
+    if (difference != 0 && (this->Step == 0 || difference % this->Step != 0))
+    {
+      this->Step = std::gcd(this->Step, difference);
+    }
+    this->Previous = number;
+    this->First = std::min(this->First, number);
+    this->Last = std::max(this->Last, number);
+  }
+
+  bool IsConstant() const { return this->Step == 0; }
+  /// How many numbers there can be.
+  std::int64_t Slots() const { return this->IsConstant() ? 1 : (this->Last - this->First) / this->Step + 1; }
+  std::size_t Slot(std::int64_t number) const
+  {
+    return this->IsConstant() ? 0 : std::size_t((number - this->First) / this->Step);
+  }
+};
+
+/// What a pair of fields is like.
+class PairFigures
+{
+public:
+  PairFigures(const TraceTable& table, const FieldPair& pair)
+    : Table(table)
+    , Pair(pair)
+  {
+    this->ForEachTrace(
+      [this](std::int64_t first, std::int64_t second)
+      {
+        this->Ranges[0].Add(first);
+        this->Ranges[1].Add(second);
+        ++this->Traces;
+      });
+  }
+
+  /// The part of the grid that has traces, where none is at the place of another one.
+  double Density() const
+  {
+    return double(this->Traces) / (double(this->Ranges[0].Slots()) * double(this->Ranges[1].Slots()));
+  }
+
+  bool IsConstant(int which) const { return this->Ranges[which].IsConstant(); }
+  std::int64_t Slots(int which) const { return this->Ranges[which].Slots(); }
+
+  /// Whether all traces have different places on the grid, which is not too large.
+  bool AreDistinct() const
+  {
+    std::vector<bool> isTaken(std::size_t(this->Ranges[0].Slots() * this->Ranges[1].Slots()), false);
+    const auto width = std::size_t(this->Ranges[1].Slots());
+    bool areDistinct = true;
+    this->ForEachTrace(
+      [&](std::int64_t first, std::int64_t second)
+      {
+        std::vector<bool>::reference place =
+          isTaken[this->Ranges[0].Slot(first) * width + this->Ranges[1].Slot(second)];
+        areDistinct = areDistinct && !place;
+        place = true;
+      });
+    return areDistinct;
+  }
+
+  /// Whether both fields have the same number for some traces.
+  bool HaveRepetitions() const { return this->Repeats(0) && this->Repeats(1); }
+
+  /// Whether it is a grid, or, with one field that is the same for all, a line.
+  bool IsFull() const { return this->Traces > 0 && this->Density() >= LeastDensity && this->AreDistinct(); }
+
+private:
+  template <typename Visit>
+  void ForEachTrace(Visit&& visit) const
+  {
+    const TraceField& first = this->Table[this->Pair.First];
+    const TraceField& second = this->Table[this->Pair.Second];
+    for (std::int64_t trace = 0; trace < this->Table.Traces; ++trace)
+    {
+      if (!IsFiller(this->Table, this->Pair, trace))
+      {
+        visit(first[trace], second[trace]);
+      }
+    }
+  }
+
+  bool Repeats(int which) const
+  {
+    if (this->Slots(which) < this->Traces)
+    {
+      return true;
+    }
+    std::vector<bool> isTaken(std::size_t(this->Slots(which)), false);
+    bool repeats = false;
+    this->ForEachTrace(
+      [&](std::int64_t first, std::int64_t second)
+      {
+        std::vector<bool>::reference place = isTaken[this->Ranges[which].Slot(which == 0 ? first : second)];
+        repeats = repeats || place;
+        place = true;
+      });
+    return repeats;
+  }
+
+  const TraceTable& Table;
+  const FieldPair Pair;
+  std::array<FieldRange, 2> Ranges;
+  std::int64_t Traces = 0;
+};
+
+bool IsConstant(const TraceTable& table, int byte)
+{
+  return table[byte].IsConstant();
+}
+
+std::optional<FieldPair> FindGrid(const TraceTable& table, const Monitor& monitor)
+{
+  std::optional<FieldPair> found;
+  std::vector<double> densities; // of the usual pairs; 0 for what is no grid
+  for (const FieldPair& pair : UsualPairs)
+  {
+    monitor.Progress(double(densities.size()) / double(UsualPairs.size()));
+    densities.push_back(0.0);
+    if (IsConstant(table, pair.First) || IsConstant(table, pair.Second))
+    {
+      continue;
+    }
+    const PairFigures figures(table, pair);
+    const bool isGrid =
+      !figures.IsConstant(0) && !figures.IsConstant(1) && figures.IsFull() && figures.HaveRepetitions();
+    densities.back() = isGrid ? figures.Density() : 0.0;
+  }
+  const double densest = *std::max_element(densities.begin(), densities.end());
+  for (std::size_t n = 0; n < densities.size() && !found; ++n)
+  {
+    if (densities[n] > 0.0 && densities[n] >= densest - DensityMargin)
+    {
+      found = UsualPairs[n];
+    }
+  }
+  return found;
+}
+
+/// The fields of a line. Where both numbers of the standard differ, and make no grid, other fields are no help.
+std::optional<FieldPair> FindLine(const TraceTable& table)
+{
+  for (const FieldPair& pair : LinePairs)
+  {
+    const bool isFirstConstant = IsConstant(table, pair.First);
+    const bool isSecondConstant = IsConstant(table, pair.Second);
+    if (!isFirstConstant && !isSecondConstant && pair.First == UsualPairs[0].First)
+    {
+      return std::nullopt;
+    }
+    if ((isFirstConstant || isSecondConstant) && PairFigures(table, pair).IsFull())
+    {
+      return pair;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Traces that have different offsets are of gathers, whose shots and channels would make a grid as well.
+void RefuseGathers(const TraceTable& table)
+{
+  const TraceField& offsets = table[TraceByte::Offset];
+  std::int64_t first = 0;
+  for (std::int64_t trace = 0; trace < table.Traces && !offsets.IsConstant(); ++trace)
+  {
+    first = table.IsDead(first) ? trace : first;
+    if (offsets[trace] != offsets[first] && !table.IsDead(trace))
+    {
+      std::ostringstream text;
+      text << "offset " << offsets[first] << " of trace " << first + 1 << " and " << offsets[trace] << " of trace "
+           << trace + 1
+           << " (byte 37), as before stacking; expected one trace for each inline and crossline. If that "
+              "is what it has, set InlineByte and CrosslineByte";
+      throw InputError(text.str());
+    }
+  }
+}
+
+[[noreturn]] void RefuseLines(const TraceTable& table)
+{
+  std::ostringstream text;
+  text << "no line numbers that make a grid of " << table.Traces << " traces";
+  for (const FieldPair& pair : UsualPairs)
+  {
+    const PairFigures figures(table, pair);
+    if (!figures.IsConstant(0) || !figures.IsConstant(1))
+    {
+      text << (text.str().find(':') == std::string::npos ? ": bytes " : ", bytes ") << pair.First << " and "
+           << pair.Second << " span " << figures.Slots(0) << " x " << figures.Slots(1)
+           << (figures.Density() >= LeastDensity && !figures.AreDistinct() ? " with several traces at one place" : "");
+    }
+  }
+  text << "; expected one trace for each inline and crossline, and a tenth of the grid at least. Where they are "
+          "elsewhere, set InlineByte and CrosslineByte";
+  throw InputError(text.str());
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<int> ListFields()
+{
+  std::vector<int> bytes;
+  const auto add = [&bytes](const FieldPair& pair) { bytes.insert(bytes.end(), { pair.First, pair.Second }); };
+  std::for_each(UsualPairs.begin(), UsualPairs.end(), add);
+  std::for_each(LinePairs.begin(), LinePairs.end(), add);
+  std::for_each(PlacePairs.begin(), PlacePairs.end(), add);
+  return bytes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FieldPair> ListPlaceFields()
+{
+  return { PlacePairs.begin(), PlacePairs.end() };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trace)
+{
+  const auto isZero = [&](int byte) { return byte == NoField || table[byte][trace] == 0; };
+  return table.IsDead(trace) && isZero(lines.First) && isZero(lines.Second);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FieldPair FindLineFields(const TraceTable& table, const Monitor& monitor)
+{
+  RefuseGathers(table);
+  if (const std::optional<FieldPair> grid = FindGrid(table, monitor))
+  {
+    return *grid;
+  }
+  if (const std::optional<FieldPair> line = FindLine(table))
+  {
+    return *line;
+  }
+  RefuseLines(table);
+}
+}

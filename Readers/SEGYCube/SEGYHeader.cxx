@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SEGYHeader.h"
+
+#include "Common/Errors.h"
+
+#include <segyio/segy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr int HeaderSize = SEGYTextSize + SEGY_BINARY_HEADER_SIZE;
+constexpr int LineLength = 80;
+constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // as libsegyio counts them
+constexpr std::int64_t MostExtendedTexts = 1 << 15; // as their field holds
+
+// Places of numbers by the byte they begin at, counted from 1 at the begin of the file, as the standard does. Those of
+// revision 2 are not known to libsegyio.
+constexpr int ExtendedSamplesByte = 3269;
+constexpr int ExtendedIntervalByte = 3273;
+constexpr int ByteOrderMarkByte = 3297;
+constexpr int AdditionalHeadersByte = 3507;
+constexpr int TrailersByte = 3529;
+constexpr std::uint32_t ByteOrderNumber = 16909060; // 01 02 03 04
+
+using HeaderBytes = std::vector<unsigned char>;
+
+/// The 3600 bytes of the header, and the header of the first trace.
+class BinaryHeader
+{
+public:
+  explicit BinaryHeader(const HeaderBytes& bytes)
+    : Bytes(bytes)
+  {
+  }
+
+  const unsigned char* At(int byte) const { return this->Bytes.data() + byte - 1; }
+  std::uint32_t Unsigned16(int byte) const { return ReadUnsigned(this->At(byte), 2, this->Order); }
+  int Integer16(int byte) const { return ReadInteger16(this->At(byte), this->Order); }
+  int Integer32(int byte) const { return ReadInteger32(this->At(byte), this->Order); }
+  double Double(int byte) const { return ReadDouble(this->At(byte), this->Order); }
+
+  /// Finds the byte order by what makes sense of the format code; big-endian where neither does.
+  void FindOrder()
+  {
+    const auto code = [this](ByteOrder order) { return ReadInteger16(this->At(SEGY_BIN_FORMAT), order); };
+    const bool isMarked = ReadUnsigned(this->At(ByteOrderMarkByte), 4, ByteOrder::LittleEndian) == ByteOrderNumber;
+    const bool isSwapped = SampleSize(code(ByteOrder::BigEndian)) == 0 && SampleSize(code(ByteOrder::LittleEndian)) > 0;
+    this->Order = isMarked || isSwapped ? ByteOrder::LittleEndian : ByteOrder::BigEndian;
+  }
+
+  /// The major number of the revision, which is the first of two bytes; programs that write little-endian files swap
+  /// them at times.
+  int Revision() const
+  {
+    const unsigned char* const bytes = this->At(SEGY_BIN_SEGY_REVISION);
+    return bytes[0] > 0 || this->Order == ByteOrder::BigEndian ? bytes[0] : bytes[1];
+  }
+
+  /// 0 where there is none.
+  int Samples() const
+  {
+    const int extended = this->Revision() >= 2 ? this->Integer32(ExtendedSamplesByte) : 0;
+    return extended > 0 ? extended : int(this->Unsigned16(SEGY_BIN_SAMPLES));
+  }
+
+  /// In microseconds; 0 where there is none.
+  double Interval() const
+  {
+    const double extended = this->Revision() >= 2 ? this->Double(ExtendedIntervalByte) : 0.0;
+    return extended > 0.0 && std::isfinite(extended) ? extended : this->Unsigned16(SEGY_BIN_INTERVAL);
+  }
+
+  ByteOrder Order = ByteOrder::BigEndian;
+
+private:
+  const HeaderBytes& Bytes;
+};
+
+/// Reads up to that many bytes at a place.
+HeaderBytes ReadBytes(std::istream& stream, std::int64_t place, int size)
+{
+  HeaderBytes bytes(std::size_t(size), 0);
+  stream.clear();
+  stream.seekg(place);
+  stream.read(reinterpret_cast<char*>(bytes.data()), size);
+  bytes.resize(std::size_t(std::max<std::streamsize>(stream.gcount(), 0)));
+  return bytes;
+}
+
+/// Blanks are by far the most frequent characters of such texts.
+bool IsEbcdic(const HeaderBytes& bytes)
+{
+  constexpr unsigned char ebcdicBlank = 0x40;
+  const auto text = bytes.begin();
+  return std::count(text, text + SEGYTextSize, ebcdicBlank) > std::count(text, text + SEGYTextSize, ' ');
+}
+
+/// The character in ASCII of one in EBCDIC, for those that such texts are made of; a blank for others.
+char FromEbcdic(unsigned char c)
+{
+  static const std::string_view table = // from 0x40 on
+    "           .<(+|&         !$*);^-/        |,%_>?         `:#@'=\""
+    " abcdefghi       jklmnopqr       ~stuvwxyz                      "
+    "{ABCDEFGHI      }JKLMNOPQR      \\ STUVWXYZ      0123456789      ";
+  return c < 0x40 ? ' ' : table[c - 0x40];
+}
+
+char ToText(unsigned char c, bool isEbcdic)
+{
+  return isEbcdic ? FromEbcdic(c) : c > ' ' && c < 0x7f ? char(c) : ' ';
+}
+
+std::vector<std::string> ReadText(const HeaderBytes& bytes, bool isEbcdic)
+{
+  std::vector<std::string> lines;
+  for (int first = 0; first < SEGYTextSize; first += LineLength)
+  {
+    std::string line;
+    for (int n = first; n < first + LineLength; ++n)
+    {
+      line += ToText(bytes[std::size_t(n)], isEbcdic);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// How many texts come up to the one that ends them.
+int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
+{
+  const std::string end = "((SEG:ENDTEXT))";
+  for (int count = 0; HeaderSize + (count + 1) * std::int64_t(SEGYTextSize) <= fileSize && count < MostExtendedTexts;
+       ++count)
+  {
+    std::string start;
+    for (const unsigned char c : ReadBytes(stream, HeaderSize + count * std::int64_t(SEGYTextSize), LineLength))
+    {
+      const char letter = ToText(c, isEbcdic);
+      start += letter == ' ' ? "" : std::string(1, letter >= 'a' && letter <= 'z' ? char(letter - 'a' + 'A') : letter);
+    }
+    if (start.compare(0, end.size(), end) == 0)
+    {
+      return count + 1;
+    }
+  }
+  throw InputError("extended text headers (byte 3505) without an end, expected one that is ((SEG: EndText))");
+}
+
+int FindFormat(const BinaryHeader& binary, int formatCode)
+{
+  const int found = binary.Integer16(SEGY_BIN_FORMAT);
+  const int code = formatCode > 0 ? formatCode : found;
+  if (SampleSize(code) == 0)
+  {
+    std::ostringstream text;
+    text << "format code " << code << (formatCode > 0 ? "" : " at byte 3225")
+         << ", expected 1 (IBM float), 2, 3, 7, 8 (integers of 32, 16, 24, 8 bits), 5, 6 (IEEE float, double) or 10, "
+            "11, 15, 16 (integers without a sign)";
+    throw InputError(text.str());
+  }
+  return code;
+}
+
+void CheckWhole(const SEGYHeader& header, std::int64_t fileSize, int firstSamples)
+{
+  const std::int64_t size = fileSize - header.FirstTrace;
+  const auto traceSize = std::int64_t(header.TraceSize());
+  std::ostringstream text;
+  if (size < traceSize)
+  {
+    text << "a file of " << fileSize << " bytes, expected at least " << header.FirstTrace + traceSize
+         << " for the header and a trace of " << header.Samples << " samples (" << FormatName(header.Format) << ')';
+    throw InputError(text.str());
+  }
+  if (size % traceSize != 0)
+  {
+    text << "a file that ends " << size % traceSize << " bytes into trace " << size / traceSize + 1
+         << ", expected whole traces of " << traceSize << " bytes, with " << header.Samples << " samples ("
+         << FormatName(header.Format) << ")";
+    if (firstSamples > 0 && firstSamples != header.Samples)
+    {
+      text << "; the first trace says " << firstSamples << " samples: traces of different lengths are not read";
+    }
+    throw InputError(text.str());
+  }
+  if (size / traceSize >= MostTraces)
+  {
+    text << size / traceSize << " traces, expected less than 2^31";
+    throw InputError(text.str());
+  }
+}
+
+/// What would move the traces to places that are not looked at.
+void CheckRevision2(const BinaryHeader& binary)
+{
+  if (binary.Revision() < 2)
+  {
+    return;
+  }
+  const int headers = binary.Integer32(AdditionalHeadersByte);
+  const int trailers = binary.Integer32(TrailersByte);
+  if (headers != 0 || trailers != 0)
+  {
+    throw InputError("revision 2 with " + std::to_string(headers) + " additional trace headers (byte 3507) and " +
+      std::to_string(trailers) + " trailers (byte 3529), expected none");
+  }
+}
+
+/// The texts behind the binary header, and where the traces begin.
+void FindFirstTrace(SEGYHeader& header, const BinaryHeader& binary, std::istream& stream, std::int64_t fileSize)
+{
+  const int texts = binary.Integer16(SEGY_BIN_EXT_HEADERS);
+  header.ExtendedTexts = texts >= 0 ? texts : header.Revision > 0 ? CountTexts(stream, fileSize, header.IsEbcdic) : 0;
+  header.FirstTrace = HeaderSize + header.ExtendedTexts * std::int64_t(SEGYTextSize);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const char* FormatName(SEGYFormat format)
+{
+  switch (format)
+  {
+    case SEGYFormat::IbmFloat:
+      return "IBM float";
+    case SEGYFormat::Integer32:
+      return "32-bit integer";
+    case SEGYFormat::Integer16:
+      return "16-bit integer";
+    case SEGYFormat::IeeeFloat:
+      return "IEEE float";
+    case SEGYFormat::IeeeDouble:
+      return "IEEE double";
+    case SEGYFormat::Integer24:
+      return "24-bit integer";
+    case SEGYFormat::Integer8:
+      return "8-bit integer";
+    case SEGYFormat::Unsigned32:
+      return "32-bit integer without sign";
+    case SEGYFormat::Unsigned16:
+      return "16-bit integer without sign";
+    case SEGYFormat::Unsigned24:
+      return "24-bit integer without sign";
+    case SEGYFormat::Unsigned8:
+      return "8-bit integer without sign";
+  }
+  return "unknown";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int formatCode)
+{
+  const HeaderBytes bytes = ReadBytes(stream, 0, HeaderSize);
+  if (bytes.size() < std::size_t(HeaderSize))
+  {
+    throw InputError("a file of " + std::to_string(bytes.size()) +
+      " bytes, expected SEG-Y, which begins with a header of " + std::to_string(HeaderSize));
+  }
+  BinaryHeader binary(bytes);
+  binary.FindOrder();
+  SEGYHeader header;
+  header.IsEbcdic = IsEbcdic(bytes);
+  header.Text = ReadText(bytes, header.IsEbcdic);
+  header.Order = binary.Order;
+  header.Format = SEGYFormat(FindFormat(binary, formatCode));
+  header.Revision = binary.Revision();
+  header.Samples = binary.Samples();
+  header.Interval = binary.Interval() / 1000.0;
+  const int unit = binary.Integer16(SEGY_BIN_MEASUREMENT_SYSTEM);
+  header.LengthUnit = unit == 1 ? "m" : unit == 2 ? "ft" : "";
+  CheckRevision2(binary);
+  FindFirstTrace(header, binary, stream, fileSize);
+
+  const HeaderBytes first = ReadBytes(stream, header.FirstTrace, SEGYTraceHeaderSize);
+  const bool hasTrace = first.size() == std::size_t(SEGYTraceHeaderSize);
+  const auto ofTrace = [&](int byte) { return hasTrace ? ReadUnsigned(&first[byte - 1], 2, header.Order) : 0; };
+  const int firstSamples = int(ofTrace(SEGY_TR_SAMPLE_COUNT));
+  if (header.Samples == 0)
+  {
+    header.Samples = firstSamples;
+    header.HasOwnSamples = false;
+  }
+  if (header.Samples == 0)
+  {
+    throw InputError("0 samples in a trace, in the header (byte 3221) and in the first trace (byte 115), expected at "
+                     "least 1");
+  }
+  if (header.Interval == 0.0)
+  {
+    header.Interval = ofTrace(SEGY_TR_SAMPLE_INTER) / 1000.0;
+  }
+  CheckWhole(header, fileSize, firstSamples);
+  header.Traces = (fileSize - header.FirstTrace) / std::int64_t(header.TraceSize());
+  return header;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsSEGY(std::istream& stream)
+{
+  const HeaderBytes bytes = ReadBytes(stream, 0, HeaderSize + SEGYTraceHeaderSize);
+  if (bytes.size() < std::size_t(HeaderSize + SEGYTraceHeaderSize))
+  {
+    return false;
+  }
+  BinaryHeader binary(bytes);
+  binary.FindOrder();
+  const bool hasSamples =
+    binary.Samples() > 0 || ReadUnsigned(&bytes[HeaderSize + SEGY_TR_SAMPLE_COUNT - 1], 2, binary.Order) > 0;
+  return SampleSize(binary.Integer16(SEGY_BIN_FORMAT)) > 0 && hasSamples;
+}
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What stands before the traces of a SEG-Y file: a text of 40 lines, 400 bytes of numbers, and perhaps more texts.
+
+#ifndef SeismicHorizonsSEGYHeader_h
+#define SeismicHorizonsSEGYHeader_h
+
+#include "SEGYSamples.h"
+
+#include <array>
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+constexpr int SEGYTextSize = 3200; // bytes
+constexpr int SEGYTraceHeaderSize = 240;
+
+struct SEGYHeader
+{
+  std::vector<std::string> Text; // 40 lines, without blanks at their ends
+  bool IsEbcdic = false;
+  ByteOrder Order = ByteOrder::BigEndian;
+  SEGYFormat Format = SEGYFormat::IbmFloat;
+  int Revision = 0;
+  int Samples = 0; // of a trace
+  bool HasOwnSamples = true; // false when their number is that of the first trace
+  double Interval = 0.0; // milliseconds; 0 where the file has none
+  std::string LengthUnit; // "m", "ft", or empty where the file does not say
+  int ExtendedTexts = 0;
+  std::int64_t FirstTrace = 0; // the byte where it begins
+  std::int64_t Traces = 0;
+
+  std::size_t DataSize() const { return std::size_t(this->Samples) * SampleSize(int(this->Format)); }
+  std::size_t TraceSize() const { return SEGYTraceHeaderSize + this->DataSize(); }
+};
+
+/// Reads the header of a file of that many bytes. `formatCode` goes before what the file says; 0: what the file says.
+/// Throws InputError where it is none of a SEG-Y file, and where the file does not hold whole traces.
+SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int formatCode = 0);
+
+/// Whether a file begins as SEG-Y files do: with a format code there is, in either byte order, and with a number of
+/// samples.
+bool IsSEGY(std::istream& stream);
+
+/// A format for people: "IBM float".
+const char* FormatName(SEGYFormat format);
+}
+
+#endif

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// segy_to_native of libsegyio takes floats of IBM for normalised and those beyond the range of IEEE for nan; a 0 with
+// an exponent, which some programs write, becomes 0.03 there. So the numbers are made here, which is also faster.
+
+#include "SEGYSamples.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <type_traits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t BufferSize = 256; // samples
+
+/// Of a number of that many bytes, the whole number that holds its bits.
+template <std::size_t Size>
+using BitsOf = std::conditional_t<Size == 8, std::uint64_t, std::uint32_t>;
+
+/// A whole number from bytes in memory. Compilers make one or two instructions of it.
+template <std::size_t Size, ByteOrder Order>
+BitsOf<Size> Load(const unsigned char* bytes)
+{
+  BitsOf<Size> number = 0;
+  for (std::size_t n = 0; n < Size; ++n)
+  {
+    const std::size_t shift = 8 * (Order == ByteOrder::BigEndian ? Size - 1 - n : n);
+    number |= BitsOf<Size>(bytes[n]) << shift;
+  }
+  return number;
+}
+
+template <typename To, typename From>
+To CopyBits(From bits)
+{
+  static_assert(sizeof(To) == sizeof(From), "another size");
+  To value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+/// A sign, an exponent of 16 and a fraction of 24 bits. A double holds any of them.
+float FromIbm(std::uint32_t bits)
+{
+  constexpr int Bias = 4 * 64 + 24; // of the exponent as a power of 2, for the fraction as a whole number
+  constexpr int DoubleBias = 1023;
+  constexpr int DoubleDigits = 52;
+  const auto exponent = std::uint64_t(4 * int(bits >> 24 & 0x7f) - Bias + DoubleBias);
+  const double power = CopyBits<double>(exponent << DoubleDigits);
+  const auto size = float(double(std::int32_t(bits & 0x00ffffff)) * power);
+  return CopyBits<float>(CopyBits<std::uint32_t>(size) | (bits & 0x80000000));
+}
+
+template <std::size_t Size>
+std::int32_t ExtendSign(std::uint32_t bits)
+{
+  constexpr int Unused = 32 - 8 * int(Size);
+  return std::int32_t(bits << Unused) >> Unused;
+}
+
+template <std::size_t Size, ByteOrder Order, typename FromBits>
+void Convert(const unsigned char* bytes, std::size_t samples, float* values, FromBits&& fromBits)
+{
+  // Through a buffer, as compilers have to take the bytes for those of the values otherwise, and go one by one.
+  std::array<BitsOf<Size>, BufferSize> bits;
+  for (std::size_t first = 0; first < samples; first += BufferSize)
+  {
+    const std::size_t count = std::min(BufferSize, samples - first);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      bits[n] = Load<Size, Order>(bytes + Size * (first + n));
+    }
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      values[first + n] = fromBits(bits[n]);
+    }
+  }
+}
+
+template <std::size_t Size, ByteOrder Order>
+void ConvertSigned(const unsigned char* bytes, std::size_t samples, float* values)
+{
+  Convert<Size, Order>(bytes, samples, values, [](std::uint32_t bits) { return float(ExtendSign<Size>(bits)); });
+}
+
+template <std::size_t Size, ByteOrder Order>
+void ConvertUnsigned(const unsigned char* bytes, std::size_t samples, float* values)
+{
+  Convert<Size, Order>(bytes, samples, values, [](std::uint32_t bits) { return float(bits); });
+}
+
+template <ByteOrder Order>
+void ToFloatsOf(const unsigned char* bytes, std::size_t samples, SEGYFormat format, float* values)
+{
+  switch (format)
+  {
+    case SEGYFormat::IbmFloat:
+      return Convert<4, Order>(bytes, samples, values, [](std::uint32_t bits) { return FromIbm(bits); });
+    case SEGYFormat::IeeeFloat:
+      return Convert<4, Order>(bytes, samples, values, [](std::uint32_t bits) { return CopyBits<float>(bits); });
+    case SEGYFormat::IeeeDouble:
+      return Convert<8, Order>(
+        bytes, samples, values, [](std::uint64_t bits) { return float(CopyBits<double>(bits)); });
+    case SEGYFormat::Integer32:
+      return ConvertSigned<4, Order>(bytes, samples, values);
+    case SEGYFormat::Integer24:
+      return ConvertSigned<3, Order>(bytes, samples, values);
+    case SEGYFormat::Integer16:
+      return ConvertSigned<2, Order>(bytes, samples, values);
+    case SEGYFormat::Integer8:
+      return ConvertSigned<1, Order>(bytes, samples, values);
+    case SEGYFormat::Unsigned32:
+      return ConvertUnsigned<4, Order>(bytes, samples, values);
+    case SEGYFormat::Unsigned24:
+      return ConvertUnsigned<3, Order>(bytes, samples, values);
+    case SEGYFormat::Unsigned16:
+      return ConvertUnsigned<2, Order>(bytes, samples, values);
+    case SEGYFormat::Unsigned8:
+      return ConvertUnsigned<1, Order>(bytes, samples, values);
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t SampleSize(int code)
+{
+  switch (SEGYFormat(code))
+  {
+    case SEGYFormat::IeeeDouble:
+      return 8;
+    case SEGYFormat::IbmFloat:
+    case SEGYFormat::IeeeFloat:
+    case SEGYFormat::Integer32:
+    case SEGYFormat::Unsigned32:
+      return 4;
+    case SEGYFormat::Integer24:
+    case SEGYFormat::Unsigned24:
+      return 3;
+    case SEGYFormat::Integer16:
+    case SEGYFormat::Unsigned16:
+      return 2;
+    case SEGYFormat::Integer8:
+    case SEGYFormat::Unsigned8:
+      return 1;
+  }
+  return 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::uint32_t ReadUnsigned(const unsigned char* bytes, std::size_t size, ByteOrder order)
+{
+  std::uint32_t number = 0;
+  for (std::size_t n = 0; n < size; ++n)
+  {
+    number = number << 8 | bytes[order == ByteOrder::BigEndian ? n : size - 1 - n];
+  }
+  return number;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int32_t ReadInteger32(const unsigned char* bytes, ByteOrder order)
+{
+  return std::int32_t(ReadUnsigned(bytes, 4, order));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int32_t ReadInteger16(const unsigned char* bytes, ByteOrder order)
+{
+  return ExtendSign<2>(ReadUnsigned(bytes, 2, order));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double ReadDouble(const unsigned char* bytes, ByteOrder order)
+{
+  return CopyBits<double>(
+    order == ByteOrder::BigEndian ? Load<8, ByteOrder::BigEndian>(bytes) : Load<8, ByteOrder::LittleEndian>(bytes));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ToFloats(const unsigned char* bytes, std::size_t samples, SEGYFormat format, ByteOrder order, float* values)
+{
+  if (order == ByteOrder::BigEndian)
+  {
+    ToFloatsOf<ByteOrder::BigEndian>(bytes, samples, format, values);
+  }
+  else
+  {
+    ToFloatsOf<ByteOrder::LittleEndian>(bytes, samples, format, values);
+  }
+}
+}

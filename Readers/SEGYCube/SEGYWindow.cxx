@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The window is cut into tiles of columns. The traces of a tile are read in the order of the file, many at a time, and
+// then strip by strip turned into numbers and written level by level. A strip is some columns along i, so that each
+// level of it is a piece of memory; tiles of files that are sorted by crosslines are long along j, so that their traces
+// come many at a time as well.
+
+#include "SEGYWindow.h"
+
+#include "Common/Parallel.h"
+#include "Common/RawVector.h"
+#include "SEGYFile.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t TileBytes = std::size_t(1) << 22;
+constexpr std::int64_t MostTileColumns = 1024;
+constexpr int StripWidth = 64; // columns
+constexpr int NarrowStrip = 16; // columns: a line of the cache
+
+/// A rectangle of columns.
+struct Tile
+{
+  int FirstI, LastI, FirstJ, LastJ;
+
+  int Width() const { return this->LastI - this->FirstI + 1; }
+  std::size_t Columns() const { return std::size_t(this->Width()) * std::size_t(this->LastJ - this->FirstJ + 1); }
+};
+
+/// The tiles of an extent, those of a row one after the other.
+std::vector<Tile> CutIntoTiles(const SEGYCube& cube, const CubeExtent& extent)
+{
+  const std::int64_t columns =
+    std::max<std::int64_t>(StripWidth, std::min(MostTileColumns, std::int64_t(TileBytes / cube.Header.TraceSize())));
+  const int width = extent[1] - extent[0] + 1;
+  const int tileWidth = cube.IsCrosslineSorted ? NarrowStrip : int(std::min<std::int64_t>(width, columns));
+  const int tileHeight = int(std::max<std::int64_t>(1, columns / tileWidth));
+  std::vector<Tile> tiles;
+  for (std::int64_t j = extent[2]; j <= extent[3]; j += tileHeight)
+  {
+    for (std::int64_t i = extent[0]; i <= extent[1]; i += tileWidth)
+    {
+      tiles.push_back({ int(i), int(std::min<std::int64_t>(extent[1], i + tileWidth - 1)), int(j),
+        int(std::min<std::int64_t>(extent[3], j + tileHeight - 1)) });
+    }
+  }
+  return tiles;
+}
+
+/// What the samples of a trace are like.
+struct SampleCheck
+{
+  bool AreZero = true;
+  std::int64_t NotFinite = 0;
+};
+
+SampleCheck CheckSamples(const std::vector<float>& samples)
+{
+  constexpr std::uint32_t exponent = 0x7f800000;
+  std::uint32_t anyBits = 0;
+  std::uint32_t notFinite = 0;
+  for (const float sample : samples)
+  {
+    std::uint32_t bits;
+    std::memcpy(&bits, &sample, sizeof(bits));
+    anyBits |= bits << 1; // without the sign
+    notFinite += (bits & exponent) == exponent;
+  }
+  return { anyBits == 0, std::int64_t(notFinite) };
+}
+
+/// Reads one tile after the other, for one thread.
+class TileReader
+{
+public:
+  TileReader(const SEGYCube& cube, const CubeExtent& extent, float* values, SEGYWindow& window)
+    : Cube(cube)
+    , Extent(extent)
+    , Levels(std::size_t(extent[5] - extent[4] + 1))
+    , Width(std::size_t(extent[1] - extent[0] + 1))
+    , Height(std::size_t(extent[3] - extent[2] + 1))
+    , Values(values)
+    , Window(window)
+    , File(cube.Name, cube.Header)
+    , Samples(std::size_t(cube.Header.Samples))
+    , Strip(StripWidth * this->Levels)
+  {
+  }
+
+  void Read(const Tile& tile)
+  {
+    this->LoadTraces(tile);
+    for (int j = tile.FirstJ; j <= tile.LastJ; ++j)
+    {
+      for (int i = tile.FirstI; i <= tile.LastI; i += StripWidth)
+      {
+        const int last = std::min(tile.LastI, i + StripWidth - 1);
+        for (int column = i; column <= last; ++column)
+        {
+          this->ConvertColumn(tile, column, j, this->Strip.data() + std::size_t(column - i) * this->Levels);
+        }
+        this->WriteStrip(i, last, j);
+      }
+    }
+  }
+
+  std::int64_t NotFinite() const { return this->Bad; }
+
+private:
+  /// Reads the traces of a tile: those that are next to each other in the file at a time.
+  void LoadTraces(const Tile& tile)
+  {
+    struct Place
+    {
+      std::int32_t Trace;
+      std::size_t Column; // of the tile
+    };
+    std::vector<Place> places;
+    this->Slots.assign(tile.Columns(), NoTrace);
+    for (std::size_t column = 0; column < tile.Columns(); ++column)
+    {
+      const int i = tile.FirstI + int(column % std::size_t(tile.Width()));
+      const int j = tile.FirstJ + int(column / std::size_t(tile.Width()));
+      const std::int32_t trace = this->Cube.Traces[this->Cube.Column(i, j)];
+      if (trace >= 0)
+      {
+        places.push_back({ trace, column });
+      }
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.Trace < b.Trace; });
+    const std::size_t size = this->Cube.Header.TraceSize();
+    this->Bytes.resize(places.size() * size);
+    for (std::size_t first = 0, next = 1; first < places.size(); first = next++)
+    {
+      while (next < places.size() && places[next].Trace == places[next - 1].Trace + 1)
+      {
+        ++next;
+      }
+      this->File.ReadTraces(places[first].Trace, std::int64_t(next - first), this->Bytes.data() + first * size);
+    }
+    for (std::size_t slot = 0; slot < places.size(); ++slot)
+    {
+      this->Slots[places[slot].Column] = std::int32_t(slot);
+    }
+  }
+
+  /// Writes the samples of a column at the levels of the window.
+  void ConvertColumn(const Tile& tile, int i, int j, float* levels)
+  {
+    const std::int32_t slot =
+      this->Slots[std::size_t(j - tile.FirstJ) * std::size_t(tile.Width()) + std::size_t(i - tile.FirstI)];
+    SampleRange& range = this->Window.Columns[this->OutputColumn(i, j)];
+    range = SampleRange();
+    std::fill_n(levels, this->Levels, 0.0f);
+    if (slot < 0)
+    {
+      return;
+    }
+    const SEGYHeader& header = this->Cube.Header;
+    const unsigned char* const trace = this->Bytes.data() + std::size_t(slot) * header.TraceSize();
+    ToFloats(trace + SEGYTraceHeaderSize, this->Samples.size(), header.Format, header.Order, this->Samples.data());
+    const SampleCheck check = CheckSamples(this->Samples);
+    if (check.AreZero)
+    {
+      return;
+    }
+    this->Bad += check.NotFinite;
+    const int delay = this->Cube.Delays.empty() ? 0 : this->Cube.Delays[this->Cube.Column(i, j)];
+    range = { delay, delay + header.Samples };
+    const int first = std::max(delay, this->Extent[4]);
+    const int end = std::min(range.End, this->Extent[5] + 1);
+    if (first < end)
+    {
+      std::copy(&this->Samples[std::size_t(first - delay)], this->Samples.data() + (end - delay),
+        levels + (first - this->Extent[4]));
+    }
+  }
+
+  void WriteStrip(int firstI, int lastI, int j)
+  {
+    const auto width = std::size_t(lastI - firstI + 1);
+    float* output = this->Values + this->OutputColumn(firstI, j);
+    for (std::size_t level = 0; level < this->Levels; ++level, output += this->Width * this->Height)
+    {
+      const float* sample = this->Strip.data() + level;
+      for (std::size_t column = 0; column < width; ++column, sample += this->Levels)
+      {
+        output[column] = *sample;
+      }
+    }
+  }
+
+  std::size_t OutputColumn(int i, int j) const
+  {
+    return std::size_t(j - this->Extent[2]) * this->Width + std::size_t(i - this->Extent[0]);
+  }
+
+  const SEGYCube& Cube;
+  const CubeExtent& Extent;
+  const std::size_t Levels, Width, Height;
+  float* const Values;
+  SEGYWindow& Window;
+  SEGYFile File;
+  RawVector<unsigned char> Bytes; // of the traces of a tile
+  std::vector<std::int32_t> Slots; // where they are, for each column; NoTrace where there is none
+  std::vector<float> Samples; // of a trace
+  RawVector<float> Strip; // column after column
+  std::int64_t Bad = 0;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float* values, const Monitor& monitor)
+{
+  const std::vector<Tile> tiles = CutIntoTiles(cube, extent);
+  SEGYWindow window;
+  window.Columns.resize(std::size_t(extent[1] - extent[0] + 1) * std::size_t(extent[3] - extent[2] + 1));
+  std::vector<std::int64_t> notFinite(tiles.size(), 0);
+  ParallelFor(std::int64_t(tiles.size()), 1, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      TileReader reader(cube, extent, values, window);
+      for (std::int64_t tile = first; tile < last; ++tile)
+      {
+        reader.Read(tiles[std::size_t(tile)]);
+      }
+      notFinite[std::size_t(first)] = reader.NotFinite();
+    });
+  window.NotFinite = std::accumulate(notFinite.begin(), notFinite.end(), std::int64_t(0));
+  window.IsFull = std::all_of(window.Columns.begin(), window.Columns.end(),
+    [&](const SampleRange& range) { return range.First <= extent[4] && range.End > extent[5]; });
+  return window;
+}
+}

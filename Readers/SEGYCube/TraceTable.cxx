@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TraceTable.h"
+
+#include "Common/FixedChunks.h"
+#include "SEGYFile.h"
+
+#include <algorithm>
+#include <array>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::array<int, 5> ShortFields = { TraceByte::Kind, TraceByte::PlaceScalar, TraceByte::Delay,
+  TraceByte::Samples, TraceByte::TimeScalar };
+
+bool IsShort(int byte)
+{
+  return std::find(ShortFields.begin(), ShortFields.end(), byte) != ShortFields.end();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TraceField::TraceField(std::int64_t traces)
+  : Parts(CountChunks(traces, PartSize))
+  , Traces(traces)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TraceField::SetPart(std::size_t part, const RawVector<std::int32_t>& values)
+{
+  const std::int32_t first = values.front();
+  const bool isConstant = std::all_of(values.begin(), values.end(), [first](std::int32_t v) { return v == first; });
+  this->Parts[part].First = first;
+  this->Parts[part].Values = isConstant ? RawVector<std::int32_t>() : values;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool TraceField::IsConstant() const
+{
+  return std::all_of(this->Parts.begin(), this->Parts.end(),
+    [this](const Part& part) { return part.Values.empty() && part.First == this->Parts.front().First; });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool TraceTable::IsDead(std::int64_t trace) const
+{
+  constexpr std::int32_t dead = 2;
+  constexpr std::int32_t dummy = 3;
+  const std::int32_t kind = (*this)[TraceByte::Kind][trace];
+  return kind == dead || kind == dummy;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TraceTable ReadTraceTable(
+  const std::string& name, const SEGYHeader& header, const std::vector<int>& fields, const Monitor& monitor)
+{
+  TraceTable table;
+  table.Traces = header.Traces;
+  table.Fields.emplace(TraceByte::Offset, TraceField(header.Traces));
+  for (const int byte : ShortFields)
+  {
+    table.Fields.emplace(byte, TraceField(header.Traces));
+  }
+  for (const int byte : fields)
+  {
+    table.Fields.emplace(byte, TraceField(header.Traces));
+  }
+  ForEachChunk(header.Traces, TraceField::PartSize, monitor,
+    [&](std::size_t part, std::int64_t first, std::int64_t last)
+    {
+      SEGYFile file(name, header);
+      std::vector<unsigned char> headers(std::size_t(last - first) * SEGYTraceHeaderSize);
+      for (std::int64_t trace = first; trace < last; ++trace)
+      {
+        file.ReadTraceHeader(trace, &headers[std::size_t(trace - first) * SEGYTraceHeaderSize]);
+      }
+      RawVector<std::int32_t> values(std::size_t(last - first));
+      for (auto& [byte, field] : table.Fields)
+      {
+        const unsigned char* place = headers.data() + byte - 1;
+        const bool isShort = IsShort(byte);
+        for (std::int32_t& value : values)
+        {
+          value = isShort ? ReadInteger16(place, header.Order) : ReadInteger32(place, header.Order);
+          place += SEGYTraceHeaderSize;
+        }
+        field.SetPart(part, values);
+      }
+    });
+  return table;
+}
+}

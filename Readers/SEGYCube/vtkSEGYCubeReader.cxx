@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSEGYCubeReader.h"
+
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/Monitor.h"
+#include "Common/Parameters.h"
+#include "Common/Survey/Units.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "CubeImage.h"
+#include "SEGYExtent.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <array>
+#include <sstream>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// What the user says goes before what the file says.
+void Override(std::string& text, const char* given)
+{
+  if (given && *given)
+  {
+    text = given;
+  }
+}
+
+bool AreSame(const FieldPair& a, const FieldPair& b)
+{
+  return a.First == b.First && a.Second == b.Second;
+}
+
+bool AreSame(const SEGYOptions& a, const SEGYOptions& b)
+{
+  return a.FormatCode == b.FormatCode && AreSame(a.LineFields, b.LineFields) && AreSame(a.PlaceFields, b.PlaceFields) &&
+    a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep;
+}
+
+std::string NoMemory(const char* fileName)
+{
+  return FilePrefix(fileName) + "more data than memory, expected a smaller InlineRange, CrosslineRange or SampleRange";
+}
+}
+
+// ---- The class ---------------------------------------------------------------------------------------------------
+struct vtkSEGYCubeReader::FileContent
+{
+  FileStamp Stamp;
+  SEGYOptions Options; // with which it was read
+  SEGYCube Cube;
+};
+
+vtkStandardNewMacro(vtkSEGYCubeReader);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSEGYCubeReader::vtkSEGYCubeReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSEGYCubeReader::~vtkSEGYCubeReader()
+{
+  this->SetFileName(nullptr);
+  this->SetVerticalUnit(nullptr);
+  this->SetVerticalDomain(nullptr);
+  this->SetHorizontalUnit(nullptr);
+  this->SetCoordinateSystem(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSEGYCubeReader::CanReadFile(const char* fileName)
+{
+  return IsRecognised(fileName, [](std::istream& stream) { return IsSEGY(stream); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SEGYOptions vtkSEGYCubeReader::MakeOptions() const
+{
+  SEGYOptions options;
+  options.FormatCode = this->SampleFormat;
+  options.LineFields = { this->InlineByte, this->CrosslineByte };
+  options.PlaceFields = { this->XByte, this->YByte };
+  options.Tolerance = this->LatticeTolerance;
+  options.VerticalStep = this->VerticalStep;
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubeView vtkSEGYCubeReader::MakeView() const
+{
+  const SEGYCube& cube = this->Content->Cube;
+  CubeView view;
+  SurveyDescription& survey = view.Axes.Survey;
+  survey = cube.Survey;
+  if (this->VerticalUnit && *this->VerticalUnit)
+  {
+    survey.VerticalDomain.clear(); // it follows from the unit
+    SeismicHorizons::SetVerticalUnit(survey, this->VerticalUnit);
+  }
+  Override(survey.VerticalDomain, this->VerticalDomain);
+  Override(survey.HorizontalUnit, this->HorizontalUnit);
+  Override(survey.CoordinateSystem, this->CoordinateSystem);
+  view.Axes.Lattice = cube.Lattice;
+  view.Axes.LatticeDeviation = cube.LargestDistance;
+  view.Axes.Sampling = cube.Sampling;
+  using Direction = SeismicHorizons::VerticalDirection;
+  view.Axes.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
+  view.Frame = MakeCubeFrame(view.Axes.ToWorld(), cube.Lattice.Columns);
+  if (!(view.Frame.Deviation <= this->ImageTolerance))
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << FilePrefix(this->FileName) << "steps " << ToText(cube.Lattice.ColumnStep) << " and "
+         << ToText(cube.Lattice.RowStep) << " that are not perpendicular, so that an image is up to "
+         << view.Frame.Deviation << " columns off, expected at most " << this->ImageTolerance << " (ImageTolerance)";
+    throw InputError(text.str());
+  }
+  return view;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
+{
+  CheckSEGYOptions(this->MakeOptions());
+  CheckAtLeast("ImageTolerance", this->ImageTolerance, 0.0, " columns");
+  RequireFileName(this->FileName);
+  PrefixErrors(this->FileName,
+    [&]()
+    {
+      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const SEGYOptions options = this->MakeOptions();
+      if (this->Content && this->Content->Stamp == stamp && AreSame(this->Content->Options, options))
+      {
+        return;
+      }
+      this->Content.reset();
+      auto content = std::make_unique<FileContent>();
+      content->Stamp = stamp;
+      content->Options = options;
+      content->Cube = ReadSEGYCube(this->FileName, options, monitor);
+      this->Content = std::move(content);
+      if (!this->Content->Cube.Warning.empty())
+      {
+        vtkWarningMacro(<< this->FileName << ": " << this->Content->Cube.Warning);
+      }
+    });
+  this->Description = Describe(this->Content->Cube);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSEGYCubeReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return RunRequest(this, { vtkDataObject::GetData(outputVector) }, NoMemory(this->FileName),
+    [&](std::string&, const Monitor& monitor)
+    {
+      this->UpdateContent(monitor);
+      const SEGYRanges ranges = { { this->InlineRange[0], this->InlineRange[1] },
+        { this->CrosslineRange[0], this->CrosslineRange[1] }, { this->SampleRange[0], this->SampleRange[1] } };
+      const CubeExtent extent = PrefixErrors(this->FileName, [&]() { return FindExtent(this->Content->Cube, ranges); });
+      Announce(this->MakeView(), extent, outputVector->GetInformationObject(0));
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkImageData* const output = vtkImageData::GetData(outputVector);
+  return RunRequest(this, { output }, NoMemory(this->FileName),
+    [&](std::string&, const Monitor& monitor)
+    {
+      output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
+      // The file may have changed since the information was asked for.
+      this->UpdateContent(monitor.Step(0.0, 0.1));
+      CubeExtent extent;
+      outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+      const std::int64_t notFinite = PrefixErrors(this->FileName,
+        [&]() { return FillImage(this->Content->Cube, this->MakeView(), extent, output, monitor.Step(0.1, 1.0)); });
+      if (notFinite > 0)
+      {
+        vtkWarningMacro(<< this->FileName << ": " << notFinite
+                        << " samples that are nan or beyond the range of a float; is SampleFormat right?");
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSEGYCubeReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto text = [](const char* value) { return value ? value : "(none)"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << text(this->FileName) << '\n';
+  os << indent << "InlineByte: " << this->InlineByte << '\n';
+  os << indent << "CrosslineByte: " << this->CrosslineByte << '\n';
+  os << indent << "XByte: " << this->XByte << '\n';
+  os << indent << "YByte: " << this->YByte << '\n';
+  os << indent << "InlineRange: " << this->InlineRange[0] << ' ' << this->InlineRange[1] << '\n';
+  os << indent << "CrosslineRange: " << this->CrosslineRange[0] << ' ' << this->CrosslineRange[1] << '\n';
+  os << indent << "SampleRange: " << this->SampleRange[0] << ' ' << this->SampleRange[1] << '\n';
+  os << indent << "SampleFormat: " << this->SampleFormat << '\n';
+  os << indent << "VerticalStep: " << this->VerticalStep << '\n';
+  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
+  os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
+  os << indent << "VerticalDomain: " << text(this->VerticalDomain) << '\n';
+  os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
+  os << indent << "CoordinateSystem: " << text(this->CoordinateSystem) << '\n';
+  os << indent << "LatticeTolerance: " << this->LatticeTolerance << '\n';
+  os << indent << "ImageTolerance: " << this->ImageTolerance << '\n';
+  os << indent << "Description: " << this->Description << '\n';
+}
