@@ -12,8 +12,8 @@
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
 #include "Common/TextWords.h"
+#include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
-#include "HorizonDataSet.h"
 #include "HorizonImage.h"
 #include "SparseMatrixParser.h"
 

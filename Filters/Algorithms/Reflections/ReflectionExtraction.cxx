@@ -40,15 +40,6 @@ constexpr double LargestFillCorrelation = 0.7;
 constexpr double StepPerPeriod = 0.3;
 constexpr double LeastStep = 2.0;
 
-void CheckOptions(const ExtractionOptions& options)
-{
-  CheckWithin("LargestStep", options.LargestStep, 0.0, double(MostSamples), " samples");
-  CheckWithin("SmallestCorrelation", options.SmallestCorrelation, 0.0, 1.0, "");
-  CheckWithin("SmallestContact", options.SmallestContact, 0.0, 1.0, "");
-  CheckAtLeast<std::int64_t>("SmallestSize", options.SmallestSize, 1, " pick");
-  CheckAtLeast<std::int64_t>("LargestNumber", options.LargestNumber, 1, " surface");
-}
-
 int HalfWidth(double periods, double period)
 {
   return std::max(1, int(std::lround(periods * period)));
@@ -107,6 +98,17 @@ private:
   const double Period;
   LinkOptions Link;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckOptions(const ExtractionOptions& options)
+{
+  CheckOptions(options.Reflections);
+  CheckWithin("LargestStep", options.LargestStep, 0.0, double(MostSamples), " samples");
+  CheckWithin("SmallestCorrelation", options.SmallestCorrelation, 0.0, 1.0, "");
+  CheckWithin("SmallestContact", options.SmallestContact, 0.0, 1.0, "");
+  CheckAtLeast<std::int64_t>("SmallestSize", options.SmallestSize, 1, " pick");
+  CheckAtLeast<std::int64_t>("LargestNumber", options.LargestNumber, 1, " surface");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

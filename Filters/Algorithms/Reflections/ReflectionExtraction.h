@@ -56,6 +56,9 @@ struct Extraction
   std::int64_t NumberOfSurfaces = 0; // of the smallest size or more
 };
 
+/// Throws InputError when an option is out of range, those of the reflections included.
+void CheckOptions(const ExtractionOptions& options);
+
 /// Gives the same on any number of threads. Throws InputError on options out of range, and when FindReflections does.
 /// Takes about 60 bytes per pick beside the result.
 Extraction ExtractReflections(

@@ -33,12 +33,6 @@ struct RowReflections
   std::int64_t Samples = 0;
 };
 
-void CheckOptions(const ReflectionOptions& options)
-{
-  CheckAtLeast("AmplitudeThreshold", options.AmplitudeThreshold, 0.0, "");
-  CheckWithin("AmplitudePercentile", options.AmplitudePercentile, 0.0, 100.0, " percent");
-}
-
 void CheckSize(const std::array<int, 3>& size)
 {
   const auto refuse = [&size](const std::string& expected)
@@ -289,6 +283,13 @@ private:
   const ReflectionOptions Options;
   std::vector<RowReflections> Rows;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckOptions(const ReflectionOptions& options)
+{
+  CheckAtLeast("AmplitudeThreshold", options.AmplitudeThreshold, 0.0, "");
+  CheckWithin("AmplitudePercentile", options.AmplitudePercentile, 0.0, 100.0, " percent");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

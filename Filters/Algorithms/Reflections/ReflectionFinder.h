@@ -31,6 +31,9 @@ struct ReflectionOptions
   double AmplitudePercentile = 25.0; // 0 to 100
 };
 
+/// Throws InputError when an option is out of range.
+void CheckOptions(const ReflectionOptions& options);
+
 struct CubeReflections
 {
   std::array<ReflectionPicks, 2> BySign; // positive, negative
