@@ -53,7 +53,7 @@ vtkDataArray* FindNumbers(vtkFieldData* data, const char* name)
   return numbers;
 }
 
-vtkDataArray* FindFieldArray(vtkPolyData* horizon, const char* name, int values)
+vtkDataArray* FindFieldArray(vtkDataObject* horizon, const char* name, int values)
 {
   vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), name);
   const vtkIdType found = array ? array->GetNumberOfValues() : 0;
@@ -185,7 +185,7 @@ double FieldValue(vtkDataArray* array, int n)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::array<int, 3> ReadLatticeDimensions(vtkPolyData* horizon)
+std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon)
 {
   vtkDataArray* const size = FindFieldArray(horizon, FieldArray::LatticeDimensions, 3);
   std::array<int, 3> dimensions;
@@ -203,16 +203,22 @@ std::array<int, 3> ReadLatticeDimensions(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Lattice ReadLattice(vtkPolyData* horizon)
+Eigen::Matrix4d ReadLatticeMap(vtkDataObject* horizon)
 {
-  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   vtkDataArray* const map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
   Eigen::Matrix4d toWorld;
   for (int n = 0; n < 16; ++n)
   {
     toWorld(n / 4, n % 4) = FieldValue(map, n);
   }
-  return Lattice(dimensions, toWorld);
+  return toWorld;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Lattice ReadLattice(vtkDataObject* horizon)
+{
+  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
+  return Lattice(dimensions, ReadLatticeMap(horizon));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -16,15 +16,19 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The lattice of a horizon.
-Lattice ReadLattice(vtkPolyData* horizon);
+/// The lattice of a horizon or of an image.
+Lattice ReadLattice(vtkDataObject* horizon);
 
 /// Its numbers of columns along i and j, and of vertical indices.
-std::array<int, 3> ReadLatticeDimensions(vtkPolyData* horizon);
+std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon);
+
+/// Its map to the world, as it stands there.
+Eigen::Matrix4d ReadLatticeMap(vtkDataObject* horizon);
 
 /// A number of a field data array, counted through all tuples.
 double FieldValue(vtkDataArray* array, int n);

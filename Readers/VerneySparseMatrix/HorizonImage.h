@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsHorizonImage_h
 #define SeismicHorizonsHorizonImage_h
 
-#include "HorizonDataSet.h"
+#include "Common/VTK/HorizonDataSet.h"
 #include "SparseMatrixParser.h"
 
 #include "vtkSmartPointer.h"

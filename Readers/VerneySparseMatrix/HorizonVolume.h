@@ -7,7 +7,7 @@
 #define SeismicHorizonsHorizonVolume_h
 
 #include "Common/Monitor.h"
-#include "HorizonDataSet.h"
+#include "Common/VTK/HorizonDataSet.h"
 #include "ImageFrame.h"
 #include "SparseMatrixParser.h"
 #include "VoxelExtent.h"

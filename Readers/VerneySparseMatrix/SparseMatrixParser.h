@@ -14,7 +14,7 @@
 #define SeismicHorizonsSparseMatrixParser_h
 
 #include "Common/DuplicatePolicy.h"
-#include "Common/HeapArray.h"
+#include "Common/HorizonVoxels.h"
 #include "Common/Monitor.h"
 
 #include <array>
@@ -50,31 +50,6 @@ struct SparseMatrixVerticalFit
   double Offset = 0.0;
   double Step = 0.0; ///< 0 when there is no such line: real z is the same everywhere, or vertical indices are
 };
-
-/// A horizon as parallel arrays, one entry per voxel in the order of the file, at most one voxel per column.
-struct HorizonVoxels
-{
-  int SurfaceId = 0;
-  HeapArray<int> I;
-  HeapArray<int> J;
-  HeapArray<int> K;
-  HeapArray<double> Thickness;
-  HeapArray<double> Amplitude;
-  HeapArray<double> RealZ;
-  std::int64_t DroppedDuplicates = 0;
-};
-
-/// Calls visit(array) for each array of a horizon.
-template <typename Visit>
-void ForEachVoxelArray(HorizonVoxels& horizon, Visit&& visit)
-{
-  visit(horizon.I);
-  visit(horizon.J);
-  visit(horizon.K);
-  visit(horizon.Thickness);
-  visit(horizon.Amplitude);
-  visit(horizon.RealZ);
-}
 
 struct SparseMatrix
 {

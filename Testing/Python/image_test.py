@@ -8,11 +8,14 @@ With --changed a parameter is slightly off, and the picture has to differ: this 
 import math
 
 import image_compare
+import numpy
 import seismichorizons as sh
 from seismichorizons import pictures
 from seismichorizons.pipeline import read_first, surface
 from seismichorizons.stage import apply, make, update
-from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 SIZE = (480, 420)
@@ -28,6 +31,7 @@ class Parameters:
         self.flatness_threshold = 0.0 if changed else 0.12
         self.maximum_error = 0.9 if changed else 0.75
         self.angle = 0.52 if changed else 0.5
+        self.amplitude_percentile = 45 if changed else 25
 
 
 def simplified_boundary(data, parameters):
@@ -61,6 +65,33 @@ def voxels(sample, angle):
     return surface.GetOutput()
 
 
+def folded_cube(columns=60, rows=50, samples=120):
+    """Three layers, folded and cut by a fault, as amplitudes: parabolas in place of wavelets, the same everywhere."""
+    i, j, k = numpy.meshgrid(numpy.arange(columns), numpy.arange(rows), numpy.arange(samples), indexing="ij")
+    fold = 12.0 * ((i - 25.0) / 30.0) ** 2 - 6.0 * ((j - 20.0) / 25.0) ** 2 + numpy.where(i + 0.3 * j > 40.0, 9.0, 0.0)
+    cube = numpy.zeros((columns, rows, samples))
+    for depth, strength in ((20.0, 1.0), (48.0, -0.7), (76.0, 0.8)):
+        away = (k - depth - fold) / 5.0
+        cube += strength * numpy.where(abs(away) < 1.0, 1.0 - 2.0 * away ** 2, 0.0)
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, samples)
+    image.SetSpacing(1.0, 1.0, -0.8)
+    amplitudes = numpy_support.numpy_to_vtk(cube.ravel(order="F"), deep=True)
+    amplitudes.SetName("Amplitude")
+    image.GetPointData().SetScalars(amplitudes)
+    return image
+
+
+def reflections(amplitude_percentile):
+    """All horizons of that cube as one dataset."""
+    found = apply(sh.vtkSeismicReflectionExtraction(), folded_cube(), AmplitudePercentile=amplitude_percentile)
+    together = vtkAppendPolyData()
+    for n in range(found.GetNumberOfPartitionedDataSets()):
+        together.AddInputData(found.GetPartition(n, 0))
+    together.Update()
+    return together.GetOutput()
+
+
 def panel(scene, sample, changed):
     """The panel of a scene. Only what belongs to the scene is changed, not what leads to it."""
     usual, own = Parameters(False), Parameters(changed)
@@ -71,6 +102,8 @@ def panel(scene, sample, changed):
     if scene == "ExteriorBoundary":
         data = apply(sh.vtkHorizonExteriorBoundary(), read_first(sample, RowStep=own.row_step))
         return pictures.Panel("", "", data, pictures.OUTLINE)
+    if scene == "Reflections":
+        return pictures.Panel("", "", reflections(own.amplitude_percentile), pictures.POINTS)
     data = read_first(sample, RowStep=usual.row_step)
     if scene == "BoundarySimplification":
         return pictures.Panel("", "", simplified_boundary(data, own), pictures.OUTLINE, data)

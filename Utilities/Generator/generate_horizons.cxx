@@ -3,16 +3,13 @@
 //
 // Writes a file of synthetic horizons. See `generate_horizons --help`.
 
+#include "CommandWords.h"
 #include "HorizonGenerator.h"
 
-#include <charconv>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <map>
 #include <string>
-#include <system_error>
-#include <vector>
 
 using namespace SeismicHorizons;
 
@@ -45,47 +42,7 @@ struct Arguments
   bool Help = false;
 };
 
-template <typename Number>
-Number Parse(const std::string& option, const std::string& text)
-{
-  Number number = {};
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc() || end != last)
-  {
-    throw InputError(option + " \"" + text + "\", expected a number in range");
-  }
-  return number;
-}
-
-/// Hands out the words of the command line.
-class Words
-{
-public:
-  Words(int argc, char* argv[])
-    : All(argv + 1, argv + argc)
-  {
-  }
-
-  bool AtEnd() const { return this->Next == this->All.size(); }
-  const std::string& Take() { return this->All[this->Next++]; }
-
-  template <typename Number>
-  void Take(const std::string& option, Number& number)
-  {
-    if (this->AtEnd())
-    {
-      throw InputError(option + " without a value, expected a number");
-    }
-    number = Parse<Number>(option, this->Take());
-  }
-
-private:
-  std::vector<std::string> All;
-  std::size_t Next = 0;
-};
-
-void ParseOption(const std::string& option, Words& words, Arguments& arguments)
+void ParseOption(const std::string& option, CommandWords& words, Arguments& arguments)
 {
   HorizonGeneratorOptions& options = arguments.Options;
   if (option == "--size")
@@ -145,7 +102,7 @@ Arguments ParseArguments(int argc, char* argv[])
 {
   Arguments arguments;
   bool hasPoints = false;
-  Words words(argc, argv);
+  CommandWords words(argc, argv);
   while (!words.AtEnd())
   {
     const std::string word = words.Take();
@@ -181,32 +138,17 @@ Arguments ParseArguments(int argc, char* argv[])
 
 void WriteFile(const HorizonGenerator& generator, const std::string& fileName)
 {
-  std::ofstream stream(fileName, std::ios::binary);
-  if (!stream)
-  {
-    throw std::runtime_error("can not be opened for writing");
-  }
-  try
-  {
-    const auto [nX, nY, nZ] = generator.Options().Size;
-    const std::map<int, std::int64_t> counts = generator.Write(stream);
-    std::cout << fileName << ": " << nX << " x " << nY << " x " << nZ << " cells\n";
-    for (const auto& [surfaceId, numberOfVoxels] : counts)
+  WriteWholeFile(fileName,
+    [&](std::ostream& stream)
     {
-      std::cout << "Horizon " << surfaceId << ": " << numberOfVoxels << " voxels\n";
-    }
-  }
-  catch (...)
-  {
-    // No part of a file stays behind; a device or a pipe does.
-    stream.close();
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(fileName, ignored))
-    {
-      std::filesystem::remove(fileName, ignored);
-    }
-    throw;
-  }
+      const auto [nX, nY, nZ] = generator.Options().Size;
+      const std::map<int, std::int64_t> counts = generator.Write(stream);
+      std::cout << fileName << ": " << nX << " x " << nY << " x " << nZ << " cells\n";
+      for (const auto& [surfaceId, numberOfVoxels] : counts)
+      {
+        std::cout << "Horizon " << surfaceId << ": " << numberOfVoxels << " voxels\n";
+      }
+    });
 }
 }
 

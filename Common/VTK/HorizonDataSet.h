@@ -7,20 +7,24 @@
 #ifndef SeismicHorizonsHorizonDataSet_h
 #define SeismicHorizonsHorizonDataSet_h
 
+#include "Common/HorizonVoxels.h"
 #include "Common/LatticePlacement.h"
-#include "SparseMatrixParser.h"
 
 #include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 class vtkFieldData;
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Where the voxels of a file lie in the world.
+/// Where the voxels of a lattice lie in the world.
 struct HorizonPlacement
 {
-  SparseMatrixSize Size = {};
+  std::array<int, 3> Size = {}; // of the lattice, along i, j and k
   LatticeMatrix ToWorld = {};
   VerticalDirection Direction = VerticalDirection::Down;
   bool UseRealZ = false;
@@ -33,7 +37,7 @@ struct HorizonPlacement
   }
 };
 
-/// Adds the lattice of the file, and how many voxels of the horizon were left out.
+/// Adds the lattice, and how many voxels of the horizon were left out.
 void AddHorizonFields(vtkFieldData* data, const HorizonPlacement& placement, std::int64_t droppedDuplicates);
 
 /// Makes a point and a vertex cell of each voxel. Each array of the voxels is freed as soon as it was copied.

@@ -3,10 +3,10 @@
 
 #include "HorizonDataSet.h"
 
+#include "ColumnPoints.h"
 #include "Common/DataModel.h"
-#include "Common/VTK/ColumnPoints.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/VertexCells.h"
+#include "DataArrays.h"
+#include "VertexCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ContinuousJoining.h"
+
+#include "Common/CountingSort.h"
+
+#include <cstring>
+#include <queue>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The picks, the strongest first, by the upper half of the bits of their strengths; of equal ones the first.
+std::vector<PointId> SortByStrength(const ReflectionPicks& picks)
+{
+  constexpr std::int64_t keys = 1 << 15; // strengths have no sign
+  const auto keyOf = [&picks](PointId pick)
+  {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &picks[pick].Strength, sizeof(bits));
+    return keys - 1 - std::int64_t(bits >> 16);
+  };
+  CountingSort<std::int32_t> sort(keys);
+  for (PointId pick = 0; pick < picks.Size(); ++pick)
+  {
+    sort.Count(keyOf(pick));
+  }
+  sort.EndCounting();
+  std::vector<PointId> sorted(std::size_t(picks.Size()));
+  for (PointId pick = 0; pick < picks.Size(); ++pick)
+  {
+    sorted[std::size_t(sort.NextPosition(keyOf(pick)))] = pick;
+  }
+  return sorted;
+}
+
+/// A link from the rim of a surface to a pick beyond it.
+struct RimLink
+{
+  float Score = 0.0F;
+  PointId To = NoPoint;
+
+  /// The better one comes first out of a std::priority_queue; of equal ones that to the first pick.
+  friend bool operator<(const RimLink& a, const RimLink& b)
+  {
+    return a.Score != b.Score ? a.Score < b.Score : a.To > b.To;
+  }
+};
+
+class Growth
+{
+public:
+  Growth(const ReflectionPicks& picks, const ReflectionLinks& links)
+    : Picks(picks)
+    , Links(links)
+    , Labels(picks.Picks.size(), NoPoint)
+    , LastInColumn(picks.Starts.size() - 1, NoPoint)
+    , Columns(picks.ListColumns())
+  {
+  }
+
+  RawVector<PointId> Run(const Monitor& monitor)
+  {
+    constexpr std::size_t batch = 1 << 16;
+    const std::vector<PointId> seeds = SortByStrength(this->Picks);
+    for (std::size_t n = 0; n < seeds.size(); ++n)
+    {
+      if (n % batch == 0)
+      {
+        monitor.Progress(double(n) / double(seeds.size()));
+      }
+      if (this->Labels[std::size_t(seeds[n])] == NoPoint)
+      {
+        this->Grow(seeds[n]);
+      }
+    }
+    return std::move(this->Labels);
+  }
+
+private:
+  void Grow(PointId seed)
+  {
+    this->Rim.push({ 0.0F, seed });
+    while (!this->Rim.empty())
+    {
+      const PointId pick = this->Rim.top().To;
+      this->Rim.pop();
+      PointId& last = this->LastInColumn[std::size_t(this->Columns[std::size_t(pick)])];
+      if (this->Labels[std::size_t(pick)] == NoPoint && last != seed)
+      {
+        this->Labels[std::size_t(pick)] = seed;
+        last = seed;
+        this->AddRim(pick);
+      }
+    }
+  }
+
+  void AddRim(PointId pick)
+  {
+    for (int direction = 0; direction < this->Links.Directions(); ++direction)
+    {
+      this->AddLink(pick, this->Links.Next(pick, direction), direction);
+      const PointId previous = this->Links.Previous(pick, direction);
+      this->AddLink(previous, previous, direction);
+    }
+  }
+
+  /// Adds a link that begins in `from` and leads on to `to`, if that is free.
+  void AddLink(PointId from, PointId to, int direction)
+  {
+    if (to != NoPoint && this->Labels[std::size_t(to)] == NoPoint)
+    {
+      this->Rim.push({ float(this->Links.Score(from, direction)), to });
+    }
+  }
+
+  const ReflectionPicks& Picks;
+  const ReflectionLinks& Links;
+  RawVector<PointId> Labels;
+  std::vector<PointId> LastInColumn; // the last surface that took a pick there
+  RawVector<std::int32_t> Columns; // of picks
+  std::priority_queue<RimLink> Rim;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<PointId> JoinContinuously(const ReflectionPicks& picks, const ReflectionLinks& links, const Monitor& monitor)
+{
+  return Growth(picks, links).Run(monitor);
+}
+}

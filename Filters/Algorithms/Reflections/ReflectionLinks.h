@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Links between picks of neighbouring columns that look alike: pairs of which each is the best the other has there.
+
+#ifndef SeismicHorizonsReflectionLinks_h
+#define SeismicHorizonsReflectionLinks_h
+
+#include "Common/Monitor.h"
+#include "Common/RawVector.h"
+#include "Reflection.h"
+#include "TraceCube.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Which columns are neighbours: those beside each other along i and j, or the diagonal ones too.
+enum class ColumnConnectivity
+{
+  Four = 4,
+  Eight = 8
+};
+
+/// A step to a neighbouring column.
+struct ColumnStep
+{
+  int I = 0;
+  int J = 0;
+};
+
+/// The first two, or all of them, lead to half of the neighbours of a column; the opposite ones to the other half.
+constexpr std::array<ColumnStep, 4> NeighbourSteps = { { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } } };
+
+struct LinkOptions
+{
+  ColumnConnectivity Connectivity = ColumnConnectivity::Four;
+  Depth LargestStep = 2 * DepthsPerSample; // from a pick to the one it is linked with
+  int HalfWidth = 25; // of the waveforms, in samples
+};
+
+/// A link from a pick along one of the steps.
+using LinkId = std::uint32_t;
+
+class ReflectionLinks
+{
+public:
+  /// Links the picks of a sign. Of several pairs as good, that of the upper picks is the best.
+  ReflectionLinks(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options,
+    const Monitor& monitor = Monitor());
+
+  int Directions() const { return int(this->Forward.size()); }
+
+  /// The pick that a pick is linked with along a step, or against it; NoPoint without one.
+  PointId Next(PointId pick, int direction) const { return this->Forward[std::size_t(direction)][std::size_t(pick)]; }
+  PointId Previous(PointId pick, int direction) const
+  {
+    return this->Backward[std::size_t(direction)][std::size_t(pick)];
+  }
+
+  /// The correlation of a link, -1 to 1.
+  double Correlation(PointId pick, int direction) const { return this->Rounded(pick, direction) / LargestRounded; }
+
+  /// What links are joined by, the best first: the correlation, less 0.05 for each sample of the step between them.
+  double Score(PointId pick, int direction) const;
+
+  LinkId MakeId(PointId pick, int direction) const
+  {
+    return LinkId(pick) * LinkId(this->Directions()) + LinkId(direction);
+  }
+  PointId PickOf(LinkId link) const { return PointId(link / LinkId(this->Directions())); }
+  int DirectionOf(LinkId link) const { return int(link % LinkId(this->Directions())); }
+
+  std::int64_t Size() const;
+  /// Of the correlations of all links; 0 without any.
+  double MedianCorrelation() const;
+  /// Drops links of less correlation.
+  void Drop(double smallestCorrelation);
+
+  /// All links, those of the best score first; of equal ones the one of the first pick. Scores are told apart by 2e-5.
+  std::vector<LinkId> SortByScore() const;
+
+private:
+  // Correlations are kept in 16 bits.
+  static constexpr double LargestRounded = 32767.0;
+  std::int16_t Rounded(PointId pick, int direction) const
+  {
+    return this->Correlations[std::size_t(direction)][std::size_t(pick)];
+  }
+
+  class RowLinker;
+
+  const ReflectionPicks& Picks;
+  std::vector<RawVector<PointId>> Forward; // by direction, then by pick
+  std::vector<RawVector<PointId>> Backward;
+  std::vector<RawVector<std::int16_t>> Correlations;
+};
+}
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A seismic cube as the methods see it: they ask for some traces of a row at a time, whatever the order of samples in
+// memory and their type.
+
+#ifndef SeismicHorizonsTraceCube_h
+#define SeismicHorizonsTraceCube_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace SeismicHorizons
+{
+/// How many traces of a row are best read at a time.
+constexpr int TracesPerBlock = 64;
+
+struct TraceCube
+{
+  /// Columns along i and j, and samples along k.
+  std::array<int, 3> Size = { 0, 0, 0 };
+  /// Writes traces of row j, from column `first` on, one after the other. Samples that are missing are nan, and none is
+  /// infinite. Several threads may call it at a time.
+  std::function<void(int j, int first, int count, float* traces)> Read;
+};
+
+/// Samples in memory, by the strides from one to the next along i, j and k.
+template <typename Sample>
+struct StridedSamples
+{
+  const Sample* First = nullptr;
+  std::array<std::ptrdiff_t, 3> Strides = { 1, 1, 1 };
+  /// Where not null, marks of the samples, in the same order: those with one of the bits of the mask are missing.
+  const unsigned char* Marks = nullptr;
+  unsigned char MissingMask = 0;
+
+  float At(std::ptrdiff_t place) const
+  {
+    const float value = static_cast<float>(this->First[place]);
+    const bool isMissing = !std::isfinite(value) || (this->Marks && (this->Marks[place] & this->MissingMask) != 0);
+    return isMissing ? std::numeric_limits<float>::quiet_NaN() : value;
+  }
+};
+
+/// Writes `count` traces of `samples` samples each, the first of which begins at `start`. Where i runs fastest, the
+/// samples of a trace are far apart: squares of traces and samples are turned in a buffer, so that each line of the
+/// cache is read and written once.
+template <typename Sample>
+void TurnTraces(const StridedSamples<Sample>& cube, std::ptrdiff_t start, int count, int samples, float* traces)
+{
+  constexpr int side = 16;
+  float square[side][side]; // by sample, then by trace
+  for (int trace = 0; trace < count; trace += side)
+  {
+    const int width = std::min(side, count - trace);
+    for (int sample = 0; sample < samples; sample += side)
+    {
+      const int height = std::min(side, samples - sample);
+      const std::ptrdiff_t corner = start + trace * cube.Strides[0] + sample * cube.Strides[2];
+      for (int k = 0; k < height; ++k)
+      {
+        for (int i = 0; i < width; ++i)
+        {
+          square[k][i] = cube.At(corner + k * cube.Strides[2] + i * cube.Strides[0]);
+        }
+      }
+      for (int i = 0; i < width; ++i)
+      {
+        float* const target = traces + std::ptrdiff_t(trace + i) * samples + sample;
+        for (int k = 0; k < height; ++k)
+        {
+          target[k] = square[k][i];
+        }
+      }
+    }
+  }
+}
+
+/// A cube of such samples, which have to outlive it.
+template <typename Sample>
+TraceCube MakeTraceCube(const std::array<int, 3>& size, const StridedSamples<Sample>& samples)
+{
+  return { size,
+    [size, samples](int j, int first, int count, float* traces)
+    {
+      const std::ptrdiff_t start = first * samples.Strides[0] + j * samples.Strides[1];
+      TurnTraces(samples, start, count, size[2], traces);
+    } };
+}
+}
+
+#endif

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSeismicReflectionExtraction.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/Monitor.h"
+#include "Common/Parameters.h"
+#include "Common/VTK/HorizonDataSet.h"
+#include "Common/VTK/HorizonName.h"
+#include "Common/VTK/SurveyFields.h"
+#include "Marshalling/ImageCube.h"
+#include "Reflections/ReflectionExtraction.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+struct vtkSeismicReflectionExtraction::Surfaces
+{
+  ImageCube Cube;
+  Extraction Result;
+};
+
+vtkStandardNewMacro(vtkSeismicReflectionExtraction);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSeismicReflectionExtraction::vtkSeismicReflectionExtraction()
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSeismicReflectionExtraction::~vtkSeismicReflectionExtraction() = default;
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSeismicReflectionExtraction::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSeismicReflectionExtraction::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* const info = inputVector[0]->GetInformationObject(0);
+  if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    std::array<int, 6> whole;
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole.data(), 6);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
+{
+  ExtractionOptions options;
+  options.Reflections.Polarity = static_cast<ReflectionPolarity>(this->Polarity);
+  options.Reflections.Position = this->Position == Middle ? ReflectionPosition::Middle : ReflectionPosition::Peak;
+  options.Reflections.Threshold =
+    this->ThresholdType == Amplitude ? ThresholdKind::Amplitude : ThresholdKind::Percentile;
+  options.Reflections.AmplitudeThreshold = this->AmplitudeThreshold;
+  options.Reflections.AmplitudePercentile = this->AmplitudePercentile;
+  options.Joining = static_cast<SurfaceJoining>(this->Joining);
+  options.Connectivity = this->Connectivity == Four ? ColumnConnectivity::Four : ColumnConnectivity::Eight;
+  options.LargestStep = this->LargestStep;
+  options.SmallestCorrelation = this->SmallestCorrelation;
+  options.SmallestContact = this->SmallestContact;
+  options.SmallestSize = this->SmallestSize;
+  options.LargestNumber = this->LargestNumber;
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSeismicReflectionExtraction::CheckParameters()
+{
+  CheckOptions(this->MakeOptions());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkImageData* vtkSeismicReflectionExtraction::GetCube()
+{
+  auto* const cube = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!cube)
+  {
+    throw InputError("no input, expected an image");
+  }
+  return cube;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
+{
+  vtkInformation* const choice = this->GetInputArrayInformation(0);
+  const char* const name = choice->Get(vtkDataObject::FIELD_NAME());
+  if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    throw InputError("amplitudes that are not at points, expected an array of the points: see Cell Data To Point Data");
+  }
+  vtkPointData* const data = cube->GetPointData();
+  vtkDataArray* const array = name ? data->GetArray(name)
+    : data->GetScalars()           ? data->GetScalars()
+                                   : data->GetArray(PointArray::Amplitude);
+  if (!array)
+  {
+    throw InputError(name ? "no point array " + std::string(name) + " of numbers, expected one with amplitudes"
+                          : std::string("no active scalars and no array Amplitude at the points of the image, expected "
+                                        "amplitudes"));
+  }
+  return array;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Monitor& monitor)
+{
+  vtkImageData* const image = this->GetCube();
+  this->Found = std::make_unique<Surfaces>();
+  this->Found->Cube = MakeImageCube(image, this->FindAmplitudes(image));
+  this->Found->Result = ExtractReflections(this->Found->Cube.Traces, this->MakeOptions(), monitor);
+  this->Describe();
+  std::vector<std::string> names;
+  for (const HorizonVoxels& surface : this->Found->Result.Surfaces)
+  {
+    names.push_back(HorizonName(surface.SurfaceId));
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSeismicReflectionExtraction::Describe()
+{
+  const Extraction& result = this->Found->Result;
+  this->NumberOfSamples = static_cast<vtkIdType>(result.Samples);
+  this->NumberOfPicks = static_cast<vtkIdType>(result.Picks);
+  this->NumberOfSurfaces = static_cast<vtkIdType>(result.NumberOfSurfaces);
+  this->UsedThreshold = result.Threshold;
+  this->DominantPeriod = result.Period;
+  this->UsedStep = result.LargestStep;
+  this->MedianCorrelation = result.MedianCorrelation;
+  std::ostringstream text;
+  text.precision(4);
+  text << result.Samples << " samples, " << result.Picks << " picks of an amplitude of " << result.Threshold
+       << " or more\n"
+       << "dominant period " << result.Period << " samples, largest step " << result.LargestStep << '\n';
+  if (result.MedianCorrelation != 0.0)
+  {
+    text << "median correlation of links " << result.MedianCorrelation << '\n';
+  }
+  text << result.NumberOfSurfaces << " surfaces of " << this->SmallestSize << " picks or more, "
+       << result.Surfaces.size() << " taken";
+  this->Description = text.str();
+}
+
+namespace
+{
+/// From the samples of the cube to the lattice and the world.
+void Place(HorizonVoxels& voxels, const ImageCube& cube)
+{
+  const int sign = static_cast<int>(cube.Direction);
+  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  {
+    voxels.I[n] += cube.FirstIndex[0];
+    voxels.J[n] += cube.FirstIndex[1];
+    voxels.K[n] += cube.FirstIndex[2];
+    voxels.RealZ[n] = sign * (cube.ToWorld[10] * (voxels.RealZ[n] + cube.FirstIndex[2]) + cube.ToWorld[11]);
+  }
+}
+
+void CopyFields(vtkFieldData* from, vtkFieldData* to)
+{
+  AddSurveyFields(ReadSurveyFields(from), to);
+  if (vtkDataArray* const lines = from->GetArray(FieldArray::LineNumbers))
+  {
+    to->AddArray(lines);
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::MakeHorizons(
+  const std::vector<int>& numbers, const Monitor& monitor)
+{
+  const std::unique_ptr<Surfaces> found = std::exchange(this->Found, nullptr);
+  const ImageCube& cube = found->Cube;
+  const HorizonPlacement placement = { cube.LatticeSize, cube.ToWorld, cube.Direction, this->Elevation == RealZ };
+  std::vector<vtkSmartPointer<vtkDataObject>> horizons;
+  for (const int number : numbers)
+  {
+    // Moved out of the list, so that the voxels of each horizon are freed once it is made.
+    HorizonVoxels voxels = std::move(found->Result.Surfaces[static_cast<std::size_t>(number)]);
+    Place(voxels, cube);
+    vtkSmartPointer<vtkPolyData> horizon = MakeHorizonPoints(std::move(voxels), placement);
+    CopyFields(this->GetCube()->GetFieldData(), horizon->GetFieldData());
+    horizons.push_back(horizon);
+    monitor.Progress(static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
+  }
+  return horizons;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
+{
+  constexpr std::array<const char*, 3> polarities = { "Both", "Positive", "Negative" };
+  constexpr std::array<const char*, 3> joinings = { "BestFirst", "Continuous", "Components" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Polarity: " << polarities[static_cast<std::size_t>(this->Polarity)] << '\n';
+  os << indent << "Position: " << (this->Position == Middle ? "Middle" : "Peak") << '\n';
+  os << indent << "ThresholdType: " << (this->ThresholdType == Amplitude ? "Amplitude" : "Percentile") << '\n';
+  os << indent << "AmplitudeThreshold: " << this->AmplitudeThreshold << '\n';
+  os << indent << "AmplitudePercentile: " << this->AmplitudePercentile << '\n';
+  os << indent << "Joining: " << joinings[static_cast<std::size_t>(this->Joining)] << '\n';
+  os << indent << "Connectivity: " << (this->Connectivity == Four ? "Four" : "Eight") << '\n';
+  os << indent << "LargestStep: " << this->LargestStep << '\n';
+  os << indent << "SmallestCorrelation: " << this->SmallestCorrelation << '\n';
+  os << indent << "SmallestContact: " << this->SmallestContact << '\n';
+  os << indent << "SmallestSize: " << this->SmallestSize << '\n';
+  os << indent << "LargestNumber: " << this->LargestNumber << '\n';
+  os << indent << "Elevation: " << (this->Elevation == RealZ ? "RealZ" : "VerticalIndex") << '\n';
+  os << indent << "Description: " << this->Description << '\n';
+}

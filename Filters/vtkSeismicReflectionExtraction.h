@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSeismicReflectionExtraction
+ * @brief   makes horizons of a seismic cube: reflections of neighbouring traces joined to surfaces
+ *
+ * The input is a vtkImageData with amplitudes at its points, of any type of numbers (SetInputArrayToProcess; by default
+ * the active scalars, or where there are none the point array Amplitude). Traces run along k, which has to be vertical.
+ * Points that vtkGhostType hides, and numbers that are not finite, are no samples; traces of zeros have no reflections.
+ *
+ * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009). Strong ones are thinned
+ * to a pick, and picks of neighbouring traces joined to surfaces, which are named "Horizon 1" and so on from the
+ * largest on. Three ways to join are there, see SetJoining(); Documentation/SeismicReflectionExtraction.md has how good
+ * they are.
+ *
+ * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
+ * and one vertex cell per pick, at most one in a column. Point data, one component each:
+ * - SurfaceId (int): the number of the horizon
+ * - VerticalIndex (int): the sample nearest to the pick, on the lattice; the active scalars
+ * - Thickness (double): how many samples the run has
+ * - Amplitude (double): the mean of the samples of the run
+ * - RealZ (double): the place of the pick, to parts of a sample: world z with the sign of VerticalDirection
+ * - PointCount (vtkIdType): 1
+ *
+ * Field data as from that reader: LatticeDimensions, LatticeToWorld, VerticalDirection and DroppedDuplicates. The
+ * first three are those of the input where it has them, and then the extent of the image counts on that lattice; else
+ * they are made from its origin, spacing, direction and extent. VerticalUnit, VerticalDomain, HorizontalUnit,
+ * CoordinateSystem and LineNumbers are those of the input.
+ *
+ * The result is the same on any number of threads. Each of several processes works on the whole cube, and gives a part
+ * of the horizons. Beside the input and output it takes about 60 bytes for each pick, of which there is one in six to
+ * ten samples.
+ *
+ * What is wrong with the input or a parameter gives one error; the output is empty then.
+ *
+ * @sa vtkVerneySparseMatrixReader vtkHorizonExteriorBoundary vtkHorizonSurface
+ */
+
+#ifndef vtkSeismicReflectionExtraction_h
+#define vtkSeismicReflectionExtraction_h
+
+#include "vtkHorizonSource.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for the description
+
+namespace SeismicHorizons
+{
+struct ExtractionOptions;
+}
+class vtkDataArray;
+class vtkImageData;
+
+class VTKSEISMICHORIZONS_EXPORT vtkSeismicReflectionExtraction : public vtkHorizonSource
+{
+public:
+  static vtkSeismicReflectionExtraction* New();
+  vtkTypeMacro(vtkSeismicReflectionExtraction, vtkHorizonSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Which runs are taken.
+  enum Polarities
+  {
+    Both = 0,
+    Positive = 1,
+    Negative = 2
+  };
+
+  ///@{
+  /**
+   * Which runs are taken: those of both signs, or of one. Default: Both.
+   */
+  vtkSetClampMacro(Polarity, int, Both, Negative);
+  vtkGetMacro(Polarity, int);
+  void SetPolarityToBoth() { this->SetPolarity(Both); }
+  void SetPolarityToPositive() { this->SetPolarity(Positive); }
+  void SetPolarityToNegative() { this->SetPolarity(Negative); }
+  ///@}
+
+  /// Where the pick of a run is.
+  enum Positions
+  {
+    Middle = 0,
+    Peak = 1
+  };
+
+  ///@{
+  /**
+   * Where the pick of a run is. Middle: in the middle of its samples at or above the threshold, as in the thesis. Peak:
+   * at each local maximum of the absolute amplitude, to parts of a sample by a parabola. Default: Peak.
+   */
+  vtkSetClampMacro(Position, int, Middle, Peak);
+  vtkGetMacro(Position, int);
+  void SetPositionToMiddle() { this->SetPosition(Middle); }
+  void SetPositionToPeak() { this->SetPosition(Peak); }
+  ///@}
+
+  /// What the threshold is.
+  enum ThresholdTypes
+  {
+    Amplitude = 0,
+    Percentile = 1
+  };
+
+  ///@{
+  /**
+   * Whether picks are strong enough by AmplitudeThreshold or by AmplitudePercentile. Default: Percentile.
+   */
+  vtkSetClampMacro(ThresholdType, int, Amplitude, Percentile);
+  vtkGetMacro(ThresholdType, int);
+  void SetThresholdTypeToAmplitude() { this->SetThresholdType(Amplitude); }
+  void SetThresholdTypeToPercentile() { this->SetThresholdType(Percentile); }
+  ///@}
+
+  ///@{
+  /**
+   * The least absolute amplitude, in units of the input: of the sample at a peak; with the middle, of all samples of a
+   * run. At least 0. Default: 0.
+   */
+  vtkSetMacro(AmplitudeThreshold, double);
+  vtkGetMacro(AmplitudeThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * The part of the peaks of the polarity that are too weak, in percent; with the middle, of the samples that are not
+   * 0. 0 to 100. High ones lose surfaces where they fade. Default: 25.
+   */
+  vtkSetMacro(AmplitudePercentile, double);
+  vtkGetMacro(AmplitudePercentile, double);
+  ///@}
+
+  /// How picks are joined to surfaces.
+  enum Joinings
+  {
+    BestFirst = 0,
+    Continuous = 1,
+    Components = 2
+  };
+
+  ///@{
+  /**
+   * How picks are joined to surfaces. BestFirst: by the links whose waveforms are most alike first; parts that lie over
+   * each other, or face each other with few links, stay apart, as at faults. Continuous: surfaces grow one after the
+   * other, each from the strongest pick left as far as links lead; strong events come out whole, some over faults.
+   * Components: whatever touches, as in the thesis; of several picks in a column the one of largest absolute amplitude
+   * stays. Default: BestFirst.
+   */
+  vtkSetClampMacro(Joining, int, BestFirst, Components);
+  vtkGetMacro(Joining, int);
+  void SetJoiningToBestFirst() { this->SetJoining(BestFirst); }
+  void SetJoiningToContinuous() { this->SetJoining(Continuous); }
+  void SetJoiningToComponents() { this->SetJoining(Components); }
+  ///@}
+
+  /// Which columns are neighbours.
+  enum Connectivities
+  {
+    Four = 0,
+    Eight = 1
+  };
+
+  ///@{
+  /**
+   * Which columns are neighbours: those next to each other along i and j, or the diagonal ones too. Default: Four.
+   */
+  vtkSetClampMacro(Connectivity, int, Four, Eight);
+  vtkGetMacro(Connectivity, int);
+  void SetConnectivityToFour() { this->SetConnectivity(Four); }
+  void SetConnectivityToEight() { this->SetConnectivity(Eight); }
+  ///@}
+
+  ///@{
+  /**
+   * How far a pick may be above or below the next one of its surface, in samples: at least 0. 0: 0.3 of the dominant
+   * period, at least 2. Default: 0.
+   */
+  vtkSetMacro(LargestStep, double);
+  vtkGetMacro(LargestStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much alike the waveforms around two picks have to be: their correlation, as a part of the median over all
+   * links. 0 to 1. Components do not look at it. Default: 0.85.
+   */
+  vtkSetMacro(SmallestCorrelation, double);
+  vtkGetMacro(SmallestCorrelation, double);
+  ///@}
+
+  ///@{
+  /**
+   * With BestFirst, the part of the picks along which two parts face each other that has to be linked, 0 to 1. Default:
+   * 0.5.
+   */
+  vtkSetMacro(SmallestContact, double);
+  vtkGetMacro(SmallestContact, double);
+  ///@}
+
+  ///@{
+  /**
+   * Surfaces of fewer picks are left out. At least 1. Default: 100.
+   */
+  vtkSetMacro(SmallestSize, vtkIdType);
+  vtkGetMacro(SmallestSize, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * How many surfaces there are at most: the largest ones. At least 1. Default: 100.
+   */
+  vtkSetMacro(LargestNumber, int);
+  vtkGetMacro(LargestNumber, int);
+  ///@}
+
+  /// Where the z coordinate of a point comes from.
+  enum ElevationSource
+  {
+    VerticalIndex = 0,
+    RealZ = 1
+  };
+
+  ///@{
+  /**
+   * The z coordinate of the points: that of the nearest sample (VerticalIndex), or that of the pick itself (RealZ).
+   * Default: RealZ.
+   */
+  vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
+  vtkGetMacro(Elevation, int);
+  void SetElevationToVerticalIndex() { this->SetElevation(VerticalIndex); }
+  void SetElevationToRealZ() { this->SetElevation(RealZ); }
+  ///@}
+
+  /**
+   * What was found, for people: lines of text with the figures below. Empty before the first update.
+   */
+  const char* GetDescription() { return this->Description.c_str(); }
+
+  ///@{
+  /**
+   * What was found by the last update: samples that are there, picks that are strong enough, surfaces of the smallest
+   * size or more, the absolute amplitude that picks have at least, the dominant period and the largest step in samples,
+   * and the median correlation of links (0 for components). 0 before the first update.
+   */
+  vtkGetMacro(NumberOfSamples, vtkIdType);
+  vtkGetMacro(NumberOfPicks, vtkIdType);
+  vtkGetMacro(NumberOfSurfaces, vtkIdType);
+  vtkGetMacro(UsedThreshold, double);
+  vtkGetMacro(DominantPeriod, double);
+  vtkGetMacro(UsedStep, double);
+  vtkGetMacro(MedianCorrelation, double);
+  ///@}
+
+protected:
+  vtkSeismicReflectionExtraction();
+  ~vtkSeismicReflectionExtraction() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  /// Asks for the whole cube, whatever piece is wanted: surfaces have no borders within it.
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  void CheckParameters() override;
+  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
+    const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkSeismicReflectionExtraction(const vtkSeismicReflectionExtraction&) = delete;
+  void operator=(const vtkSeismicReflectionExtraction&) = delete;
+
+  SeismicHorizons::ExtractionOptions MakeOptions() const;
+  vtkImageData* GetCube();
+  vtkDataArray* FindAmplitudes(vtkImageData* cube);
+  void Describe();
+
+  int Polarity = Both;
+  int Position = Peak;
+  int ThresholdType = Percentile;
+  double AmplitudeThreshold = 0.0;
+  double AmplitudePercentile = 25.0;
+  int Joining = BestFirst;
+  int Connectivity = Four;
+  double LargestStep = 0.0;
+  double SmallestCorrelation = 0.85;
+  double SmallestContact = 0.5;
+  vtkIdType SmallestSize = 100;
+  int LargestNumber = 100;
+  int Elevation = RealZ;
+
+  vtkIdType NumberOfSamples = 0;
+  vtkIdType NumberOfPicks = 0;
+  vtkIdType NumberOfSurfaces = 0;
+  double UsedThreshold = 0.0;
+  double DominantPeriod = 0.0;
+  double UsedStep = 0.0;
+  double MedianCorrelation = 0.0;
+  std::string Description;
+
+  struct Surfaces;
+  std::unique_ptr<Surfaces> Found; // between the list of horizons and their making
+};
+
+#endif

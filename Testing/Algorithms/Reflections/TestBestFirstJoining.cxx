@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces joined best first, beside an implementation of the same rules that keeps each part as a map.
+
+#include "PickFixtures.h"
+#include "Reflections/BestFirstJoining.h"
+#include "Tools/Check.h"
+
+#include <map>
+#include <memory>
+
+using namespace PickFixtures;
+
+namespace
+{
+/// A part: its picks by column.
+using Part = std::map<std::int32_t, PointId>;
+
+class Oracle
+{
+public:
+  Oracle(const ReflectionPicks& picks, const ReflectionLinks& links, const JoiningRules& rules)
+    : Picks(picks)
+    , Links(links)
+    , Rules(rules)
+    , Columns(picks.ListColumns())
+  {
+    for (PointId pick = 0; pick < picks.Size(); ++pick)
+    {
+      this->Names.push_back(pick);
+      this->Parts[pick] = { { this->Columns[std::size_t(pick)], pick } };
+    }
+  }
+
+  std::vector<PointId> Run()
+  {
+    std::vector<LinkId> refused = this->TryAll(this->Links.SortByScore());
+    this->Sizes.clear();
+    this->TryAll(refused);
+    return this->Names;
+  }
+
+private:
+  std::vector<LinkId> TryAll(const std::vector<LinkId>& links)
+  {
+    std::vector<LinkId> refused;
+    for (const LinkId link : links)
+    {
+      const PointId from = this->Links.PickOf(link);
+      PointId big = this->Names[std::size_t(from)];
+      PointId small = this->Names[std::size_t(this->Links.Next(from, this->Links.DirectionOf(link)))];
+      if (big == small || big == NoPoint || small == NoPoint)
+      {
+        continue;
+      }
+      if (this->Parts[big].size() < this->Parts[small].size())
+      {
+        std::swap(big, small);
+      }
+      if (!this->Join(big, small))
+      {
+        refused.push_back(link);
+      }
+    }
+    return refused;
+  }
+
+  /// False where the parts do not fit.
+  bool Join(PointId big, PointId small)
+  {
+    const double size = double(this->Parts[big].size() + this->Parts[small].size());
+    double& refusedSize = this->Sizes[{ std::min(big, small), std::max(big, small) }];
+    if (refusedSize > 0.0 && size < 1.3 * refusedSize)
+    {
+      return false;
+    }
+    if (!this->Fit(this->Parts[big], this->Parts[small]))
+    {
+      refusedSize = size;
+      return false;
+    }
+    for (const auto& [column, pick] : this->Parts[small])
+    {
+      const bool isNew = this->Parts[big].insert({ column, pick }).second;
+      this->Names[std::size_t(pick)] = isNew ? big : NoPoint;
+    }
+    this->Parts.erase(small);
+    return true;
+  }
+
+  bool AreLinked(PointId a, PointId b) const
+  {
+    for (int direction = 0; direction < this->Links.Directions(); ++direction)
+    {
+      if (this->Links.Next(a, direction) == b || this->Links.Next(b, direction) == a)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool Fit(const Part& big, const Part& small) const
+  {
+    double shared = 0.0;
+    double facing = 0.0;
+    double linked = 0.0;
+    for (const auto& [column, pick] : small)
+    {
+      shared += double(big.count(column));
+      for (const auto& [otherColumn, other] : big)
+      {
+        if (this->AreNeighbours(column, otherColumn))
+        {
+          facing += 1.0;
+          linked += this->AreLinked(pick, other) ? 1.0 : 0.0;
+        }
+      }
+    }
+    const double size = double(small.size());
+    if (shared > std::floor(this->Rules.LargestShare * size))
+    {
+      return false;
+    }
+    if (size >= this->Rules.LargestFilled && size > this->Rules.LargestFilledWidth * facing)
+    {
+      return false;
+    }
+    return size < this->Rules.ContactSize || linked >= this->Rules.SmallestContact * facing;
+  }
+
+  bool AreNeighbours(std::int32_t a, std::int32_t b) const
+  {
+    const int di = std::abs(a % this->Picks.Columns[0] - b % this->Picks.Columns[0]);
+    const int dj = std::abs(a / this->Picks.Columns[0] - b / this->Picks.Columns[0]);
+    return di + dj == 1 || (this->Links.Directions() == 4 && di == 1 && dj == 1);
+  }
+
+  const ReflectionPicks& Picks;
+  const ReflectionLinks& Links;
+  const JoiningRules Rules;
+  const RawVector<std::int32_t> Columns;
+  std::vector<PointId> Names; // of the parts of picks
+  std::map<PointId, Part> Parts;
+  std::map<std::pair<PointId, PointId>, double> Sizes; // when they were refused
+};
+
+struct Case
+{
+  Traces Cube;
+  ReflectionPicks Picks;
+  std::unique_ptr<ReflectionLinks> Links;
+};
+
+Case MakeCase(unsigned seed, ColumnConnectivity connectivity)
+{
+  Case test;
+  test.Cube = Rough({ 14, 12, 48 }, seed);
+  test.Picks = FindReflections(test.Cube.View()).BySign[seed % 2];
+  LinkOptions options;
+  options.Connectivity = connectivity;
+  options.LargestStep = 3 * DepthsPerSample;
+  options.HalfWidth = 6;
+  test.Links = std::make_unique<ReflectionLinks>(test.Cube.View(), test.Picks, options);
+  return test;
+}
+
+RawVector<PointId> Join(const Case& test, const JoiningRules& rules)
+{
+  SurfaceSets sets(test.Picks);
+  BestFirstJoining(test.Picks, *test.Links, rules, sets).Run(Monitor());
+  return sets.TakeLabels();
+}
+
+bool HasColumnTwice(const ReflectionPicks& picks, const RawVector<PointId>& surfaces)
+{
+  const RawVector<std::int32_t> columns = picks.ListColumns();
+  std::map<std::pair<PointId, std::int32_t>, int> counts;
+  for (PointId pick = 0; pick < picks.Size(); ++pick)
+  {
+    const PointId surface = surfaces[std::size_t(pick)];
+    if (surface != NoPoint && ++counts[{ surface, columns[std::size_t(pick)] }] > 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Each rule has a say somewhere: with it, the result is another one for one of the cubes.
+void TestOracle()
+{
+  JoiningRules columns;
+  columns.SmallestContact = 0.0;
+  columns.LargestShare = 0.0;
+  JoiningRules trim = columns;
+  trim.LargestShare = 0.1;
+  JoiningRules contact = trim;
+  contact.ContactSize = 5;
+  contact.SmallestContact = 0.5;
+  JoiningRules fill = contact;
+  fill.LargestFilled = 8;
+  fill.LargestFilledWidth = 1.5;
+  std::vector<std::vector<PointId>> results; // by rules, then by cube
+  constexpr std::size_t cubes = 4;
+  for (const JoiningRules& rules : { columns, trim, contact, fill })
+  {
+    for (unsigned seed = 1; seed <= cubes; ++seed)
+    {
+      const Case test = MakeCase(seed, seed % 3 == 0 ? ColumnConnectivity::Eight : ColumnConnectivity::Four);
+      const RawVector<PointId> found = Join(test, rules);
+      const std::vector<PointId> expected = Oracle(test.Picks, *test.Links, rules).Run();
+      CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+      CHECK(!HasColumnTwice(test.Picks, found));
+      results.push_back(expected);
+    }
+  }
+  for (std::size_t rules = 1; rules < results.size() / cubes; ++rules)
+  {
+    const auto first = results.begin() + std::ptrdiff_t(rules * cubes);
+    CHECK(!std::equal(first, first + cubes, first - cubes));
+  }
+}
+}
+
+int TestBestFirstJoining(int, char*[])
+{
+  TestOracle();
+  return Check::Result();
+}

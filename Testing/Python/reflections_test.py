@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvpython: from a cube to horizons, meshes and a file through the proxies of ParaView. Argument: a folder."""
+
+import pathlib
+import sys
+
+# Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
+import seismichorizons  # noqa: F401
+from paraview import simple
+
+import mesh_checks
+
+
+def fetch(proxy):
+    proxy.UpdatePipeline()
+    return mesh_checks.blocks(proxy.GetClientSideObject().GetOutputDataObject(0))
+
+
+def values(horizon, name):
+    return sorted(mesh_checks.array(horizon, name).tolist())
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    cube = simple.Wavelet(WholeExtent=[0, 40, 5, 40, -20, 20])
+    wave = simple.Calculator(Input=cube, Function="RTData - 150", ResultArrayName="centred")
+    wave.UpdatePipeline()
+    extraction = simple.SeismicReflectionExtraction(Input=wave, SmallestSize=50)
+    assert extraction.AmplitudeArray[1] == "centred", extraction.AmplitudeArray
+    horizons = fetch(extraction)
+    assert list(horizons) == ["Horizon %d" % (n + 1) for n in range(len(horizons))] and len(horizons) >= 2, horizons
+    sizes = [horizon.GetNumberOfPoints() for horizon in horizons.values()]
+    assert sizes == sorted(sizes, reverse=True) and sizes[-1] >= 50, sizes
+    extraction.UpdatePropertyInformation()
+    assert extraction.WhatWasFound.startswith("60516 samples, "), extraction.WhatWasFound
+
+    # One of the arrays by its name, and fewer horizons.
+    extraction.AmplitudeArray = ["POINTS", "RTData"]
+    other = fetch(extraction)
+    assert values(other["Horizon 1"], "Amplitude")[0] > 0.0
+    extraction.AmplitudeArray = ["POINTS", "centred"]
+    extraction.LargestNumber = 2
+    assert list(fetch(extraction)) == ["Horizon 1", "Horizon 2"]
+
+    # A file of voxels has them all again; so have the stages.
+    path = str(folder / "cube.vsm")
+    simple.SaveData(path, extraction)
+    again = fetch(simple.OpenDataFile(path))
+    for name in ("Horizon 1", "Horizon 2"):
+        for array in ("VerticalIndex", "Thickness", "Amplitude", "RealZ"):
+            assert values(again[name], array) == values(horizons[name], array), (name, array)
+    meshes = fetch(simple.HorizonSurface(Input=extraction))
+    assert all(mesh.GetNumberOfPolys() > 0 for mesh in meshes.values())
+
+
+main()

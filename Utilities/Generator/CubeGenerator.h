@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Makes synthetic seismic cubes whose horizons are known: each trace is the sum of a wavelet at each reflector it meets
+// (CubeReflectors.h), and noise.
+//
+// The result depends on the options alone: it is computed with IEEE additions, multiplications, divisions and square
+// roots, and random numbers of each place, in a fixed order. The only function beyond these, the exponential in the
+// wavelet, is computed by them.
+
+#ifndef SeismicHorizonsCubeGenerator_h
+#define SeismicHorizonsCubeGenerator_h
+
+#include "CubeGeneratorOptions.h"
+#include "CubeReflectors.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+class CubeGenerator
+{
+public:
+  /// Throws InputError when an option is out of range.
+  explicit CubeGenerator(const CubeGeneratorOptions& options);
+
+  const CubeGeneratorOptions& Options() const { return this->Given; }
+  const CubeReflectors& Truth() const { return this->Reflectors; }
+
+  /// All traces, one after the other: that of column (i, j) is number i + nX j. Dead ones are 0, missing ones nan.
+  std::vector<float> MakeTraces() const;
+
+private:
+  void AddSignal(int i, int j, float* trace) const;
+  void AddWavelet(double place, double strength, float* trace) const;
+  void AddNoise(int i, int j, double height, float* trace) const;
+  /// The root mean square of the noise before it is scaled.
+  double NoiseHeight() const;
+
+  CubeGeneratorOptions Given;
+  CubeReflectors Reflectors;
+  std::vector<double> Wavelet; // at whole samples, for noise of its frequencies
+};
+
+/// (1 - 2a) exp(-a) with a = (pi frequency time)^2: a wavelet of amplitude 1 at time 0. Time in seconds.
+double RickerWavelet(double frequency, double time);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What synthetic seismic cubes are like.
+
+#ifndef SeismicHorizonsCubeGeneratorOptions_h
+#define SeismicHorizonsCubeGeneratorOptions_h
+
+#include <array>
+#include <cstdint>
+
+namespace SeismicHorizons
+{
+enum class NoiseKind
+{
+  White, // of all frequencies, as of instruments
+  InBand // of the frequencies of the signal, as of sources
+};
+
+/// The default is an easy cube: reflectors far apart and of one strength all over, and a fault across which none faces
+/// another.
+struct CubeGeneratorOptions
+{
+  std::uint64_t Seed = 1;
+  /// Columns (crosslines), rows (inlines) and samples.
+  std::array<int, 3> Size = { 80, 64, 220 };
+  double SampleInterval = 4.0; // ms
+  double Frequency = 30.0; // of the Ricker wavelet, Hz
+  double Spacing = 32.0; // from a reflector to the next one, in samples, at least 4
+  double SpacingVariation = 0.0; // part of it that is random, 0 to 0.9
+  double FoldHeight = 10.0; // of folds up and down, in samples
+  double FaultThrow = 16.0; // how far the fault throws layers down, in samples; 0: no fault
+  double FaultDip = 0.15; // how many columns the fault moves in a sample downwards
+  double SmallestStrength = 0.4; // of the weakest reflector; that of the strongest is 1
+  double Fading = 1.0; // to what part of its strength a reflector fades, here and there
+  bool HasChannel = false; // whether a channel cuts into the middle reflector
+  double DeadFraction = 0.0; // traces of zeros
+  double MissingFraction = 0.0; // traces that are not there
+  double NoiseFraction = 0.0; // root mean square of the noise, as a part of that of the signal
+  NoiseKind Noise = NoiseKind::White;
+};
+
+/// A hard one: layers thick and thin, reflectors that fade and face others across the fault, a channel, and dead and
+/// missing traces.
+CubeGeneratorOptions HardCube(std::uint64_t seed);
+
+/// Throws InputError when an option is out of range.
+void CheckOptions(const CubeGeneratorOptions& options);
+}
+
+#endif
