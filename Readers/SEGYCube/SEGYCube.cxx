@@ -13,6 +13,8 @@
 #include "TracePlaces.h"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <utility>
 
@@ -44,6 +46,22 @@ void CheckPair(const char* firstName, const char* secondName, const FieldPair& p
          << ", expected both, or 0 for both";
     throw InputError(text.str());
   }
+}
+
+/// Traces are read at their places, so that a compressed file is of no use.
+std::ifstream OpenPlainFile(const std::string& name)
+{
+  std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
+  if (!stream)
+  {
+    throw InputError("a file that can not be opened, expected a readable one");
+  }
+  constexpr int gzipBegin[2] = { 0x1f, 0x8b };
+  if (stream.get() == gzipBegin[0] && stream.get() == gzipBegin[1])
+  {
+    throw InputError("a file that gzip compressed, expected SEG-Y as it is");
+  }
+  return stream;
 }
 
 /// All fields that have to be read.
@@ -134,7 +152,7 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   SEGYCube cube;
   cube.Name = name;
   const FileStamp stamp = MakeFileStamp(name);
-  std::ifstream stream = OpenInputFile(name);
+  std::ifstream stream = OpenPlainFile(name);
   cube.Header = ReadSEGYHeader(stream, std::int64_t(stamp.Size), options.FormatCode);
   const TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
   RefuseOtherLengths(table);

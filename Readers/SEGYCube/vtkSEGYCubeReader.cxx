@@ -19,6 +19,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 using namespace SeismicHorizons;
@@ -80,7 +82,12 @@ vtkSEGYCubeReader::~vtkSEGYCubeReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkSEGYCubeReader::CanReadFile(const char* fileName)
 {
-  return IsRecognised(fileName, [](std::istream& stream) { return IsSEGY(stream); });
+  return IsRecognised(fileName,
+    [fileName](std::istream&)
+    {
+      std::ifstream stream(std::filesystem::u8path(fileName), std::ios::binary); // not what gzip made it from
+      return IsSEGY(stream);
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -27,6 +27,7 @@ void WhatIsNoSEGYIsRefused()
   CHECK_THROWS_WITH(
     ReadBytes(std::string(9000, 'A')), "format code 16705 at byte 3225, expected 1 (IBM float), 2, 3, 7");
   CHECK_THROWS_WITH(ReadBytes(std::string(9000, '\0')), "format code 0 at byte 3225, expected 1 (IBM float)");
+  CHECK_THROWS_WITH(ReadBytes("\x1f\x8b" + Make(File())), "a file that gzip compressed, expected SEG-Y as it is");
   CHECK_THROWS_WITH(ReadSEGYCube("no/such.sgy", {}), "nothing there, expected a file");
   CHECK_THROWS_WITH(ReadSEGYCube(".", {}), "a directory, expected a file");
   std::string bytes = Make(File());
