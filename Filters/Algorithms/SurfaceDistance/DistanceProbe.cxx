@@ -32,10 +32,14 @@ double DistanceProbe::MeasureByRaster(
   std::int32_t& nearest = this->Nearest[metric];
   nearest = across >= 0 ? across : nearest;
   double squared = 0.0;
-  if (!this->IsAcross || !this->Across.IsNearest(metric, place, squared))
+  const bool isFound = this->IsAcross && this->Across.IsNearest(metric, place, squared);
+  if (!isFound || !this->Across.IsWide(metric))
   {
     const TriangleSurface& surface = raster.GetSurface();
     squared = this->Metrics[metric].SquaredDistance(surface, surface.Triangles[std::size_t(nearest)], place);
+  }
+  if (!isFound)
+  {
     raster.Search(place, this->Metrics[metric], nearest, squared);
   }
   return squared;

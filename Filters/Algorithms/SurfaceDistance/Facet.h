@@ -25,14 +25,18 @@ class Facet
   static constexpr double LittleMore = 1.01;
   static constexpr double MuchMore = 101.0;
 
+  // Of needles, squares: the width over the length, and what rounding does at their ends, over the length.
+  static constexpr double LeastWidth = 1e-12;
+  static constexpr double RoundingAtEnds = 1e-17;
+
 public:
   /// No triangle.
   Facet() = default;
 
   /// `isAlone` tells that no other triangle overlaps it in plan, but for a strip along its sides that is narrower than
   /// `slack`.
-  void Set(const TriangleSurface& surface, std::int32_t number, bool isAlone, double slack,
-    const std::vector<Metric>& metrics)
+  void Set(
+    const TriangleSurface& surface, std::int32_t number, bool isAlone, double slack, const std::vector<Metric>& metrics)
   {
     const Corners& t = surface.Triangles[std::size_t(number)];
     this->Number = number;
@@ -56,9 +60,9 @@ public:
     }
     for (std::size_t n = 0; n < metrics.size(); ++n)
     {
+      this->Planes[n].SquaredSlack = MuchMore * slack * slack * metrics[n].SquaredPlanNorm();
       SetPlane(metrics[n], sides, this->Planes[n]);
       this->Planes[n].IsSure = this->Planes[n].IsSure && isAlone;
-      this->Planes[n].SquaredSlack = MuchMore * slack * slack * metrics[n].SquaredPlanNorm();
     }
   }
 
@@ -88,6 +92,9 @@ public:
       this->Areas[2] * this->Areas[2] >= grown * plane.SquaredSides[2] && plane.IsSure;
   }
 
+  /// Whether that squared distance has as many digits as that of SquaredDistanceToTriangle; not so for a needle.
+  bool IsWide(std::size_t metric) const { return this->Planes[metric].IsWide; }
+
   /// Of a place that it contains: the z of the triangle there.
   double Height() const
   {
@@ -113,6 +120,7 @@ private:
     double Shrinkage = 1.0; // times the square of an area in plan: that of the coordinates
     double SquaredSlack = 0.0; // MuchMore times as large
     bool IsSure = false;
+    bool IsWide = false;
   };
 
   static double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -122,8 +130,7 @@ private:
     const Eigen::Vector3d mapped[3] = { metric(sides[0]), metric(sides[1]), metric(sides[2]) };
     const Eigen::Vector3d normal = mapped[0].cross(mapped[1]);
     const double square = normal.squaredNorm();
-    const double longest =
-      std::max({ mapped[0].squaredNorm(), mapped[1].squaredNorm(), mapped[2].squaredNorm() });
+    const double longest = std::max({ mapped[0].squaredNorm(), mapped[1].squaredNorm(), mapped[2].squaredNorm() });
     plane.Normal = metric.Transposed(normal);
     plane.SquaredNormal = square;
     plane.Shrinkage = metric.SquaredPlanShrinkage();
@@ -131,7 +138,11 @@ private:
     {
       plane.SquaredSides[side] = mapped[side].head<2>().squaredNorm();
     }
-    plane.IsSure = square > SquaredWidthOfNeedle * longest * longest;
+    plane.IsWide = square > SquaredWidthOfNeedle * longest * longest;
+    // The plane of a needle is wrong at its ends by rounding times its length over its width, and the length. That has
+    // to be less than the slack.
+    plane.IsSure =
+      plane.IsWide || (square > LeastWidth * longest * longest && RoundingAtEnds * longest <= plane.SquaredSlack);
   }
 
   std::int32_t Number = -1;

@@ -28,7 +28,9 @@ constexpr double RoundingOfHeights = 0x1p-22;
 constexpr std::int64_t MostCellsPerTriangle = 2;
 constexpr std::int64_t MostItemsPerTriangle = 8;
 constexpr double MostItemsPerCell = 32.0; // in the cells of a mean item
+constexpr double MostOverlapping = 0.25; // of all triangles
 constexpr std::int64_t FewItems = 1024; // whatever there are
+constexpr double FewOverlapping = 512.0;
 
 /// What the size of cells follows from.
 struct Extent
@@ -72,24 +74,26 @@ TriangleRaster::TriangleRaster(const TriangleSurface& surface, const Monitor& mo
   : Surface(surface)
 {
   monitor.Progress(0.0);
-  const bool hasGrid = this->MakeGrid();
+  bool isWorthwhile = this->MakeGrid();
   monitor.Progress(0.2);
-  if (!hasGrid || !this->SortIntoCells() || this->IsCrowded())
+  isWorthwhile = isWorthwhile && this->SortIntoCells() && !this->IsCrowded();
+  monitor.Progress(0.5);
+  isWorthwhile = isWorthwhile && this->FindOverlaps();
+  monitor.Progress(0.7);
+  if (isWorthwhile)
   {
-    this->Grid.Size[0] = this->Grid.Size[1] = 0;
-    this->Sort = CountingSort<std::uint32_t>();
-    this->Items = std::vector<std::uint32_t>();
+    this->MakePyramid();
     return;
   }
-  monitor.Progress(0.5);
-  this->FindOverlaps();
-  monitor.Progress(0.75);
-  this->MakePyramid();
+  this->Grid.Size[0] = this->Grid.Size[1] = 0;
+  this->Sort = CountingSort<std::uint32_t>();
+  this->Items = std::vector<std::uint32_t>();
+  this->Overlaps = std::vector<std::atomic<unsigned char>>();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Cells of about four mean triangles, but no more of them than that; false where coordinates are too large for cells so
-/// small.
+/// Cells of about four mean triangles, but no more of them than that; false where coordinates are too large for cells
+/// so small.
 bool TriangleRaster::MakeGrid()
 {
   const Extent extent = MeasureExtent(this->Surface);
@@ -147,9 +151,8 @@ bool TriangleRaster::SortIntoCells()
   const std::size_t most = std::size_t(MostItemsPerTriangle) * only.size() + std::size_t(FewItems);
   const auto forEach = [&](std::size_t n, auto&& visit)
   {
-    only[n] != ManyCells
-      ? visit(std::int64_t(only[n]))
-      : ForEachCell(this->Grid, PlanTriangle(this->Surface, this->Surface.Triangles[n]), visit);
+    only[n] != ManyCells ? visit(std::int64_t(only[n]))
+                         : ForEachCell(this->Grid, PlanTriangle(this->Surface, this->Surface.Triangles[n]), visit);
   };
   this->Sort = CountingSort<std::uint32_t>(this->Grid.Cells());
   std::size_t items = 0;
@@ -194,7 +197,8 @@ bool TriangleRaster::IsCrowded() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TriangleRaster::FindOverlaps()
+/// False where many triangles overlap.
+bool TriangleRaster::FindOverlaps()
 {
   this->Overlaps = std::vector<std::atomic<unsigned char>>(this->Surface.Triangles.size());
   const auto find = [&](std::int64_t first, std::int64_t last)
@@ -219,6 +223,8 @@ void TriangleRaster::FindOverlaps()
     }
   };
   ParallelFor(this->Grid.Cells(), CellGrain, find);
+  const std::ptrdiff_t overlapping = std::count(this->Overlaps.begin(), this->Overlaps.end(), 1);
+  return double(overlapping) <= MostOverlapping * double(this->Overlaps.size()) + FewOverlapping;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -226,8 +232,8 @@ void TriangleRaster::FindOverlaps()
 TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
 {
   const double reach = 0.5 * this->Grid.Side + 2.0 * this->Grid.Slack;
-  const Eigen::Array2d middle = this->Grid.Low +
-    this->Grid.Side * (Eigen::Array2d(cell % this->Grid.Size[0], cell / this->Grid.Size[0]) + 0.5);
+  const Eigen::Array2d middle =
+    this->Grid.Low + this->Grid.Side * (Eigen::Array2d(cell % this->Grid.Size[0], cell / this->Grid.Size[0]) + 0.5);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
@@ -243,7 +249,7 @@ TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
 //----------------------------------------------------------------------------------------------------------------------
 void TriangleRaster::MakePyramid()
 {
-  this->Pyramid.push_back({ { this->Grid.Size[0], this->Grid.Size[1] }, {} });
+  this->Pyramid.push_back({ { this->Grid.Size[0], this->Grid.Size[1] }, this->Grid.Side, {} });
   this->Pyramid[0].Cells.resize(std::size_t(this->Grid.Cells()));
   ParallelFor(this->Grid.Cells(), CellGrain,
     [&](std::int64_t first, std::int64_t last)
@@ -256,7 +262,7 @@ void TriangleRaster::MakePyramid()
   while (this->Pyramid.back().Cells.size() > 1)
   {
     const Level& below = this->Pyramid.back();
-    Level level{ { (below.Size[0] + 1) / 2, (below.Size[1] + 1) / 2 }, {} };
+    Level level{ { (below.Size[0] + 1) / 2, (below.Size[1] + 1) / 2 }, 2.0 * below.Side, {} };
     constexpr float Infinity = std::numeric_limits<float>::infinity();
     level.Cells.assign(std::size_t(level.Size[0] * level.Size[1]), { Infinity, -Infinity });
     for (std::int64_t y = 0; y < below.Size[1]; ++y)

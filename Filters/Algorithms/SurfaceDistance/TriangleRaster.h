@@ -101,7 +101,10 @@ public:
   std::int32_t FindAcross(const Eigen::Vector3d& place) const;
 
   /// Whether a triangle overlaps no other one in plan, but for a strip along its sides that is narrower than Slack.
-  bool IsAlone(std::int32_t triangle) const { return this->Overlaps[std::size_t(triangle)].load(std::memory_order_relaxed) == 0; }
+  bool IsAlone(std::int32_t triangle) const
+  {
+    return this->Overlaps[std::size_t(triangle)].load(std::memory_order_relaxed) == 0;
+  }
 
   /// Triangles reach over the cells that they are listed in by twice the slack of the grid at most, along both axes.
   double Slack() const { return 4.0 * this->Grid.Slack; }
@@ -127,6 +130,7 @@ private:
   struct Level
   {
     std::int64_t Size[2];
+    double Side;
     std::vector<Heights> Cells;
   };
   struct Waiting;
@@ -135,10 +139,11 @@ private:
   std::vector<std::uint32_t> FindOnlyCells() const;
   bool SortIntoCells();
   bool IsCrowded() const;
-  void FindOverlaps();
+  bool FindOverlaps();
   void MakePyramid();
   Heights HeightsOf(std::int64_t cell) const;
-  Waiting MakeWaiting(const Eigen::Vector3d& place, const Metric& metric, std::size_t level, std::int64_t x, std::int64_t y) const;
+  Waiting* PushChildren(
+    const Eigen::Vector3d& place, const Metric& metric, const Waiting& box, double best, Waiting* end) const;
   void SearchCells(const Eigen::Vector3d& place, const Metric& metric, const CellRange& x, const CellRange& y,
     std::int32_t& nearest, double& best) const;
   void SearchPyramid(const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const;

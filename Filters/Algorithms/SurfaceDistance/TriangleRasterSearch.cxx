@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CellSpans.h"
+#include "SearchStack.h"
 #include "TriangleHeight.h"
 #include "TriangleRaster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +24,11 @@ constexpr std::size_t MostWaiting = 3 * 64 + 1;
 // the same.
 constexpr double Across = 1e-9;
 
+double Square(double value)
+{
+  return value * value;
+}
+
 /// Whether the box of a triangle in plan reaches a place up to a tolerance.
 bool MayReach(const PlanTriangle& triangle, const Eigen::Vector3d& place, double tolerance)
 {
@@ -38,9 +43,9 @@ bool MayReach(const PlanTriangle& triangle, const Eigen::Vector3d& place, double
 struct TriangleRaster::Waiting
 {
   double SquaredDistance;
-  std::size_t LevelOf;
-  std::int64_t X;
-  std::int64_t Y;
+  std::uint32_t LevelOf;
+  std::uint32_t X;
+  std::uint32_t Y;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -90,31 +95,52 @@ void TriangleRaster::SearchCells(const Eigen::Vector3d& place, const Metric& met
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TriangleRaster::Waiting TriangleRaster::MakeWaiting(
-  const Eigen::Vector3d& place, const Metric& metric, std::size_t level, std::int64_t x, std::int64_t y) const
+/// Puts those of the four boxes below a box on the stack that are nearer than the best triangle, the nearest one last.
+TriangleRaster::Waiting* TriangleRaster::PushChildren(
+  const Eigen::Vector3d& place, const Metric& metric, const Waiting& box, double best, Waiting* end) const
 {
-  const Level& cells = this->Pyramid[level];
-  const Heights& heights = cells.Cells[std::size_t(y * cells.Size[0] + x)];
-  const double side = std::ldexp(this->Grid.Side, int(level));
+  const Level& cells = this->Pyramid[box.LevelOf - 1];
   const double reach = 2.0 * this->Grid.Slack;
-  const Eigen::Array3d low(this->Grid.Low[0] + double(x) * side - reach, this->Grid.Low[1] + double(y) * side - reach,
-    this->Middle + double(heights.Low));
-  const Eigen::Array3d high(
-    low[0] + side + 2.0 * reach, low[1] + side + 2.0 * reach, this->Middle + double(heights.High));
-  const Eigen::Array3d gap = (low - place.array()).max(place.array() - high).max(0.0) * metric.Weights();
-  return { gap.square().sum(), level, x, y };
+  const std::int64_t first[2] = { 2 * box.X, 2 * box.Y };
+  double gaps[2][2]; // by axis, squared
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    for (int n = 0; n < 2; ++n)
+    {
+      const double low = this->Grid.Low[axis] + double(first[axis] + n) * cells.Side - reach;
+      const double gap = std::max(low - place[axis], place[axis] - (low + cells.Side + 2.0 * reach));
+      gaps[axis][n] = Square(std::max(gap, 0.0) * metric.Weights()[axis]);
+    }
+  }
+  Waiting* next = end;
+  for (int y = 0; y < 2 && first[1] + y < cells.Size[1]; ++y)
+  {
+    for (int x = 0; x < 2 && first[0] + x < cells.Size[0]; ++x)
+    {
+      const Heights& heights = cells.Cells[std::size_t((first[1] + y) * cells.Size[0] + first[0] + x)];
+      const double height = place.z() - this->Middle;
+      const double gap = std::max(double(heights.Low) - height, height - double(heights.High));
+      const double squared = gaps[0][x] + gaps[1][y] + Square(std::max(gap, 0.0) * metric.Weights()[2]);
+      if (squared < best)
+      {
+        *next++ = { squared, std::uint32_t(box.LevelOf - 1), std::uint32_t(first[0] + x), std::uint32_t(first[1] + y) };
+      }
+    }
+  }
+  SortByDistance(end, next);
+  return next;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void TriangleRaster::SearchPyramid(
   const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const
 {
-  std::array<Waiting, MostWaiting> stack;
-  std::size_t size = 1;
-  stack[0] = { 0.0, this->Pyramid.size() - 1, 0, 0 };
-  while (size > 0)
+  Waiting stack[MostWaiting];
+  Waiting* end = stack;
+  *end++ = { 0.0, std::uint32_t(this->Pyramid.size() - 1), 0, 0 };
+  while (end != stack)
   {
-    const Waiting box = stack[--size];
+    const Waiting box = *--end;
     if (box.SquaredDistance >= best)
     {
       continue;
@@ -124,21 +150,7 @@ void TriangleRaster::SearchPyramid(
       this->SearchCells(place, metric, { box.X, box.X }, { box.Y, box.Y }, nearest, best);
       continue;
     }
-    const std::size_t level = box.LevelOf - 1;
-    const std::size_t oldSize = size;
-    for (std::int64_t y = 2 * box.Y; y < std::min(2 * box.Y + 2, this->Pyramid[level].Size[1]); ++y)
-    {
-      for (std::int64_t x = 2 * box.X; x < std::min(2 * box.X + 2, this->Pyramid[level].Size[0]); ++x)
-      {
-        const Waiting child = this->MakeWaiting(place, metric, level, x, y);
-        if (child.SquaredDistance < best)
-        {
-          stack[size++] = child;
-        }
-      }
-    }
-    std::sort(stack.begin() + std::ptrdiff_t(oldSize), stack.begin() + std::ptrdiff_t(size),
-      [](const Waiting& a, const Waiting& b) { return a.SquaredDistance > b.SquaredDistance; });
+    end = this->PushChildren(place, metric, box, best, end);
   }
 }
 

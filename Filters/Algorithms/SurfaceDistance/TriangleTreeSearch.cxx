@@ -5,6 +5,7 @@
 
 #include "TriangleTree.h"
 
+#include "SearchStack.h"
 #include "TriangleHeight.h"
 
 #include <algorithm>
@@ -29,21 +30,6 @@ struct Waiting
   std::uint32_t Node;
   std::uint32_t Level;
 };
-
-/// Sorts boxes so that the nearest is last. There are four at most, for which this takes less time than std::sort.
-void SortByDistance(Waiting* first, Waiting* last)
-{
-  for (Waiting* next = first + 1; next < last; ++next)
-  {
-    const Waiting moved = *next;
-    Waiting* place = next;
-    for (; place > first && (place - 1)->SquaredDistance < moved.SquaredDistance; --place)
-    {
-      *place = *(place - 1);
-    }
-    *place = moved;
-  }
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
