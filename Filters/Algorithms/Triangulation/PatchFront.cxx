@@ -18,9 +18,25 @@ namespace
 constexpr std::int64_t LeastPointsPerStrip = 2048;
 constexpr std::int64_t LeastRowsPerStrip = 8;
 
+// Where points are crowded in few voxels, as along an outline without points inside, triangles reach across many
+// strips, and to find them from sides as long takes more time than threads save.
+constexpr std::int64_t MostPointsPerVoxel = 4;
+
 // Between so many triangles of a front, and between so many regions, the monitor is called.
 constexpr std::size_t TrianglesPerCall = 4096;
 constexpr std::size_t RegionsPerCall = 16;
+
+/// How many voxels have points.
+std::int64_t CountVoxels(const SearchGrid& points)
+{
+  const PointId* const starts = points.VoxelStarts();
+  std::int64_t count = 0;
+  for (std::int64_t voxel = 0; voxel < points.Voxels().Size(); ++voxel)
+  {
+    count += starts[voxel] < starts[voxel + 1] ? 1 : 0;
+  }
+  return count;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -35,8 +51,9 @@ PatchFront::PatchFront(const SearchGrid& points, const ThirdPointSearch& search,
 //----------------------------------------------------------------------------------------------------------------------
 std::int64_t PatchFront::FindStrips(const SearchGrid& points)
 {
-  return std::max<std::int64_t>(
-    1, std::min(points.NumberOfPoints() / LeastPointsPerStrip, points.Voxels().SizeY() / LeastRowsPerStrip));
+  const std::int64_t strips =
+    std::min(points.NumberOfPoints() / LeastPointsPerStrip, points.Voxels().SizeY() / LeastRowsPerStrip);
+  return strips < 2 || points.NumberOfPoints() > MostPointsPerVoxel * CountVoxels(points) ? 1 : strips;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -46,7 +46,7 @@ public:
   /// points. With one strip the newest edge is always the next.
   PatchFront(const SearchGrid& points, const ThirdPointSearch& search, std::int64_t strips);
 
-  /// How many strips make the walls a small part of the mesh.
+  /// How many strips make the walls a small part of the work.
   static std::int64_t FindStrips(const SearchGrid& points);
 
   /// Adds a side that has the outside or something meshed to its left: its reverse waits for a triangle. One that is

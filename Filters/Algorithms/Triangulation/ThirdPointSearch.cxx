@@ -21,8 +21,7 @@ namespace
 // needed, smaller ones too often none.
 constexpr float HeightPerNeighbor = 1.15f;
 constexpr float HeightPerSpacing = 1.3f;
-constexpr float MostHeightPerSpacing = 3.0f;
-constexpr int MostLooks = 3; // each is twice as high as the one before
+constexpr float MostHeightPerSpacing = 4.0f;
 
 // A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain.
 constexpr float CotangentMargin = 1e-5f;
@@ -150,7 +149,7 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
 {
   const float squaredLength = float(query.SquaredLength());
   const float perLength = 1.0f / std::sqrt(squaredLength);
-  for (int look = 0; look < MostLooks; ++look)
+  for (; height <= this->GreatestHeight; height *= 2.0f)
   {
     const float rest = 0.25f * squaredLength / height;
     const float cotangent = (height - rest) * perLength;
@@ -165,7 +164,6 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
       return true;
     }
     query.Best = NoPoint;
-    height *= 2.0f;
   }
   return false;
 }
