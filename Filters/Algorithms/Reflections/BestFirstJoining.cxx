@@ -7,6 +7,7 @@
 #include "BestFirstJoining.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace SeismicHorizons
@@ -31,45 +32,66 @@ void BestFirstJoining::Run(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// Links come in the order of their scores, from all over memory. In blocks, the places they need are read side by side
+// first, so that the processor waits for them once.
 void BestFirstJoining::TryAll(const std::vector<LinkId>& links, const Monitor& monitor)
 {
-  constexpr std::size_t batch = 1 << 16;
-  for (std::size_t n = 0; n < links.size(); ++n)
+  constexpr std::size_t block = 64;
+  constexpr std::size_t blocksPerCall = 1024; // of the monitor
+  std::array<Pair, block> pairs;
+  for (std::size_t first = 0; first < links.size(); first += block)
   {
-    if (n % batch == 0)
+    if (first % (block * blocksPerCall) == 0)
     {
-      monitor.Progress(double(n) / double(links.size()));
+      monitor.Progress(double(first) / double(links.size()));
     }
-    this->Try(links[n]);
+    const std::size_t size = std::min(block, links.size() - first);
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      const PointId from = this->Links.PickOf(links[first + n]);
+      pairs[n] = { from, this->Links.Next(from, this->Links.DirectionOf(links[first + n])) };
+    }
+    std::array<bool, block> mayJoin;
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      mayJoin[n] = this->Sets.SetOf(pairs[n].From) != this->Sets.SetOf(pairs[n].To);
+    }
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      // Sets that are one stay one.
+      if (mayJoin[n] && !this->Try(pairs[n]))
+      {
+        this->Refused.push_back(links[first + n]);
+      }
+    }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void BestFirstJoining::Try(LinkId link)
+bool BestFirstJoining::Try(const Pair& pair)
 {
-  const PointId from = this->Links.PickOf(link);
-  const PointId to = this->Links.Next(from, this->Links.DirectionOf(link));
-  PointId big = this->Sets.SetOf(from);
-  PointId small = this->Sets.SetOf(to);
+  PointId big = this->Sets.SetOf(pair.From);
+  PointId small = this->Sets.SetOf(pair.To);
   if (big == small || big == NoPoint || small == NoPoint)
   {
-    return;
+    return true;
   }
   if (this->Sets.SizeOf(big) < this->Sets.SizeOf(small))
   {
     std::swap(big, small);
   }
-  std::int64_t shared = 0;
-  if (!this->WasRefused(big, small))
+  if (this->WasRefused(big, small))
   {
-    if (this->MayJoin(big, small, shared))
-    {
-      this->Sets.Absorb(big, small, shared > 0);
-      return;
-    }
-    this->Refusals[PairKey(big, small)] = std::int64_t(this->Sets.SizeOf(big)) + this->Sets.SizeOf(small);
+    return false;
   }
-  this->Refused.push_back(link);
+  std::int64_t shared = 0;
+  if (!this->MayJoin(big, small, shared))
+  {
+    this->Refusals[PairKey(big, small)] = std::int64_t(this->Sets.SizeOf(big)) + this->Sets.SizeOf(small);
+    return false;
+  }
+  this->Sets.Absorb(big, small, shared > 0);
+  return true;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

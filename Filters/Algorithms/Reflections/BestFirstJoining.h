@@ -48,8 +48,16 @@ public:
   void Run(const Monitor& monitor);
 
 private:
+  /// Two picks that are linked.
+  struct Pair
+  {
+    PointId From = NoPoint;
+    PointId To = NoPoint;
+  };
+
   void TryAll(const std::vector<LinkId>& links, const Monitor& monitor);
-  void Try(LinkId link);
+  /// False when the parts of the picks were refused.
+  bool Try(const Pair& pair);
   bool MayJoin(PointId big, PointId small, std::int64_t& shared) const;
   bool FaceEachOther(PointId big, PointId small) const;
   bool WasRefused(PointId big, PointId small) const;
