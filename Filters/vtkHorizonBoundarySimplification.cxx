@@ -41,10 +41,9 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;
   const BoundarySimplification simplified =
-    SimplifyBoundary(ToSpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), ReadBoundary(input),
+    SimplifyBoundary(SpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), ReadBoundary(input),
       options, monitor.Step(0.2, 0.7));
-  WriteReduction(
-    input, points.Grid, ToReduction(simplified, points.Plane, points.Height), Merging::DropsPoints, output);
+  WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::BoundaryDeviation, simplified.Deviation);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::OutlineDeviation, simplified.OutlineDeviation);
 }

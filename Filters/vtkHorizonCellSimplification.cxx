@@ -104,7 +104,7 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, const Outp
   }
   else
   {
-    WriteReduction(input, grid, reduction, Merging::AveragesPoints, output);
+    WriteReduction(input, grid, reduction, output);
     ActivateHeight(output);
   }
 }
