@@ -19,7 +19,7 @@ struct BoundedHorizon
   std::vector<PlanePoint> Plane; // sub-voxels
   std::vector<double> Height; // lattice units
   std::vector<std::int32_t> Patch; // points of different patches are never merged
-  std::vector<std::int64_t> Count; // how many points of the original horizon each one stands for
+  std::vector<std::int64_t> Count; // how many points of the original horizon each one stands for; empty: one
   Loops Boundary;
   std::int32_t SubVoxelsPerColumn = 1;
 };

@@ -94,21 +94,12 @@ double Lattice::UniformScale() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanePoint Lattice::ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
+void Lattice::ThrowOutside(const Eigen::Vector3d& lattice, PointId point) const
 {
-  const bool inside = std::abs(lattice.z()) <= LargestHeight && lattice.x() >= -0.5 &&
-    lattice.x() <= this->Dimensions[0] - 0.5 && lattice.y() >= -0.5 && lattice.y() <= this->Dimensions[1] - 0.5;
-  if (!inside)
-  {
-    std::ostringstream text;
-    text << "point " << point << " at column (" << lattice.x() << ", " << lattice.y() << "), height " << lattice.z()
-         << ", expected a place on the lattice of " << this->Dimensions[0] << " x " << this->Dimensions[1]
-         << " columns, at most 2^50 vertical indices up or down";
-    throw InputError(text.str());
-  }
-  // Halves are rounded away from 0, as std::lround does, which takes several times as long.
-  const auto round = [](double value) { return std::int32_t(value + (value < 0.0 ? -0.5 : 0.5)); };
-  const double scale = this->SubVoxelsPerColumn();
-  return { round(lattice.x() * scale), round(lattice.y() * scale) };
+  std::ostringstream text;
+  text << "point " << point << " at column (" << lattice.x() << ", " << lattice.y() << "), height " << lattice.z()
+       << ", expected a place on the lattice of " << this->Dimensions[0] << " x " << this->Dimensions[1]
+       << " columns, at most 2^50 vertical indices up or down";
+  throw InputError(text.str());
 }
 }

@@ -59,11 +59,35 @@ public:
 
   /// The sub-voxel nearest to a place in lattice units. Throws InputError when it is not finite, lies outside the
   /// lattice by more than half a column, or is further up or down than LargestHeight; `point` names it in the message.
-  PlanePoint ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const;
+  PlanePoint ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
+  {
+    if (!this->IsInside(lattice))
+    {
+      this->ThrowOutside(lattice, point);
+    }
+    // Halves are rounded away from 0, as std::lround does, which takes several times as long.
+    const auto round = [](double value) { return std::int32_t(value + (value < 0.0 ? -0.5 : 0.5)); };
+    const double scale = this->SubVoxelsPerColumn();
+    return { round(lattice.x() * scale), round(lattice.y() * scale) };
+  }
+
+  /// The column nearest to a sub-voxel; of two as near the one of greater coordinates.
+  PlanePoint NearestColumn(const PlanePoint& subVoxels) const
+  {
+    const std::int32_t half = this->SubVoxelsPerColumn() / 2;
+    return { (subVoxels.X + half) >> this->SubVoxelBits, (subVoxels.Y + half) >> this->SubVoxelBits };
+  }
 
   double ToLatticeUnits(std::int32_t subVoxels) const { return double(subVoxels) / this->SubVoxelsPerColumn(); }
 
 private:
+  bool IsInside(const Eigen::Vector3d& lattice) const
+  {
+    return std::abs(lattice.z()) <= LargestHeight && lattice.x() >= -0.5 && lattice.x() <= this->Dimensions[0] - 0.5 &&
+      lattice.y() >= -0.5 && lattice.y() <= this->Dimensions[1] - 0.5;
+  }
+  [[noreturn]] void ThrowOutside(const Eigen::Vector3d& lattice, PointId point) const;
+
   std::array<int, 3> Dimensions = { 1, 1, 1 };
   Eigen::Affine3d IntoWorld = Eigen::Affine3d::Identity();
   Eigen::Affine3d FromWorld = Eigen::Affine3d::Identity();

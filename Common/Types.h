@@ -74,11 +74,15 @@ public:
   /// The same loops over points that have other numbers: number[point] for each point.
   Loops Renumbered(const std::vector<PointId>& number) const
   {
+    return this->RenumberedBy([&number](PointId point) { return number[std::size_t(point)]; });
+  }
+
+  /// The same with number(point).
+  template <typename Number>
+  Loops RenumberedBy(Number&& number) const
+  {
     Loops result(*this);
-    for (PointId& point : result.Points)
-    {
-      point = number[std::size_t(point)];
-    }
+    std::transform(result.Points.begin(), result.Points.end(), result.Points.begin(), number);
     return result;
   }
 

@@ -33,7 +33,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
 {
   vtkPolyData* const output = outputs.front();
-  const LatticePoints points = ReadPoints(input);
+  LatticePoints points = ReadPoints(input);
   monitor.Progress(0.2);
   BoundarySimplificationOptions options;
   options.Method = this->Method == Threshold ? OutlineMethod::Threshold : OutlineMethod::FewestPoints;
@@ -41,10 +41,10 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;
   const BoundarySimplification simplified =
-    SimplifyBoundary(ToSpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), ReadBoundary(input),
+    SimplifyBoundary(SpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), ReadBoundary(input),
       options, monitor.Step(0.2, 0.7));
-  WriteReduction(
-    input, points.Grid, ToReduction(simplified, points.Plane, points.Height), Merging::DropsPoints, output);
+  points = LatticePoints(); // memory that the output can use
+  WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::BoundaryDeviation, simplified.Deviation);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::OutlineDeviation, simplified.OutlineDeviation);
 }

@@ -95,16 +95,16 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, const Outp
   vtkPolyData* const output = outputs.front();
   LatticePoints points = ReadPoints(input);
   const Lattice grid = points.Grid;
-  const BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
-  monitor.Progress(0.2);
-  const Reduction reduction = this->Simplify(horizon, monitor.Step(0.2, 0.8));
+  monitor.Progress(0.1);
+  // The horizon is gone before the output is made.
+  const Reduction reduction = this->Simplify(ReadBoundedHorizon(input, std::move(points)), monitor.Step(0.2, 0.8));
   if (this->ShowCells)
   {
     WriteCells(reduction, this->HasCubes(), grid, output);
   }
   else
   {
-    WriteReduction(input, grid, reduction, Merging::AveragesPoints, output);
+    WriteReduction(input, grid, reduction, output);
     ActivateHeight(output);
   }
 }

@@ -61,8 +61,10 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* input, const Outputs& out
 {
   LatticePoints points = ReadPoints(input);
   const SeismicHorizons::Lattice grid = points.Grid;
-  const BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
+  BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
+  horizon.Count = std::vector<std::int64_t>(); // which was checked, and is not needed here
   monitor.Progress(0.1);
-  Decimation decimation = Decimate(horizon, this->MakeOptions(horizon, grid), monitor.Step(0.1, 0.9));
+  const DecimationOptions options = this->MakeOptions(horizon, grid);
+  Decimation decimation = Decimate(std::move(horizon), options, monitor.Step(0.1, 0.9));
   WriteDecimation(input, grid, decimation, outputs.front());
 }

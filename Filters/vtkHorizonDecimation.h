@@ -23,8 +23,8 @@
  * triangulation, seen from above. With Best, edges are then flipped and vertices removed again, as long as the error is
  * kept (Decimation.h).
  *
- * On several threads, with the same result on any number of them. Near linear; about 40 bytes per point beyond input
- * and output.
+ * On several threads, with the same result on any number of them. Near linear; about 45 bytes per point and 12
+ * per column of the bounding box of a patch beyond input and output.
  *
  * Errors: those of vtkHorizonTriangulation on loops; points beside their columns or outside the loops; an error that is
  * negative or not finite; fewer points than the loops have; a reduction that is not from 0 to 1; an angle that is not

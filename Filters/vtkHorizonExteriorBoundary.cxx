@@ -16,8 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace SeismicHorizons;
@@ -55,8 +55,9 @@ std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea)
 void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
-  const LatticePoints points = ReadPoints(input);
-  const std::vector<PlanePoint> columns = ToColumns(points);
+  LatticePoints points = ReadPoints(input);
+  points.Height = std::vector<double>(); // which no boundary needs
+  const std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid);
   monitor.Progress(0.3);
   BoundaryOptions options;
   options.Radius = this->Radius;
@@ -70,10 +71,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   {
     vtkWarningMacro(<< NothingLeft(input, this->MinimumPatchSize));
   }
-  const std::vector<BoundaryKind> all = MarkBoundary(type, columns, found);
-  const std::vector<PointId> kept = DropPointsWithoutPatch(found);
-  std::vector<BoundaryKind> marks;
-  std::transform(
-    kept.begin(), kept.end(), std::back_inserter(marks), [&all](PointId point) { return all[std::size_t(point)]; });
-  WriteBoundary(input, kept, found, marks, outputs.front());
+  const std::vector<BoundaryKind> marks = MarkBoundary(type, columns, found);
+  const KeptPoints kept = DropPointsWithoutPatch(found);
+  WriteBoundary(input, kept, found, kept.Select(marks), outputs.front());
 }

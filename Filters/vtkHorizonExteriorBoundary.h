@@ -22,7 +22,7 @@
  * The method is that of the thesis (3.3, Def. 3.4, Alg. 3.1 and 3.2) as a walk around the faces of a plane graph of
  * hops, so that it ends, does not cross itself and encloses its patch for every radius and shape. With a radius of 1 it
  * is the border following of Suzuki and Abe (1985). Linear in the points and in the columns of their bounding box;
- * beyond input and output 20 bytes per point and 4 per column.
+ * beyond input and output 16 bytes per point and 4 per column.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a radius
  * below 1 or above 32.

@@ -106,11 +106,11 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
   LatticePoints points = ReadPoints(input);
   const SurfaceOptions options = this->MakeOptions(points);
-  std::vector<PlanePoint> columns = ToColumns(points);
+  const std::int32_t size = points.Grid.SubVoxelsPerColumn();
+  std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid, ColumnTolerance::None);
   monitor.Progress(0.1);
-  Surface surface = MakeSurface(
-    { std::move(columns), std::move(points.Plane), std::move(points.Height), points.Grid.SubVoxelsPerColumn() },
-    options, monitor.Step(0.1, 0.9));
+  Surface surface =
+    MakeSurface({ std::move(columns), {}, std::move(points.Height), size }, options, monitor.Step(0.1, 0.9));
   vtkPolyData* const outlines = outputs[OutlinePort];
   WriteBoundary(
     input, surface.Kept, surface.Boundary, MarkBoundary(BoundaryType::Exterior, {}, surface.Boundary), outlines);

@@ -79,7 +79,8 @@ public:
 
   HorizonGrid SamplePoints()
   {
-    const std::vector<PlanePoint> columns = ToColumns(ReadPoints(this->Horizon));
+    LatticePoints points = ReadPoints(this->Horizon);
+    const std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid);
     for (std::size_t point = 0; point < columns.size(); ++point)
     {
       this->Grid.Z[this->Node(columns[point])] = this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2];

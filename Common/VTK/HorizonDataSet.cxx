@@ -42,7 +42,6 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(HorizonVoxels voxels, const Horiz
   MoveToArray<vtkDoubleArray>(data, PointArray::Thickness, voxels.Thickness);
   MoveToArray<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude);
   MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ);
-  AddConstant<vtkIdTypeArray>(data, PointArray::PointCount, numberOfPoints, 1);
   data->SetActiveScalars(PointArray::VerticalIndex); // what ParaView colours by at first
   horizon->SetVerts(MakeVertices(numberOfPoints));
 

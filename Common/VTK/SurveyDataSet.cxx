@@ -85,7 +85,7 @@ vtkSmartPointer<vtkPolyData> MakeSurveyPoints(LatticeHorizon horizon, int surfac
   AddArray<vtkIntArray>(data, PointArray::VerticalIndex, horizon.Z,
     [&sampling](double z) { return static_cast<int>(std::lround((z - sampling.First) / sampling.Step)); });
   MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, horizon.Z);
-  AddConstant<vtkIdTypeArray>(data, PointArray::PointCount, numberOfPoints, 1);
+  data->RemoveArray(PointArray::PointCount); // each point stands for one, whatever an attribute of that name says
   data->SetActiveScalars(PointArray::VerticalIndex); // what ParaView colours by at first
   points->SetVerts(MakeVertices(numberOfPoints));
   AddFields(points->GetFieldData(), horizon, axes);

@@ -3,11 +3,15 @@
 
 #include "VertexCells.h"
 
+#include "Common/Parallel.h"
+
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 
@@ -15,16 +19,46 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 65536; // cells that a thread takes at a time
+
+/// Whether an array holds the numbers from 0 on.
+template <typename Array>
+bool Counts(const Array* array)
+{
+  using Number = typename Array::ValueType;
+  const Number* const numbers = const_cast<Array*>(array)->GetPointer(0);
+  std::atomic<bool> isSame(true);
+  ParallelFor(array->GetNumberOfValues(), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      bool isSameHere = true;
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        isSameHere &= numbers[n] == Number(n);
+      }
+      isSame = isSame && isSameHere;
+    });
+  return isSame;
+}
+
+/// Fills an array with the numbers from 0 on.
+template <typename Array>
+void Count(vtkIdType size, Array* array)
+{
+  using Number = typename Array::ValueType;
+  array->SetNumberOfValues(size);
+  Number* const numbers = array->GetPointer(0);
+  ParallelFor(size, Grain,
+    [&](std::int64_t first, std::int64_t last) { std::iota(numbers + first, numbers + last, Number(first)); });
+}
+
 template <typename Array>
 void SetVertices(vtkIdType numberOfPoints, vtkCellArray* vertices)
 {
-  using Number = typename Array::ValueType;
   vtkNew<Array> offsets;
   vtkNew<Array> points;
-  offsets->SetNumberOfValues(numberOfPoints + 1);
-  points->SetNumberOfValues(numberOfPoints);
-  std::iota(offsets->Begin(), offsets->End(), Number(0));
-  std::iota(points->Begin(), points->End(), Number(0));
+  Count(numberOfPoints + 1, offsets.Get());
+  Count(numberOfPoints, points.Get());
   vertices->SetData(offsets, points);
 }
 }
@@ -43,5 +77,16 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints)
     SetVertices<vtkTypeInt64Array>(numberOfPoints, vertices);
   }
   return vertices;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool HasAllVertices(vtkCellArray* cells, vtkIdType numberOfPoints)
+{
+  if (!cells || cells->GetNumberOfCells() != numberOfPoints || cells->GetNumberOfConnectivityIds() != numberOfPoints)
+  {
+    return false;
+  }
+  return cells->IsStorage64Bit() ? Counts(cells->GetOffsetsArray64()) && Counts(cells->GetConnectivityArray64())
+                                 : Counts(cells->GetOffsetsArray32()) && Counts(cells->GetConnectivityArray32());
 }
 }

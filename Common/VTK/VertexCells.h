@@ -13,6 +13,9 @@ namespace SeismicHorizons
 {
 /// One vertex cell for each of the points, in their order. Numbers are stored in 32 bits where they fit, else in 64.
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints);
+
+/// Whether cells are what that makes, so that they can be shared.
+bool HasAllVertices(vtkCellArray* cells, vtkIdType numberOfPoints);
 }
 
 #endif

@@ -14,8 +14,7 @@
  * - SurfaceId (int): the number of the horizon, from 1
  * - VerticalIndex (int): the nearest vertical index; the active scalars
  * - RealZ (double): z as it came
- * - PointCount (vtkIdType): 1
- * - attributes (double) under their own names; nan where there is none
+ * - attributes (double) under their own names, but for one named PointCount; nan where there is none
  *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components), LatticeToWorld (double, 16 components), VerticalDirection (int): as from

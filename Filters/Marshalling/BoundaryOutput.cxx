@@ -5,15 +5,12 @@
 
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
-#include "Common/VTK/VertexCells.h"
 #include "HorizonCells.h"
 #include "HorizonPoints.h"
 
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -22,29 +19,11 @@
 
 namespace SeismicHorizons
 {
-namespace
-{
-void WritePoints(vtkPolyData* input, const std::vector<PointId>& kept, vtkPolyData* output)
-{
-  if (vtkIdType(kept.size()) == input->GetNumberOfPoints())
-  {
-    output->SetPoints(input->GetPoints());
-    output->GetPointData()->PassData(input->GetPointData());
-    return;
-  }
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(vtkIdType(kept.size()));
-  std::copy(kept.begin(), kept.end(), ids->begin());
-  CopyPoints(input, ids, output);
-}
-}
-
 //----------------------------------------------------------------------------------------------------------------------
-void WriteBoundary(vtkPolyData* input, const std::vector<PointId>& kept, const ExteriorBoundary& boundary,
+void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output)
 {
-  WritePoints(input, kept, output);
-  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
+  CopyPoints(input, kept, output);
   output->SetLines(MakePolylines(boundary.Boundary));
   AddArray<vtkIntArray>(output->GetPointData(), PointArray::PatchId, boundary.Patch);
   AddArray<vtkUnsignedCharArray>(output->GetPointData(), PointArray::Boundary, marks,

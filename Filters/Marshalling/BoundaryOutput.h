@@ -8,6 +8,7 @@
 
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
+#include "Common/KeptPoints.h"
 
 #include <string>
 #include <vector>
@@ -16,9 +17,9 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Makes `output` the points of `input` that are `kept`, in their order and with all their arrays, with the boundary
-/// that numbers them so: loops, PatchId, Boundary (`marks`), and the figures.
-void WriteBoundary(vtkPolyData* input, const std::vector<PointId>& kept, const ExteriorBoundary& boundary,
+/// Makes `output` the points of `input` that are `kept`, in their order and with all their arrays, which both share
+/// where all points are, with the boundary that numbers them so: loops, PatchId, Boundary (`marks`), and the figures.
+void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output);
 
 /// What to warn of when no patch of a horizon is large enough.

@@ -62,7 +62,7 @@ double ErrorInLatticeUnits(double error, ErrorUnit unit, const std::vector<Plane
 //----------------------------------------------------------------------------------------------------------------------
 void WriteDecimation(vtkPolyData* input, const Lattice& grid, Decimation& decimation, vtkPolyData* output)
 {
-  WriteReduction(input, grid, decimation.Points, Merging::AveragesPoints, output);
+  WriteReduction(input, grid, decimation.Points, output);
   ActivateHeight(output);
   WriteMesh(decimation, grid, output);
 }

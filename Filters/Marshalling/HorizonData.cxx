@@ -33,25 +33,8 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
 
-// How far from a whole column, in lattice units, a point may be to count as being on it. Rounding of world coordinates
-// is far below, and no other column could be meant.
-constexpr double ColumnTolerance = 0.01;
-
 // More voxels than any horizon has. Averages add up as many places in sub-voxels, below 2^29 each, which fits 64 bits.
 constexpr std::int64_t MostVoxels = std::int64_t(1) << 32;
-
-/// An array of numbers by its name; null when there is none of that name.
-vtkDataArray* FindNumbers(vtkFieldData* data, const char* name)
-{
-  vtkAbstractArray* const array = data->GetAbstractArray(name);
-  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
-  if (array && !numbers)
-  {
-    throw InputError(
-      std::string("an array ") + name + " of type " + array->GetDataTypeAsString() + ", expected numbers");
-  }
-  return numbers;
-}
 
 vtkDataArray* FindFieldArray(vtkDataObject* horizon, const char* name, int values)
 {
@@ -107,25 +90,35 @@ vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
   return array;
 }
 
-/// The values of an array as whole numbers.
+/// A number as one of another type, which the array and the point name in the message.
+template <typename Number, typename Value>
+Number Convert(Value value, vtkDataArray* array, std::size_t point)
+{
+  if (!Fits<Number>(value))
+  {
+    throw InputError(std::string(array->GetName()) + ' ' + Text(+value) + " at point " + std::to_string(point) +
+      ", expected a whole number of " + std::to_string(std::numeric_limits<Number>::digits + 1) + " bits");
+  }
+  return static_cast<Number>(value);
+}
+
+/// The values of an array as whole numbers, on threads.
 template <typename Number>
 std::vector<Number> CopyValues(vtkDataArray* array)
 {
-  std::vector<Number> values;
-  values.reserve(std::size_t(array->GetNumberOfTuples()));
+  std::vector<Number> values(std::size_t(array->GetNumberOfTuples()));
   const auto copy = [&](auto* typedArray)
   {
-    for (const vtk::GetAPIType<std::remove_pointer_t<decltype(typedArray)>> value :
-      vtk::DataArrayValueRange<1>(typedArray))
-    {
-      if (!Fits<Number>(value))
+    using Value = vtk::GetAPIType<std::remove_pointer_t<decltype(typedArray)>>;
+    const auto given = vtk::DataArrayValueRange<1>(typedArray);
+    ParallelFor(std::int64_t(values.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
       {
-        throw InputError(std::string(array->GetName()) + ' ' + Text(+value) + " at point " +
-          std::to_string(values.size()) + ", expected a whole number of " +
-          std::to_string(std::numeric_limits<Number>::digits + 1) + " bits");
-      }
-      values.push_back(static_cast<Number>(value));
-    }
+        for (auto point = std::size_t(first); point < std::size_t(last); ++point)
+        {
+          values[point] = Convert<Number>(Value(given[vtkIdType(point)]), array, point);
+        }
+      });
   };
   if (!vtkArrayDispatch::Dispatch::Execute(array, copy))
   {
@@ -133,48 +126,19 @@ std::vector<Number> CopyValues(vtkDataArray* array)
   }
   return values;
 }
-
-/// How many lattice units points rise for each vertical index, by a line through some of them; 1 when they are too
-/// level to tell, or there are no vertical indices.
-double MeasureStretch(vtkPolyData* horizon, const std::vector<double>& height)
-{
-  vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
-  if (!index || index->GetNumberOfTuples() != vtkIdType(height.size()))
-  {
-    return 1.0;
-  }
-  constexpr std::size_t Enough = 1000;
-  std::vector<Eigen::Vector2d> pairs;
-  for (std::size_t point = 0; point < height.size(); point += height.size() / Enough + 1)
-  {
-    pairs.emplace_back(index->GetComponent(vtkIdType(point), 0), height[point]);
-  }
-  const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
-  const Eigen::Vector2d mean = sum / double(pairs.size());
-  double square = 0.0;
-  double product = 0.0;
-  for (const Eigen::Vector2d& pair : pairs)
-  {
-    square += (pair.x() - mean.x()) * (pair.x() - mean.x());
-    product += (pair.x() - mean.x()) * (pair.y() - mean.y());
-  }
-  constexpr double LeastDeviation = 2.0; // vertical indices: with less, rounding and real z could decide
-  return square > LeastDeviation * LeastDeviation * double(pairs.size()) ? product / square : 1.0;
 }
 
-/// Transform moves points, and leaves the lattice in the field data as it is.
-void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
+//----------------------------------------------------------------------------------------------------------------------
+vtkDataArray* FindNumbers(vtkFieldData* data, const char* name)
 {
-  // Real z is not a multiple of the vertical index, but in a survey about as long everywhere.
-  constexpr double MostStretch = 2.0;
-  const double stretch = MeasureStretch(horizon, height);
-  if (stretch < 1.0 / MostStretch || stretch > MostStretch)
+  vtkAbstractArray* const array = data->GetAbstractArray(name);
+  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
+  if (array && !numbers)
   {
-    throw InputError("points rise by " + Text(stretch) +
-      " lattice units for each vertical index, expected 1: where points were moved or scaled, as by Transform, "
-      "the lattice in LatticeToWorld is no longer theirs");
+    throw InputError(
+      std::string("an array ") + name + " of type " + array->GetDataTypeAsString() + ", expected numbers");
   }
-}
+  return numbers;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -219,63 +183,6 @@ Lattice ReadLattice(vtkDataObject* horizon)
 {
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   return Lattice(dimensions, ReadLatticeMap(horizon));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadPoints(vtkPolyData* horizon)
-{
-  const vtkIdType size = horizon->GetNumberOfPoints();
-  if (size > std::numeric_limits<PointId>::max() / 4)
-  {
-    throw InputError(std::to_string(size) + " points, expected less than 2^29 in one horizon");
-  }
-  const vtkIdType hidden = size - CountVisiblePoints(horizon);
-  if (hidden > 0)
-  {
-    throw InputError(std::to_string(hidden) +
-      " hidden points by the array vtkGhostType, expected none: only Horizon Exterior Boundary leaves them out");
-  }
-  if (horizon->GetCellData()->HasArray(CellArray::CellSize))
-  {
-    throw InputError("the cells of a simplification, as ShowCells gives them to look at, expected its points");
-  }
-  LatticePoints points;
-  points.Grid = ReadLattice(horizon);
-  points.Plane.resize(std::size_t(size));
-  points.Height.resize(std::size_t(size));
-  ParallelFor(size, Grain,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      Eigen::Vector3d world;
-      for (vtkIdType point = first; point < last; ++point)
-      {
-        horizon->GetPoint(point, world.data());
-        const Eigen::Vector3d place = points.Grid.ToLattice(world);
-        points.Plane[std::size_t(point)] = points.Grid.ToSubVoxels(place, PointId(point));
-        points.Height[std::size_t(point)] = place.z();
-      }
-    });
-  CheckHeights(horizon, points.Height);
-  return points;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<PlanePoint> ToColumns(const LatticePoints& points)
-{
-  std::vector<PlanePoint> columns;
-  columns.reserve(points.Plane.size());
-  for (const PlanePoint& place : points.Plane)
-  {
-    const double x = points.Grid.ToLatticeUnits(place.X);
-    const double y = points.Grid.ToLatticeUnits(place.Y);
-    if (std::abs(x - std::round(x)) > ColumnTolerance || std::abs(y - std::round(y)) > ColumnTolerance)
-    {
-      throw InputError("point " + std::to_string(columns.size()) + " at (" + std::to_string(x) + ", " +
-        std::to_string(y) + ") in lattice units, expected whole columns, as points have them before they are merged");
-    }
-    columns.push_back({ std::int32_t(std::lround(x)), std::int32_t(std::lround(y)) });
-  }
-  return columns;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -329,7 +236,7 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
   vtkDataArray* const counts = FindPointArray(horizon, PointArray::PointCount);
   if (!counts)
   {
-    return std::vector<std::int64_t>(std::size_t(horizon->GetNumberOfPoints()), 1);
+    return {};
   }
   std::vector<std::int64_t> values = CopyValues<std::int64_t>(counts);
   double sum = 0.0;

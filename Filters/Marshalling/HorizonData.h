@@ -10,6 +10,7 @@
 #include "Common/BoundedHorizon.h"
 #include "Common/Lattice.h"
 #include "Common/Types.h"
+#include "LatticePoints.h"
 
 #include <array>
 #include <cstdint>
@@ -17,6 +18,7 @@
 
 class vtkDataArray;
 class vtkDataObject;
+class vtkFieldData;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -30,22 +32,11 @@ std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon);
 /// Its map to the world, as it stands there.
 Eigen::Matrix4d ReadLatticeMap(vtkDataObject* horizon);
 
+/// An array of numbers by its name; null when there is none of that name.
+vtkDataArray* FindNumbers(vtkFieldData* data, const char* name);
+
 /// A number of a field data array, counted through all tuples.
 double FieldValue(vtkDataArray* array, int n);
-
-/// The points of a horizon on their lattice.
-struct LatticePoints
-{
-  Lattice Grid;
-  std::vector<PlanePoint> Plane; // sub-voxels
-  std::vector<double> Height; // lattice units
-};
-
-/// All points, none of which may be hidden (HorizonPoints.h).
-LatticePoints ReadPoints(vtkPolyData* horizon);
-
-/// The column of each point, for stages before points leave their columns.
-std::vector<PlanePoint> ToColumns(const LatticePoints& points);
 
 /// The boundary loops: all lines of the horizon, which must be closed polylines, at least one.
 Loops ReadBoundary(vtkPolyData* horizon);
@@ -53,7 +44,7 @@ Loops ReadBoundary(vtkPolyData* horizon);
 /// The patch number of each point.
 std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon);
 
-/// How many points of the original horizon each point stands for: 1 when the horizon does not say.
+/// How many points of the original horizon each point stands for; empty when the horizon does not say, as each is one.
 std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
 
 /// The corners of all polygons of a mesh, which must be triangles.

@@ -4,7 +4,11 @@
 #include "HorizonPoints.h"
 
 #include "Common/DataModel.h"
+#include "Common/Parallel.h"
+#include "Common/VTK/VertexCells.h"
 
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -15,14 +19,47 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
+#include <numeric>
 
 namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
+
 bool IsVisible(unsigned char ghost)
 {
   return (ghost & (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) == 0;
+}
+
+/// Copies tuples of so many bytes; those of points that follow each other at once.
+void CopyBytes(const char* from, std::size_t bytes, const KeptPoints& kept, char* to)
+{
+  ParallelFor(std::int64_t(kept.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      kept.ForEachRun(std::size_t(first), std::size_t(last),
+        [&](std::size_t n, PointId point, std::size_t length)
+        { std::memcpy(to + n * bytes, from + std::size_t(point) * bytes, length * bytes); });
+    });
+}
+
+/// For arrays of any kind.
+void GetTuples(vtkAbstractArray* from, const KeptPoints& kept, vtkAbstractArray* to)
+{
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(vtkIdType(kept.size()));
+  kept.ForEachRun(0, kept.size(),
+    [&](std::size_t n, PointId point, std::size_t length)
+    { std::iota(ids->begin() + n, ids->begin() + n + length, vtkIdType(point)); });
+  from->GetTuples(ids, to);
+}
+
+/// Whether the tuples of an array lie one after the other in memory.
+bool HasPlainTuples(vtkAbstractArray* array)
+{
+  return vtkDataArray::SafeDownCast(array) && array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT;
 }
 }
 
@@ -42,35 +79,74 @@ vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
     return horizon;
   }
   vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  vtkNew<vtkIdList> kept;
-  kept->Allocate(visible);
+  KeptPoints kept(std::size_t(horizon->GetNumberOfPoints()));
   for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
   {
     if (IsVisible(ghosts->GetValue(point)))
     {
-      kept->InsertNextId(point);
+      kept.Append(PointId(point));
     }
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   CopyPoints(horizon, kept, result);
+  result->SetVerts(nullptr);
   result->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   result->GetFieldData()->PassData(horizon->GetFieldData());
   return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output)
+vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const KeptPoints& kept)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
-  input->GetPoints()->GetPoints(kept, points);
-  output->SetPoints(points);
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), kept->GetNumberOfIds());
-  for (vtkIdType point = 0; point < kept->GetNumberOfIds(); ++point)
+  const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  copy->SetName(array->GetName());
+  copy->SetNumberOfComponents(array->GetNumberOfComponents());
+  copy->CopyComponentNames(array);
+  copy->SetNumberOfTuples(vtkIdType(kept.size()));
+  if (HasPlainTuples(array) && HasPlainTuples(copy))
   {
-    output->GetPointData()->CopyData(input->GetPointData(), kept->GetId(point), point);
+    const std::size_t bytes = std::size_t(array->GetNumberOfComponents()) * std::size_t(array->GetDataTypeSize());
+    CopyBytes(
+      static_cast<const char*>(array->GetVoidPointer(0)), bytes, kept, static_cast<char*>(copy->GetVoidPointer(0)));
   }
+  else
+  {
+    GetTuples(array, kept, copy);
+  }
+  return copy;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyData* output)
+{
+  const int index = output->GetPointData()->AddArray(made);
+  const int attribute = input->GetPointData()->IsArrayAnAttribute(n);
+  if (attribute >= 0)
+  {
+    output->GetPointData()->SetActiveAttribute(index, attribute);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output)
+{
+  if (kept.AreAll())
+  {
+    output->SetPoints(input->GetPoints());
+    output->GetPointData()->PassData(input->GetPointData());
+    output->SetVerts(HasAllVertices(input->GetVerts(), input->GetNumberOfPoints())
+        ? input->GetVerts()
+        : MakeVertices(input->GetNumberOfPoints()).Get());
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(vtkDataArray::SafeDownCast(CopyTuples(input->GetPoints()->GetData(), kept)));
+  output->SetPoints(points);
+  for (int n = 0; n < input->GetPointData()->GetNumberOfArrays(); ++n)
+  {
+    AddPointArray(input, n, CopyTuples(input->GetPointData()->GetAbstractArray(n), kept), output);
+  }
+  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

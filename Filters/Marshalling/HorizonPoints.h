@@ -6,10 +6,12 @@
 #ifndef SeismicHorizonsHorizonPoints_h
 #define SeismicHorizonsHorizonPoints_h
 
+#include "Common/KeptPoints.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-class vtkIdList;
+class vtkAbstractArray;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -20,8 +22,15 @@ vtkIdType CountVisiblePoints(vtkPolyData* horizon);
 /// The horizon itself; or, when some of its points are hidden, the others alone, without cells.
 vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon);
 
-/// Gives `output` some of the points of `input`, with their arrays.
-void CopyPoints(vtkPolyData* input, vtkIdList* kept, vtkPolyData* output);
+/// What an array has at some points, on threads.
+vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const KeptPoints& kept);
+
+/// Adds what was made of the n-th point array of `input` to `output`, as the active scalars, say, when it is those.
+void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyData* output);
+
+/// Gives `output` some of the points of `input`, with their arrays and a vertex cell for each. Where all are kept, both
+/// share the arrays.
+void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output);
 
 /// Makes the vertical index, where there is one, the active scalars, by which windows colour.
 void ActivateHeight(vtkPolyData* horizon);

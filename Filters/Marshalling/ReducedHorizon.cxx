@@ -3,18 +3,20 @@
 
 #include "ReducedHorizon.h"
 
+#include "Common/CountingSort.h"
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
+#include "HorizonPoints.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -25,6 +27,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -33,10 +37,53 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
 
-/// Copies the values of the input point that each output point is, or that is nearest to it.
-struct GatherWorker
+/// The input points of each output point, ascending, and how many voxels each of them stands for.
+class MergedPoints
 {
-  const std::vector<PointId>& Sources;
+public:
+  /// Without counts, each point stands for one.
+  MergedPoints(const Reduction& reduction, std::vector<std::int64_t> counts)
+    : Merged(reduction)
+    , Counts(std::move(counts))
+    , Points(std::int64_t(reduction.Source.size()),
+        [&reduction](auto&& add)
+        {
+          for (std::size_t point = 0; point < reduction.Target.size(); ++point)
+          {
+            add(reduction.Target[point], PointId(point));
+          }
+        })
+  {
+  }
+
+  vtkIdType Size() const { return vtkIdType(this->Merged.Source.size()); }
+  const PointId* begin(vtkIdType target) const { return this->Points.begin(target); }
+  const PointId* end(vtkIdType target) const { return this->Points.end(target); }
+  PointId Nearest(vtkIdType target) const { return this->Merged.Source[std::size_t(target)]; }
+  bool IsAveraged(vtkIdType target) const { return this->Merged.Averaged[std::size_t(target)] != 0; }
+
+  std::int64_t Count(PointId point) const { return this->Counts.empty() ? 1 : this->Counts[std::size_t(point)]; }
+  std::int64_t SumCounts(vtkIdType target) const
+  {
+    if (this->Counts.empty())
+    {
+      return this->end(target) - this->begin(target);
+    }
+    return std::accumulate(this->begin(target), this->end(target), std::int64_t(0),
+      [this](std::int64_t sum, PointId point) { return sum + this->Count(point); });
+  }
+
+private:
+  const Reduction& Merged;
+  const std::vector<std::int64_t> Counts;
+  const ItemLists<PointId, std::uint32_t> Points;
+};
+
+/// Writes the values of output points: those of the input point that each is, or that is nearest to it, and the means
+/// at averaged points. Values that are not finite do not count; where there are no others, the nearest one's stays.
+struct AverageWorker
+{
+  const MergedPoints& Points;
 
   template <typename InputArray, typename OutputArray>
   void operator()(InputArray* input, OutputArray* output) const
@@ -45,91 +92,48 @@ struct GatherWorker
     const auto from = vtk::DataArrayTupleRange(input);
     auto to = vtk::DataArrayTupleRange(output);
     const int components = input->GetNumberOfComponents();
-    ParallelFor(std::int64_t(this->Sources.size()), Grain,
-      [&](vtkIdType first, vtkIdType last)
+    ParallelFor(this->Points.Size(), Grain,
+      [&](std::int64_t first, std::int64_t last)
       {
-        for (vtkIdType point = first; point < last; ++point)
+        for (vtkIdType target = first; target < last; ++target)
         {
           for (int n = 0; n < components; ++n)
           {
-            to[point][n] = static_cast<Value>(from[this->Sources[std::size_t(point)]][n]);
+            const double nearest = double(from[this->Points.Nearest(target)][n]);
+            to[target][n] =
+              static_cast<Value>(this->Points.IsAveraged(target) ? this->Mean(from, target, n, nearest) : nearest);
           }
         }
       });
   }
-};
 
-/// False for arrays that are not of numbers, or of rare kinds.
-bool Gather(const std::vector<PointId>& sources, vtkDataArray* input, vtkDataArray* output)
-{
-  const GatherWorker gather{ sources };
-  if (auto* const doubles = vtkDoubleArray::FastDownCast(output))
+  /// Weighted by the counts of the points. Where all are 0, as those of points that were filled in, all weigh the same.
+  template <typename Tuples>
+  double Mean(const Tuples& tuples, vtkIdType target, int component, double otherwise) const
   {
-    return input && vtkArrayDispatch::Dispatch::Execute(input, [&](auto* typed) { gather(typed, doubles); });
-  }
-  return input && output && vtkArrayDispatch::Dispatch2SameValueType::Execute(input, output, gather);
-}
-
-/// How much each input point weighs in the mean of the output point it is merged into: its count. Where all counts are
-/// 0, as those of points that were filled in, all weigh the same.
-std::vector<double> FindWeights(const Reduction& reduction, const std::vector<std::int64_t>& counts)
-{
-  std::vector<std::int64_t> totals(reduction.Source.size(), 0);
-  for (std::size_t point = 0; point < counts.size(); ++point)
-  {
-    totals[std::size_t(reduction.Target[point])] += counts[point];
-  }
-  std::vector<double> weights(counts.size());
-  for (std::size_t point = 0; point < counts.size(); ++point)
-  {
-    weights[point] = totals[std::size_t(reduction.Target[point])] == 0 ? 1.0 : double(counts[point]);
-  }
-  return weights;
-}
-
-/// Writes the means of the values at averaged points. Values that are not finite do not count; where there are no
-/// others, the one of the nearest point stays.
-struct AverageWorker
-{
-  const Reduction& Merged;
-  const std::vector<double>& Weights;
-  vtkDataArray* Output;
-
-  template <typename Array>
-  void operator()(Array* input) const
-  {
-    const int components = input->GetNumberOfComponents();
-    const auto tuples = vtk::DataArrayTupleRange(input);
-    const std::size_t size = this->Merged.Source.size();
-    std::vector<double> sums(size);
-    std::vector<double> weights(size);
-    for (int n = 0; n < components; ++n)
+    double sum = 0.0;
+    double weights = 0.0;
+    const auto addAll = [&](bool isWeighted)
     {
-      std::fill(sums.begin(), sums.end(), 0.0);
-      std::fill(weights.begin(), weights.end(), 0.0);
-      for (std::size_t point = 0; point < this->Merged.Target.size(); ++point)
+      std::int64_t counts = 0;
+      for (const PointId* point = this->Points.begin(target); point < this->Points.end(target); ++point)
       {
-        const std::size_t target = std::size_t(this->Merged.Target[point]);
-        const double value = double(tuples[vtkIdType(point)][n]);
-        if (this->Merged.Averaged[target] && std::isfinite(value))
+        const std::int64_t count = isWeighted ? this->Points.Count(*point) : 1;
+        const double value = double(tuples[*point][component]);
+        counts += count;
+        if (std::isfinite(value))
         {
-          sums[target] += this->Weights[point] * value;
-          weights[target] += this->Weights[point];
+          sum += double(count) * value;
+          weights += double(count);
         }
       }
-      this->WriteMeans(sums, weights, n);
-    }
-  }
-
-  void WriteMeans(const std::vector<double>& sums, const std::vector<double>& weights, int component) const
-  {
-    for (std::size_t target = 0; target < weights.size(); ++target)
+      return counts > 0;
+    };
+    if (!addAll(true))
     {
-      if (weights[target] > 0.0)
-      {
-        this->Output->SetComponent(vtkIdType(target), component, sums[target] / weights[target]);
-      }
+      addAll(false);
     }
+    return weights > 0.0 ? sum / weights : otherwise;
   }
 };
 
@@ -140,74 +144,92 @@ bool IsAveraged(vtkDataArray* array)
     (array->GetName() && !std::strcmp(array->GetName(), PointArray::VerticalIndex));
 }
 
-vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, Merging merging)
+/// Means of floats are floats, all others double.
+vtkSmartPointer<vtkDataArray> Average(vtkDataArray* array, const MergedPoints& points)
 {
-  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
-  vtkSmartPointer<vtkAbstractArray> result;
-  if (merging == Merging::AveragesPoints && numbers && IsAveraged(numbers) && numbers->GetDataType() != VTK_FLOAT)
-  {
-    result = vtkSmartPointer<vtkDoubleArray>::New();
-  }
-  else
-  {
-    result.TakeReference(array->NewInstance());
-  }
+  vtkSmartPointer<vtkDataArray> result;
+  result.TakeReference(
+    array->GetDataType() == VTK_FLOAT ? static_cast<vtkDataArray*>(vtkFloatArray::New()) : vtkDoubleArray::New());
   result->SetName(array->GetName());
   result->SetNumberOfComponents(array->GetNumberOfComponents());
   result->CopyComponentNames(array);
+  result->SetNumberOfTuples(points.Size());
+  const AverageWorker average{ points };
+  const auto write = [&](auto* output)
+  {
+    const auto read = [&](auto* input) { average(input, output); };
+    if (!vtkArrayDispatch::Dispatch::Execute(array, read))
+    {
+      read(array);
+    }
+  };
+  if (auto* const floats = vtkFloatArray::FastDownCast(result))
+  {
+    write(floats);
+  }
+  else
+  {
+    write(vtkDoubleArray::FastDownCast(result));
+  }
   return result;
 }
 
-void GetTuples(const std::vector<PointId>& sources, vtkAbstractArray* input, vtkAbstractArray* output)
+void ReduceAttributes(
+  vtkPolyData* input, const std::vector<PointId>& sources, const MergedPoints& points, vtkPolyData* output)
 {
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(vtkIdType(sources.size()));
-  std::copy(sources.begin(), sources.end(), ids->begin());
-  input->GetTuples(ids, output);
-}
-
-void ReduceAttributes(vtkPolyData* input, const Reduction& reduction, const std::vector<std::int64_t>& counts,
-  Merging merging, vtkPolyData* output)
-{
-  const std::vector<double> weights = FindWeights(reduction, counts);
+  KeptPoints nearest(std::size_t(input->GetNumberOfPoints()));
+  std::for_each(sources.begin(), sources.end(), [&nearest](PointId point) { nearest.Append(point); });
   for (int n = 0; n < input->GetPointData()->GetNumberOfArrays(); ++n)
   {
     vtkAbstractArray* const array = input->GetPointData()->GetAbstractArray(n);
-    vtkSmartPointer<vtkAbstractArray> reduced = NewArrayLike(array, merging);
-    reduced->SetNumberOfTuples(vtkIdType(reduction.Source.size()));
     vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
-    vtkDataArray* const reducedNumbers = vtkDataArray::SafeDownCast(reduced);
-    if (!Gather(reduction.Source, numbers, reducedNumbers))
+    vtkSmartPointer<vtkAbstractArray> reduced;
+    if (numbers && IsAveraged(numbers))
     {
-      GetTuples(reduction.Source, array, reduced);
+      reduced = Average(numbers, points);
     }
-    if (merging == Merging::AveragesPoints && numbers && IsAveraged(numbers))
+    else
     {
-      const AverageWorker average{ reduction, weights, reducedNumbers };
-      if (!vtkArrayDispatch::Dispatch::Execute(numbers, average))
-      {
-        average(numbers);
-      }
+      reduced = CopyTuples(array, nearest);
     }
-    const int index = output->GetPointData()->AddArray(reduced);
-    const int attribute = input->GetPointData()->IsArrayAnAttribute(n);
-    if (attribute >= 0)
-    {
-      output->GetPointData()->SetActiveAttribute(index, attribute);
-    }
+    AddPointArray(input, n, reduced, output);
   }
 }
 
-void SumCounts(const Reduction& reduction, const std::vector<std::int64_t>& counts, vtkPolyData* output)
+/// The counts of the points that are kept, with those of the others.
+vtkSmartPointer<vtkIdTypeArray> AddDropped(
+  const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
 {
-  auto sums = NewArray<vtkIdTypeArray>(PointArray::PointCount, vtkIdType(reduction.Source.size()));
-  sums->FillValue(0);
-  for (std::size_t point = 0; point < counts.size(); ++point)
+  auto sums = NewArray<vtkIdTypeArray>(PointArray::PointCount, vtkIdType(kept.size()));
+  vtkIdType* const values = sums->GetPointer(0);
+  kept.ForEachRun(0, kept.size(),
+    [&](std::size_t n, PointId point, std::size_t length)
+    {
+      for (std::size_t next = 0; next < length; ++next)
+      {
+        values[n + next] = counts.empty() ? 1 : counts[std::size_t(point) + next];
+      }
+    });
+  for (const DroppedPoint& one : dropped)
   {
-    vtkIdType& sum = *sums->GetPointer(reduction.Target[point]);
-    sum += counts[point];
+    values[NumberWithout(dropped, one.Target)] += counts.empty() ? 1 : counts[std::size_t(one.Point)];
   }
-  output->GetPointData()->AddArray(sums);
+  return sums;
+}
+
+vtkSmartPointer<vtkIdTypeArray> SumCounts(const MergedPoints& points)
+{
+  auto sums = NewArray<vtkIdTypeArray>(PointArray::PointCount, points.Size());
+  vtkIdType* const values = sums->GetPointer(0);
+  ParallelFor(points.Size(), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (vtkIdType target = first; target < last; ++target)
+      {
+        values[target] = points.SumCounts(target);
+      }
+    });
+  return sums;
 }
 }
 
@@ -261,15 +283,19 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteReduction(
-  vtkPolyData* input, const Lattice& grid, const Reduction& reduction, Merging merging, vtkPolyData* output)
+void WriteReduction(vtkPolyData* input, const Lattice& grid, const Reduction& reduction, vtkPolyData* output)
 {
   output->SetPoints(MakePoints(input, grid, reduction));
   output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   output->SetLines(MakePolylines(reduction.Boundary));
-  const std::vector<std::int64_t> counts = ReadCounts(input);
-  ReduceAttributes(input, reduction, counts, merging, output);
-  SumCounts(reduction, counts, output);
+  vtkPointData* const data = output->GetPointData();
+  const MergedPoints points(reduction, ReadCounts(input));
+  ReduceAttributes(input, reduction.Source, points, output);
+  if (input->GetPointData()->HasArray(PointArray::PointCount) ||
+    output->GetNumberOfPoints() < input->GetNumberOfPoints())
+  {
+    data->AddArray(SumCounts(points));
+  }
   if (!reduction.Origin.empty())
   {
     vtkSmartPointer<vtkIntArray> origins = NewOriginArray(output->GetNumberOfPoints());
@@ -277,11 +303,23 @@ void WriteReduction(
     {
       SetOrigin(origins, vtkIdType(point), reduction.Origin[point]);
     }
-    output->GetPointData()->AddArray(origins);
+    data->AddArray(origins);
   }
   if (!reduction.Flatness.empty())
   {
-    AddArray<vtkDoubleArray>(output->GetPointData(), PointArray::Flatness, reduction.Flatness);
+    AddArray<vtkDoubleArray>(data, PointArray::Flatness, reduction.Flatness);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteDropped(vtkPolyData* input, const DroppedPoints& dropped, const Loops& boundary, vtkPolyData* output)
+{
+  const KeptPoints kept = KeepOthers(dropped, std::size_t(input->GetNumberOfPoints()));
+  CopyPoints(input, kept, output);
+  output->SetLines(MakePolylines(RenumberWithout(dropped, boundary)));
+  if (!dropped.empty())
+  {
+    output->GetPointData()->AddArray(AddDropped(ReadCounts(input), kept, dropped));
   }
 }
 }

@@ -46,7 +46,7 @@ BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monito
   }
   BoundaryOptions options;
   options.Radius = radius;
-  ExteriorBoundary found = FindExteriorBoundary(ToColumns(points), options, monitor);
+  ExteriorBoundary found = FindExteriorBoundary(ToColumns(points.Plane, points.Grid), options, monitor);
   BoundedHorizon horizon;
   horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
   horizon.Plane = std::move(points.Plane);

@@ -17,7 +17,6 @@
  * - SurfaceId (int): the ID of the horizon
  * - VerticalIndex (int): k, from 0 to nZ - 1; the active scalars
  * - Thickness, Amplitude, RealZ (double): as in the file
- * - PointCount (vtkIdType): the number of input points a point stands for, here 1
  *
  * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at
  * z = 0:
@@ -45,7 +44,7 @@
  * The file is read once, for the list of horizons, and what was found is kept until the horizons are asked for; it is
  * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
  * lines are parsed on several threads. The peak of memory is 36 bytes per voxel of the file, those of horizons that are
- * not selected included, plus 44 bytes per voxel of the output, which has 72 and takes arrays over as they are; or plus
+ * not selected included, plus 36 bytes per voxel of the output, which has 64 and takes arrays over as they are; or plus
  * what a volume takes, 4 or 8 bytes for each of its points.
  *
  * Of several processes each reads the whole file.

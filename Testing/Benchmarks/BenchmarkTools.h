@@ -90,8 +90,7 @@ inline SeismicHorizons::BoundedHorizon MakeGenerated(std::int64_t numberOfPoints
 /// After the boundary simplification with its default.
 inline SeismicHorizons::BoundedHorizon Straighten(const SeismicHorizons::BoundedHorizon& horizon)
 {
-  return TestHorizons::Drop(
-    horizon, SeismicHorizons::SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, 0.4));
+  return TestHorizons::Drop(horizon, SeismicHorizons::SimplifyBoundary(horizon, horizon.Boundary, 0.4));
 }
 }
 

@@ -91,8 +91,9 @@ public:
     for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
     {
       this->Columns.push_back({ horizon.I[voxel], horizon.J[voxel] });
-      this->Points.push_back({ double(horizon.I[voxel]), double(horizon.J[voxel]), double(horizon.K[voxel]) });
+      this->Horizon.Height.push_back(double(horizon.K[voxel]));
     }
+    this->Horizon.Plane = this->Columns;
     this->Runs = points < 10000000 ? 5 : 1;
   }
 
@@ -124,7 +125,7 @@ public:
       [&](Measurement& result)
       {
         memoryPeak = memoryNow;
-        const BoundarySimplification simplified = SimplifyBoundary(this->Points, boundary.Boundary, options);
+        const BoundarySimplification simplified = SimplifyBoundary(this->Horizon, boundary.Boundary, options);
         result.Bytes = memoryPeak - memoryNow;
         result.Loops = simplified.Boundary.Size();
         result.BoundaryPoints = simplified.Boundary.TotalLength();
@@ -182,7 +183,7 @@ private:
   }
 
   std::vector<PlanePoint> Columns;
-  std::vector<SpacePoint> Points;
+  BoundedHorizon Horizon; // places and heights
   std::int64_t Cells = 0;
   int Runs = 1;
 };

@@ -78,8 +78,7 @@ struct Surface
     options.Method = OutlineMethod::FewestPoints;
     options.DistanceThreshold = tolerance;
     options.OutlineTolerance = tolerance;
-    return TestHorizons::Drop(
-      horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, options));
+    return TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, options));
   }
 
   BoundedHorizon Horizon;

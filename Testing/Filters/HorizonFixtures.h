@@ -74,8 +74,6 @@ inline vtkSmartPointer<vtkPolyData> FromPicture(
   index->SetName("VerticalIndex");
   vtkNew<vtkDoubleArray> amplitude;
   amplitude->SetName("Amplitude");
-  vtkNew<vtkIdTypeArray> count;
-  count->SetName("PointCount");
   for (std::size_t j = 0; j < rows.size(); ++j)
   {
     const std::string& row = rows[rows.size() - 1 - j];
@@ -93,12 +91,11 @@ inline vtkSmartPointer<vtkPolyData> FromPicture(
       ids->InsertNextValue(surfaceId);
       index->InsertNextValue(int(k));
       amplitude->InsertNextValue(double(i) + 100.0 * double(j));
-      count->InsertNextValue(1);
     }
   }
   horizon->SetPoints(points);
-  for (vtkDataArray* array : { static_cast<vtkDataArray*>(ids), static_cast<vtkDataArray*>(index),
-         static_cast<vtkDataArray*>(amplitude), static_cast<vtkDataArray*>(count) })
+  for (vtkDataArray* array :
+    { static_cast<vtkDataArray*>(ids), static_cast<vtkDataArray*>(index), static_cast<vtkDataArray*>(amplitude) })
   {
     horizon->GetPointData()->AddArray(array);
   }

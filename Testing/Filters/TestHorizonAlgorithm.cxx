@@ -290,7 +290,7 @@ void TestInputIsNotChanged()
   Pipeline pipeline(input);
   pipeline.Mesh->Update();
   CHECK_EQUAL(input->GetMTime(), before);
-  CHECK_EQUAL(input->GetPointData()->GetNumberOfArrays(), 4);
+  CHECK_EQUAL(input->GetPointData()->GetNumberOfArrays(), 3);
   CHECK_EQUAL(pipeline.Boundary->GetPolyDataOutput()->GetNumberOfPoints(), 81);
 }
 

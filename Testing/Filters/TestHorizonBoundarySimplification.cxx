@@ -4,11 +4,15 @@
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 
+#include "vtkBitArray.h"
+#include "vtkCellArray.h"
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonExteriorBoundary.h"
+#include "vtkStringArray.h"
 
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace
 {
@@ -51,6 +55,66 @@ void TestLevelRectangle(vtkMatrix4x4* survey)
   CHECK_EQUAL(output->GetPointData()->GetArray("Amplitude")->GetTuple1(0), 0.0);
   CHECK_EQUAL(output->GetPoint(0)[0], survey->GetElement(0, 3));
   CHECK_EQUAL(output->GetPoints()->GetDataType(), VTK_DOUBLE);
+}
+
+/// Where nothing is dropped, nothing is copied, and nothing counted.
+void TestNothingIsDropped(vtkMatrix4x4* survey)
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(9, 6), 2, survey, Level));
+  vtkNew<vtkHorizonBoundarySimplification> straight;
+  straight->SetInputConnection(boundary->GetOutputPort());
+  straight->SetDistanceThreshold(0.0);
+  straight->Update();
+  vtkPolyData* const before = boundary->GetPolyDataOutput();
+  vtkPolyData* const after = straight->GetPolyDataOutput();
+  CHECK(after->GetPoints() == before->GetPoints() && after->GetVerts() == before->GetVerts());
+  CHECK(after->GetPointData()->GetArray("Amplitude") == before->GetPointData()->GetArray("Amplitude"));
+  CHECK_EQUAL(after->GetPointData()->GetNumberOfArrays(), before->GetPointData()->GetNumberOfArrays());
+  CHECK(!after->GetPointData()->HasArray("PointCount"));
+  CHECK_EQUAL(after->GetLines()->GetNumberOfConnectivityIds(), before->GetLines()->GetNumberOfConnectivityIds());
+}
+
+/// Counts and labels of any kind go on, those of dropped points to the points that stand for them.
+void TestArraysOfAllKinds()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  const auto horizon = HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(9, 6), 2, survey, Level);
+  vtkNew<vtkIntArray> counts;
+  counts->SetName("PointCount");
+  vtkNew<vtkStringArray> names;
+  names->SetName("Names");
+  vtkNew<vtkBitArray> bits;
+  bits->SetName("Bits");
+  for (int point = 0; point < 54; ++point)
+  {
+    counts->InsertNextValue(point);
+    names->InsertNextValue(std::to_string(point));
+    bits->InsertNextValue(point % 3 == 0);
+  }
+  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(counts), static_cast<vtkAbstractArray*>(names),
+         static_cast<vtkAbstractArray*>(bits) })
+  {
+    horizon->GetPointData()->AddArray(array);
+  }
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(horizon);
+  vtkNew<vtkHorizonBoundarySimplification> straight;
+  straight->SetInputConnection(boundary->GetOutputPort());
+  straight->Update();
+  vtkPointData* const data = straight->GetPolyDataOutput()->GetPointData();
+  auto* const kept = vtkStringArray::SafeDownCast(data->GetAbstractArray("Names"));
+  CHECK_EQUAL(kept->GetNumberOfValues(), 7 * 4 + 4);
+  int row = 0;
+  for (vtkIdType point = 0; point < kept->GetNumberOfValues(); ++point)
+  {
+    const int before = std::stoi(kept->GetValue(point));
+    row += data->GetArray("Bits")->GetTuple1(point) == double(before % 3 == 0) ? 1 : 0;
+  }
+  CHECK_EQUAL(row, 7 * 4 + 4);
+  CHECK_EQUAL(kept->GetValue(2), std::string("10")); // after the two corners of the first row
+  // Of the first row points 1 to 3 count for the first corner, of the first column 9 and 18.
+  CHECK_EQUAL(data->GetArray("PointCount")->GetTuple1(0), 1.0 + 2.0 + 3.0 + 9.0 + 18.0);
 }
 
 /// Thresholds are in lattice units: the same points go whatever the steps of the survey are.
@@ -130,6 +194,8 @@ int TestHorizonBoundarySimplification(int, char*[])
 {
   TestLevelRectangle(HorizonFixtures::UnitSurvey());
   TestLevelRectangle(HorizonFixtures::RotatedSurvey());
+  TestNothingIsDropped(HorizonFixtures::RotatedSurvey());
+  TestArraysOfAllKinds();
   TestThresholdIsInLatticeUnits();
   TestOutlineTolerance(HorizonFixtures::UnitSurvey());
   TestOutlineTolerance(HorizonFixtures::RotatedSurvey());

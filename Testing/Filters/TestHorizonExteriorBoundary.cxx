@@ -134,6 +134,40 @@ void TestSmallestHoleArea()
   CHECK_EQUAL(Count(boundary->GetPolyDataOutput(), "NumberOfHoles"), 1.0);
 }
 
+/// Points and arrays are those of the input, and so are its vertices when they are one for each point in order.
+void TestSharing()
+{
+  const auto input = FromPicture({ "###", "###" }, 3, HorizonFixtures::UnitSurvey());
+  const auto run = [&input]()
+  {
+    vtkNew<vtkHorizonExteriorBoundary> boundary;
+    boundary->SetInputDataObject(input);
+    boundary->Update();
+    vtkPolyData* const output = boundary->GetPolyDataOutput();
+    CHECK(output->GetPoints() == input->GetPoints());
+    CHECK(output->GetPointData()->GetArray("Amplitude") == input->GetPointData()->GetArray("Amplitude"));
+    CHECK(!input->GetPointData()->HasArray("PatchId"));
+    CHECK_EQUAL(output->GetNumberOfVerts(), 6);
+    for (vtkIdType cell = 0; cell < 6; ++cell)
+    {
+      CHECK_EQUAL(output->GetVerts()->GetCellSize(cell), 1);
+      CHECK_EQUAL(output->GetVerts()->GetConnectivityArray()->GetComponent(cell, 0), double(cell));
+    }
+    return output->GetVerts() == input->GetVerts();
+  };
+  CHECK(!run());
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType point = 0; point < 6; ++point)
+  {
+    vertices->InsertNextCell({ point });
+  }
+  input->SetVerts(vertices);
+  CHECK(run());
+  vertices->ReplaceCellAtId(2, { 3 });
+  vertices->ReplaceCellAtId(3, { 2 });
+  CHECK(!run());
+}
+
 /// The points of specks go with all they have; the others keep theirs.
 void TestSpecks()
 {
@@ -212,6 +246,7 @@ int TestHorizonExteriorBoundary(int, char*[])
 {
   TestRadiusAndHoles();
   TestSmallestHoleArea();
+  TestSharing();
   TestSpecks();
   TestTopologicalBoundary();
   TestWrongRadius();

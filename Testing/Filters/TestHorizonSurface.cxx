@@ -201,7 +201,7 @@ void TestSameAsStages()
   }
 }
 
-/// Points of single precision, without counts, some of them hidden.
+/// Points of single precision, which stand for several already, some of them hidden.
 void TestPlainInput()
 {
   const Data horizon = MakeHorizon(UnitSurvey());
@@ -209,7 +209,11 @@ void TestPlainInput()
   points->SetDataTypeToFloat();
   points->DeepCopy(horizon->GetPoints());
   horizon->SetPoints(points);
-  horizon->GetPointData()->RemoveArray("PointCount");
+  vtkNew<vtkIdTypeArray> counts;
+  counts->SetName("PointCount");
+  counts->SetNumberOfTuples(horizon->GetNumberOfPoints());
+  counts->FillValue(3);
+  horizon->GetPointData()->AddArray(counts);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(horizon->GetNumberOfPoints());

@@ -94,7 +94,7 @@ BoundedHorizon SimplifyLoops(const BoundedHorizon& horizon, StageInput& input)
 {
   const BoundarySimplificationOptions options = input.TakeBoundarySimplificationOptions();
   const auto result = RunOn(IsValid(options), "boundary simplification",
-    [&]() { return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options); });
+    [&]() { return SimplifyBoundary(horizon, horizon.Boundary, options); });
   if (!result)
   {
     return horizon;
@@ -245,7 +245,7 @@ void PeelHull(const BoundedHorizon& horizon, StageInput& input)
 TriangleSurface MakeSurface(const BoundedHorizon& horizon)
 {
   TriangleSurface surface;
-  for (const SpacePoint& point : ToSpacePoints(horizon))
+  for (const SpacePoint& point : TestHorizons::ToSpacePoints(horizon))
   {
     surface.Points.emplace_back(point.X, point.Y, point.Z);
   }

@@ -154,9 +154,10 @@ void CheckSimplifiedBoundary(
   const bool isBound = options.BoundDeviation || options.Method == OutlineMethod::FewestPoints;
   Require(std::isfinite(result.Deviation) && (!isBound || result.Deviation <= most),
     "boundary simplification: deviation " + std::to_string(result.Deviation));
-  for (const PointId target : result.Target)
+  const std::vector<PointId> targets = TestHorizons::FindTargets(result, horizon.Plane.size());
+  for (const PointId target : targets)
   {
-    Require(result.Target[std::size_t(target)] == target, "boundary simplification: a dropped point is a target");
+    Require(targets[std::size_t(target)] == target, "boundary simplification: a dropped point is a target");
   }
   const BoundedHorizon dropped = TestHorizons::Drop(horizon, result);
   Require(tolerance > 0.0 || DoubledArea(dropped) == DoubledArea(horizon), "boundary simplification: area");

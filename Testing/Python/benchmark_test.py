@@ -13,7 +13,7 @@ import sys
 
 SIZE = 4000
 STAGES = {"read", "boundary", "boundary simplification", "rough", "elaborate", "triangulation, all points",
-          "triangulation, after rough", "error", "whole chain"}
+          "triangulation, after rough", "error", "whole chain", "file to mesh"}
 PEERS = {"vtkDelimitedTextReader", "vtkBinnedDecimation", "vtkQuadricClustering", "vtkQuadricDecimation",
          "vtkDelaunay2D", "ParaView's chain"}
 

@@ -29,6 +29,13 @@ def array(mesh, name):
     return vtk_to_numpy(data)
 
 
+def counts(mesh):
+    """How many points of the input each point stands for."""
+    if mesh.GetPointData().HasArray("PointCount"):
+        return array(mesh, "PointCount")
+    return np.ones(mesh.GetNumberOfPoints(), dtype=np.int64)
+
+
 def triangles(mesh):
     cells = mesh.GetPolys()
     if cells.GetNumberOfCells() == 0:

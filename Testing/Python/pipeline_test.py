@@ -29,7 +29,7 @@ def check_counts(stages):
     """Each stage thins out or keeps, and no point of the file is lost from the counts."""
     points = [horizon.GetNumberOfPoints() for horizon in stages]
     assert points[0] == points[1] >= points[2] > points[3] == points[4], points
-    total = [int(mesh_checks.array(horizon, "PointCount").sum()) for horizon in stages]
+    total = [int(mesh_checks.counts(horizon).sum()) for horizon in stages]
     assert len(set(total)) == 1 and total[0] == points[0], total
     outlines = [len(mesh_checks.loops(horizon)) for horizon in stages[1:]]
     assert len(set(outlines)) == 1 and outlines[0] >= 1, outlines

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The way from a file to meshes, with the classes alone and with the proxies of ParaView."""
 
-POINT_ARRAYS = ("SurfaceId", "VerticalIndex", "Thickness", "Amplitude", "RealZ", "PointCount")
+POINT_ARRAYS = ("SurfaceId", "VerticalIndex", "Thickness", "Amplitude", "RealZ")
 BOUNDARY_ARRAYS = ("PatchId", "Boundary")
 FIELD_ARRAYS = ("LatticeDimensions", "LatticeToWorld", "VerticalDirection", "DroppedDuplicates")
 STAGES = ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",

@@ -63,14 +63,13 @@ void ArraysAreComplete()
   vtkPolyData* const horizon = GetHorizon(reader, 1);
   vtkPointData* const data = horizon->GetPointData();
   CHECK(horizon->GetNumberOfPoints() == 2 && horizon->GetPoints()->GetDataType() == VTK_DOUBLE);
-  CHECK(data->GetNumberOfArrays() == 6);
+  CHECK(data->GetNumberOfArrays() == 5);
   CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 2, 1)->GetValue(1) == 7);
   CHECK(GetArray<vtkIntArray>(data, "VerticalIndex", 2, 1)->GetValue(1) == 6);
   CHECK(data->GetScalars() == data->GetArray("VerticalIndex"));
   CHECK(GetArray<vtkDoubleArray>(data, "Thickness", 2, 1)->GetValue(1) == 3.0);
   CHECK(GetArray<vtkDoubleArray>(data, "Amplitude", 2, 1)->GetValue(1) == -3.0);
   CHECK(GetArray<vtkDoubleArray>(data, "RealZ", 2, 1)->GetValue(1) == 24.25);
-  CHECK(GetArray<vtkIdTypeArray>(data, "PointCount", 2, 1)->GetValue(1) == 1);
   CHECK(horizon->GetNumberOfCells() == 2 && horizon->GetNumberOfVerts() == 2);
   CHECK(horizon->GetCellType(1) == VTK_VERTEX && !horizon->GetVerts()->IsStorage64Bit());
   double point[3];

@@ -30,6 +30,9 @@ FLATNESS = 0.03
 MOST_RUNS = 5
 ENOUGH_SECONDS = 1.0
 MEMORY_LEFT = 0.8  # a stage may fill this part of the free memory
+WHOLE_CHAIN = "whole chain"
+FILE_TO_MESH = "file to mesh"
+FROM_FILE = (WHOLE_CHAIN, FILE_TO_MESH)  # the last rows
 
 
 def memory(name, path="/proc/self/status"):
@@ -70,12 +73,15 @@ class Chain:
         self.needs = needs
         self.results = []
 
+    def has_memory(self, stage, points):
+        return self.needs.get(stage, 0.0) * points <= MEMORY_LEFT * memory("MemAvailable", "/proc/meminfo")
+
     def run(self, stage, algorithm, points=None, **inputs):
         """Returns what comes out, or None where there is not enough memory."""
         for port, data in inputs.items():
             algorithm.SetInputDataObject({"data": 0, "mesh": 1}[port], data)
         points = points or inputs["data"].GetNumberOfPoints()
-        if self.needs.get(stage, 0.0) * points > MEMORY_LEFT * memory("MemAvailable", "/proc/meminfo"):
+        if not self.has_memory(stage, points):
             return None
 
         def work():
@@ -95,10 +101,11 @@ def make_stages():
 
 
 def measure_stages(path, needs):
-    # The chain as a whole comes first, when nothing else is in memory.
+    # What begins with the file comes first, when nothing else is in memory.
     points = read_first(path).GetNumberOfPoints()
     chain = Chain(needs)
     measure_chain(chain, path, points)
+    measure_surface(chain, path, points)
     horizon = chain.run("read", make("vtkVerneySparseMatrixReader", FileName=path), points).GetPartition(0, 0)
     boundary, straighten, rough, triangulation = make_stages()
     outlined = chain.run("boundary", boundary, data=horizon)
@@ -109,7 +116,8 @@ def measure_stages(path, needs):
     full = chain.run("triangulation, all points", make("vtkHorizonTriangulation"), data=outlined)
     mesh = chain.run("triangulation, after rough", triangulation, data=thinned)
     chain.run("error", make("vtkHorizonSurfaceDistance"), data=full, mesh=mesh)
-    return chain.results[1:] + chain.results[:1]
+    from_file = [r for r in chain.results if r["stage"] in FROM_FILE]
+    return [r for r in chain.results if r not in from_file] + from_file
 
 
 def measure_chain(chain, path, points):
@@ -120,7 +128,17 @@ def measure_chain(chain, path, points):
             stage.Update()
             data = stage.GetOutputDataObject(0)
 
-    chain.results.append({"stage": "whole chain", **measure(work, points)})
+    chain.results.append({"stage": WHOLE_CHAIN, **measure(work, points)})
+
+
+def measure_surface(chain, path, points):
+    def work():
+        surface = make("vtkHorizonSurface")
+        surface.SetInputDataObject(0, read_first(path))
+        surface.Update()
+
+    if chain.has_memory(FILE_TO_MESH, points):
+        chain.results.append({"stage": FILE_TO_MESH, **measure(work, points)})
 
 
 def write_text(horizon, path):
@@ -163,9 +181,9 @@ def measure_peers(path, slow):
             ("rough", "vtkQuadricClustering", lambda: peers.quadric_clustering(full, CELL_SIZE)),
             ("elaborate", "vtkQuadricDecimation", lambda: peers.quadric_decimation(full, target)),
             ("triangulation, all points", "vtkDelaunay2D", lambda: peers.delaunay(full)),
-            ("whole chain", "ParaView's chain", lambda: chain_of_paraview(text)))
+            (WHOLE_CHAIN, "ParaView's chain", lambda: chain_of_paraview(text)))
         wanted = [work for work in works if work[1] not in slow]
-        if any(stage in ("read", "whole chain") for stage, _, _ in wanted):
+        if any(stage in ("read", WHOLE_CHAIN) for stage, _, _ in wanted):
             write_text(full, text)
         points = full.GetNumberOfPoints()
         return [{"stage": stage, "peer": name, **measure(work, points)} for stage, name, work in wanted]

@@ -136,7 +136,7 @@ HorizonVoxels ReadVoxels(vtkPolyData* horizon, int surfaceId)
   const LatticePoints points = ReadPoints(horizon);
   HorizonVoxels voxels;
   voxels.SurfaceId = surfaceId;
-  for (const PlanePoint& column : ToColumns(points))
+  for (const PlanePoint& column : ToColumns(points.Plane, points.Grid))
   {
     voxels.I.push_back(column.X);
     voxels.J.push_back(column.Y);

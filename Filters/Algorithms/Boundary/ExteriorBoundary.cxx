@@ -87,27 +87,31 @@ ExteriorBoundary FindExteriorBoundary(
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
-  const ExteriorBoundary result = WithoutWideBands(
+  ExteriorBoundary result = WithoutWideBands(
     columns, options.Radius, [&](const std::vector<PlanePoint>& near) { return Find(near, options, monitor); });
-  return options.MinimumPatchSize > 1 ? WithoutSpecks(result, options.MinimumPatchSize) : result;
+  if (options.MinimumPatchSize > 1)
+  {
+    return WithoutSpecks(result, options.MinimumPatchSize);
+  }
+  return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PointId> DropPointsWithoutPatch(ExteriorBoundary& boundary)
+KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary)
 {
-  std::vector<PointId> kept;
-  std::vector<PointId> number(boundary.Patch.size(), NoPoint);
-  for (std::size_t point = 0; point < number.size(); ++point)
+  KeptPoints kept(boundary.Patch.size());
+  for (std::size_t point = 0; point < boundary.Patch.size(); ++point)
   {
     if (boundary.Patch[point] != NoPatch)
     {
-      number[point] = PointId(kept.size());
-      boundary.Patch[kept.size()] = boundary.Patch[point];
-      kept.push_back(PointId(point));
+      kept.Append(PointId(point));
     }
   }
-  boundary.Patch.resize(kept.size());
-  boundary.Boundary = boundary.Boundary.Renumbered(number);
+  if (!kept.AreAll())
+  {
+    boundary.Boundary = boundary.Boundary.Renumbered(kept.Numbers());
+    boundary.Patch = kept.Select(boundary.Patch);
+  }
   return kept;
 }
 }

@@ -23,6 +23,7 @@
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
 
+#include "Common/KeptPoints.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
@@ -81,7 +82,7 @@ ExteriorBoundary FindExteriorBoundary(const std::vector<PlanePoint>& columns,
   const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
 
 /// Leaves out the points without a patch. Gives those that have one; these are numbered from 0 then.
-std::vector<PointId> DropPointsWithoutPatch(ExteriorBoundary& boundary);
+KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary);
 }
 
 #endif

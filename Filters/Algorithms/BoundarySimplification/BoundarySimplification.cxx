@@ -24,8 +24,8 @@ namespace
 class LoopSimplifier
 {
 public:
-  LoopSimplifier(const std::vector<SpacePoint>& points, const Loops& boundary,
-    const BoundarySimplificationOptions& options, BoundarySimplification& result, const Monitor& monitor)
+  LoopSimplifier(const SpacePoints& points, const Loops& boundary, const BoundarySimplificationOptions& options,
+    BoundarySimplification& result, const Monitor& monitor)
     : Points(points)
     , Options(options)
     , Result(result)
@@ -33,8 +33,6 @@ public:
     , Visits(points.size(), 0)
   {
     boundary.ForEachPoint([this](PointId point) { this->CountVisit(point); });
-    this->Result.Target.resize(points.size());
-    std::iota(this->Result.Target.begin(), this->Result.Target.end(), 0);
     if (options.Method == OutlineMethod::FewestPoints)
     {
       this->Fewest.emplace(points, this->Visits, options.OutlineTolerance, options.DistanceThreshold,
@@ -97,7 +95,7 @@ private:
 
   Eigen::Vector3d Place(PointId point) const
   {
-    const SpacePoint& place = this->Points[std::size_t(point)];
+    const SpacePoint place = this->Points[std::size_t(point)];
     return { place.X, place.Y, place.Z };
   }
 
@@ -284,10 +282,10 @@ private:
     this->Result.Deviation = std::max(this->Result.Deviation, edge.InSpace(this->Place(point)));
     this->Result.OutlineDeviation = std::max(this->Result.OutlineDeviation, edge.OnMap(this->Place(point)).InPlan);
     const auto toEnd = [&](PointId end) { return (this->Place(point) - this->Place(end)).head<2>().norm(); };
-    this->Result.Target[std::size_t(point)] = toEnd(b) < toEnd(a) ? b : a;
+    this->Result.Dropped.push_back({ point, toEnd(b) < toEnd(a) ? b : a });
   }
 
-  const std::vector<SpacePoint>& Points;
+  const SpacePoints& Points;
   const BoundarySimplificationOptions& Options;
   BoundarySimplification& Result;
   const Monitor& Watch;
@@ -303,7 +301,7 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
+BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor)
 {
   CheckAtLeast("distance threshold", options.DistanceThreshold, 0.0, " lattice units");
@@ -319,45 +317,8 @@ BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, c
     }
     simplifier.Simplify(boundary.begin(loop), boundary.end(loop), part);
   }
+  std::sort(result.Dropped.begin(), result.Dropped.end(),
+    [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
   return result;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<SpacePoint> ToSpacePoints(
-  const std::vector<PlanePoint>& plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn)
-{
-  std::vector<SpacePoint> places;
-  places.reserve(plane.size());
-  for (std::size_t point = 0; point < plane.size(); ++point)
-  {
-    places.push_back(
-      { double(plane[point].X) / subVoxelsPerColumn, double(plane[point].Y) / subVoxelsPerColumn, height[point] });
-  }
-  return places;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-Reduction ToReduction(
-  const BoundarySimplification& simplified, const std::vector<PlanePoint>& plane, const std::vector<double>& height)
-{
-  Reduction reduction;
-  std::vector<PointId> number(simplified.Target.size(), NoPoint);
-  for (std::size_t point = 0; point < number.size(); ++point)
-  {
-    if (simplified.Target[point] == PointId(point))
-    {
-      number[point] = PointId(reduction.Source.size());
-      reduction.Source.push_back(PointId(point));
-      reduction.Plane.push_back(plane[point]);
-      reduction.Height.push_back(height[point]);
-    }
-  }
-  reduction.Averaged.assign(reduction.Source.size(), false);
-  for (const PointId target : simplified.Target)
-  {
-    reduction.Target.push_back(number[std::size_t(target)]);
-  }
-  reduction.Boundary = simplified.Boundary.Renumbered(number);
-  return reduction;
 }
 }

@@ -20,12 +20,10 @@
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
 
-#include "Common/BoundedHorizon.h"
+#include "Common/DroppedPoints.h"
 #include "Common/Monitor.h"
+#include "Common/SpacePoints.h"
 #include "Common/Types.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace SeismicHorizons
 {
@@ -53,9 +51,8 @@ struct BoundarySimplification
 {
   /// The loops without the points that were dropped, over the input points.
   Loops Boundary;
-  /// For each point the point that stands for it: itself, or for one that was dropped the nearer end of the edge that
-  /// spans it.
-  std::vector<PointId> Target;
+  /// The points that were dropped, each with the nearer end of the edge that spans it.
+  DroppedPoints Dropped;
   /// The largest distance in space, in lattice units, of a dropped point to the edge that spans it.
   double Deviation = 0.0;
   /// The same in plan alone.
@@ -67,30 +64,17 @@ struct BoundarySimplification
 /// run, at the end of the run; with the fewest points at the first of its points that stays. Linear in the points,
 /// times the number of passes over a run, which grows with the logarithm of its length where a run is flat, and with
 /// its length in the worst case; near linear for the fewest points.
-BoundarySimplification SimplifyBoundary(const std::vector<SpacePoint>& points, const Loops& boundary,
+BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
 
 /// With a threshold alone.
 inline BoundarySimplification SimplifyBoundary(
-  const std::vector<SpacePoint>& points, const Loops& boundary, double threshold, const Monitor& monitor = Monitor())
+  const SpacePoints& points, const Loops& boundary, double threshold, const Monitor& monitor = Monitor())
 {
   BoundarySimplificationOptions options;
   options.DistanceThreshold = threshold;
   return SimplifyBoundary(points, boundary, options, monitor);
 }
-
-/// Places in lattice units, from sub-voxels and heights.
-std::vector<SpacePoint> ToSpacePoints(
-  const std::vector<PlanePoint>& plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn);
-
-inline std::vector<SpacePoint> ToSpacePoints(const BoundedHorizon& horizon)
-{
-  return ToSpacePoints(horizon.Plane, horizon.Height, horizon.SubVoxelsPerColumn);
-}
-
-/// The points that are left, numbered from 0, given the places of all.
-Reduction ToReduction(
-  const BoundarySimplification& simplified, const std::vector<PlanePoint>& plane, const std::vector<double>& height);
 }
 
 #endif

@@ -26,14 +26,14 @@ constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FewestPoints::FewestPoints(const std::vector<SpacePoint>& points, const std::vector<unsigned char>& visits,
-  double outlineTolerance, double heightTolerance, std::function<void()> goOn)
+FewestPoints::FewestPoints(const SpacePoints& points, const std::vector<unsigned char>& visits, double outlineTolerance,
+  double heightTolerance, std::function<void()> goOn)
   : Points(points)
   , Visits(visits)
   , OutlineTolerance(outlineTolerance)
   , HeightTolerance(heightTolerance)
   , GoOn(std::move(goOn))
-  , Guard(points)
+  , Guard(points, visits)
 {
 }
 
@@ -99,7 +99,7 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
   for (const PointId point : this->Chain)
   {
-    const SpacePoint& place = this->Points[std::size_t(point)];
+    const SpacePoint place = this->Points[std::size_t(point)];
     this->Places.emplace_back(place.X, place.Y, place.Z);
     const Eigen::Vector3d way = this->Places.back() - this->Places.front();
     const Moments& before = this->Before.back();

@@ -18,7 +18,7 @@
 #ifndef SeismicHorizonsFewestPoints_h
 #define SeismicHorizonsFewestPoints_h
 
-#include "Common/Types.h"
+#include "Common/SpacePoints.h"
 #include "ShortcutGuard.h"
 
 #include <Eigen/Core>
@@ -34,7 +34,7 @@ public:
   /// `points` are all points of the horizon, on whole columns (InputError otherwise), of which loops visit each so many
   /// times, 2 standing for more than one. Tolerances in columns, and in lattice units upwards. `goOn` is called every
   /// so many points; it can throw to end the work.
-  FewestPoints(const std::vector<SpacePoint>& points, const std::vector<unsigned char>& visits, double outlineTolerance,
+  FewestPoints(const SpacePoints& points, const std::vector<unsigned char>& visits, double outlineTolerance,
     double heightTolerance, std::function<void()> goOn);
 
   /// The positions of the points that a loop keeps, ascending. Of a loop without points that have to stay, one does all
@@ -74,7 +74,7 @@ private:
   double Cost(std::size_t from, std::size_t to) const;
   void FollowPath(const Step& last);
 
-  const std::vector<SpacePoint>& Points;
+  const SpacePoints& Points;
   const std::vector<unsigned char>& Visits;
   const double OutlineTolerance;
   const double HeightTolerance;

@@ -18,12 +18,13 @@ namespace
 constexpr double PartsPerColumn = 1 << 20;
 
 /// The column with each point: that of the greatest whole coordinates that are not greater than its own.
-std::vector<PlanePoint> FindColumns(const std::vector<SpacePoint>& points)
+std::vector<PlanePoint> FindColumns(const SpacePoints& points)
 {
   std::vector<PlanePoint> columns;
   columns.reserve(points.size());
-  for (const SpacePoint& point : points)
+  for (std::size_t n = 0; n < points.size(); ++n)
   {
+    const SpacePoint point = points[n];
     columns.push_back({ std::int32_t(std::floor(point.X)), std::int32_t(std::floor(point.Y)) });
   }
   return columns;
@@ -53,7 +54,7 @@ int Turn(const Point& a, const Point& b, const Point& c)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LoopGuard::LoopGuard(const std::vector<SpacePoint>& points)
+LoopGuard::LoopGuard(const SpacePoints& points)
   : Points(points)
   , Columns(FindColumns(points))
   , Grid(this->Columns, 1, 1)
@@ -65,15 +66,15 @@ LoopGuard::LoopGuard(const std::vector<SpacePoint>& points)
 //----------------------------------------------------------------------------------------------------------------------
 LoopGuard::FinePoint LoopGuard::Fine(PointId point) const
 {
-  const SpacePoint& place = this->Points[std::size_t(point)];
+  const SpacePoint place = this->Points[std::size_t(point)];
   return { std::llround(place.X * PartsPerColumn), std::llround(place.Y * PartsPerColumn) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 RowSegment LoopGuard::Side(PointId a, PointId b) const
 {
-  const SpacePoint& from = this->Points[std::size_t(a)];
-  const SpacePoint& to = this->Points[std::size_t(b)];
+  const SpacePoint from = this->Points[std::size_t(a)];
+  const SpacePoint to = this->Points[std::size_t(b)];
   return RowSegment({ from.X, from.Y }, { to.X, to.Y });
 }
 

@@ -16,7 +16,7 @@
 #define SeismicHorizonsLoopGuard_h
 
 #include "Common/CellGrid.h"
-#include "Common/Types.h"
+#include "Common/SpacePoints.h"
 
 #include <vector>
 
@@ -27,7 +27,7 @@ class LoopGuard
 {
 public:
   /// `points` are all points of the horizon, in lattice units, on the boundary or inside.
-  explicit LoopGuard(const std::vector<SpacePoint>& points);
+  explicit LoopGuard(const SpacePoints& points);
 
   /// True when no point that is left lies in the triangle a, m, b or on its sides, other than these three.
   bool IsClear(PointId a, PointId m, PointId b) const;
@@ -47,7 +47,7 @@ private:
   RowSegment Side(PointId a, PointId b) const;
   bool IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const;
 
-  const std::vector<SpacePoint>& Points;
+  const SpacePoints& Points;
   const std::vector<PlanePoint> Columns; // of each point
   const CellGrid Grid;
   const PointLists InColumn;

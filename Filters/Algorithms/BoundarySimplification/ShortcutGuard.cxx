@@ -3,12 +3,8 @@
 
 #include "ShortcutGuard.h"
 
-#include "Common/Errors.h"
-
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <sstream>
 
 namespace SeismicHorizons
 {
@@ -16,25 +12,6 @@ namespace
 {
 // Not between the ends of the chain.
 constexpr std::size_t NoPosition = 0;
-
-std::vector<PlanePoint> ToColumns(const std::vector<SpacePoint>& points)
-{
-  std::vector<PlanePoint> columns;
-  columns.reserve(points.size());
-  for (const SpacePoint& point : points)
-  {
-    if (std::floor(point.X) != point.X || std::floor(point.Y) != point.Y)
-    {
-      std::ostringstream text;
-      text << "point " << columns.size() << " at (" << point.X << ", " << point.Y
-           << ") stands beside its column, expected whole columns: outlines get the fewest points before points are "
-              "merged";
-      throw InputError(text.str());
-    }
-    columns.push_back({ std::int32_t(point.X), std::int32_t(point.Y) });
-  }
-  return columns;
-}
 
 std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
 {
@@ -66,12 +43,18 @@ bool IsUpward(std::uint64_t crossing)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ShortcutGuard::ShortcutGuard(const std::vector<SpacePoint>& points)
-  : Columns(ToColumns(points))
-  , Grid(this->Columns, 1, 1)
-  , InColumn(SortByCell(this->Grid, this->Columns))
-  , Position(points.size(), NoPosition)
+ShortcutGuard::ShortcutGuard(const SpacePoints& points, const std::vector<unsigned char>& isOnLoop)
+  : Points(points)
+  , Occupied(points, isOnLoop)
+  , Position(this->Occupied.NumberOfLoopColumns(), NoPosition)
 {
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t& ShortcutGuard::PositionOf(PointId point)
+{
+  const PlanePoint column = this->Points.Column(std::size_t(point));
+  return this->Position[this->Occupied.LoopNumber(column.X, column.Y)];
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -79,12 +62,12 @@ void ShortcutGuard::SetChain(const std::vector<PointId>& chain)
 {
   for (const PointId point : this->Chain)
   {
-    this->Position[std::size_t(point)] = NoPosition;
+    this->PositionOf(point) = NoPosition;
   }
   this->Chain = chain;
   for (std::size_t position = 1; position + 1 < chain.size(); ++position)
   {
-    this->Position[std::size_t(chain[position])] = position;
+    this->PositionOf(chain[position]) = position;
   }
 }
 
@@ -169,13 +152,14 @@ bool ShortcutGuard::IsClearAlong(const PlanePoint& from, const PlanePoint& to) c
 //----------------------------------------------------------------------------------------------------------------------
 bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
 {
-  const std::int64_t cell = this->Grid.Index(this->Grid.CellX(double(x)), this->Grid.CellY(double(y)));
-  return std::all_of(this->InColumn.begin(cell), this->InColumn.end(cell),
-    [this](PointId point)
-    {
-      const std::size_t position = this->Position[std::size_t(point)];
-      return (position > this->From && position < this->To) || point == this->Chain[this->From] ||
-        point == this->Chain[this->To];
-    });
+  if (!this->Occupied.IsOccupied(x, y))
+  {
+    return true;
+  }
+  const std::size_t number = this->Occupied.LoopNumber(x, y);
+  const std::size_t position = number == OccupiedColumns::NoNumber ? NoPosition : this->Position[number];
+  const PlanePoint column = { std::int32_t(x), std::int32_t(y) };
+  return (position > this->From && position < this->To) || column == this->ColumnAt(this->From) ||
+    column == this->ColumnAt(this->To);
 }
 }

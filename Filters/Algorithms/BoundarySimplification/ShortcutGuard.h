@@ -13,9 +13,12 @@
 #ifndef SeismicHorizonsShortcutGuard_h
 #define SeismicHorizonsShortcutGuard_h
 
-#include "Common/CellGrid.h"
+#include "Common/SpacePoints.h"
 #include "Common/Types.h"
+#include "OccupiedColumns.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
@@ -26,7 +29,8 @@ class ShortcutGuard
 public:
   /// `points` are all points of the horizon, in lattice units, on the boundary or inside. Throws InputError when one
   /// does not stand on a whole column.
-  explicit ShortcutGuard(const std::vector<SpacePoint>& points);
+  /// `isOnLoop` has for each of them 0 when no loop visits it.
+  ShortcutGuard(const SpacePoints& points, const std::vector<unsigned char>& isOnLoop);
 
   /// Takes a chain, whose points between its ends no loop visits a second time.
   void SetChain(const std::vector<PointId>& chain);
@@ -35,17 +39,17 @@ public:
   bool IsClear(std::size_t from, std::size_t to);
 
 private:
-  PlanePoint ColumnAt(std::size_t position) const { return this->Columns[std::size_t(this->Chain[position])]; }
+  PlanePoint ColumnAt(std::size_t position) const { return this->Points.Column(std::size_t(this->Chain[position])); }
+  std::size_t& PositionOf(PointId point);
   void AddCrossings(const PlanePoint& from, const PlanePoint& to);
   bool IsClearBetween();
   bool IsClearAlong(const PlanePoint& from, const PlanePoint& to) const;
   bool IsClearAt(std::int64_t x, std::int64_t y) const;
 
-  const std::vector<PlanePoint> Columns; // of each point
-  const CellGrid Grid;
-  const PointLists InColumn;
+  const SpacePoints& Points;
+  const OccupiedColumns Occupied;
   std::vector<PointId> Chain;
-  std::vector<std::size_t> Position; // in the chain, for points between its ends
+  std::vector<std::size_t> Position; // in the chain, by the numbers of loop columns, for points between its ends
   std::size_t From = 0; // the positions that IsClear was asked about
   std::size_t To = 0;
   std::vector<std::uint64_t> Crossings; // see AddCrossings

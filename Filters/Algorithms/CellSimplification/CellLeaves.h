@@ -65,7 +65,10 @@ public:
   const std::vector<unsigned char>& BoundaryFlags() const { return this->OnBoundary; }
 
   /// How many points of the original horizon a point stands for; at least 1, whatever the horizon says.
-  std::int64_t Weight(PointId point) const { return std::max<std::int64_t>(1, this->Input.Count[std::size_t(point)]); }
+  std::int64_t Weight(PointId point) const
+  {
+    return this->Input.Count.empty() ? 1 : std::max<std::int64_t>(1, this->Input.Count[std::size_t(point)]);
+  }
 
   /// Sorts the points of every cell into groups of equal key(point), an std::int64_t, in ascending order. Each group is
   /// one leaf then.

@@ -12,26 +12,26 @@
 #include <cstddef>
 #include <sstream>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-std::vector<PlanePoint> ToColumns(const BoundedHorizon& horizon)
+/// From places in sub-voxels to those in columns.
+void PutOnColumns(BoundedHorizon& horizon)
 {
-  std::vector<PlanePoint> columns;
-  columns.reserve(horizon.Plane.size());
-  for (const PlanePoint& place : horizon.Plane)
+  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
   {
-    if (place.X % horizon.SubVoxelsPerColumn != 0 || place.Y % horizon.SubVoxelsPerColumn != 0)
+    PlanePoint& place = horizon.Plane[point];
+    const PlanePoint column = { place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn };
+    if (column.X * horizon.SubVoxelsPerColumn != place.X || column.Y * horizon.SubVoxelsPerColumn != place.Y)
     {
-      throw InputError("point " + std::to_string(columns.size()) +
+      throw InputError("point " + std::to_string(point) +
         " stands beside its column, expected whole columns: horizons are decimated before points are merged");
     }
-    columns.push_back({ place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn });
+    place = column;
   }
-  return columns;
 }
 
 // With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
@@ -111,14 +111,11 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
       std::to_string(mesh.NumberOfVertices()) + " of the loops, which are kept");
   }
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& options, const Monitor& monitor)
+/// Of a horizon on columns.
+Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
 {
-  Check(options);
-  const std::vector<PlanePoint> columns = ToColumns(horizon);
-  HeightMesh mesh(horizon, columns, monitor.Step(0.0, 0.1));
+  HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
   CheckNumberOfPoints(mesh, most);
   Refine(mesh, options, monitor.Step(0.1, 0.9));
@@ -127,8 +124,17 @@ Decimation Decimate(const BoundedHorizon& horizon, const DecimationOptions& opti
     // No vertex can go to a neighbour any more, as none of these sees all of what is around it. That is rare.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
-    return Decimate(horizon, fast, monitor.Step(0.9, 1.0));
+    return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0));
   }
   return MakeResult(mesh, monitor.Step(0.9, 1.0));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+{
+  Check(options);
+  PutOnColumns(horizon);
+  return Run(std::move(horizon), options, monitor);
 }
 }

@@ -42,34 +42,30 @@ public:
     : Surface(mesh)
     , Mesh(mesh.Triangles())
     , Reach(reach)
-    , Heights(mesh.Heights())
-    , Unknown(this->Heights.size(), -1)
+    , Inner(mesh.Heights())
+    , Unknown(mesh.VertexMarks().size(), -1)
   {
-    for (PointId point = 0; std::size_t(point) < this->Heights.size(); ++point)
+    for (std::size_t n = 0; n < this->Inner.Points.size(); ++n)
     {
-      if (mesh.IsVertex(point) && !mesh.IsOnLoop(point))
-      {
-        this->Unknown[std::size_t(point)] = int(this->Free.size());
-        this->Free.push_back(point);
-      }
+      this->Unknown[std::size_t(this->Inner.Points[n])] = int(n);
     }
   }
 
-  std::vector<double> Run(const std::vector<int>& powers, const Monitor& monitor)
+  InnerHeights Run(const std::vector<int>& powers, const Monitor& monitor)
   {
-    for (std::size_t step = 0; step < powers.size() && !this->Free.empty(); ++step)
+    for (std::size_t step = 0; step < powers.size() && !this->Inner.Points.empty(); ++step)
     {
       monitor.Progress(double(step) / double(powers.size()));
       this->Improve(powers[step]);
     }
-    return std::move(this->Heights);
+    return std::move(this->Inner);
   }
 
 private:
   /// Solves for how far heights have to move, and moves them a part of it.
   void Improve(int power)
   {
-    const auto unknowns = Eigen::Index(this->Free.size());
+    const auto unknowns = Eigen::Index(this->Inner.Points.size());
     Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
     this->Assemble(this->MakeElements(power), matrix, right);
@@ -79,9 +75,9 @@ private:
     const Eigen::VectorXd moves = solver.compute(matrix).solve(right) / double(power - 1);
     for (Eigen::Index n = 0; n < unknowns; ++n)
     {
-      const std::size_t point = std::size_t(this->Free[std::size_t(n)]);
-      const double column = this->Surface.Input().Height[point];
-      this->Heights[point] = std::clamp(this->Heights[point] + moves[n], column - this->Reach, column + this->Reach);
+      const double column = this->Surface.ColumnHeight(this->Inner.Points[std::size_t(n)]);
+      double& height = this->Inner.Heights[std::size_t(n)];
+      height = std::clamp(height + moves[n], column - this->Reach, column + this->Reach);
     }
   }
 
@@ -99,7 +95,11 @@ private:
     RaisedTriangle raised = this->Surface.RaisedCorners(triangle);
     for (int corner = 0; corner < 3; ++corner)
     {
-      raised[std::size_t(corner)].Height = this->Heights[std::size_t(this->Mesh.Corner(triangle, corner))];
+      const int unknown = this->UnknownAt(triangle, corner);
+      if (unknown >= 0)
+      {
+        raised[std::size_t(corner)].Height = this->Inner.Heights[std::size_t(unknown)];
+      }
     }
     const double perArea = 1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column));
     Element element;
@@ -173,15 +173,13 @@ private:
   const HeightMesh& Surface;
   const PlaneMesh& Mesh;
   const double Reach;
-  std::vector<double> Heights; // by point
-  std::vector<int> Unknown; // by point
-  std::vector<PointId> Free; // the points whose heights can move
+  InnerHeights Inner;
+  std::vector<int> Unknown; // by point, its position among these or -1
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<double> FitHeights(
-  const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor)
+InnerHeights FitHeights(const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor)
 {
   return HeightFitter(mesh, reach).Run(Powers(priority), monitor);
 }

@@ -16,15 +16,12 @@
 #include "Common/Monitor.h"
 #include "Decimation.h"
 #include "HeightMesh.h"
-
-#include <vector>
+#include "InnerHeights.h"
 
 namespace SeismicHorizons
 {
-/// By point, the heights of the vertices of the mesh; those on loops stay, and no other moves farther than `reach` from
-/// that of its column. All other points keep their heights.
-std::vector<double> FitHeights(
-  const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor);
+/// The heights of the vertices of the mesh that are on no loop: none is farther than `reach` from that of its column.
+InnerHeights FitHeights(const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor);
 }
 
 #endif

@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -24,28 +25,7 @@ constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon()
 // How many triangles a thread measures at a time.
 constexpr std::int64_t Grain = 64;
 
-/// The mesh of the loops alone, over the points of the whole horizon.
-RawVector<PointId> MeshLoops(const BoundedHorizon& horizon, const std::vector<std::int32_t>& patches,
-  const std::vector<unsigned char>& isOnLoop, const Monitor& monitor)
-{
-  const Selection loops(isOnLoop);
-  BoundedHorizon outline;
-  outline.SubVoxelsPerColumn = horizon.SubVoxelsPerColumn;
-  for (const PointId point : loops.Points)
-  {
-    outline.Plane.push_back(horizon.Plane[std::size_t(point)]);
-    outline.Patch.push_back(patches[std::size_t(point)]);
-  }
-  outline.Boundary = horizon.Boundary.Renumbered(loops.Numbers);
-  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
-  for (PointId& point : triangles)
-  {
-    point = loops.Points[std::size_t(point)];
-  }
-  return triangles;
-}
-
-/// Patches numbered from 0 on without gaps, by point.
+/// Patches numbered from 0 on without gaps, by point. Points without a patch stay so.
 std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 {
   // Numbers come in long runs.
@@ -54,6 +34,10 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
   std::int32_t* number = nullptr;
   for (std::int32_t& patch : patches)
   {
+    if (patch < 0)
+    {
+      continue;
+    }
     if (!number || patch != last)
     {
       last = patch;
@@ -63,27 +47,76 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
   }
   return patches;
 }
-
-double FindRounding(const std::vector<double>& heights)
-{
-  const auto ends = std::minmax_element(heights.begin(), heights.end());
-  return heights.empty() ? 0.0 : UnitsOfRounding * std::max(std::abs(*ends.first), std::abs(*ends.second));
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightMesh::HeightMesh(const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const Monitor& monitor)
-  : Horizon(horizon)
-  , Columns(columns)
-  , Patches(Renumber(horizon.Patch))
-  , LoopMarks(horizon.Boundary.MarkPoints(horizon.Plane.size()))
+HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
+  : Horizon(std::move(horizon))
+  , Patches(Renumber(std::move(this->Horizon.Patch)))
+  , Points(std::size_t(
+      std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
+  , LoopMarks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
   , Marks(this->LoopMarks)
   , Vertices(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
-  , Mesh(columns, MeshLoops(horizon, this->Patches, this->LoopMarks, monitor))
-  , VertexHeights(horizon.Height)
-  , RoundingError(FindRounding(horizon.Height))
+  , Mesh(this->Horizon.Plane, this->MeshLoops(monitor))
+  , VertexHeights(std::move(this->Horizon.Height))
 {
+  this->FindRange();
   this->MakeRasters();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundedHorizon HeightMesh::TakeHorizon()
+{
+  for (PointId point = 0; std::size_t(point) < this->VertexHeights.size(); ++point)
+  {
+    if (this->IsVertex(point))
+    {
+      this->VertexHeights[std::size_t(point)] = this->ColumnHeight(point);
+    }
+  }
+  this->Horizon.Height = std::move(this->VertexHeights);
+  this->Horizon.Patch = std::move(this->Patches);
+  return std::move(this->Horizon);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The mesh of the loops alone, over the points of the whole horizon.
+RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
+{
+  const Selection loops(this->LoopMarks);
+  BoundedHorizon outline;
+  outline.SubVoxelsPerColumn = this->Horizon.SubVoxelsPerColumn;
+  for (const PointId point : loops.Points)
+  {
+    const PlanePoint& column = this->Columns()[std::size_t(point)];
+    outline.Plane.push_back({ column.X * outline.SubVoxelsPerColumn, column.Y * outline.SubVoxelsPerColumn });
+    outline.Patch.push_back(this->Patches[std::size_t(point)]);
+  }
+  outline.Boundary = this->Horizon.Boundary.Renumbered(loops.Numbers);
+  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
+  for (PointId& point : triangles)
+  {
+    point = loops.Points[std::size_t(point)];
+  }
+  return triangles;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::FindRange()
+{
+  this->LowestPoint = std::numeric_limits<double>::infinity();
+  this->HighestPoint = -this->LowestPoint;
+  for (std::size_t point = 0; point < this->VertexHeights.size(); ++point)
+  {
+    if (this->Patches[point] >= 0)
+    {
+      this->LowestPoint = std::min(this->LowestPoint, this->VertexHeights[point]);
+      this->HighestPoint = std::max(this->HighestPoint, this->VertexHeights[point]);
+    }
+  }
+  this->RoundingError =
+    this->Points == 0 ? 0.0 : UnitsOfRounding * std::max(std::abs(this->LowestPoint), std::abs(this->HighestPoint));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -92,19 +125,52 @@ void HeightMesh::MakeRasters()
 {
   const std::vector<std::int32_t>& patch = this->Patches;
   const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
-  const ItemLists<PointId> points(patches,
-    [&patch](auto&& add)
+  const auto forEachPoint = [&patch](auto&& add)
+  {
+    for (std::size_t point = 0; point < patch.size(); ++point)
     {
-      for (std::size_t point = 0; point < patch.size(); ++point)
+      if (patch[point] >= 0)
       {
         add(patch[point], PointId(point));
       }
-    });
+    }
+  };
+  if (patches == 1)
+  {
+    this->Rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
+      this->Columns(), this->VertexHeights);
+    return;
+  }
+  const ItemLists<PointId> points(patches, forEachPoint);
   this->Rasters.reserve(std::size_t(patches));
   for (std::int32_t number = 0; number < patches; ++number)
   {
-    this->Rasters.emplace_back(
-      std::vector<PointId>(points.begin(number), points.end(number)), this->Columns, this->Horizon.Height);
+    this->Rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
+      this->Columns(), this->VertexHeights);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+InnerHeights HeightMesh::Heights() const
+{
+  InnerHeights heights;
+  for (PointId point = 0; std::size_t(point) < this->Marks.size(); ++point)
+  {
+    if (this->IsVertex(point) && !this->IsOnLoop(point))
+    {
+      heights.Points.push_back(point);
+      heights.Heights.push_back(this->Height(point));
+    }
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SetHeights(const InnerHeights& heights)
+{
+  for (std::size_t n = 0; n < heights.Points.size(); ++n)
+  {
+    this->VertexHeights[std::size_t(heights.Points[n])] = heights.Heights[n];
   }
 }
 
@@ -113,7 +179,7 @@ void HeightMesh::MarkVertex(PointId point, bool isVertex)
 {
   this->Marks[std::size_t(point)] = isVertex ? 1 : 0;
   this->Vertices += isVertex ? 1 : -1;
-  this->VertexHeights[std::size_t(point)] = this->Horizon.Height[std::size_t(point)];
+  this->VertexHeights[std::size_t(point)] = this->ColumnHeight(point);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -213,15 +279,6 @@ double HeightMesh::LargestError() const
     largest = std::max(largest, error.Largest);
   }
   return largest;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double HeightMesh::HeightRange() const
-{
-  const std::vector<double>& heights = this->Horizon.Height;
-  const auto ends = std::minmax_element(heights.begin(), heights.end());
-  const double range = heights.empty() ? 0.0 : *ends.second - *ends.first;
-  return range > 0.0 ? range : 1.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

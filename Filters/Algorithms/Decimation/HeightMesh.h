@@ -10,6 +10,7 @@
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
 #include "HeightRaster.h"
+#include "InnerHeights.h"
 #include "PlaneMesh.h"
 
 #include <cstddef>
@@ -22,10 +23,17 @@ namespace SeismicHorizons
 class HeightMesh
 {
 public:
-  /// Meshes the loops. `columns` are those of all points. Keeps references.
-  HeightMesh(const BoundedHorizon& horizon, const std::vector<PlanePoint>& columns, const Monitor& monitor);
+  /// Meshes the loops. The places of the horizon are whole columns, whatever its number of sub-voxels is.
+  HeightMesh(BoundedHorizon horizon, const Monitor& monitor);
 
-  const BoundedHorizon& Input() const { return this->Horizon; }
+  /// Gives the horizon back; the mesh can not be used any more.
+  BoundedHorizon TakeHorizon();
+
+  /// How many points the horizon has: those with a patch.
+  std::size_t NumberOfPoints() const { return this->Points; }
+  bool HasPoint(PointId point) const { return this->Patches[std::size_t(point)] >= 0; }
+  const Loops& Boundary() const { return this->Horizon.Boundary; }
+  std::int32_t SubVoxelsPerColumn() const { return this->Horizon.SubVoxelsPerColumn; }
   const PlaneMesh& Triangles() const { return this->Mesh; }
   PlaneMesh& Triangles() { return this->Mesh; }
 
@@ -40,13 +48,20 @@ public:
   /// Numbers triangles anew after some went.
   void Compact();
 
-  /// By point, for vertices of the mesh those of the mesh: at first those of their columns.
-  const std::vector<double>& Heights() const { return this->VertexHeights; }
-  void SetHeights(std::vector<double> heights) { this->VertexHeights = std::move(heights); }
+  /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
+  double Height(PointId point) const { return this->VertexHeights[std::size_t(point)]; }
+  /// Of the horizon.
+  double ColumnHeight(PointId point) const
+  {
+    return this->RasterAt(point).HeightAt(this->Columns()[std::size_t(point)]);
+  }
+  /// Those of the vertices that are on no loop.
+  InnerHeights Heights() const;
+  void SetHeights(const InnerHeights& heights);
 
   RaisedPoint Raised(PointId point) const
   {
-    return { this->Columns[std::size_t(point)], this->VertexHeights[std::size_t(point)] };
+    return { this->Columns()[std::size_t(point)], this->VertexHeights[std::size_t(point)] };
   }
   RaisedTriangle RaisedCorners(TriangleId triangle) const
   {
@@ -54,10 +69,7 @@ public:
       this->Raised(this->Mesh.Corner(triangle, 2)) };
   }
   /// The heights of the patch that a triangle belongs to.
-  const HeightRaster& RasterOf(TriangleId triangle) const
-  {
-    return this->Rasters[std::size_t(this->Patches[std::size_t(this->Mesh.Corner(triangle, 0))])];
-  }
+  const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterAt(this->Mesh.Corner(triangle, 0)); }
 
   /// At the columns of a triangle.
   HeightError Measure(TriangleId triangle, const ErrorPower& power = ErrorPower()) const
@@ -100,25 +112,37 @@ public:
   /// How far rounding may put a triangle from a point.
   double Rounding() const { return this->RoundingError; }
   /// From the lowest point to the highest one, or 1 where all are equally high.
-  double HeightRange() const;
+  double HeightRange() const
+  {
+    return this->HighestPoint > this->LowestPoint ? this->HighestPoint - this->LowestPoint : 1.0;
+  }
 
 private:
+  const std::vector<PlanePoint>& Columns() const { return this->Horizon.Plane; }
+  const HeightRaster& RasterAt(PointId point) const
+  {
+    return this->Rasters[std::size_t(this->Patches[std::size_t(point)])];
+  }
+  RawVector<PointId> MeshLoops(const Monitor& monitor) const;
+  void FindRange();
   void MakeRasters();
   std::vector<TriangleId> AllTriangles() const;
   HeightError MeasureWithSides(TriangleId triangle) const;
   template <typename Measuring>
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
-  const BoundedHorizon& Horizon;
-  const std::vector<PlanePoint>& Columns;
-  std::vector<std::int32_t> Patches; // by point, without gaps
+  BoundedHorizon Horizon; // without what is in the members below
+  std::vector<std::int32_t> Patches; // by point, without gaps; negative for those that the horizon does not have
+  std::size_t Points;
   std::vector<unsigned char> LoopMarks; // by point
   std::vector<unsigned char> Marks; // by point
   std::size_t Vertices;
   PlaneMesh Mesh;
-  std::vector<HeightRaster> Rasters; // by patch
   std::vector<double> VertexHeights; // by point
-  double RoundingError;
+  double LowestPoint = 0.0;
+  double HighestPoint = 0.0;
+  double RoundingError = 0.0;
+  std::vector<HeightRaster> Rasters; // by patch
   std::vector<HeightError> Errors; // by triangle
 };
 

@@ -155,28 +155,24 @@ struct Plane
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightRaster::HeightRaster(
-  const std::vector<PointId>& points, const std::vector<PlanePoint>& columns, const std::vector<double>& heights)
+void HeightRaster::MakeColumns()
 {
-  for (const PointId point : points)
-  {
-    this->Box.Add(columns[std::size_t(point)]);
-  }
   this->Width = std::int64_t(this->Box.Greatest.X) - this->Box.Least.X + 1;
   const std::int64_t rows = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
   this->Points.assign(std::size_t(this->Width * rows), NoPoint);
   this->Heights.assign(this->Points.size() + 3, std::numeric_limits<double>::quiet_NaN()); // read four at a time
-  for (const PointId point : points)
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightRaster::Add(PointId point, const PlanePoint& column, double height)
+{
+  const std::size_t place = std::size_t(this->Place(column.X, column.Y));
+  if (this->Points[place] != NoPoint)
   {
-    const PlanePoint& column = columns[std::size_t(point)];
-    const std::size_t place = std::size_t(this->Place(column.X, column.Y));
-    if (this->Points[place] != NoPoint)
-    {
-      throw SameColumnError(this->Points[place], point, column);
-    }
-    this->Points[place] = point;
-    this->Heights[place] = heights[std::size_t(point)];
+    throw SameColumnError(this->Points[place], point, column);
   }
+  this->Points[place] = point;
+  this->Heights[place] = height;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -64,10 +64,22 @@ struct Crossing
 class HeightRaster
 {
 public:
-  /// For these points of a horizon, at least one. `columns` and `heights`, which are finite, are those of all its
-  /// points. Takes 12 bytes per column of the bounding box. Throws InputError when two stand in the same column.
-  HeightRaster(
-    const std::vector<PointId>& points, const std::vector<PlanePoint>& columns, const std::vector<double>& heights);
+  /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
+  /// `columns` and `heights`, which are finite, are those of all its points. Takes 12 bytes per column of the bounding
+  /// box. Throws InputError when two stand in the same column.
+  template <typename ForEachPoint>
+  HeightRaster(ForEachPoint&& forEachPoint, const std::vector<PlanePoint>& columns, const std::vector<double>& heights)
+  {
+    forEachPoint([&](PointId point) { this->Box.Add(columns[std::size_t(point)]); });
+    this->MakeColumns();
+    forEachPoint([&](PointId point) { this->Add(point, columns[std::size_t(point)], heights[std::size_t(point)]); });
+  }
+
+  /// Of a column with a point.
+  double HeightAt(const PlanePoint& column) const
+  {
+    return this->Heights[std::size_t(this->Place(column.X, column.Y))];
+  }
 
   /// At the columns inside a triangle and on its sides.
   HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
@@ -91,6 +103,8 @@ public:
   void ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const;
 
 private:
+  void MakeColumns();
+  void Add(PointId point, const PlanePoint& column, double height);
   template <int Power>
   HeightError Measure(const RaisedTriangle& triangle, double perUnit) const;
   template <int Power>

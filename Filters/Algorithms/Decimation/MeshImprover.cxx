@@ -62,13 +62,13 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
   const double largest = mesh.LargestError();
-  const std::vector<double> heights = FitHeights(mesh, priority, largest, monitor);
+  const InnerHeights heights = FitHeights(mesh, priority, largest, monitor);
   if (priority == DecimationPriority::LargestError)
   {
     MoveHeightsWithin(mesh, largest, heights);
     return;
   }
-  const std::vector<double> before = mesh.Heights();
+  const InnerHeights before = mesh.Heights();
   const double sum = mesh.SumOfErrors();
   mesh.SetHeights(heights);
   if (mesh.SumOfErrors() > sum)

@@ -21,8 +21,7 @@ class Collector
 {
 public:
   explicit Collector(const HeightMesh& mesh)
-    : Horizon(mesh.Input())
-    , Surface(mesh)
+    : Surface(mesh)
     , Mesh(mesh.Triangles())
   {
   }
@@ -44,11 +43,13 @@ private:
     Reduction& points = this->Result.Points;
     for (const PointId point : kept.Points)
     {
-      points.Plane.push_back(this->Horizon.Plane[std::size_t(point)]);
-      points.Height.push_back(this->Surface.Heights()[std::size_t(point)]);
-      points.Averaged.push_back(points.Height.back() != this->Horizon.Height[std::size_t(point)] ? 1 : 0);
+      const RaisedPoint place = this->Surface.Raised(point);
+      const std::int32_t size = this->Surface.SubVoxelsPerColumn();
+      points.Plane.push_back({ place.Column.X * size, place.Column.Y * size });
+      points.Height.push_back(place.Height);
+      points.Averaged.push_back(place.Height != this->Surface.ColumnHeight(point) ? 1 : 0);
     }
-    points.Boundary = this->Horizon.Boundary.Renumbered(kept.Numbers);
+    points.Boundary = this->Surface.Boundary().Renumbered(kept.Numbers);
     points.Source = std::move(kept.Points);
     points.Target = std::move(kept.Numbers);
   }
@@ -74,7 +75,7 @@ private:
     this->Surface.ForEachTriangle(
       monitor, [&](TriangleId triangle) { sums[std::size_t(triangle)] = this->AssignPointsOf(triangle); });
     const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    this->Result.MeanError = this->Horizon.Plane.empty() ? 0.0 : sum / double(this->Horizon.Plane.size());
+    this->Result.MeanError = this->Surface.NumberOfPoints() == 0 ? 0.0 : sum / double(this->Surface.NumberOfPoints());
     const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
     this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
   }
@@ -119,11 +120,13 @@ private:
   void CheckAllAssigned() const
   {
     const std::vector<PointId>& target = this->Result.Points.Target;
-    const auto outside = std::find(target.begin(), target.end(), NoPoint);
-    if (outside != target.end())
+    for (PointId point = 0; std::size_t(point) < target.size(); ++point)
     {
-      throw InputError("point " + std::to_string(outside - target.begin()) +
-        " lies outside the boundary of its patch, expected loops around all points");
+      if (target[std::size_t(point)] == NoPoint && this->Surface.HasPoint(point))
+      {
+        throw InputError("point " + std::to_string(point) +
+          " lies outside the boundary of its patch, expected loops around all points");
+      }
     }
   }
 
@@ -143,7 +146,6 @@ private:
     }
   }
 
-  const BoundedHorizon& Horizon;
   const HeightMesh& Surface;
   const PlaneMesh& Mesh;
   Decimation Result;

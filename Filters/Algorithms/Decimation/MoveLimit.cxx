@@ -15,13 +15,13 @@ constexpr double LeastPart = 0.25;
 class MoveLimit
 {
 public:
-  MoveLimit(HeightMesh& mesh, double error, const std::vector<double>& heights)
+  MoveLimit(HeightMesh& mesh, double error, const InnerHeights& heights)
     : Mesh(mesh)
     , Error(error)
     , Before(mesh.Heights())
     , After(heights)
     , Heights(heights)
-    , Parts(heights.size(), 1.0)
+    , Parts(heights.Points.size(), 1.0)
   {
   }
 
@@ -52,38 +52,39 @@ private:
     {
       for (int corner = 0; corner < 3 && this->IsFar[std::size_t(triangle)] != 0; ++corner)
       {
-        const bool isCornerMoved = this->MoveBack(std::size_t(this->Mesh.Triangles().Corner(triangle, corner)));
+        const bool isCornerMoved = this->MoveBack(this->Mesh.Triangles().Corner(triangle, corner));
         isMoved = isMoved || isCornerMoved;
       }
     }
     return isMoved;
   }
 
-  bool MoveBack(std::size_t point)
+  bool MoveBack(PointId point)
   {
-    const double before = this->Before[point];
-    if (this->Heights[point] == before)
+    const std::size_t n = this->Heights.Find(point);
+    if (n == InnerHeights::None || this->Heights.Heights[n] == this->Before.Heights[n])
     {
       return false;
     }
-    this->Parts[point] *= 0.5;
-    this->Heights[point] =
-      this->Parts[point] < LeastPart ? before : before + this->Parts[point] * (this->After[point] - before);
+    const double before = this->Before.Heights[n];
+    this->Parts[n] *= 0.5;
+    this->Heights.Heights[n] =
+      this->Parts[n] < LeastPart ? before : before + this->Parts[n] * (this->After.Heights[n] - before);
     return true;
   }
 
   HeightMesh& Mesh;
   const double Error;
-  const std::vector<double> Before; // by point, as are those below
-  const std::vector<double>& After;
-  std::vector<double> Heights;
+  const InnerHeights Before; // of the same vertices as those below
+  const InnerHeights& After;
+  InnerHeights Heights;
   std::vector<double> Parts;
   std::vector<unsigned char> IsFar; // by triangle
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<double>& heights)
+void MoveHeightsWithin(HeightMesh& mesh, double error, const InnerHeights& heights)
 {
   MoveLimit(mesh, error, heights).Run();
 }

@@ -7,14 +7,13 @@
 #define SeismicHorizonsMoveLimit_h
 
 #include "HeightMesh.h"
-
-#include <vector>
+#include "InnerHeights.h"
 
 namespace SeismicHorizons
 {
 /// Gives the mesh new heights, for which no triangle and no inner side has an error above the one given, but where all
 /// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays.
-void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<double>& heights);
+void MoveHeightsWithin(HeightMesh& mesh, double error, const InnerHeights& heights);
 }
 
 #endif

@@ -75,7 +75,7 @@ private:
   void FindVertices()
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    this->TriangleAt.assign(this->Mesh.Heights().size(), NoTriangle);
+    this->TriangleAt.assign(this->Mesh.VertexMarks().size(), NoTriangle);
     for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
     {
       for (int corner = 0; corner < 3; ++corner)
@@ -190,7 +190,7 @@ private:
       ((b.Height - to.Height) * double(SignedArea(c.Column, to.Column, place)) +
         (c.Height - to.Height) * double(SignedArea(to.Column, b.Column, place))) /
         area;
-    return std::abs(height - this->Mesh.Input().Height[std::size_t(point)]);
+    return std::abs(height - this->Mesh.ColumnHeight(point));
   }
 
   Ring FindRing(PointId point) const

@@ -12,43 +12,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// The values of some points.
-template <typename Value>
-std::vector<Value> Select(const std::vector<Value>& values, const std::vector<PointId>& points)
+void CheckColumns(const SurfacePoints& points)
 {
-  std::vector<Value> selected;
-  selected.reserve(points.size());
-  for (const PointId point : points)
+  for (std::size_t n = 0; n < points.Plane.size(); ++n)
   {
-    selected.push_back(values[std::size_t(point)]);
+    const PlanePoint column = points.Columns[n];
+    const PlanePoint exact = { column.X * points.SubVoxelsPerColumn, column.Y * points.SubVoxelsPerColumn };
+    if (points.Plane[n] != exact)
+    {
+      throw InputError("point " + std::to_string(n) + " stands beside its column, expected whole columns");
+    }
   }
-  return selected;
-}
-
-/// What two reductions, one after the other, make of the points of the first one.
-Reduction Chain(const Reduction& first, Reduction second)
-{
-  std::vector<PointId> target = Select(second.Target, first.Target);
-  second.Target = std::move(target);
-  second.Source = Select(first.Source, second.Source);
-  return second;
 }
 
 /// Runs the methods one after the other; a boundary is found again only when its holes change.
 class SurfaceMaker
 {
 public:
-  SurfaceMaker(const SurfacePoints& points, const SurfaceOptions& options)
-    : Points(points)
+  SurfaceMaker(SurfacePoints points, const SurfaceOptions& options)
+    : Points(std::move(points))
     , Options(options)
   {
-    this->Result.Parameters.Radius = options.Radius ? *options.Radius : ChooseRadius(points.Columns);
+    this->Points.Plane = std::vector<PlanePoint>();
+    this->Result.Parameters.Radius = options.Radius ? *options.Radius : ChooseRadius(this->Points.Columns);
   }
 
   Surface Run(const Monitor& monitor)
@@ -59,8 +52,6 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.4 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
-      this->Plane = std::vector<PlanePoint>(); // memory that the decimation can use
-      this->Height = std::vector<double>();
       this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
@@ -99,8 +90,9 @@ private:
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
     options.MaximumError = error;
-    return this->Result.Kept.empty() ? 0
-                                     : SeismicHorizons::Decimate(this->Horizon, options, monitor).Triangles.size() / 3;
+    return this->Result.Kept.empty()
+      ? 0
+      : SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
   }
 
   /// Finds the boundary with the holes that an error leaves open, and simplifies it for that error.
@@ -119,18 +111,41 @@ private:
     options.Method = OutlineMethod::FewestPoints;
     options.OutlineTolerance = parameters.OutlineTolerance;
     options.DistanceThreshold = parameters.DistanceThreshold;
-    const BoundarySimplification simplified =
-      SimplifyBoundary(ToSpacePoints(this->Plane, this->Height, this->Points.SubVoxelsPerColumn),
-        this->Result.Boundary.Boundary, options, monitor.Step(0.5, 1.0));
+    BoundarySimplification simplified = SimplifyBoundary(
+      SpacePoints(this->Columns(), this->Height(), 1), this->Result.Boundary.Boundary, options, monitor.Step(0.5, 1.0));
     this->Result.BoundaryDeviation = simplified.Deviation;
     this->Result.OutlineDeviation = simplified.OutlineDeviation;
-    this->Simplified = ToReduction(simplified, this->Plane, this->Height);
-    this->Horizon.SubVoxelsPerColumn = this->Points.SubVoxelsPerColumn;
-    this->Horizon.Plane = std::move(this->Simplified.Plane);
-    this->Horizon.Height = std::move(this->Simplified.Height);
-    this->Horizon.Patch = Select(this->Result.Boundary.Patch, this->Simplified.Source);
-    this->Horizon.Boundary = std::move(this->Simplified.Boundary);
+    this->Dropped = std::move(simplified.Dropped);
+    this->Outlines = std::move(simplified.Boundary);
   }
+
+  /// Of the points that have a patch.
+  std::vector<PlanePoint>& Columns() { return this->Result.Kept.AreAll() ? this->Points.Columns : this->KeptColumns; }
+  std::vector<double>& Height() { return this->Result.Kept.AreAll() ? this->Points.Height : this->KeptHeight; }
+
+  /// The horizon within its simplified outlines, to be decimated. Points that were dropped from these are without
+  /// patch.
+  BoundedHorizon MakeHorizon(std::vector<PlanePoint> columns, std::vector<double> height) const
+  {
+    BoundedHorizon horizon;
+    horizon.SubVoxelsPerColumn = this->Points.SubVoxelsPerColumn;
+    horizon.Plane = std::move(columns);
+    for (PlanePoint& place : horizon.Plane)
+    {
+      place = { place.X * horizon.SubVoxelsPerColumn, place.Y * horizon.SubVoxelsPerColumn };
+    }
+    horizon.Height = std::move(height);
+    horizon.Patch = this->Result.Boundary.Patch;
+    for (const DroppedPoint& dropped : this->Dropped)
+    {
+      horizon.Patch[std::size_t(dropped.Point)] = NoPatch;
+    }
+    horizon.Boundary = this->Outlines;
+    return horizon;
+  }
+
+  BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Columns(), this->Height()); }
+  BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Columns()), std::move(this->Height())); }
 
   void FindBoundary(const Monitor& monitor)
   {
@@ -150,8 +165,11 @@ private:
     parameters.SmallestHoleSize = options.SmallestHoleSize;
     this->Result.Boundary = FindExteriorBoundary(this->Points.Columns, options, monitor);
     this->Result.Kept = DropPointsWithoutPatch(this->Result.Boundary);
-    this->Plane = Select(this->Points.Plane, this->Result.Kept);
-    this->Height = Select(this->Points.Height, this->Result.Kept);
+    if (!this->Result.Kept.AreAll())
+    {
+      this->KeptColumns = this->Result.Kept.Select(this->Points.Columns);
+      this->KeptHeight = this->Result.Kept.Select(this->Points.Height);
+    }
     this->HasBoundary = true;
   }
 
@@ -176,36 +194,40 @@ private:
       options.MaximumError = parameters.MaximumError;
     }
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
-    this->Result.Mesh = SeismicHorizons::Decimate(this->Horizon, options, monitor.Step(0.2, 1.0));
-    this->Result.Mesh.Points = Chain(this->Simplified, std::move(this->Result.Mesh.Points));
+    this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
+    std::vector<PointId>& target = this->Result.Mesh.Points.Target;
+    for (const DroppedPoint& dropped : this->Dropped)
+    {
+      target[std::size_t(dropped.Point)] = target[std::size_t(dropped.Target)];
+    }
   }
 
   /// So many points that the mesh has no more triangles than it may. With those of the loops alone it has a number of
   /// triangles that depends on nothing else, and two more for each point inside.
-  std::size_t FindNumberOfPoints(const Monitor& monitor) const
+  std::size_t FindNumberOfPoints(const Monitor& monitor)
   {
-    const std::size_t onLoops = this->Horizon.Boundary.CountPoints(this->Horizon.Plane.size());
+    const std::size_t onLoops = this->Outlines.CountPoints(this->Result.Kept.size());
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
     options.FitHeights = false;
     options.MaximumNumberOfPoints = onLoops;
-    const std::size_t least = SeismicHorizons::Decimate(this->Horizon, options, monitor).Triangles.size() / 3;
+    const std::size_t least = SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
     const std::size_t most = this->Options.MaximumNumberOfTriangles;
     if (least > most)
     {
       throw TooFewTriangles(most, least);
     }
-    return std::min(onLoops + (most - least) / 2, this->Horizon.Plane.size());
+    return std::min(onLoops + (most - least) / 2, this->Result.Kept.size() - this->Dropped.size());
   }
 
-  const SurfacePoints& Points;
+  SurfacePoints Points; // moved away by the last run
   const SurfaceOptions& Options;
   Surface Result;
   bool HasBoundary = false;
-  std::vector<PlanePoint> Plane; // of the points that have a patch, as their heights
-  std::vector<double> Height;
-  Reduction Simplified; // of these; its places and loops are those of the horizon
-  BoundedHorizon Horizon; // the same, to be decimated
+  std::vector<PlanePoint> KeptColumns; // of the points that have a patch, where some have none
+  std::vector<double> KeptHeight;
+  DroppedPoints Dropped; // from the outlines of these
+  Loops Outlines; // without them
 };
 }
 
@@ -219,7 +241,7 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Surface MakeSurface(const SurfacePoints& points, const SurfaceOptions& options, const Monitor& monitor)
+Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const Monitor& monitor)
 {
   if (options.MaximumNumberOfTriangles == 0)
   {
@@ -227,6 +249,7 @@ Surface MakeSurface(const SurfacePoints& points, const SurfaceOptions& options, 
   }
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   CheckAtLeast("distance threshold", options.DistanceThreshold.value_or(0.0), 0.0, " lattice units");
-  return SurfaceMaker(points, options).Run(monitor);
+  CheckColumns(points);
+  return SurfaceMaker(std::move(points), options).Run(monitor);
 }
 }

@@ -18,6 +18,7 @@
 #define SeismicHorizonsSurface_h
 
 #include "Boundary/ExteriorBoundary.h"
+#include "Common/KeptPoints.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 #include "Decimation/Decimation.h"
@@ -62,7 +63,7 @@ struct SurfaceParameters
 struct SurfacePoints
 {
   std::vector<PlanePoint> Columns;
-  std::vector<PlanePoint> Plane; // the same in sub-voxels
+  std::vector<PlanePoint> Plane; // in sub-voxels, which have to be those of the columns; empty: they are
   std::vector<double> Height; // lattice units
   std::int32_t SubVoxelsPerColumn = 1;
 };
@@ -71,7 +72,7 @@ struct Surface
 {
   SurfaceParameters Parameters;
   /// The points that have a patch, by which the boundary numbers them.
-  std::vector<PointId> Kept;
+  KeptPoints Kept;
   ExteriorBoundary Boundary;
   /// How far points are from the simplified outlines (BoundarySimplification.h).
   double BoundaryDeviation = 0.0;
@@ -84,7 +85,7 @@ struct Surface
 /// triangles below those that outlines take alone. At most MostSearchRuns (ErrorSearch.h) decimations of the fast
 /// effort come before the last one for a number of triangles.
 Surface MakeSurface(
-  const SurfacePoints& points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
+  SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
 
 /// The columns of the smallest hole that is left open.
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);

@@ -29,17 +29,18 @@ BoundedHorizon Strip(const std::vector<double>& heights)
 
 BoundarySimplification Simplify(const BoundedHorizon& horizon, double threshold)
 {
-  return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, threshold);
+  return SimplifyBoundary(horizon, horizon.Boundary, threshold);
 }
 
 /// Which points of the lower row of a strip stay.
 std::vector<PointId> KeptBelow(const std::vector<double>& heights, double threshold)
 {
   const BoundarySimplification result = Simplify(Strip(heights), threshold);
+  const std::vector<PointId> targets = FindTargets(result, 2 * heights.size());
   std::vector<PointId> kept;
   for (PointId point = 0; point < PointId(heights.size()); ++point)
   {
-    if (result.Target[std::size_t(point)] == point)
+    if (targets[std::size_t(point)] == point)
     {
       kept.push_back(point);
     }
@@ -94,7 +95,7 @@ void TestDroppedPointsAreCounted()
   const PointId expected[] = { 0, 0, 0, 5, 5, 5 };
   for (std::size_t point = 0; point < 6; ++point)
   {
-    CHECK_EQUAL(result.Target[point], expected[point]);
+    CHECK_EQUAL(FindTargets(result, 12)[point], expected[point]);
   }
 }
 
@@ -104,12 +105,9 @@ std::vector<PlanePoint> Dropped(const std::vector<std::string>& picture)
   const Patches::Columns columns = Patches::FromPicture(picture);
   const BoundarySimplification result = Simplify(MakeLevelHorizon(columns), 0.4);
   std::vector<PlanePoint> dropped;
-  for (std::size_t point = 0; point < columns.size(); ++point)
+  for (const DroppedPoint& one : result.Dropped)
   {
-    if (result.Target[point] != PointId(point))
-    {
-      dropped.push_back(columns[point]);
-    }
+    dropped.push_back(columns[std::size_t(one.Point)]);
   }
   return dropped;
 }
@@ -155,7 +153,7 @@ void TestLoopThatBeginsAnywhere()
       if (std::count(after.begin(), after.end(), wanted.front()) == 1 && horizon.Boundary.Size() == 1)
       {
         CHECK((after == wanted));
-        CHECK((found.Target == expected.Target));
+        CHECK((FindTargets(found, columns.size()) == FindTargets(expected, columns.size())));
       }
     }
   }
@@ -234,7 +232,7 @@ void TestBoundDeviation()
   BoundarySimplificationOptions options;
   options.BoundDeviation = true;
   const BoundedHorizon strip = Strip(heights);
-  const BoundarySimplification result = SimplifyBoundary(ToSpacePoints(strip), strip.Boundary, options);
+  const BoundarySimplification result = SimplifyBoundary(strip, strip.Boundary, options);
   CHECK(result.Deviation > 0.0 && result.Deviation <= 0.4);
   Patches::Random random(8);
   for (int n = 0; n < 300; ++n)
@@ -243,7 +241,7 @@ void TestBoundDeviation()
     const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
     options.DistanceThreshold = 2.0 * random.Fraction();
     options.OutlineTolerance = n / int(Patches::Shape::Count) % 2; // corners, too, are dropped one by one
-    const BoundarySimplification bound = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options);
+    const BoundarySimplification bound = SimplifyBoundary(horizon, horizon.Boundary, options);
     CHECK(bound.Deviation <= std::hypot(options.DistanceThreshold, options.OutlineTolerance));
     CHECK(bound.OutlineDeviation <= options.OutlineTolerance);
   }
@@ -260,9 +258,9 @@ void TestStaircase()
   const Patches::Columns columns = Patches::FromPicture(picture);
   const BoundedHorizon horizon = MakeHorizon(columns, std::vector<double>(columns.size(), 5.0));
   BoundarySimplificationOptions options;
-  const std::size_t before = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options).Boundary.TotalLength();
+  const std::size_t before = SimplifyBoundary(horizon, horizon.Boundary, options).Boundary.TotalLength();
   options.OutlineTolerance = 0.5;
-  const BoundarySimplification result = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options);
+  const BoundarySimplification result = SimplifyBoundary(horizon, horizon.Boundary, options);
   CHECK_EQUAL(before, 20u);
   CHECK_EQUAL(result.Boundary.TotalLength(), 5u);
   CHECK(result.OutlineDeviation > 0.4 && result.OutlineDeviation <= 0.5);
@@ -302,7 +300,7 @@ void TestOutlineTolerance()
     const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random), kind);
     const BoundarySimplificationOptions options = RandomOptions(random);
     const std::vector<SpacePoint> points = ToSpacePoints(horizon);
-    const BoundarySimplification result = SimplifyBoundary(points, horizon.Boundary, options);
+    const BoundarySimplification result = SimplifyBoundary(horizon, horizon.Boundary, options);
     CHECK(result.OutlineDeviation <= options.OutlineTolerance);
     for (std::size_t loop = 0; loop < result.Boundary.Size(); ++loop)
     {
@@ -327,7 +325,7 @@ void TestPointsInTheWay()
   BoundaryOptions holes;
   holes.HoleBoundaries = true;
   const BoundedHorizon horizon = MakeLevelHorizon(columns, holes);
-  const BoundedHorizon result = Drop(horizon, SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options));
+  const BoundedHorizon result = Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, options));
   CHECK_EQUAL(result.Boundary.Size(), 3u);
   CHECK_EQUAL(BoundaryChecker::CheckCrossings(result), std::string());
   CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
@@ -340,8 +338,8 @@ void TestErrors()
   CHECK_THROWS_WITH(Simplify(horizon, std::numeric_limits<double>::quiet_NaN()), "distance threshold nan");
   BoundarySimplificationOptions options;
   options.OutlineTolerance = -1.0;
-  CHECK_THROWS_WITH(SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, options),
-    "outline tolerance -1, expected at least 0 columns");
+  CHECK_THROWS_WITH(
+    SimplifyBoundary(horizon, horizon.Boundary, options), "outline tolerance -1, expected at least 0 columns");
 }
 
 /// Each of many loops can be the last.
@@ -353,9 +351,8 @@ void TestMonitor()
     picture += "#.";
   }
   const BoundedHorizon horizon = MakeHorizon(Patches::FromPicture({ picture }), std::vector<double>(200, 0.0));
-  CHECK_EQUAL(
-    MonitorChecker::Check(
-      4, [&](const Monitor& monitor) { SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, 0.4, monitor); }),
+  CHECK_EQUAL(MonitorChecker::Check(
+                4, [&](const Monitor& monitor) { SimplifyBoundary(horizon, horizon.Boundary, 0.4, monitor); }),
     std::string());
 }
 }

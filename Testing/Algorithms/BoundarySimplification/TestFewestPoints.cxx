@@ -29,7 +29,7 @@ BoundarySimplificationOptions Options(double tolerance, double threshold)
 
 BoundarySimplification Simplify(const BoundedHorizon& horizon, double tolerance, double threshold)
 {
-  return SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(tolerance, threshold));
+  return SimplifyBoundary(horizon, horizon.Boundary, Options(tolerance, threshold));
 }
 
 /// The columns of the points that the loops of a level horizon keep.
@@ -105,9 +105,11 @@ void TestAlignedHops()
 {
   for (int hop = 0; hop < 144; ++hop)
   {
-    const double x = 1 + hop % 12;
-    const double y = hop / 12;
-    const std::vector<SpacePoint> points = { { 0, 0, 0 }, { x, y, 1 }, { 3 * x, 3 * y, 3 }, { 0, 50, 0 } };
+    const int x = 1 + hop % 12;
+    const int y = hop / 12;
+    BoundedHorizon points;
+    points.Plane = { { 0, 0 }, { x, y }, { 3 * x, 3 * y }, { 0, 50 } };
+    points.Height = { 0, 1, 3, 0 };
     Loops loop;
     for (const PointId point : { 0, 3, 2, 1 })
     {
@@ -253,8 +255,8 @@ void TestErrors()
   const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ "####", "####", "####", "####" }));
   CHECK_THROWS_WITH(Simplify(horizon, -1.0, 0.5), "outline tolerance -1, expected at least 0 columns");
   CHECK_THROWS_WITH(Simplify(horizon, 1.0, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
-  std::vector<SpacePoint> points = ToSpacePoints(horizon);
-  points[5].X += 0.5;
+  BoundedHorizon points = horizon;
+  points.Plane[5].X += points.SubVoxelsPerColumn / 2;
   CHECK_THROWS_WITH(SimplifyBoundary(points, horizon.Boundary, Options(1.0, 1.0)),
     "point 5 at (1.5, 1) stands beside its column, expected whole columns");
 }
@@ -267,7 +269,7 @@ void TestMonitor()
   Patches::Random random(45);
   const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
   const auto work = [&](const Monitor& monitor)
-  { SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, Options(1.0, 1.0), monitor); };
+  { SimplifyBoundary(horizon, horizon.Boundary, Options(1.0, 1.0), monitor); };
   CHECK_EQUAL(MonitorChecker::Check(10, work), std::string());
 }
 }

@@ -451,8 +451,7 @@ void TestRandomPatches()
     const double scale = n % 3 == 0 ? 6.0 : 1.0; // steep: several layers
     std::transform(heights.begin(), heights.end(), heights.begin(), [scale](double z) { return scale * z; });
     const BoundedHorizon full = MakeHorizon(columns, heights);
-    const BoundedHorizon horizon =
-      Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+    const BoundedHorizon horizon = Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
     ElaborateOptions options(1 + random.Below(11), 0.34 * random.Fraction());
     options.BoundaryDensityThreshold = random.Fraction();
     options.BoundaryExtentThreshold = 4.0 * random.Fraction();
@@ -483,7 +482,7 @@ void TestGeneratedHorizon()
   }
   const std::vector<double> heights(voxels.K.begin(), voxels.K.end());
   const BoundedHorizon full = MakeHorizon(MovedToOrigin(columns), heights);
-  const BoundedHorizon straight = Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 0.4));
+  const BoundedHorizon straight = Drop(full, SimplifyBoundary(full, full.Boundary, 0.4));
   const BoundedHorizon rough = Reduce(straight, SimplifyRough(straight, 3));
   std::size_t before = full.Plane.size();
   for (const double flatness : { 0.0, 0.03, 0.2 })

@@ -217,8 +217,7 @@ void TestRandomPatches()
     const Patches::Columns columns =
       MovedToOrigin(Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random));
     const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
-    const BoundedHorizon horizon =
-      Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+    const BoundedHorizon horizon = Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
     const int first = 1 + random.Below(6);
     const Reduction once = SimplifyRough(horizon, { first, RepresentativeKind(n % 5 == 0) });
     CHECK_EQUAL(Wrong(horizon, once, first), std::string());

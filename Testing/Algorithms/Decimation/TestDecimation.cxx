@@ -31,8 +31,7 @@ void TestPlane()
     heights.push_back(0.1 * column.X - 0.3 * column.Y + 1e6);
   }
   BoundedHorizon horizon = TestHorizons::MakeHorizon(columns, heights);
-  horizon = TestHorizons::Drop(
-    horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, { 1e-6, false, 0.0 }));
+  horizon = TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, { 1e-6, false, 0.0 }));
   const Decimation result = Decimate(horizon, Within(0.0));
   CHECK_EQUAL(result.Points.Source.size(), 4u);
   CHECK_EQUAL(result.Triangles.size(), 6u);
@@ -113,8 +112,7 @@ void TestBest()
   {
     horizon.Height[point] = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
   }
-  horizon = TestHorizons::Drop(
-    horizon, SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, { 0.25, true, 0.0 }));
+  horizon = TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, { 0.25, true, 0.0 }));
   for (const bool fitHeights : { false, true })
   {
     const Decimation fast = Decimate(horizon, Within(0.25, fitHeights));
@@ -218,6 +216,43 @@ void TestErrors()
   CHECK(Decimate(later).Triangles == Decimate(horizon).Triangles);
 }
 
+/// Points of a negative patch are as good as not there.
+void TestPointsWithoutPatch()
+{
+  Patches::Random random(19);
+  for (int n = 0; n < 60; ++n)
+  {
+    const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
+    const BoundedHorizon horizon = TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random));
+    const BoundarySimplification simplified = SimplifyBoundary(horizon, horizon.Boundary, { 1.0, true, 0.0 });
+    BoundedHorizon marked = horizon;
+    marked.Boundary = simplified.Boundary;
+    for (const DroppedPoint& dropped : simplified.Dropped)
+    {
+      marked.Patch[std::size_t(dropped.Point)] = -1;
+      marked.Height[std::size_t(dropped.Point)] = 1e9;
+    }
+    DecimationOptions options = Within(0.5);
+    if (n % 2 == 1)
+    {
+      options.MaximumError = 0.0;
+      options.MaximumNumberOfPoints = columns.size();
+    }
+    const Decimation expected = Decimate(TestHorizons::Drop(horizon, simplified), options);
+    const Decimation found = Decimate(marked, options);
+    CHECK((found.Triangles == expected.Triangles));
+    CHECK((found.Points.Height == expected.Points.Height && found.Points.Plane == expected.Points.Plane));
+    CHECK((found.Errors == expected.Errors));
+    CHECK_EQUAL(found.MeanError, expected.MeanError);
+    const KeptPoints kept = KeepOthers(simplified.Dropped, columns.size());
+    CHECK((kept.Select(found.Points.Target) == expected.Points.Target));
+    for (const DroppedPoint& dropped : simplified.Dropped)
+    {
+      CHECK_EQUAL(found.Points.Target[std::size_t(dropped.Point)], NoPoint);
+    }
+  }
+}
+
 void TestStop()
 {
   Patches::Random random(9);
@@ -239,6 +274,7 @@ int TestDecimation(int, char*[])
   TestSmallestAngle();
   TestThreads();
   TestErrors();
+  TestPointsWithoutPatch();
   TestStop();
   return Check::Result();
 }

@@ -46,8 +46,7 @@ BoundedHorizon MakePatch(int n, Patches::Random& random)
   boundary.Radius = 1 + n % 2;
   BoundedHorizon horizon = TestHorizons::MakeHorizon(columns, heights, boundary);
   return n % 2 == 1 ? horizon
-                    : TestHorizons::Drop(horizon,
-                        SimplifyBoundary(TestHorizons::ToSpacePoints(horizon), horizon.Boundary, { 1.0, false, 1.5 }));
+                    : TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, { 1.0, false, 1.5 }));
 }
 
 void CheckTargets(const BoundedHorizon& horizon, int n, Patches::Random& random)

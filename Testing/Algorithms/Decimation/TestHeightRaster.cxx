@@ -9,6 +9,7 @@
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -90,7 +91,8 @@ void TestMeasure(Patches::Random& random)
   }
   std::vector<PointId> points(columns.size());
   std::iota(points.begin(), points.end(), 0);
-  const HeightRaster raster(points, columns, heights);
+  const auto forEachPoint = [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); };
+  const HeightRaster raster(forEachPoint, columns, heights);
   for (int n = 0; n < 1000; ++n)
   {
     const std::array<PlanePoint, 3> t = RandomTriangle(30, random);
@@ -121,7 +123,8 @@ void TestSide()
   }
   std::vector<PointId> points(columns.size());
   std::iota(points.begin(), points.end(), 0);
-  const HeightRaster raster(points, columns, heights);
+  const auto forEachPoint = [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); };
+  const HeightRaster raster(forEachPoint, columns, heights);
   std::vector<unsigned char> marks(columns.size(), 0);
   const RaisedPoint from{ { 0, 0 }, 0.0 };
   const RaisedPoint to{ { 4, 2 }, 0.0 };

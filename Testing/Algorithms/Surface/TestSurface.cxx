@@ -86,7 +86,7 @@ std::string RunMethods(const SurfacePoints& points, const SurfaceOptions& given,
   straight.Method = OutlineMethod::FewestPoints;
   straight.OutlineTolerance = parameters.OutlineTolerance;
   straight.DistanceThreshold = parameters.DistanceThreshold;
-  const BoundarySimplification simplified = SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, straight);
+  const BoundarySimplification simplified = SimplifyBoundary(horizon, horizon.Boundary, straight);
   DecimationOptions decimation;
   decimation.MaximumError = parameters.MaximumNumberOfPoints > 0 ? 0.0 : parameters.MaximumError;
   decimation.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;

@@ -9,9 +9,13 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "Common/BoundedHorizon.h"
+#include "Common/DroppedPoints.h"
+#include "Common/SpacePoints.h"
 #include "Patches.h"
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace TestHorizons
 {
@@ -54,28 +58,46 @@ inline BoundedHorizon MakeLevelHorizon(
   return MakeHorizon(columns, std::vector<double>(columns.size(), 0.0), options);
 }
 
+/// The places of all points in lattice units.
+inline std::vector<SpacePoint> ToSpacePoints(const BoundedHorizon& horizon)
+{
+  const SpacePoints points(horizon);
+  std::vector<SpacePoint> places;
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    places.push_back(points[point]);
+  }
+  return places;
+}
+
+/// For each of so many points the one that stands for it in a simplified boundary: itself, unless it was dropped.
+inline std::vector<PointId> FindTargets(const BoundarySimplification& simplified, std::size_t points)
+{
+  std::vector<PointId> targets(points);
+  std::iota(targets.begin(), targets.end(), 0);
+  for (const DroppedPoint& dropped : simplified.Dropped)
+  {
+    targets[std::size_t(dropped.Point)] = dropped.Target;
+  }
+  return targets;
+}
+
 /// The horizon without the points that were dropped from its boundary.
 inline BoundedHorizon Drop(const BoundedHorizon& horizon, const BoundarySimplification& simplified)
 {
+  const KeptPoints kept = KeepOthers(simplified.Dropped, horizon.Plane.size());
   BoundedHorizon result;
   result.SubVoxelsPerColumn = horizon.SubVoxelsPerColumn;
-  std::vector<PointId> number(horizon.Plane.size(), NoPoint);
-  for (std::size_t point = 0; point < number.size(); ++point)
+  result.Plane = kept.Select(horizon.Plane);
+  result.Height = kept.Select(horizon.Height);
+  result.Patch = kept.Select(horizon.Patch);
+  result.Count = kept.Select(horizon.Count);
+  for (const DroppedPoint& dropped : simplified.Dropped)
   {
-    if (simplified.Target[point] == PointId(point))
-    {
-      number[point] = PointId(result.Plane.size());
-      result.Plane.push_back(horizon.Plane[point]);
-      result.Height.push_back(horizon.Height[point]);
-      result.Patch.push_back(horizon.Patch[point]);
-      result.Count.push_back(0);
-    }
+    const PointId target = NumberWithout(simplified.Dropped, dropped.Target);
+    result.Count[std::size_t(target)] += horizon.Count[std::size_t(dropped.Point)];
   }
-  for (std::size_t point = 0; point < number.size(); ++point)
-  {
-    result.Count[std::size_t(number[std::size_t(simplified.Target[point])])] += horizon.Count[point];
-  }
-  result.Boundary = simplified.Boundary.Renumbered(number);
+  result.Boundary = RenumberWithout(simplified.Dropped, simplified.Boundary);
   return result;
 }
 

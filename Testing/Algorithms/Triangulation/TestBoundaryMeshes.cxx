@@ -43,8 +43,7 @@ void TestMeshes()
       options.HoleBoundaries = which % 4 >= 2;
       const BoundedHorizon horizon = MakeHorizon(columns, heights, options);
       const bool isSound = CHECK_EQUAL(Check(horizon), std::string()) &&
-        CHECK_EQUAL(
-          Check(Drop(horizon, SimplifyBoundary(ToSpacePoints(horizon), horizon.Boundary, 0.4))), std::string()) &&
+        CHECK_EQUAL(Check(Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, 0.4))), std::string()) &&
         CHECK_EQUAL(Check(Reduce(horizon, SimplifyRough(horizon, 3))), std::string());
       if (!isSound)
       {

@@ -148,8 +148,7 @@ int TestCgalOracle(int, char*[])
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
     const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
     Compare(full);
-    const BoundedHorizon straight =
-      Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+    const BoundedHorizon straight = Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
     Compare(straight);
     Compare(Reduce(straight, SimplifyRough(straight, 1 + random.Below(7))));
   }

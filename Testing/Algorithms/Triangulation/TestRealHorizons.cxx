@@ -28,7 +28,7 @@ void CheckStages(const std::string& name, const Patches::Columns& columns, const
   const BoundedHorizon full = MakeHorizon(columns, heights);
   std::cout << name << ": " << columns.size() << " points, " << full.Boundary.Size() << " patches\n";
   CHECK_EQUAL(MeshChecker::CheckMesh(full, Triangulate(full).Triangles), std::string());
-  const BoundedHorizon straight = Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 0.4));
+  const BoundedHorizon straight = Drop(full, SimplifyBoundary(full, full.Boundary, 0.4));
   const BoundedHorizon rough = Reduce(straight, SimplifyRough(straight, 3));
   CHECK_EQUAL(MeshChecker::CheckMesh(rough, Triangulate(rough).Triangles), std::string());
   CHECK_EQUAL(std::accumulate(rough.Count.begin(), rough.Count.end(), std::int64_t(0)), std::int64_t(columns.size()));

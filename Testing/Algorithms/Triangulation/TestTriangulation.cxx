@@ -92,8 +92,7 @@ void TestRandomPatches()
       const Patches::Columns columns = Patches::Make(Patches::Shape(shape), random);
       const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
       CHECK_EQUAL(Mesh(full), std::string());
-      const BoundedHorizon straight =
-        Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+      const BoundedHorizon straight = Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
       CHECK_EQUAL(Mesh(straight), std::string());
       const BoundedHorizon rough = Reduce(straight, SimplifyRough(straight, 1 + random.Below(7)));
       CHECK_EQUAL(Mesh(rough), std::string());
@@ -170,7 +169,7 @@ void TestNonDelaunayEdgesAreCounted()
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
     const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
-    const BoundedHorizon straight = Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 5.0));
+    const BoundedHorizon straight = Drop(full, SimplifyBoundary(full, full.Boundary, 5.0));
     const BoundedHorizon horizon = n % 2 == 0 ? straight : Reduce(straight, SimplifyRough(straight, 3));
     std::set<std::pair<PointId, PointId>> edges;
     horizon.Boundary.ForEachEdge(

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsSpacePoints_h
+#define SeismicHorizonsSpacePoints_h
+
+#include "BoundedHorizon.h"
+#include "Types.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// The points of a horizon with their heights, in lattice units. They are made of what a horizon has when they are
+/// asked for, so that methods that look at few of them need no memory for all. Keeps references. A column has a power
+/// of two of sub-voxels.
+class SpacePoints
+{
+public:
+  SpacePoints(const std::vector<PlanePoint>& plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn)
+    : Plane(plane)
+    , Height(height)
+    , PerSubVoxel(1.0 / subVoxelsPerColumn)
+    , Bits(__builtin_ctz(unsigned(subVoxelsPerColumn)))
+  {
+  }
+
+  SpacePoints(const BoundedHorizon& horizon)
+    : SpacePoints(horizon.Plane, horizon.Height, horizon.SubVoxelsPerColumn)
+  {
+  }
+
+  std::size_t size() const { return this->Plane.size(); }
+
+  SpacePoint operator[](std::size_t n) const
+  {
+    return { this->Plane[n].X * this->PerSubVoxel, this->Plane[n].Y * this->PerSubVoxel, this->Height[n] };
+  }
+
+  bool IsOnColumn(std::size_t n) const
+  {
+    const PlanePoint column = this->Column(n);
+    return this->Plane[n].X == column.X << this->Bits && this->Plane[n].Y == column.Y << this->Bits;
+  }
+
+  /// The column of a point that is on one.
+  PlanePoint Column(std::size_t n) const { return { this->Plane[n].X >> this->Bits, this->Plane[n].Y >> this->Bits }; }
+
+private:
+  const std::vector<PlanePoint>& Plane;
+  const std::vector<double>& Height;
+  const double PerSubVoxel; // exact
+  const int Bits;
+};
+}
+
+#endif
