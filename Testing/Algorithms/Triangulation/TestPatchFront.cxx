@@ -67,7 +67,7 @@ void TestShapes()
       const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
       Compare(full);
       const BoundedHorizon straight =
-        Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 3.0 * random.Fraction()));
+        Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
       Compare(straight);
       Compare(Reduce(straight, SimplifyRough(straight, 1 + random.Below(7))));
     }
@@ -91,7 +91,7 @@ BoundedHorizon MakeLarge(Patches::Random& random)
     }
   }
   const BoundedHorizon full = MakeHorizon(columns, std::vector<double>(columns.size(), 0.0));
-  return Drop(full, SimplifyBoundary(ToSpacePoints(full), full.Boundary, 0.4));
+  return Drop(full, SimplifyBoundary(full, full.Boundary, 0.4));
 }
 
 void TestLarge()
