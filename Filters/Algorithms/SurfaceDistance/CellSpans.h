@@ -34,8 +34,14 @@ struct PlanTriangle
   /// Positive where sides turn left.
   double DoubledArea() const { return this->DoubledArea(0, this->Corner[2]); }
 
-  double Low(int axis) const { return std::min({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] }); }
-  double High(int axis) const { return std::max({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] }); }
+  double Low(int axis) const
+  {
+    return std::min({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] });
+  }
+  double High(int axis) const
+  {
+    return std::max({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] });
+  }
 };
 
 /// Whether all of another triangle is beyond one side of a triangle of that area, up to rounding.

@@ -18,8 +18,8 @@ namespace SeismicHorizons
 {
 using MetricValues = std::array<double, MostMetrics>; // by metric
 
-/// Each search begins with what the one before found, so that a probe serves one chunk: with the same places in the same
-/// order it finds the same triangles.
+/// Each search begins with what the one before found, so that a probe serves one chunk: with the same places in the
+/// same order it finds the same triangles.
 class DistanceProbe
 {
 public:
@@ -27,6 +27,7 @@ public:
   DistanceProbe(const TriangleSearch& to, const std::vector<Metric>& metrics)
     : To(to)
     , Metrics(metrics)
+    , NumberOfMetrics(metrics.size())
   {
   }
 
@@ -49,7 +50,7 @@ private:
   {
     const TriangleRaster* const raster = this->To.GetRaster();
     const std::int32_t across = raster != nullptr ? this->FindAcross(*raster, place) : -1;
-    for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
+    for (std::size_t metric = 0; metric < this->NumberOfMetrics; ++metric)
     {
       if (isWanted(metric))
       {
@@ -68,6 +69,7 @@ private:
 
   const TriangleSearch& To;
   const std::vector<Metric>& Metrics;
+  std::size_t NumberOfMetrics;
   Facet Across; // the last one above or below a place
   bool IsAcross = false; // whether it is above or below the last place
   std::array<std::int32_t, MostMetrics> Nearest = {};

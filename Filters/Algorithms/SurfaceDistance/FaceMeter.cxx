@@ -24,8 +24,8 @@ const double TotalWeight = std::ldexp(1.0, 60);
 class FaceMeter
 {
 public:
-  FaceMeter(const MeasuredSurface& from, const MeasuredSurface& to, double density, std::uint64_t seed,
-    Histograms& histograms)
+  FaceMeter(
+    const MeasuredSurface& from, const MeasuredSurface& to, double density, std::uint64_t seed, Histograms& histograms)
     : From(from)
     , Probe(to.Search, from.Metrics)
     , Density(density)
@@ -40,8 +40,7 @@ public:
 
   FaceSums Run(std::int64_t first, std::int64_t last)
   {
-    this->From.Search.ForEachTriangle(
-      first, last, [this](std::int32_t triangle) { this->MeasureTriangle(triangle); });
+    this->From.Search.ForEachTriangle(first, last, [this](std::int32_t triangle) { this->MeasureTriangle(triangle); });
     this->EmptyEntries();
     for (std::size_t metric = 0; metric < this->From.Metrics.size(); ++metric)
     {

@@ -7,6 +7,7 @@
 #define SeismicHorizonsFacet_h
 
 #include "Metric.h"
+#include "TriangleHeight.h"
 #include "TriangleSurface.h"
 
 #include <algorithm>
@@ -40,24 +41,13 @@ public:
   {
     const Corners& t = surface.Triangles[std::size_t(number)];
     this->Number = number;
-    this->Origin = surface.Point(t[0]);
     this->IsAlone = isAlone;
     this->Slack = slack;
-    this->Heights = { surface.Point(t[0]).z(), surface.Point(t[1]).z(), surface.Point(t[2]).z() };
-    const Eigen::Vector3d sides[3] = { surface.Point(t[1]) - surface.Point(t[0]),
-      surface.Point(t[2]) - surface.Point(t[1]), surface.Point(t[0]) - surface.Point(t[2]) };
-    this->Second = sides[0].head<2>();
-    for (std::size_t side = 0; side < 3; ++side)
-    {
-      this->Along[side] = sides[side].head<2>();
-    }
-    if (Cross(this->Along[0], this->Along[1]) < 0.0)
-    {
-      for (Eigen::Vector2d& along : this->Along)
-      {
-        along = -along;
-      }
-    }
+    this->Corner = { surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]) };
+    // The sides across from each corner.
+    const Eigen::Vector3d sides[3] = { this->Corner[2] - this->Corner[1], this->Corner[0] - this->Corner[2],
+      this->Corner[1] - this->Corner[0] };
+    this->Turn = sides[0].x() * sides[1].y() - sides[0].y() * sides[1].x() < 0.0 ? -1.0 : 1.0;
     for (std::size_t n = 0; n < metrics.size(); ++n)
     {
       this->Planes[n].SquaredSlack = MuchMore * slack * slack * metrics[n].SquaredPlanNorm();
@@ -71,12 +61,9 @@ public:
   /// Takes a place: twice the areas of the sides with it, positive inside.
   bool Contains(const Eigen::Vector3d& place)
   {
-    const Eigen::Vector2d toFirst = (place - this->Origin).head<2>();
-    const Eigen::Vector2d toSecond = toFirst - this->Second;
-    this->Areas[0] = Cross(this->Along[0], toFirst);
-    this->Areas[1] = Cross(this->Along[1], toSecond);
-    this->Areas[2] = Cross(this->Along[2], toFirst);
-    return this->Number >= 0 && std::min({ this->Areas[0], this->Areas[1], this->Areas[2] }) >= 0.0;
+    const std::array<double, 3> areas = DoubledAreas(place, this->Corner[0], this->Corner[1], this->Corner[2]);
+    this->Areas = { this->Turn * areas[0], this->Turn * areas[1], this->Turn * areas[2] };
+    return this->Number >= 0 && this->Areas[0] >= 0.0 && this->Areas[1] >= 0.0 && this->Areas[2] >= 0.0;
   }
 
   /// Of a place that it contains: whether the nearest place of the surface is known to be on this triangle's face, as
@@ -84,7 +71,7 @@ public:
   bool IsNearest(std::size_t metric, const Eigen::Vector3d& place, double& squared) const
   {
     const Plane& plane = this->Planes[metric];
-    const double height = plane.Normal.dot(place - this->Origin);
+    const double height = plane.Normal.dot(place - this->Corner[0]);
     squared = height * height / plane.SquaredNormal;
     const double grown = (LittleMore * squared + plane.SquaredSlack) * plane.Shrinkage;
     return this->Areas[0] * this->Areas[0] >= grown * plane.SquaredSides[0] &&
@@ -98,7 +85,8 @@ public:
   /// Of a place that it contains: the z of the triangle there.
   double Height() const
   {
-    return (this->Areas[1] * this->Heights[0] + this->Areas[2] * this->Heights[1] + this->Areas[0] * this->Heights[2]) /
+    return (this->Areas[0] * this->Corner[0].z() + this->Areas[1] * this->Corner[1].z() +
+             this->Areas[2] * this->Corner[2].z()) /
       (this->Areas[0] + this->Areas[1] + this->Areas[2]);
   }
 
@@ -106,9 +94,12 @@ public:
   bool IsOnlyOne(double distance) const
   {
     const double squared = (distance + this->Slack) * (distance + this->Slack);
-    return this->IsAlone && this->Areas[0] * this->Areas[0] > squared * this->Along[0].squaredNorm() &&
-      this->Areas[1] * this->Areas[1] > squared * this->Along[1].squaredNorm() &&
-      this->Areas[2] * this->Areas[2] > squared * this->Along[2].squaredNorm();
+    const auto isFar = [&](std::size_t n)
+    {
+      const auto side = (this->Corner[(n + 1) % 3] - this->Corner[(n + 2) % 3]).head<2>();
+      return this->Areas[n] * this->Areas[n] > squared * side.squaredNorm();
+    };
+    return this->IsAlone && isFar(0) && isFar(1) && isFar(2);
   }
 
 private:
@@ -123,14 +114,13 @@ private:
     bool IsWide = false;
   };
 
-  static double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
   static void SetPlane(const Metric& metric, const Eigen::Vector3d (&sides)[3], Plane& plane)
   {
     const Eigen::Vector3d mapped[3] = { metric(sides[0]), metric(sides[1]), metric(sides[2]) };
     const Eigen::Vector3d normal = mapped[0].cross(mapped[1]);
     const double square = normal.squaredNorm();
-    const double longest = std::max({ mapped[0].squaredNorm(), mapped[1].squaredNorm(), mapped[2].squaredNorm() });
+    const double longest =
+      std::max(std::max(mapped[0].squaredNorm(), mapped[1].squaredNorm()), mapped[2].squaredNorm());
     plane.Normal = metric.Transposed(normal);
     plane.SquaredNormal = square;
     plane.Shrinkage = metric.SquaredPlanShrinkage();
@@ -148,11 +138,9 @@ private:
   std::int32_t Number = -1;
   bool IsAlone = false;
   double Slack = 0.0;
-  Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
-  std::array<double, 3> Heights = {}; // of the corners
-  Eigen::Vector2d Second = Eigen::Vector2d::Zero(); // the second corner, from the first one
-  std::array<Eigen::Vector2d, 3> Along = { Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero() };
-  std::array<double, 3> Areas = {};
+  std::array<Eigen::Vector3d, 3> Corner = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() };
+  double Turn = 1.0; // -1 where corners go to the right
+  std::array<double, 3> Areas = {}; // of the sides across from each corner with the last place
   std::array<Plane, MostMetrics> Planes;
 };
 }

@@ -58,10 +58,7 @@ public:
   double SquaredPlanShrinkage() const { return this->Shrinkage; }
 
   /// A difference in plan becomes at most so many times as long; the square.
-  double SquaredPlanNorm() const
-  {
-    return this->XtoX * this->XtoX + this->YtoX * this->YtoX + this->YtoY * this->YtoY;
-  }
+  double SquaredPlanNorm() const { return this->XtoX * this->XtoX + this->YtoX * this->YtoX + this->YtoY * this->YtoY; }
 
   double Length(const Eigen::Vector3d& v) const { return (*this)(v).norm(); }
 
@@ -75,8 +72,8 @@ public:
   double SquaredDistance(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& place) const
   {
     const Eigen::Vector3d& a = surface.Point(t[0]);
-    return SquaredDistanceToTriangle((*this)(place - a), Eigen::Vector3d::Zero(), (*this)(surface.Point(t[1]) - a),
-      (*this)(surface.Point(t[2]) - a));
+    return SquaredDistanceToTriangle(
+      (*this)(place - a), Eigen::Vector3d::Zero(), (*this)(surface.Point(t[1]) - a), (*this)(surface.Point(t[2]) - a));
   }
 
   /// The same to the box of a triangle at most: never farther away.

@@ -24,8 +24,8 @@ constexpr double MostEdgeSamplesPerPoint = 64.0;
 
 void KeepLarger(const MetricValues& other, MetricValues& largest)
 {
-  std::transform(other.begin(), other.end(), largest.begin(), largest.begin(),
-    [](double a, double b) { return std::max(a, b); });
+  std::transform(
+    other.begin(), other.end(), largest.begin(), largest.begin(), [](double a, double b) { return std::max(a, b); });
 }
 
 /// Of all chunks.
@@ -57,16 +57,16 @@ double LengthOf(const TriangleSurface& surface, PointId low, PointId high, const
   return metric.Length(surface.Point(high) - surface.Point(low));
 }
 
-/// Whether a place on an edge may be farther away than `largest`. Distances of two places differ by no more than how far
-/// these are apart, so that none is farther than half of the edge and of what its ends have together.
+/// Whether a place on an edge may be farther away than `largest`. Distances of two places differ by no more than how
+/// far these are apart, so that none is farther than half of the edge and of what its ends have together.
 bool MayExceed(const TriangleSurface& surface, PointId low, PointId high, const std::vector<Metric>& metrics,
   const std::vector<PointDistances>& points, const MetricValues& largest)
 {
   for (std::size_t metric = 0; metric < metrics.size(); ++metric)
   {
     const std::vector<double>& distance = points[metric].Distance;
-    const double most = 0.5 *
-      (LengthOf(surface, low, high, metrics[metric]) + distance[std::size_t(low)] + distance[std::size_t(high)]);
+    const double most =
+      0.5 * (LengthOf(surface, low, high, metrics[metric]) + distance[std::size_t(low)] + distance[std::size_t(high)]);
     if (!(most <= largest[metric]))
     {
       return true;

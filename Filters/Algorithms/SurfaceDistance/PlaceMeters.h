@@ -20,15 +20,15 @@ namespace SeismicHorizons
 MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to, const std::vector<Metric>& metrics,
   double tolerance, std::vector<PointDistances>& points, const Monitor& monitor);
 
-/// The largest distance of samples on edges, one for each `spacing` of their length, and of the points, which MeasurePoints
-/// gives. Shorter edges have no samples: their ends are measured as points. Lengths are those of the first metric.
+/// The largest distance of samples on edges, one for each `spacing` of their length, and of the points, which
+/// MeasurePoints gives. Shorter edges have no samples: their ends are measured as points. Lengths are those of the
+/// first metric.
 MetricValues MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleSearch& to,
   const std::vector<Metric>& metrics, const std::vector<PointDistances>& points, const MetricValues& ofPoints,
   double spacing, std::uint64_t seed, const Monitor& monitor);
 
 /// The largest distance of one outline to the other; nan when one of them is empty.
-MetricValues MeasureOutline(
-  const MeasuredSurface& from, const MeasuredSurface& to, double spacing, std::uint64_t seed);
+MetricValues MeasureOutline(const MeasuredSurface& from, const MeasuredSurface& to, double spacing, std::uint64_t seed);
 }
 
 #endif

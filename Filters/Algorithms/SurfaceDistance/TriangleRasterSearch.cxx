@@ -59,12 +59,12 @@ std::int32_t TriangleRaster::FindAcross(const Eigen::Vector3d& place) const
   for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
   {
     const std::uint32_t number = this->Items[n] & ~OwnerBit;
-    const PlanTriangle triangle(this->Surface, this->Surface.Triangles[number]);
-    const double first = triangle.DoubledArea(0, place.head<2>());
-    const double second = triangle.DoubledArea(1, place.head<2>());
-    const double third = triangle.DoubledArea(2, place.head<2>());
+    const Corners& t = this->Surface.Triangles[number];
+    const auto [first, second, third] =
+      DoubledAreas(place, this->Surface.Point(t[0]), this->Surface.Point(t[1]), this->Surface.Point(t[2]));
     const double whole = first + second + third;
-    const double least = whole < 0.0 ? -std::max({ first, second, third }) : std::min({ first, second, third });
+    const double least =
+      whole < 0.0 ? -std::max(std::max(first, second), third) : std::min(std::min(first, second), third);
     if (least >= -Across * std::abs(whole))
     {
       return std::int32_t(number);

@@ -35,7 +35,8 @@ public:
   const TriangleRaster* GetRaster() const { return this->Raster.get(); }
   const TriangleTree& GetTree() const { return *this->Tree; }
 
-  /// Triangles that follow each other are near each other, in chunks of fixed size of so many pieces: cells or triangles.
+  /// Triangles that follow each other are near each other, in chunks of fixed size of so many pieces: cells or
+  /// triangles.
   static constexpr std::int64_t PiecesPerChunk = 512;
   std::int64_t Pieces() const { return this->Raster ? this->Raster->Cells() : this->Triangles; }
 
