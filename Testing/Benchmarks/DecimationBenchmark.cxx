@@ -69,7 +69,8 @@ struct Surface
   {
     std::vector<PointId> all(this->Columns.size());
     std::iota(all.begin(), all.end(), 0);
-    this->Raster = std::make_shared<HeightRaster>(all, this->Columns, this->Horizon.Height);
+    const auto forEachPoint = [&all](auto&& add) { std::for_each(all.begin(), all.end(), add); };
+    this->Raster = std::make_shared<HeightRaster>(forEachPoint, this->Columns, this->Horizon.Height);
   }
 
   static BoundedHorizon Straighten(const BoundedHorizon& horizon, double tolerance)
