@@ -173,8 +173,8 @@ Extraction](SeismicReflectionExtraction.md) finds them with its defaults (compon
 - Noise of half the signal hides the weakest layers of the easy cubes: their waveforms are no longer alike, and surfaces
   fall apart. Longer waveforms (4.5 periods) or a smallest correlation of 0.6 find 98 to 99 % there, with 2 to 4 % wrong;
   shorter ones (1.5 periods) find 99 % with 0.3 % wrong in easy cubes, and three times as many wrong in hard ones.
-- Wrong picks in easy cubes are those of the first columns of the fault's gap, where traces have nothing but noise. An
-  `AmplitudePercentile` of 40 halves them, and costs 1 to 2 % of the places of hard cubes that fade.
+- Three of four wrong picks in easy cubes are in the first columns of the fault's gap, where traces have nothing but noise.
+  An `AmplitudePercentile` of 40 halves them, and costs 1 to 3 % of the places of hard cubes, those that fade.
 - In hard cubes a layer that fades to noise, or is joined with a neighbour to one wavelet, is not there to be found. Throws of
   less than a fifth of a period look like a dip.
 )";
