@@ -9,6 +9,8 @@
 
 #include <fstream>
 #include <limits>
+#include <unistd.h>
+
 #include <string>
 #include <vector>
 
@@ -17,7 +19,8 @@ namespace SEGYSample
 /// Writes the bytes of a file into the folder of temporary files, and gives its name.
 inline std::string Write(const std::string& bytes, const std::string& name = "sample")
 {
-  const std::string path = "SEGYCube_" + name + ".sgy";
+  // Tests that run at the same time have the same folder.
+  const std::string path = "SEGYCube_" + name + "_" + std::to_string(getpid()) + ".sgy";
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }
