@@ -23,6 +23,8 @@ constexpr const char* CellOrigin = "CellOrigin";
 constexpr const char* Flatness = "Flatness";
 constexpr const char* Distance = "Distance";
 constexpr const char* VerticalDistance = "VerticalDistance";
+constexpr const char* Filled = "Filled";
+constexpr const char* Spike = "Spike";
 }
 
 namespace CellArray
@@ -69,6 +71,14 @@ constexpr const char* ChosenOutlineTolerance = "ChosenOutlineTolerance";
 constexpr const char* ChosenDistanceThreshold = "ChosenDistanceThreshold";
 constexpr const char* ChosenMaximumError = "ChosenMaximumError";
 constexpr const char* ChosenMaximumNumberOfPoints = "ChosenMaximumNumberOfPoints";
+constexpr const char* NumberOfFilledHoles = "NumberOfFilledHoles";
+constexpr const char* NumberOfFilledPoints = "NumberOfFilledPoints";
+constexpr const char* NumberOfOpenHoles = "NumberOfOpenHoles";
+constexpr const char* NumberOfSpikes = "NumberOfSpikes";
+constexpr const char* NumberOfThreadPoints = "NumberOfThreadPoints";
+constexpr const char* CutLinks = "CutLinks";
+constexpr const char* CutThrow = "CutThrow";
+constexpr const char* CutLine = "CutLine";
 constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* MeanDistance = "MeanDistance";
 constexpr const char* RmsDistance = "RmsDistance";
