@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -102,6 +104,29 @@ void TestThreads()
   CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 25);
 }
 
+/// Nothing to compare with is no spike; what is no place is refused.
+void TestBadInput()
+{
+  for (const std::vector<std::string>& picture : { std::vector<std::string>{ "#" }, { "#.#", "...", "#.#" } })
+  {
+    auto input = FromPicture(picture, 3, HorizonFixtures::UnitSurvey());
+    vtkNew<vtkHorizonDespiking> despiking;
+    HorizonFixtures::Errors errors(despiking);
+    despiking->SetInputDataObject(input);
+    despiking->Update();
+    CHECK_EQUAL(errors.Count(), 0u);
+    CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
+  }
+  auto input = WithSpikes();
+  input->GetPoints()->SetPoint(7, 0.0, 0.0, std::nan(""));
+  vtkNew<vtkHorizonDespiking> despiking;
+  HorizonFixtures::Errors errors(despiking);
+  despiking->SetInputDataObject(input);
+  despiking->Update();
+  CHECK(errors.FirstContains("height nan, expected a place on the lattice"));
+  CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonDespiking> despiking;
@@ -124,6 +149,7 @@ int TestHorizonDespiking(int, char*[])
   TestRemove();
   TestFlag();
   TestThreads();
+  TestBadInput();
   TestPrint();
   return Check::Result();
 }

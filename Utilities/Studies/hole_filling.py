@@ -140,6 +140,8 @@ def probe_flat(mesh, places):
     sample = vtkProbeFilter()
     sample.SetInputData(at_places(places))
     sample.SetSourceData(mesh)
+    sample.ComputeToleranceOff()
+    sample.SetTolerance(1.0)  # of a column: VTK's own triangles leave gaps between points on a line
     sample.Update()
     missed = (vtk_to_numpy(sample.GetOutput().GetPointData().GetArray("vtkValidPointMask")) == 0).sum()
     if missed:
