@@ -10,6 +10,7 @@ The work is done by the modules of that package; here is the command line.
 import argparse
 import os
 import pathlib
+import re
 import signal
 import sys
 
@@ -53,6 +54,17 @@ def _vertical_step(text):
 _vertical_step.__name__ = "number other than 0:"
 
 
+def _memory(text):
+    """Bytes from "2G", "1.5 GB", "800M" and the like."""
+    found = re.fullmatch(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*([KMGT]?)I?B?\s*", text.upper())
+    if not found or float(found.group(1)) == 0.0:
+        raise ValueError(text)
+    return int(float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " "))
+
+
+_memory.__name__ = "size like 2G or 800M:"
+
+
 def _horizon(text):
     if os.path.exists(text):
         raise argparse.ArgumentTypeError("%s is a file; put -- between horizons and files that follow" % text)
@@ -91,6 +103,11 @@ def make_parser():
     running.add_argument("--leave-out-invalid", action="store_true",
                          help="leave out horizons that can not be processed, with a warning, and do the others of "
                          "their file; otherwise such a file is not done")
+    running.add_argument("--memory", type=_memory, metavar="SIZE",
+                         help="as much memory as may be used, as 2G or 800M: of sparse voxel files, horizons are read as "
+                         "many at a time as fit, and with --largest-error one that does not fit alone is meshed in "
+                         "windows of rows and joined (default: three quarters of what the machine has left, where a file "
+                         "may be larger)")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
                          help="number of threads; 0 uses all processors")
     return parser
@@ -208,6 +225,7 @@ def make_settings(options):
 
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
+    settings.memory = options.memory
     settings.reader = {"VerticalDirection": options.vertical_direction, **_given(
         options, VerticalStep="vertical_step", Elevation="elevation", DuplicatePolicy="duplicate_policy",
         Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step")}

@@ -53,17 +53,22 @@ def read(path, horizons=None, **properties):
     path = pathlib.Path(path)
     reader = open_file(path, **properties)
     if horizons is not None:
-        _select(reader, [name_of(horizon) for horizon in horizons], path)
+        select(reader, horizons, path)
     seconds = update(reader, "%s: reading" % path.name)
-    output = reader.GetOutputDataObject(0)
+    found = list_horizons(reader.GetOutputDataObject(0))
+    if not found:
+        raise HorizonError("%s: there is no point to work on" % path)
+    return found, seconds
+
+
+def list_horizons(output):
+    """The horizons of a collection that have points, as a list of (name, polydata)."""
     found = []
     for block in range(output.GetNumberOfPartitionedDataSets()):
         horizon = output.GetPartition(block, 0)
         if horizon is not None and horizon.GetNumberOfPoints():
             found.append((output.GetMetaData(block).Get(output.NAME()), horizon))
-    if not found:
-        raise HorizonError("%s: there is no point to work on" % path)
-    return found, seconds
+    return found
 
 
 def read_first(path, **properties):
@@ -82,13 +87,19 @@ def short_name(name):
     return rest if first == "Horizon" and rest.isdecimal() else name
 
 
-def _select(reader, names, path):
-    """Leaves only some horizons switched on."""
+def selected(reader):
+    """The names of the horizons that are switched on."""
+    names = [reader.GetHorizonName(number) for number in range(reader.GetNumberOfHorizons())]
+    return [name for name in names if reader.GetHorizonStatus(name)]
+
+
+def select(reader, horizons, path):
+    """Leaves only some horizons switched on. Raises HorizonError when the file does not have them."""
     with watched(reader):
         reader.UpdateInformation()
     known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
     reader.DisableAllHorizons()
-    for name in names:
+    for name in map(name_of, horizons):
         if name not in known and short_name(name) not in known:
             raise HorizonError("%s: there is no horizon %s; the file has %s" % (
                 path, short_name(name), ", ".join(short_name(k) for k in known) or "none"))
