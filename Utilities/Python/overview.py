@@ -4,7 +4,7 @@
 
 from . import pictures
 from .pictures import MESH, OUTLINE, POINTS, Panel
-from .tables import count_loops
+from .pipeline import count_loops
 
 MOST_ROWS = 8
 
@@ -15,6 +15,11 @@ def write(results, path):
 
 
 def panels(result):
+    """Of all stages, or of the mesh alone where the data of the others were given back."""
+    if "points" not in result.data:
+        mesh = result.data["mesh"]
+        return [Panel(result.name, "%s, %s" % (_count(result.number_of_points, "point"),
+                                               _count(mesh.GetNumberOfPolys(), "triangle")), mesh, MESH)]
     points = result.data["points"]
     loops, loop_points = count_loops(result.data["boundary"])
     mesh = result.data["mesh"]

@@ -13,24 +13,14 @@ ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
 
-def count_loops(horizon):
-    """Number of outlines, and of points in them (a closed line repeats its first one; a single point does not)."""
-    lines = horizon.GetLines()
-    points = 0
-    for number in range(lines.GetNumberOfCells()):
-        size = lines.GetCellSize(number)
-        points += max(1, size - 1)
-    return lines.GetNumberOfCells(), points
-
-
 def row(result):
     """The cells of one horizon as texts; parameters only where they were chosen, the error where it was measured."""
-    before = result.data["points"].GetNumberOfPoints()
+    before = result.number_of_points
     after = result.data["mesh"].GetNumberOfPoints()
-    loops, loop_points = count_loops(result.data["boundary"])
+    loops, loop_points = result.loops or (result.simplified[0], None)
     seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "elaborate", "mesh")]
-    return (short_name(result.name), "%d" % before, "%d" % loops, "%d" % loop_points,
-            "%d" % count_loops(result.data.get("simplified", result.data["mesh"]))[1], "%d" % after,
+    return (short_name(result.name), "%d" % before, "%d" % loops, "-" if loop_points is None else "%d" % loop_points,
+            "%d" % result.simplified[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
             *("-" if s is None else "%.2f" % s for s in seconds), *_chosen_cells(result),
             *_error_cells(result))

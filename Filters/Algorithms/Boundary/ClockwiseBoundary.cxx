@@ -8,6 +8,7 @@
 #include "Islands.h"
 #include "PatchComponents.h"
 #include "PlanarHops.h"
+#include "SeamGaps.h"
 
 #include <utility>
 
@@ -24,15 +25,18 @@ constexpr std::size_t Batch = 256; // points from one report of progress to the 
 class FaceFinder
 {
 public:
-  FaceFinder(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+  FaceFinder(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
+    const Monitor& monitor)
     : Columns(columns)
     , Options(options)
     , Raster(columns, 2 * options.Radius)
     , Hops(options.Radius, this->Raster.Width())
-    , Graph(this->Raster, this->Hops, monitor)
+    , Gaps(columns, this->Raster, options, seams)
+    , Graph(this->Raster, this->Hops, this->Gaps, monitor)
     , Parts(FindPatchComponents(this->Raster, columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
   {
+    this->Gaps.Join(this->Raster, this->Parts);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)
@@ -57,6 +61,7 @@ private:
       }
       const std::int64_t start = this->Parts.First[part];
       this->Walk(start, this->Graph.Next(start, west));
+      DropStepsInGaps(this->Steps);
       if (this->Options.HoleBoundaries)
       {
         this->Remember();
@@ -98,6 +103,7 @@ private:
   {
     this->Walk(place, hop);
     const std::int64_t inside = ColumnsInside(this->Hops, this->Steps);
+    DropStepsInGaps(this->Steps);
     if (inside > 0 || this->Steps.size() >= SmallestWalkToRemember)
     {
       this->Remember();
@@ -156,6 +162,7 @@ private:
   const BoundaryOptions& Options;
   const ColumnRaster Raster;
   const HopVectors Hops;
+  const SeamGaps Gaps;
   const PlanarHops Graph;
   PatchComponents Parts;
   Loops Faces; // the outlines of all components, then the loops of holes
@@ -165,9 +172,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ExteriorBoundary FindClockwiseBoundary(
-  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+  const SeamPresence& seams, const Monitor& monitor)
 {
-  return FaceFinder(columns, options, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
+  return FaceFinder(columns, options, seams, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
 }
 }

@@ -8,7 +8,10 @@
 #include "Common/Parameters.h"
 #include "EmptyBands.h"
 #include "PatchBridges.h"
+#include "SeamGaps.h"
+#include "SeamedHops.h"
 
+#include <algorithm>
 #include <string>
 
 namespace SeismicHorizons
@@ -41,14 +44,32 @@ ExteriorBoundary GrowByDistance(
     .Run(monitor.Step(0.5, 1.0));
 }
 
-ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary FindBetweenSeams(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+  const SeamPresence& seams, const Monitor& monitor)
 {
+  if (options.Radius > 1)
+  {
+    return FindClockwiseBoundary(columns, options, seams, monitor);
+  }
+  const ColumnRaster raster(columns);
+  const HopVectors hops(1, raster.Width());
+  const SeamGaps gaps(columns, raster, options, seams);
+  return BorderScan<SeamedHops>(columns, raster, hops, SeamedHops(raster, hops, gaps), options).Run(monitor);
+}
+
+ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
+  const Monitor& monitor)
+{
+  if (seams.AtLeastRow || seams.AtGreatestRow)
+  {
+    return FindBetweenSeams(columns, options, seams, monitor);
+  }
   if (options.Radius == 1)
   {
     return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
   }
   return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
-                                                    : FindClockwiseBoundary(columns, options, monitor);
+                                                    : FindClockwiseBoundary(columns, options, seams, monitor);
 }
 
 /// Without the numbers and the loops of patches that are too small, and the loops of their holes.
@@ -87,8 +108,12 @@ ExteriorBoundary FindExteriorBoundary(
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
+  CheckSeams(columns, options);
+  const SeamPresence seams(columns, options.Seams);
+  // Gaps of seams stay as wide as they are.
+  const int reach = std::max(options.Radius, options.Seams.LongestEdge);
   ExteriorBoundary result = WithoutWideBands(
-    columns, options.Radius, [&](const std::vector<PlanePoint>& near) { return Find(near, options, monitor); });
+    columns, reach, [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, monitor); });
   if (options.MinimumPatchSize > 1)
   {
     return WithoutSpecks(result, options.MinimumPatchSize);

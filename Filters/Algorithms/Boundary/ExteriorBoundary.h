@@ -27,6 +27,8 @@
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -37,6 +39,20 @@ enum class GrowthStrategy
   Distance = 0, // by hops to neighbours, and by longer ones where only these lead on
   Clockwise = 1 // by the first hop of a clockwise sweep, whatever its length
 };
+
+/// Rows where a part of a horizon ends and another one goes on that has the same row (SeamGaps.h). No point is beyond.
+struct SeamRows
+{
+  std::optional<std::int32_t> Lower; // the row of the least y
+  std::optional<std::int32_t> Upper;
+  /// Gaps of a seam, from a point to the next one, are closed up to so many columns, and up to the radius.
+  int LongestEdge = 1;
+};
+
+inline bool HasSeams(const SeamRows& seams)
+{
+  return seams.Lower || seams.Upper;
+}
 
 struct BoundaryOptions
 {
@@ -49,6 +65,8 @@ struct BoundaryOptions
   std::int64_t SmallestHoleSize = 1;
   /// Patches of fewer points have no number and no loops.
   std::int64_t MinimumPatchSize = 1;
+  /// With a seam, holes need loops, all patches stay, and growth by distance is for a radius of 1 alone.
+  SeamRows Seams;
 };
 
 /// HopCandidates.h keeps the columns that hops of a row can lead to, 2 k + 1 of them, in one number of 128 bits, of

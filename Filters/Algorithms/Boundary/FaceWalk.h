@@ -18,7 +18,8 @@
 
 namespace SeismicHorizons
 {
-/// A point of a walk, and the hop by which the walk leaves it: NoHop for a point alone.
+/// A point of a walk, and the hop by which the walk leaves it: NoHop for a point alone. In the gap of a seam there is
+/// no point (SeamGaps.h).
 struct FaceStep
 {
   PointId Point;
@@ -68,8 +69,16 @@ inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<Face
   return twiceArea > 0 ? (twiceArea - onLoop) / 2 + 1 : 0;
 }
 
+/// Leaves out the steps in gaps of seams. The columns inside are counted before.
+inline void DropStepsInGaps(std::vector<FaceStep>& steps)
+{
+  steps.erase(std::remove_if(steps.begin(), steps.end(), [](const FaceStep& step) { return step.Point == NoPoint; }),
+    steps.end());
+}
+
 /// Adds a walk as a loop that begins at its point of least x, then least y. When the walk visits that point several
-/// times, the loop begins with the hop from there that a clockwise sweep from the south meets first.
+/// times, the loop begins with the hop from there that a clockwise sweep from the south meets first. No step is in a
+/// gap.
 inline void AppendLoop(const std::vector<PlanePoint>& columns, std::vector<FaceStep>& steps, Loops& loops)
 {
   const auto first = std::min_element(steps.begin(), steps.end(),

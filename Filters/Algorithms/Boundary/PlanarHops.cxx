@@ -19,9 +19,10 @@ constexpr std::size_t Batch = 4096; // points from one report of progress to the
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const SeamGaps& gaps, const Monitor& monitor)
   : Raster(raster)
   , Hops(hops)
+  , Gaps(gaps)
   , Long(hops)
   , South(hops.Find({ 0, -2 }))
   , North(hops.Find({ 0, 2 }))
@@ -176,7 +177,8 @@ void PlanarHops::Add(const PlacedHop& hop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(hop) for the admissible hops from a place to neighbours, and over single empty columns. Of the two
+// Calls visit(hop) for the admissible hops from a place to neighbours, over single empty columns, and into the gaps of
+// seams. Of the two
 // diagonals between four neighbouring points that from south-east to north-west is one, as a sweep meets it first;
 // between fewer points each is.
 template <typename Visitor>
@@ -188,7 +190,7 @@ void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
     const std::int64_t neighbour = place + this->Hops.Offset(hop);
     const bool isOfFour =
       vector.X * vector.Y > 0 && this->Has(place + vector.X) && this->Has(place + this->Hops.OffsetOf({ 0, vector.Y }));
-    if (this->Has(neighbour) && !isOfFour)
+    if ((this->Has(neighbour) && !isOfFour) || (vector.Y == 0 && this->Gaps.Has(neighbour)))
     {
       visit(hop);
     }
@@ -237,7 +239,7 @@ HopId PlanarHops::Next(std::int64_t place, HopId from) const
   const std::int64_t number = this->BorderNumbers[place];
   if (number == PlaceNumbers::None)
   {
-    return this->NextShort(place, from);
+    return this->Gaps.Has(place) ? this->Hops.Opposite(from) : this->NextShort(place, from);
   }
   const HopId* const first = this->Listed.begin(number);
   const HopId* const last = this->Listed.end(number);

@@ -44,6 +44,7 @@
 #include "HopVectors.h"
 #include "LongHops.h"
 #include "PlaceSet.h"
+#include "SeamGaps.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -58,9 +59,9 @@ namespace SeismicHorizons
 class PlanarHops
 {
 public:
-  /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it and to
-  /// `hops`.
-  PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const Monitor& monitor);
+  /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it, to `hops`
+  /// and to `gaps`.
+  PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const SeamGaps& gaps, const Monitor& monitor);
 
   /// The places of the points beside gaps, row by row. Only these are on outlines, or on faces with columns inside.
   const std::vector<std::int64_t>& PlacesBesideGaps() const { return this->Border; }
@@ -108,6 +109,7 @@ private:
 
   const ColumnRaster& Raster;
   const HopVectors& Hops;
+  const SeamGaps& Gaps; // the hops of their columns are those to the left and to the right
   const LongHops Long;
   std::vector<HopId> Short; // hops to the eight neighbours
   const HopId South; // the hops over a single empty column
