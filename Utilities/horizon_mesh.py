@@ -165,6 +165,9 @@ def _add_cube_options(group):
 
 
 def _add_stage_options(group):
+    group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="before all stages, fill holes of at most N columns with new points that go on smoothly from "
+                       "those around them; horizons are read as a whole then (default: none)")
     target = group.add_mutually_exclusive_group()
     target.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
                         help="few triangles, with no point farther from the mesh than this, vertically, in place of "
@@ -252,6 +255,7 @@ def make_settings(options):
         Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step",
         LargestNumber="surfaces", SmallestSize="smallest_surface", InlineRange="inlines", CrosslineRange="crosslines",
         Polarity="polarity", Joining="joining", AmplitudePercentile="amplitude_percentile")}
+    settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
         "HoleBoundaries": options.hole_boundaries,
