@@ -64,12 +64,29 @@ ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOpti
   {
     return FindBetweenSeams(columns, options, seams, monitor);
   }
+  if (options.Cuts)
+  {
+    return FindClockwiseBoundary(columns, options, seams, monitor);
+  }
   if (options.Radius == 1)
   {
     return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
   }
   return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
                                                     : FindClockwiseBoundary(columns, options, seams, monitor);
+}
+
+void CheckCuts(const BoundaryOptions& options)
+{
+  if (options.Cuts && HasSeams(options.Seams))
+  {
+    throw InputError("cut links and a seam, expected one of them: a crack may go on beyond the seam");
+  }
+  if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
+  {
+    throw InputError("cut links and growth by distance with a radius of " + std::to_string(options.Radius) +
+      " columns, expected clockwise growth, or a radius of 1");
+  }
 }
 
 /// Without the numbers and the loops of patches that are too small, and the loops of their holes.
@@ -109,11 +126,12 @@ ExteriorBoundary FindExteriorBoundary(
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
   CheckSeams(columns, options);
+  CheckCuts(options);
   const SeamPresence seams(columns, options.Seams);
-  // Gaps of seams stay as wide as they are.
+  // Gaps of seams stay as wide as they are, and cuts where they are.
   const int reach = std::max(options.Radius, options.Seams.LongestEdge);
-  ExteriorBoundary result = WithoutWideBands(
-    columns, reach, [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, monitor); });
+  const auto find = [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, monitor); };
+  ExteriorBoundary result = options.Cuts ? find(columns) : WithoutWideBands(columns, reach, find);
   if (options.MinimumPatchSize > 1)
   {
     return WithoutSpecks(result, options.MinimumPatchSize);

@@ -46,25 +46,31 @@ void WalkFace(const ColumnRaster& raster, const HopVectors& hops, std::int64_t s
   } while (place != start || hop != first);
 }
 
-/// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
-/// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
-inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
+/// Twice the area of a face that is walked counter-clockwise; less than 0 for one that is walked clockwise.
+inline std::int64_t TwiceArea(const HopVectors& hops, const std::vector<FaceStep>& steps)
 {
   std::int64_t twiceArea = 0;
-  std::int64_t onLoop = 0;
   std::int64_t x = 0;
   std::int64_t y = 0;
   for (const FaceStep& step : steps)
   {
-    if (step.Hop == NoHop)
-    {
-      return 0;
-    }
-    const PlanePoint& vector = hops.Vector(step.Hop);
+    const PlanePoint vector = step.Hop == NoHop ? PlanePoint{} : hops.Vector(step.Hop);
     twiceArea += x * vector.Y - y * vector.X;
-    onLoop += hops.NumberOfParts(step.Hop);
     x += vector.X;
     y += vector.Y;
+  }
+  return twiceArea;
+}
+
+/// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
+/// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
+inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
+{
+  const std::int64_t twiceArea = TwiceArea(hops, steps);
+  std::int64_t onLoop = 0;
+  for (const FaceStep& step : steps)
+  {
+    onLoop += step.Hop == NoHop ? 0 : hops.NumberOfParts(step.Hop);
   }
   return twiceArea > 0 ? (twiceArea - onLoop) / 2 + 1 : 0;
 }
