@@ -90,9 +90,9 @@ public:
 
   /**
    * 1 for any name that ends in .vsm or .vsm.gz, in letters of either case: when something is wrong with the file,
-   * reading it says what. For other names 1 when the first line of the file is what the format asks for: three positive integers,
-   * separated by blanks, within the first 4095 bytes; else 0. A byte order mark before them is skipped. Nothing else of
-   * the file is looked at.
+   * reading it says what. For other names 1 when the first line of the file is what the format asks for: three positive
+   * integers, separated by blanks, within the first 4095 bytes; else 0. A byte order mark before them is skipped.
+   * Nothing else of the file is looked at.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
@@ -322,6 +322,7 @@ protected:
   void CheckParameters() override;
   /// "Horizon <ID>", by ascending ID.
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
   void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation) override;
