@@ -18,11 +18,9 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
@@ -53,22 +51,6 @@ vtkSeismicReflectionExtraction::~vtkSeismicReflectionExtraction() = default;
 int vtkSeismicReflectionExtraction::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-int vtkSeismicReflectionExtraction::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  vtkInformation* const info = inputVector[0]->GetInformationObject(0);
-  if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    std::array<int, 6> whole;
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole.data(), 6);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  }
   return 1;
 }
 

@@ -257,9 +257,6 @@ protected:
   ~vtkSeismicReflectionExtraction() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  /// Asks for the whole cube, whatever piece is wanted: surfaces have no borders within it.
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
   void CheckParameters() override;
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
   std::vector<std::int64_t> CountHorizonPoints() override;

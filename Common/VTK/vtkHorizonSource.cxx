@@ -23,6 +23,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <unordered_set>
 #include <utility>
 
@@ -88,6 +89,27 @@ vtkMultiProcessController* FindController(vtkDataObject* output)
 {
   vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
   return all && all->GetNumberOfProcesses() > 1 && output->IsA("vtkPartitionedDataSetCollection") ? all : nullptr;
+}
+
+/// Throws InputError where processes have other horizons than the first: dealt out, some would be lost. Collective.
+void RequireSameList(const std::string& prefix, const std::vector<std::string>& names,
+  const std::vector<std::int64_t>& sizes, const Ranks& ranks)
+{
+  if (ranks.Size() > 1)
+  {
+    std::string list;
+    for (std::size_t n = 0; n < names.size(); ++n)
+    {
+      list += names[n] + '\0' + (sizes.empty() ? "" : std::to_string(sizes[n])) + '\0';
+    }
+    const std::vector<std::string> lists = ranks.Gather(list);
+    const auto others = std::count_if(lists.begin(), lists.end(), [&](const auto& other) { return other != lists[0]; });
+    if (others > 0)
+    {
+      ranks.Refuse(prefix + "other horizons on " + std::to_string(others) + " of " + std::to_string(lists.size()) +
+        " processes than on the first, expected the same data on all");
+    }
+  }
 }
 
 /// Adds an empty partitioned dataset with a name.
@@ -226,18 +248,43 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* const info = this->GetNumberOfInputPorts() > 0 ? inputVector[0]->GetInformationObject(0) : nullptr;
+  if (info)
+  {
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  }
+  if (info && info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    std::array<int, 6> whole;
+    info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+    info->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
+  const Ranks ranks(FindController(vtkDataObject::GetData(info)), request, outputVector);
   const auto work = [&](std::string&, const Monitor& monitor)
   {
-    this->CheckParameters();
-    // The data may have changed since the information was asked for.
-    const std::vector<std::string> names = this->NameHorizons(monitor.Step(0.0, 0.5));
-    List(names, this->HorizonSelection);
+    std::vector<std::string> names;
+    ranks.Together(
+      [&]()
+      {
+        this->CheckParameters();
+        // The data may have changed since the information was asked for.
+        names = this->NameHorizons(monitor.Step(0.0, 0.5));
+        List(names, this->HorizonSelection);
+      });
+    RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
     this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
   };
-  const Ranks ranks(FindController(vtkDataObject::GetData(info)), request, outputVector);
   return RunRequest(this, { vtkDataObject::GetData(info) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons", work, ranks);
 }

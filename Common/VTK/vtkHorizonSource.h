@@ -62,6 +62,8 @@ protected:
   ~vtkHorizonSource() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  /// Asks for the whole input on each process, of which each makes its horizons.
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   // The following throw InputError (Common/Errors.h).

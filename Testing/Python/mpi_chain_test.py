@@ -10,8 +10,9 @@ import pathlib
 import sys
 
 import seismichorizons as sh
-from vtkmodules.vtkCommonCore import vtkIntArray
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData, vtkTable
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 import mesh_checks
@@ -170,6 +171,47 @@ def check_wrong_file():
         check_nothing(stages)
 
 
+def make_table(names):
+    """Picks of horizons on a turned lattice, more of each than of the one before."""
+    table = vtkTable()
+    columns = {"Name": vtkStringArray(), "X": vtkDoubleArray(), "Y": vtkDoubleArray(), "Z": vtkDoubleArray()}
+    for n, name in enumerate(names):
+        for i in range(8):
+            for j in range(8 + n):
+                for key, value in zip(columns, (name, 4.0 * i - 3.0 * j, 3.0 * i + 4.0 * j, 10.0 * n + i)):
+                    columns[key].InsertNextValue(value)
+    for key, array in columns.items():
+        array.SetName(key)
+        table.AddColumn(array)
+    return table
+
+
+def check_points():
+    """Horizons of a table, the largest of which goes to the first rank, and of an image, which VTK would cut."""
+    names_of = ["Top", "Middle", "Base", "Floor"]
+    image = vtkRTAnalyticSource()
+    image.SetWholeExtent(0, 30, 0, 20, 0, 0)
+    for name, data in (("HorizonFromPoints", make_table(names_of)), ("HorizonFromImage", None)):
+        stages = [make(name, {}) for _ in range(2)]
+        for stage in stages:
+            if data:
+                stage.SetInputDataObject(data)
+            else:
+                stage.SetInputConnection(image.GetOutputPort())
+        stages[0].UpdatePiece(OWN, SIZE, 0)
+        stages[1].Update()
+        check_same(stages[0].GetOutputDataObject(0), stages[1].GetOutputDataObject(0), name)
+        if data and OWN == 0 and SIZE < 5:
+            assert "Floor" in mesh_checks.blocks(stages[0].GetOutputDataObject(0))
+    different = make("HorizonFromPoints", {})
+    different.SetInputDataObject(make_table(names_of if OWN == 0 else names_of[:2]))
+    errors = count_errors([different])
+    different.UpdatePiece(OWN, SIZE, 0)
+    assert errors == [1 if OWN == 0 and SIZE > 1 else 0], errors
+    if SIZE > 1:
+        check_nothing([different])
+
+
 def main():
     assert SIZE == int(sys.argv[2]), "%d ranks, expected %s" % (SIZE, sys.argv[2])
     check_chain()
@@ -178,6 +220,7 @@ def main():
     reader.Update()
     horizons = mesh_checks.blocks(reader.GetOutputDataObject(0))
     check_places(horizons)
+    check_points()
     check_broken(horizons)
     check_wrong_file()
     print("rank %d of %d: done" % (OWN, SIZE))

@@ -50,6 +50,13 @@ def main():
         shares = ranks_with_points(proxy, ranks)
         print("%s: points per rank %s" % (proxy.GetXMLName(), shares))
         assert all(shares) and sum(shares) == sum(h.GetNumberOfPoints() for h in expected.values()), shares
+    # ParaView has tables on the first rank alone.
+    picks = folder / "picks.csv"
+    picks.write_text("Name,X,Y,Z\n" + "".join("%s,%d,%d,%d\n" % (name, 25 * i, 25 * j, 10 + i)
+                     for name in ("Top", "Base") for i in range(9) for j in range(9)), encoding="ascii")
+    of_table = simple.HorizonFromPoints(Input=simple.CSVReader(FileName=[str(picks)]))
+    of_table.UpdatePipeline()
+    assert ranks_with_points(of_table, ranks) == [81, 81]
     # Each rank measures its own horizons, and the figures of all are in one table; the last `expected` are the meshes.
     distance = simple.HorizonSurfaceDistance(Reference=proxies[0], Mesh=proxies[-1])
     simple.SaveData(str(folder / "distance.vtpc"), simple.OutputPort(distance, 1), DataMode="Binary")
