@@ -113,18 +113,26 @@ private:
                                             : MapPlace{ column.X + shift, column.Y + 0.5 };
   }
 
-  /// Those of the links, and where one is not known that of the link before it, or else of the first that has one.
+  /// Those of the links; where one is not known that of the link before it, or else of the first that has one. A height
+  /// of one side alone, as beside a gap, counts only where no link of the line has two.
   void FindHeights(const FaultLines& lines, std::size_t start, std::size_t end)
   {
-    this->Heights.clear();
+    bool hasBoth = false;
+    for (std::size_t n = start; n < end; ++n)
+    {
+      hasBoth = hasBoth || !std::isnan(lines[n].Throw);
+    }
+    const auto isKnown = [&lines, hasBoth](std::size_t n)
+    { return !std::isnan(hasBoth ? lines[n].Throw : lines[n].Middle); };
     double last = this->Height;
     for (std::size_t n = end; n-- > start;)
     {
-      last = std::isnan(lines[n].Middle) ? last : lines[n].Middle;
+      last = isKnown(n) ? lines[n].Middle : last;
     }
+    this->Heights.clear();
     for (std::size_t n = start; n < end; ++n)
     {
-      last = std::isnan(lines[n].Middle) ? last : lines[n].Middle;
+      last = isKnown(n) ? lines[n].Middle : last;
       this->Heights.push_back(last);
     }
   }
