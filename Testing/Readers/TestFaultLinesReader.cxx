@@ -51,7 +51,7 @@ int TestFaultLinesReader(int argc, char* argv[])
 {
   const std::string folder = FileFixtures::MakeFolder(argc, argv, "TestFaultLinesReader");
   vtkNew<vtkFaultLinesReader> reader;
-  CHECK(Contains(UpdateError(reader), "file name"));
+  CHECK(Contains(UpdateError(reader), "no FileName, expected the path of a file"));
   const std::string path = FileFixtures::WriteText(
     folder + "/faults.txt", "604321.25 6079543.5 1850 F1\n604400 6079600 1851 F1\n1 2 3 F2\n4 5 6 F2\n1 2 3 F2\n");
   reader->SetFileName(path.c_str());

@@ -31,9 +31,9 @@ LEVELS = "levels"  # points, coloured by how often their cells were halved
 CELLS = "cells"  # cells of a simplification as seen from above, in the same colours
 
 DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
-FAULTS = "faults"  # points in pale grey, and lines in the colours of their point data array Throw
 
-# What a panel shows: a title, a line below it, the horizon, and one of the styles above. `behind` is a horizon whose
+# What a panel shows: a title, a line below it, the horizon, and one of the styles above, or a function that makes its
+# actors of the frame and the horizon. `behind` is a horizon whose
 # points are shown in pale grey, or None.
 Panel = namedtuple("Panel", "title caption horizon style behind", defaults=[None])
 
@@ -224,8 +224,8 @@ def _actors(frame, panel):
         actors.append(_cells(frame, panel.horizon))
     elif panel.style == OUTLINE:
         actors.extend(_outline(panel.horizon, dots=True))
-    elif panel.style == FAULTS:
-        actors.extend(_faults(frame, panel.horizon))
+    elif callable(panel.style):
+        actors.extend(panel.style(frame, panel.horizon))
     else:
         actors.extend(_mesh(frame, panel.horizon, panel.style == DISTANCE))
     return actors
@@ -346,17 +346,6 @@ def _outline(horizon, dots=False):
         actor.GetProperty().LightingOff()
         _bring_forward(actor.GetMapper(), OUTLINE_OFFSET)
     return actors
-
-
-def _faults(frame, horizon):
-    throws = np.abs(vtk_to_numpy(horizon.GetPointData().GetArray("Throw")))
-    lines = _actor(_part(horizon, lines=horizon.GetLines()))
-    largest = max(1e-9, np.nanmax(throws))
-    _color_by(lines, numpy_to_vtk(throws, deep=True), [(part * largest, color) for part, color in NEAR_TO_FAR[1:]])
-    lines.GetProperty().SetLineWidth(4.0)
-    lines.GetProperty().LightingOff()
-    _bring_forward(lines.GetMapper(), OUTLINE_OFFSET)
-    return [_plain_points(horizon, frame.point_size(), PALE_COLOR), lines]
 
 
 def _bring_forward(mapper, offset):
