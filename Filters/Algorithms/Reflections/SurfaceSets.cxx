@@ -11,9 +11,9 @@ namespace SeismicHorizons
 //----------------------------------------------------------------------------------------------------------------------
 SurfaceSets::SurfaceSets(const ReflectionPicks& picks)
   : Picks(picks)
-  , Labels(picks.Picks.size())
-  , Members(picks.Picks.size())
-  , Sizes(picks.Picks.size(), 1)
+  , Labels(picks.Places.size())
+  , Members(picks.Places.size())
+  , Sizes(picks.Places.size(), 1)
 {
   std::iota(this->Labels.begin(), this->Labels.end(), 0);
   for (std::size_t column = 0; column + 1 < picks.Starts.size(); ++column)
