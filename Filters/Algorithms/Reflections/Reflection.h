@@ -96,6 +96,13 @@ struct ReflectionPicks
   Depth PlaceOf(PointId pick) const { return this->Places[std::size_t(pick)]; }
   std::uint16_t CoarseStrengthOf(PointId pick) const { return this->Strengths[std::size_t(pick)]; }
 
+  /// Leaves where the picks of each column begin.
+  void FreePicks()
+  {
+    this->Places = {};
+    this->Strengths = {};
+  }
+
   /// The column of each pick.
   RawVector<std::int32_t> ListColumns() const
   {

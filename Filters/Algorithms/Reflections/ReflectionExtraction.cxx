@@ -126,7 +126,7 @@ void CheckOptions(const ExtractionOptions& options)
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);
-  const CubeReflections reflections = FindReflections(cube, options.Reflections, monitor.Step(0.0, 0.3));
+  CubeReflections reflections = FindReflections(cube, options.Reflections, monitor.Step(0.0, 0.3));
   Extraction result;
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
@@ -141,6 +141,7 @@ Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& op
     const double begin = sign == 0 ? 0.3 : 0.6;
     surfaces[sign] =
       Joiner(cube, options, result).Join(reflections.BySign[sign], medians[sign], monitor.Step(begin, begin + 0.3));
+    reflections.BySign[sign].FreePicks();
   }
   result.MedianCorrelation = std::max(medians[0], medians[1]);
   WriteSurfaces(

@@ -75,6 +75,12 @@ public:
   CubeReflections Find(const Monitor& monitor)
   {
     CubeReflections result;
+    for (ReflectionPicks& picks : result.BySign)
+    {
+      picks.Columns = { this->Cube.Size[0], this->Cube.Size[1] };
+      // Now, as memory of the rows goes back to the system only where nothing lies behind it.
+      picks.Starts.assign(std::size_t(picks.Columns[0]) * std::size_t(picks.Columns[1]) + 1, 0);
+    }
     const bool isMiddle = this->Options.Position == ReflectionPosition::Middle;
     result.Threshold = float(this->Options.AmplitudeThreshold);
     const bool isPercentile = this->Options.Threshold == ThresholdKind::Percentile;
@@ -213,9 +219,6 @@ private:
   /// Finds where the picks of one sign that reach the threshold begin, and adds their energies by thickness.
   void CountPicks(ReflectionPicks& picks, bool isNegative, float threshold, std::vector<double>& energies) const
   {
-    picks.Columns = { this->Cube.Size[0], this->Cube.Size[1] };
-    const std::size_t columns = std::size_t(picks.Columns[0]) * std::size_t(picks.Columns[1]);
-    picks.Starts.assign(columns + 1, 0);
     std::int64_t total = 0;
     std::size_t column = 0;
     for (const RowReflections& row : this->Rows)
@@ -240,7 +243,7 @@ private:
           "more than 2^30 reflections of one sign, expected fewer: a higher threshold, or a part of the cube");
       }
     }
-    picks.Starts[columns] = PointId(total);
+    picks.Starts[column] = PointId(total);
     picks.Places.resize(std::size_t(total));
     picks.Strengths.resize(std::size_t(total));
   }

@@ -204,6 +204,8 @@ void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections,
   for (std::size_t n = 0; n < sizes.size(); ++n)
   {
     result.Surfaces[n].SurfaceId = int(n) + 1;
+    const auto size = std::size_t(sizes[n].Columns);
+    ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
   for (const std::size_t sign : { 0, 1 })
   {
