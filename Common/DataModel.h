@@ -38,6 +38,7 @@ constexpr const char* Dilatation = "Dilatation";
 constexpr const char* Error = "Error";
 constexpr const char* Part = "Part";
 constexpr const char* FaultLine = "FaultLine";
+constexpr const char* FaultName = "FaultName";
 }
 
 namespace FieldArray
@@ -86,9 +87,6 @@ constexpr const char* FaultNoise = "FaultNoise";
 constexpr const char* SeamRows = "SeamRows";
 constexpr const char* NumberOfParts = "NumberOfParts";
 constexpr const char* SeamPoints = "SeamPoints";
-constexpr const char* CutLinks = "CutLinks";
-constexpr const char* CutThrow = "CutThrow";
-constexpr const char* CutLine = "CutLine";
 constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* MeanDistance = "MeanDistance";
 constexpr const char* RmsDistance = "RmsDistance";
