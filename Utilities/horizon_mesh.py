@@ -22,6 +22,8 @@ GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
+JOININGS = ("BestFirst", "Continuous", "Components")
+POLARITIES = ("Both", "Positive", "Negative")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -77,7 +79,7 @@ def make_parser():
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
         description="Reads files of seismic horizons (sparse voxel files, text picks of OpendTect, Petrel, OpenWorks, IESX "
         "and the like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer and GXF; by what is in them, whatever their "
-        "extension), and turns each horizon in them into a triangle mesh: exterior "
+        "extension) or finds the largest ones in seismic cubes (SEG-Y), and turns each horizon in them into a triangle mesh: exterior "
         "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Or, "
         "recommended, with one number: --largest-error or --triangles, from which all else follows. Writes one "
         "mesh per horizon and one picture per file, and prints a table; on request, measures the error. Files "
@@ -96,6 +98,7 @@ def make_parser():
                         help="formats of the meshes: VTK, GOCAD TSurf, STL, PLY (single precision) and OBJ; put -- "
                         "between them and files that follow")
     _add_reader_options(parser.add_argument_group("reading"))
+    _add_cube_options(parser.add_argument_group("seismic cubes"))
     _add_stage_options(parser.add_argument_group("stages"))
     _add_error_options(parser.add_argument_group("error"))
     running = parser.add_argument_group("running")
@@ -143,7 +146,28 @@ def _add_reader_options(group):
                        help="world vector from a row to the next (default: 0 1; for picks found from them)")
 
 
+def _add_cube_options(group):
+    group.add_argument("--surfaces", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="how many surfaces of a cube become meshes, the largest ones (default: 20)")
+    group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="surfaces of fewer picks are left out (default: 100)")
+    group.add_argument("--inlines", nargs=2, type=int, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+                       help="only these inlines, by their numbers (default: all)")
+    group.add_argument("--crosslines", nargs=2, type=int, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+                       help="only these crosslines, by their numbers (default: all)")
+    group.add_argument("--polarity", choices=POLARITIES, default=argparse.SUPPRESS,
+                       help="the sign of the amplitudes of reflections that are taken (default: Both)")
+    group.add_argument("--joining", choices=JOININGS, default=argparse.SUPPRESS,
+                       help="how picks become surfaces: the most alike first, which stops at faults; whole strong events, "
+                       "some over faults; or whatever touches (default: BestFirst)")
+    group.add_argument("--amplitude-percentile", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS,
+                       metavar="P", help="the part of the reflections that are too weak, in percent (default: 25)")
+
+
 def _add_stage_options(group):
+    group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="before all stages, fill holes of at most N columns with new points that go on smoothly from "
+                       "those around them; horizons are read as a whole then (default: none)")
     target = group.add_mutually_exclusive_group()
     target.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
                         help="few triangles, with no point farther from the mesh than this, vertically, in place of "
@@ -228,7 +252,10 @@ def make_settings(options):
     settings.memory = options.memory
     settings.reader = {"VerticalDirection": options.vertical_direction, **_given(
         options, VerticalStep="vertical_step", Elevation="elevation", DuplicatePolicy="duplicate_policy",
-        Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step")}
+        Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step",
+        LargestNumber="surfaces", SmallestSize="smallest_surface", InlineRange="inlines", CrosslineRange="crosslines",
+        Polarity="polarity", Joining="joining", AmplitudePercentile="amplitude_percentile")}
+    settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
         "HoleBoundaries": options.hole_boundaries,

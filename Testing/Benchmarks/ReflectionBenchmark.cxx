@@ -118,7 +118,7 @@ void MeasureSteps(const Cube& cube)
         for (std::size_t sign = 0; sign < 2; ++sign)
         {
           SurfaceSets sets(found.BySign[sign]);
-          BestFirstJoining(found.BySign[sign], links[sign], JoiningRules(), sets).Run(Monitor());
+          BestFirstJoining(found.BySign[sign], sets).Run(links[sign], JoiningRules(), Monitor());
         }
       }),
     picks, "picks");

@@ -23,10 +23,13 @@ def panels(result):
     points = result.data["points"]
     loops, loop_points = count_loops(result.data["boundary"])
     mesh = result.data["mesh"]
-    row = [
-        Panel(result.name, _count(points.GetNumberOfPoints(), "point"), points, POINTS),
-        Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
-              result.data["boundary"], OUTLINE, points)]
+    row = [Panel(result.name, _count(points.GetNumberOfPoints(), "point"), points, POINTS)]
+    if "filled" in result.data:
+        known, points = points, result.data["filled"]
+        row.append(Panel("Hole filling", _count(points.GetNumberOfPoints() - known.GetNumberOfPoints(), "new point"),
+                         points, POINTS))
+    row.append(Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
+                     result.data["boundary"], OUTLINE, points))
     if "simplified" in result.data:
         straight = result.data["simplified"]
         row.append(Panel("Simplified boundary", _count(count_loops(straight)[1], "point"), straight, OUTLINE, points))

@@ -32,7 +32,8 @@ CELLS = "cells"  # cells of a simplification as seen from above, in the same col
 
 DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
 
-# What a panel shows: a title, a line below it, the horizon, and one of the styles above. `behind` is a horizon whose
+# What a panel shows: a title, a line below it, the horizon, and one of the styles above, or a function that makes its
+# actors of the frame and the horizon. `behind` is a horizon whose
 # points are shown in pale grey, or None.
 Panel = namedtuple("Panel", "title caption horizon style behind", defaults=[None])
 
@@ -223,6 +224,8 @@ def _actors(frame, panel):
         actors.append(_cells(frame, panel.horizon))
     elif panel.style == OUTLINE:
         actors.extend(_outline(panel.horizon, dots=True))
+    elif callable(panel.style):
+        actors.extend(panel.style(frame, panel.horizon))
     else:
         actors.extend(_mesh(frame, panel.horizon, panel.style == DISTANCE))
     return actors

@@ -9,7 +9,7 @@
 import pathlib
 import time
 
-from . import memory, reading
+from . import cubes, memory, reading
 from .parts import Windows
 from .stage import HorizonError, update, watched
 
@@ -27,6 +27,8 @@ class Supply:
         self._found = []
         self.seconds = 0.0
         reader = reading.open_file(self._path, **properties)
+        if cubes.is_extraction(reader):
+            cubes.require(reader, budget, self._path)
         if hasattr(reader, "SetLeastMemory") and (budget.is_given or not budget.fits_file(self._path)):
             self._list(reader, horizons)
         else:

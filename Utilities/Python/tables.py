@@ -9,6 +9,7 @@ COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out"
            "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
 # Parameters of a surface, by the names of the properties.
 CHOSEN_COLUMNS = {"Radius": "radius", "SmallestHoleSize": "smallest hole", "OutlineTolerance": "tolerance"}
+FILLED_COLUMNS = ("filled", "fill s")
 ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
@@ -22,8 +23,14 @@ def row(result):
     return (short_name(result.name), "%d" % before, "%d" % loops, "-" if loop_points is None else "%d" % loop_points,
             "%d" % result.simplified[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
-            *("-" if s is None else "%.2f" % s for s in seconds), *_chosen_cells(result),
+            *("-" if s is None else "%.2f" % s for s in seconds), *_filled_cells(result), *_chosen_cells(result),
             *_error_cells(result))
+
+
+def _filled_cells(result):
+    """How many points the hole filling has put in, which the mesh still tells."""
+    filled = result.data["mesh"].GetFieldData().GetArray("NumberOfFilledPoints")
+    return () if filled is None else ("%d" % filled.GetValue(0), "%.2f" % result.seconds["filled"])
 
 
 def _chosen_cells(result):
@@ -43,7 +50,8 @@ def _error_cells(result):
 def table(results):
     """Heads, a rule and a row for each result, as lines of text."""
     chosen = tuple(CHOSEN_COLUMNS.values()) if chosen_parameters(results[0].data["mesh"]) else ()
-    columns = COLUMNS + chosen + (ERROR_COLUMNS if results[0].figures is not None else ())
+    filled = FILLED_COLUMNS if "filled" in results[0].seconds else ()
+    columns = COLUMNS + filled + chosen + (ERROR_COLUMNS if results[0].figures is not None else ())
     return align([columns] + [row(result) for result in results])
 
 

@@ -1,151 +1,93 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Most of the time goes into looking at the members of the smaller part, once for columns and once for contacts. What
-// two parts were refused for is not looked at again before they have grown.
 
 #include "BestFirstJoining.h"
 
+#include "Common/Parallel.h"
+
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// Parts are tried again when they have grown by this.
-constexpr double Growth = 1.3;
-
-std::uint64_t PairKey(PointId a, PointId b)
-{
-  return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
-}
+// By how much the sides of windows grow from level to level.
+constexpr int SideGrowth = 4;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void BestFirstJoining::Run(const Monitor& monitor)
+void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rules, const Monitor& monitor)
 {
-  this->TryAll(this->Links.SortByScore(), monitor.Step(0.0, 0.8));
-  this->Refusals.clear();
-  this->TryAll(std::exchange(this->Refused, {}), monitor.Step(0.8, 1.0));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Links come in the order of their scores, from all over memory. In blocks, the places they need are read side by side
-// first, so that the processor waits for them once.
-void BestFirstJoining::TryAll(const std::vector<LinkId>& links, const Monitor& monitor)
-{
-  constexpr std::size_t block = 64;
-  constexpr std::size_t blocksPerCall = 1024; // of the monitor
-  std::array<Pair, block> pairs;
-  for (std::size_t first = 0; first < links.size(); first += block)
+  const PartFit fit(this->Picks, links, rules, this->Sets);
+  const int all = std::max(this->Picks.Columns[0], this->Picks.Columns[1]);
+  int side = std::exchange(this->AreSingle, false) ? this->FirstSide() : all;
+  std::vector<JoiningWindow> windows = this->MakeWindows(side);
+  constexpr double last = 0.6; // where the window of all columns begins, of the work
+  double done = 0.0;
+  while (windows.size() > 1)
   {
-    if (first % (block * blocksPerCall) == 0)
-    {
-      monitor.Progress(double(first) / double(links.size()));
-    }
-    const std::size_t size = std::min(block, links.size() - first);
-    for (std::size_t n = 0; n < size; ++n)
-    {
-      const PointId from = this->Links.PickOf(links[first + n]);
-      pairs[n] = { from, this->Links.Next(from, this->Links.DirectionOf(links[first + n])) };
-    }
-    std::array<bool, block> mayJoin;
-    for (std::size_t n = 0; n < size; ++n)
-    {
-      mayJoin[n] = this->Sets.SetOf(pairs[n].From) != this->Sets.SetOf(pairs[n].To);
-    }
-    for (std::size_t n = 0; n < size; ++n)
-    {
-      // Sets that are one stay one.
-      if (mayJoin[n] && !this->Try(pairs[n]))
+    const double next = 0.5 * (done + last);
+    ParallelFor(std::int64_t(windows.size()), 1, monitor.Step(done, next),
+      [&](std::int64_t begin, std::int64_t end)
       {
-        this->Refused.push_back(links[first + n]);
-      }
+        for (std::int64_t n = begin; n < end; ++n)
+        {
+          JoinWindow(fit, this->Sets, windows[std::size_t(n)], Monitor());
+        }
+      });
+    done = next;
+    side = side < all / SideGrowth ? side * SideGrowth : all;
+    windows = this->MergeWindows(windows, side);
+  }
+  windows.front().Columns.merge(this->Columns);
+  JoinWindow(fit, this->Sets, windows.front(), monitor.Step(last, 0.9));
+  JoinRefused(fit, this->Sets, windows.front(), monitor.Step(0.9, 1.0));
+  this->Columns = std::move(windows.front().Columns);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int BestFirstJoining::FirstSide() const
+{
+  const double columns = double(this->Picks.Columns[0]) * double(this->Picks.Columns[1]);
+  const double perColumn = std::max(1.0, double(this->Picks.Size()) / columns);
+  return std::max(1, int(std::sqrt(this->WindowPicks / perColumn)));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<JoiningWindow> BestFirstJoining::MakeWindows(int side) const
+{
+  std::vector<JoiningWindow> windows;
+  for (int j = 0; j < this->Picks.Columns[1]; j += side)
+  {
+    for (int i = 0; i < this->Picks.Columns[0]; i += side)
+    {
+      windows.emplace_back();
+      windows.back().FirstI = i;
+      windows.back().EndI = std::min(i + side, this->Picks.Columns[0]);
+      windows.back().FirstJ = j;
+      windows.back().EndJ = std::min(j + side, this->Picks.Columns[1]);
     }
   }
+  return windows;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool BestFirstJoining::Try(const Pair& pair)
+std::vector<JoiningWindow> BestFirstJoining::MergeWindows(std::vector<JoiningWindow>& windows, int side) const
 {
-  PointId big = this->Sets.SetOf(pair.From);
-  PointId small = this->Sets.SetOf(pair.To);
-  if (big == small || big == NoPoint || small == NoPoint)
+  std::vector<JoiningWindow> merged = this->MakeWindows(side);
+  const int perRow = (this->Picks.Columns[0] + side - 1) / side;
+  for (JoiningWindow& window : windows)
   {
-    return true;
+    JoiningWindow& target = merged[std::size_t(window.FirstJ / side * perRow + window.FirstI / side)];
+    target.IsFirst = false;
+    target.Left.insert(target.Left.end(), window.Left.begin(), window.Left.end());
+    target.Refused.insert(target.Refused.end(), window.Refused.begin(), window.Refused.end());
+    target.Refusals.merge(window.Refusals);
+    target.Columns.merge(window.Columns);
+    window = JoiningWindow();
   }
-  if (this->Sets.SizeOf(big) < this->Sets.SizeOf(small))
-  {
-    std::swap(big, small);
-  }
-  if (this->WasRefused(big, small))
-  {
-    return false;
-  }
-  std::int64_t shared = 0;
-  if (!this->MayJoin(big, small, shared))
-  {
-    this->Refusals[PairKey(big, small)] = std::int64_t(this->Sets.SizeOf(big)) + this->Sets.SizeOf(small);
-    return false;
-  }
-  this->Sets.Absorb(big, small, shared > 0);
-  return true;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool BestFirstJoining::WasRefused(PointId big, PointId small) const
-{
-  const auto found = this->Refusals.find(PairKey(big, small));
-  const double size = double(this->Sets.SizeOf(big)) + double(this->Sets.SizeOf(small));
-  return found != this->Refusals.end() && size < Growth * double(found->second);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool BestFirstJoining::MayJoin(PointId big, PointId small, std::int64_t& shared) const
-{
-  const PointId size = this->Sets.SizeOf(small);
-  const auto most = std::int64_t(this->Rules.LargestShare * size);
-  shared = this->Sets.CountShared(small, big, most);
-  return shared <= most && (size < this->Rules.ContactSize || this->FaceEachOther(big, small));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool BestFirstJoining::FaceEachOther(PointId big, PointId small) const
-{
-  const std::int64_t width = this->Picks.Columns[0];
-  const std::int64_t height = this->Picks.Columns[1];
-  std::int64_t facing = 0;
-  std::int64_t linked = 0;
-  const auto look = [&](PointId partner, std::int64_t i, std::int64_t j)
-  {
-    if (partner != NoPoint && this->Sets.SetOf(partner) == big)
-    {
-      ++facing;
-      ++linked;
-    }
-    else if (i >= 0 && i < width && j >= 0 && j < height && this->Sets.HasColumn(big, i + j * width))
-    {
-      ++facing;
-    }
-    return true;
-  };
-  this->Sets.ForEachMember(small,
-    [&](PointId pick)
-    {
-      const std::int64_t i = this->Sets.ColumnOf(pick) % width;
-      const std::int64_t j = this->Sets.ColumnOf(pick) / width;
-      for (int direction = 0; direction < this->Links.Directions(); ++direction)
-      {
-        const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
-        look(this->Links.Next(pick, direction), i + step.I, j + step.J);
-        look(this->Links.Previous(pick, direction), i - step.I, j - step.J);
-      }
-      return true;
-    });
-  const PointId size = this->Sets.SizeOf(small);
-  const bool isTooWide = size >= this->Rules.LargestFilled && size > this->Rules.LargestFilledWidth * double(facing);
-  return !isTooWide && double(linked) >= this->Rules.SmallestContact * double(facing);
+  return merged;
 }
 }

@@ -1,74 +1,52 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Joins linked picks to surfaces, the best links first (Kruskal's order), as long as the parts fit: they may not lie
-// over each other, and where they face each other most of their picks have to be linked. A link that is wrong, across a
-// fault or onto the next layer, joins parts that face each other along a line with few links.
+// Joins linked picks to surfaces, the best links first (Kruskal's order), as long as the parts fit (PartFit.h).
+//
+// What a link does depends on the two parts it leads between, and on nothing else. So it may be tried as soon as it is
+// the best one left of both: what comes out is the same as by one list of all links. Links are tried in windows of the
+// columns, each of which fits the cache of a processor, by several threads; those that have to wait for one that leads
+// out of the window, in windows of more columns; and the last ones in one window of all.
 
 #ifndef SeismicHorizonsBestFirstJoining_h
 #define SeismicHorizonsBestFirstJoining_h
 
 #include "ReflectionLinks.h"
 #include "SurfaceSets.h"
+#include "WindowJoining.h"
 
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
 namespace SeismicHorizons
 {
-struct JoiningRules
-{
-  /// Of the smaller part's columns: so many may be shared with the other; its picks there are dropped.
-  double LargestShare = 0.03;
-  /// Of the pairs of picks, one of each part, in neighbouring columns: so many have to be linked.
-  double SmallestContact = 0.5;
-  /// Smaller parts than this need no contact.
-  PointId ContactSize = 30;
-  /// Smaller parts of that many picks or more are joined only when they are so many columns wide at most, on average
-  /// along their contact.
-  PointId LargestFilled = std::numeric_limits<PointId>::max();
-  double LargestFilledWidth = 0.0;
-};
-
 class BestFirstJoining
 {
 public:
-  BestFirstJoining(
-    const ReflectionPicks& picks, const ReflectionLinks& links, const JoiningRules& rules, SurfaceSets& sets)
+  /// Of sets that are one pick each. `windowPicks`: about how many picks a window of the first level has. The result
+  /// is the same with any number.
+  BestFirstJoining(const ReflectionPicks& picks, SurfaceSets& sets, double windowPicks = 32000.0)
     : Picks(picks)
-    , Links(links)
-    , Rules(rules)
+    , WindowPicks(windowPicks)
     , Sets(sets)
   {
   }
 
-  /// Tries all links, the best ones first, and in the end once more those of parts that were refused.
-  void Run(const Monitor& monitor);
+  /// Tries all links, the best ones first, and in the end once more those of parts that were refused. May be called
+  /// again, with other links and rules.
+  void Run(const ReflectionLinks& links, const JoiningRules& rules, const Monitor& monitor);
 
 private:
-  /// Two picks that are linked.
-  struct Pair
-  {
-    PointId From = NoPoint;
-    PointId To = NoPoint;
-  };
-
-  void TryAll(const std::vector<LinkId>& links, const Monitor& monitor);
-  /// False when the parts of the picks were refused.
-  bool Try(const Pair& pair);
-  bool MayJoin(PointId big, PointId small, std::int64_t& shared) const;
-  bool FaceEachOther(PointId big, PointId small) const;
-  bool WasRefused(PointId big, PointId small) const;
+  std::vector<JoiningWindow> MakeWindows(int side) const;
+  std::vector<JoiningWindow> MergeWindows(std::vector<JoiningWindow>& windows, int side) const;
+  int FirstSide() const;
 
   const ReflectionPicks& Picks;
-  const ReflectionLinks& Links;
-  const JoiningRules Rules;
+  const double WindowPicks;
   SurfaceSets& Sets;
-
-  std::unordered_map<std::uint64_t, std::int64_t> Refusals; // the size both had, by their numbers
-  std::vector<LinkId> Refused;
+  bool AreSingle = true; // windows hold all sets
+  std::unordered_map<PointId, ColumnSet> Columns; // of large sets
 };
 }
 

@@ -75,14 +75,15 @@ public:
     SurfaceSets sets(picks);
     JoiningRules rules;
     rules.SmallestContact = this->Options.SmallestContact;
-    BestFirstJoining(picks, *links, rules, sets).Run(monitor.Step(0.3, 0.7));
+    BestFirstJoining joining(picks, sets);
+    joining.Run(*links, rules, monitor.Step(0.3, 0.7));
     links.reset();
-    this->Fill(picks, rules, sets, monitor.Step(0.7, 1.0));
+    this->Fill(picks, rules, joining, monitor.Step(0.7, 1.0));
     return sets.TakeLabels();
   }
 
 private:
-  void Fill(const ReflectionPicks& picks, JoiningRules rules, SurfaceSets& sets, const Monitor& monitor)
+  void Fill(const ReflectionPicks& picks, JoiningRules rules, BestFirstJoining& joining, const Monitor& monitor)
   {
     this->Link.HalfWidth = HalfWidth(ShortWaveform, this->Period);
     ReflectionLinks links(this->Cube, picks, this->Link, monitor.Step(0.0, 0.4));
@@ -90,7 +91,7 @@ private:
     rules.ContactSize = 1;
     rules.LargestFilled = LargestFilled;
     rules.LargestFilledWidth = LargestFilledWidth;
-    BestFirstJoining(picks, links, rules, sets).Run(monitor.Step(0.4, 1.0));
+    joining.Run(links, rules, monitor.Step(0.4, 1.0));
   }
 
   const TraceCube& Cube;

@@ -6,7 +6,6 @@
 
 #include "ReflectionLinks.h"
 
-#include "Common/CountingSort.h"
 #include "Common/Parallel.h"
 #include "Waveforms.h"
 
@@ -129,8 +128,8 @@ private:
     {
       if (best.Pick != NoPoint && this->OfB[std::size_t(best.Pick - beginB)].Pick == a)
       {
-        this->Links.Forward[std::size_t(direction)][std::size_t(a)] = best.Pick;
-        this->Links.Backward[std::size_t(direction)][std::size_t(best.Pick)] = a;
+        this->Links.Partners[this->Links.PlaceOf(a, direction)] = best.Pick;
+        this->Links.Partners[this->Links.PlaceOf(best.Pick, direction) + 1] = a;
         this->Links.Correlations[std::size_t(direction)][std::size_t(a)] =
           std::int16_t(std::lround(double(best.Correlation) / RowWaveforms::One * LargestRounded));
       }
@@ -155,8 +154,7 @@ ReflectionLinks::ReflectionLinks(
 {
   const std::size_t directions = std::size_t(options.Connectivity) / 2;
   const std::size_t size = picks.Picks.size();
-  this->Forward.assign(directions, RawVector<PointId>(size, NoPoint));
-  this->Backward.assign(directions, RawVector<PointId>(size, NoPoint));
+  this->Partners.assign(2 * directions * size, NoPoint);
   this->Correlations.resize(directions);
   for (RawVector<std::int16_t>& correlations : this->Correlations)
   {
@@ -178,9 +176,12 @@ double ReflectionLinks::Score(PointId pick, int direction) const
 std::int64_t ReflectionLinks::Size() const
 {
   std::int64_t size = 0;
-  for (const RawVector<PointId>& next : this->Forward)
+  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
   {
-    size += std::count_if(next.begin(), next.end(), [](PointId pick) { return pick != NoPoint; });
+    for (int direction = 0; direction < this->Directions(); ++direction)
+    {
+      size += this->Next(pick, direction) != NoPoint ? 1 : 0;
+    }
   }
   return size;
 }
@@ -191,9 +192,9 @@ double ReflectionLinks::MedianCorrelation() const
   constexpr int keys = 1 << 16;
   std::vector<std::int64_t> counts(keys, 0);
   std::int64_t total = 0;
-  for (int direction = 0; direction < this->Directions(); ++direction)
+  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
   {
-    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
+    for (int direction = 0; direction < this->Directions(); ++direction)
     {
       if (this->Next(pick, direction) != NoPoint)
       {
@@ -217,14 +218,15 @@ double ReflectionLinks::MedianCorrelation() const
 //----------------------------------------------------------------------------------------------------------------------
 void ReflectionLinks::Drop(double smallestCorrelation)
 {
-  for (std::size_t direction = 0; direction < this->Forward.size(); ++direction)
+  const auto smallest = std::int32_t(std::ceil(smallestCorrelation * LargestRounded));
+  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
   {
-    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
+    for (int direction = 0; direction < this->Directions(); ++direction)
     {
-      PointId& next = this->Forward[direction][std::size_t(pick)];
-      if (next != NoPoint && this->Correlation(pick, int(direction)) < smallestCorrelation)
+      PointId& next = this->Partners[this->PlaceOf(pick, direction)];
+      if (next != NoPoint && this->Rounded(pick, direction) < smallest)
       {
-        this->Backward[direction][std::size_t(next)] = NoPoint;
+        this->Partners[this->PlaceOf(next, direction) + 1] = NoPoint;
         next = NoPoint;
       }
     }
@@ -232,29 +234,10 @@ void ReflectionLinks::Drop(double smallestCorrelation)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<LinkId> ReflectionLinks::SortByScore() const
+std::int64_t ReflectionLinks::Rank(PointId pick, int direction) const
 {
-  constexpr std::int64_t keys = 1 << 16;
-  constexpr double perKey = 2e-5; // 65536 of them, from 1 down to -0.31; what is below comes last
-  const auto forEach = [&](auto&& visit)
-  {
-    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
-    {
-      for (int direction = 0; direction < this->Directions(); ++direction)
-      {
-        if (this->Next(pick, direction) != NoPoint)
-        {
-          const double key = (1.0 - this->Score(pick, direction)) / perKey;
-          visit(std::int64_t(std::min(double(keys - 1), std::max(0.0, key))), this->MakeId(pick, direction));
-        }
-      }
-    }
-  };
-  CountingSort<std::uint32_t> sort(keys);
-  forEach([&](std::int64_t key, LinkId) { sort.Count(key); });
-  sort.EndCounting();
-  std::vector<LinkId> sorted(sort.Size());
-  forEach([&](std::int64_t key, LinkId link) { sorted[sort.NextPosition(key)] = link; });
-  return sorted;
+  constexpr double ranks = 1 << 16; // of 2e-5 each, from a score of 1 down to -0.31; what is below comes last
+  constexpr double perRank = 2e-5;
+  return std::int64_t(std::clamp((1.0 - this->Score(pick, direction)) / perRank, 0.0, ranks - 1.0));
 }
 }

@@ -51,20 +51,20 @@ public:
   ReflectionLinks(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options,
     const Monitor& monitor = Monitor());
 
-  int Directions() const { return int(this->Forward.size()); }
+  int Directions() const { return int(this->Correlations.size()); }
 
   /// The pick that a pick is linked with along a step, or against it; NoPoint without one.
-  PointId Next(PointId pick, int direction) const { return this->Forward[std::size_t(direction)][std::size_t(pick)]; }
-  PointId Previous(PointId pick, int direction) const
-  {
-    return this->Backward[std::size_t(direction)][std::size_t(pick)];
-  }
+  PointId Next(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction)]; }
+  PointId Previous(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction) + 1]; }
 
   /// The correlation of a link, -1 to 1.
   double Correlation(PointId pick, int direction) const { return this->Rounded(pick, direction) / LargestRounded; }
 
   /// What links are joined by, the best first: the correlation, less 0.05 for each sample of the step between them.
   double Score(PointId pick, int direction) const;
+
+  /// The better the score, the lower; below 2^16. Scores are told apart by 2e-5.
+  std::int64_t Rank(PointId pick, int direction) const;
 
   LinkId MakeId(PointId pick, int direction) const
   {
@@ -79,9 +79,6 @@ public:
   /// Drops links of less correlation.
   void Drop(double smallestCorrelation);
 
-  /// All links, those of the best score first; of equal ones the one of the first pick. Scores are told apart by 2e-5.
-  std::vector<LinkId> SortByScore() const;
-
 private:
   // Correlations are kept in 16 bits.
   static constexpr double LargestRounded = 32767.0;
@@ -90,12 +87,16 @@ private:
     return this->Correlations[std::size_t(direction)][std::size_t(pick)];
   }
 
+  std::size_t PlaceOf(PointId pick, int direction) const
+  {
+    return 2 * (std::size_t(pick) * this->Correlations.size() + std::size_t(direction));
+  }
+
   class RowLinker;
 
   const ReflectionPicks& Picks;
-  std::vector<RawVector<PointId>> Forward; // by direction, then by pick
-  std::vector<RawVector<PointId>> Backward;
-  std::vector<RawVector<std::int16_t>> Correlations;
+  RawVector<PointId> Partners; // by pick, then by direction: along the step, and against it
+  std::vector<RawVector<std::int16_t>> Correlations; // by direction, then by pick
 };
 }
 

@@ -12,24 +12,49 @@ namespace SeismicHorizons
 SurfaceSets::SurfaceSets(const ReflectionPicks& picks)
   : Picks(picks)
   , Labels(picks.Picks.size())
+  , Members(picks.Picks.size())
   , Sizes(picks.Picks.size(), 1)
-  , ColumnNumbers(picks.ListColumns())
 {
   std::iota(this->Labels.begin(), this->Labels.end(), 0);
-  this->Ring = this->Labels;
+  for (std::size_t column = 0; column + 1 < picks.Starts.size(); ++column)
+  {
+    for (PointId pick = picks.Starts[column]; pick < picks.Starts[column + 1]; ++pick)
+    {
+      this->Members[std::size_t(pick)] = { pick, std::int32_t(column) };
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::int64_t SurfaceSets::CountShared(PointId set, PointId other, std::int64_t most) const
+void SurfaceSets::SortMembers(const ColumnWindow& window)
 {
-  std::int64_t shared = 0;
-  this->ForEachMember(set,
-    [&](PointId pick)
+  const auto forEachUpwards = [&](auto&& visit)
+  {
+    for (int j = window.EndJ; j-- > window.FirstJ;)
     {
-      shared += this->HasColumn(other, this->ColumnOf(pick)) ? 1 : 0;
-      return shared <= most;
+      const PointId end = this->Picks.Begin(this->Picks.ColumnAt(window.EndI, j));
+      for (PointId pick = end; pick-- > this->Picks.Begin(this->Picks.ColumnAt(window.FirstI, j));)
+      {
+        visit(pick, this->Labels[std::size_t(pick)]);
+      }
+    }
+  };
+  forEachUpwards(
+    [this](PointId pick, PointId set)
+    {
+      if (set == pick)
+      {
+        this->Members[std::size_t(pick)].Next = pick;
+      }
     });
-  return shared;
+  forEachUpwards(
+    [this](PointId pick, PointId set)
+    {
+      if (set != pick && set != NoPoint)
+      {
+        this->Members[std::size_t(pick)].Next = std::exchange(this->Members[std::size_t(set)].Next, pick);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -38,7 +63,7 @@ void SurfaceSets::Absorb(PointId big, PointId small, bool areShared)
   PointId pick = small;
   do
   {
-    const PointId next = this->Ring[std::size_t(pick)];
+    const PointId next = this->Members[std::size_t(pick)].Next;
     // Picks that came before it lie in other columns.
     if (areShared && this->HasColumn(big, this->ColumnOf(pick)))
     {
@@ -47,7 +72,7 @@ void SurfaceSets::Absorb(PointId big, PointId small, bool areShared)
     else
     {
       this->Labels[std::size_t(pick)] = big;
-      this->Ring[std::size_t(pick)] = std::exchange(this->Ring[std::size_t(big)], pick);
+      this->Members[std::size_t(pick)].Next = std::exchange(this->Members[std::size_t(big)].Next, pick);
       ++this->Sizes[std::size_t(big)];
     }
     pick = next;

@@ -10,10 +10,23 @@
 #include "Reflection.h"
 
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
+/// A rectangle of columns.
+struct ColumnWindow
+{
+  int FirstI = 0;
+  int EndI = 0;
+  int FirstJ = 0;
+  int EndJ = 0;
+
+  bool Has(int i, int j) const { return i >= this->FirstI && i < this->EndI && j >= this->FirstJ && j < this->EndJ; }
+};
+
 /// A set has the number of one of its picks. Its members are a ring.
 class SurfaceSets
 {
@@ -24,7 +37,15 @@ public:
   /// The set of a pick; NoPoint when it was dropped.
   PointId SetOf(PointId pick) const { return this->Labels[std::size_t(pick)]; }
   PointId SizeOf(PointId set) const { return this->Sizes[std::size_t(set)]; }
-  std::int32_t ColumnOf(PointId pick) const { return this->ColumnNumbers[std::size_t(pick)]; }
+  std::int32_t ColumnOf(PointId pick) const { return this->Members[std::size_t(pick)].Column; }
+
+  /// Whether a set waits. One that does has no size to ask for, and does not grow.
+  bool Waits(PointId set) const { return this->Sizes[std::size_t(set)] < 0; }
+  void SetWaits(PointId set, bool waits)
+  {
+    PointId& size = this->Sizes[std::size_t(set)];
+    size = waits ? -std::abs(size) : std::abs(size);
+  }
 
   /// Whether a set has a pick in a column.
   bool HasColumn(PointId set, std::int64_t column) const
@@ -49,12 +70,12 @@ public:
       {
         return;
       }
-      pick = this->Ring[std::size_t(pick)];
+      pick = this->Members[std::size_t(pick)].Next;
     } while (pick != set);
   }
 
-  /// How many columns of a set another one has too, counted until they are more than `most`.
-  std::int64_t CountShared(PointId set, PointId other, std::int64_t most) const;
+  /// Puts the members of sets that lie in these columns into their order in memory, in which they are quick to visit.
+  void SortMembers(const ColumnWindow& window);
 
   /// Puts the members of `small` into `big`. Those in columns that `big` has are dropped.
   void Absorb(PointId big, PointId small, bool areShared);
@@ -63,11 +84,16 @@ public:
   RawVector<PointId> TakeLabels() { return std::move(this->Labels); }
 
 private:
+  struct Member
+  {
+    PointId Next = NoPoint; // member of the set
+    std::int32_t Column = 0;
+  };
+
   const ReflectionPicks& Picks;
   RawVector<PointId> Labels;
-  RawVector<PointId> Ring; // the next member of the set
+  RawVector<Member> Members;
   RawVector<PointId> Sizes;
-  RawVector<std::int32_t> ColumnNumbers;
 };
 }
 

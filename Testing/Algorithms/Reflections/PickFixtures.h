@@ -83,6 +83,29 @@ inline ReflectionPicks MakePicks(const std::array<int, 2>& columns, const std::v
   return picks;
 }
 
+/// All links, by rank; of equal ones that of the first pick first.
+inline std::vector<LinkId> SortByRank(const ReflectionLinks& links, const ReflectionPicks& picks)
+{
+  std::vector<std::pair<std::int64_t, LinkId>> ranked;
+  for (PointId pick = 0; pick < picks.Size(); ++pick)
+  {
+    for (int direction = 0; direction < links.Directions(); ++direction)
+    {
+      if (links.Next(pick, direction) != NoPoint)
+      {
+        ranked.emplace_back(links.Rank(pick, direction), links.MakeId(pick, direction));
+      }
+    }
+  }
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<LinkId> sorted;
+  for (const auto& [rank, link] : ranked)
+  {
+    sorted.push_back(link);
+  }
+  return sorted;
+}
+
 /// Runs work() on one thread and on three, and gives both results.
 template <typename Work>
 auto OnThreads(Work&& work)

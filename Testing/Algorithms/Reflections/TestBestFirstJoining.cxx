@@ -33,9 +33,16 @@ public:
     }
   }
 
+  std::vector<PointId> Run(const JoiningRules& rules)
+  {
+    this->Rules = rules;
+    this->Sizes.clear();
+    return this->Run();
+  }
+
   std::vector<PointId> Run()
   {
-    std::vector<LinkId> refused = this->TryAll(this->Links.SortByScore());
+    std::vector<LinkId> refused = this->TryAll(SortByRank(this->Links, this->Picks));
     this->Sizes.clear();
     this->TryAll(refused);
     return this->Names;
@@ -139,7 +146,7 @@ private:
 
   const ReflectionPicks& Picks;
   const ReflectionLinks& Links;
-  const JoiningRules Rules;
+  JoiningRules Rules;
   const RawVector<std::int32_t> Columns;
   std::vector<PointId> Names; // of the parts of picks
   std::map<PointId, Part> Parts;
@@ -166,10 +173,10 @@ Case MakeCase(unsigned seed, ColumnConnectivity connectivity)
   return test;
 }
 
-RawVector<PointId> Join(const Case& test, const JoiningRules& rules)
+RawVector<PointId> Join(const Case& test, const JoiningRules& rules, double windowPicks = 1e9)
 {
   SurfaceSets sets(test.Picks);
-  BestFirstJoining(test.Picks, *test.Links, rules, sets).Run(Monitor());
+  BestFirstJoining(test.Picks, sets, windowPicks).Run(*test.Links, rules, Monitor());
   return sets.TakeLabels();
 }
 
@@ -222,10 +229,52 @@ void TestOracle()
     CHECK(!std::equal(first, first + cubes, first - cubes));
   }
 }
+
+/// Windows of one column, of some, and of all give the same, on any number of threads.
+void TestWindows()
+{
+  JoiningRules rules;
+  rules.LargestShare = 0.1;
+  rules.ContactSize = 8;
+  for (unsigned seed = 1; seed <= 6; ++seed)
+  {
+    const Case test = MakeCase(seed, seed % 2 == 0 ? ColumnConnectivity::Eight : ColumnConnectivity::Four);
+    const RawVector<PointId> expected = Join(test, rules);
+    for (const double windowPicks : { 1.0, 100.0, 400.0 })
+    {
+      const auto [one, three] = OnThreads([&]() { return Join(test, rules, windowPicks); });
+      CHECK(one == expected);
+      CHECK(three == expected);
+    }
+  }
+}
+
+/// Parts that are joined already grow on by other links and rules, as if each had been given to the oracle.
+void TestSecondRun()
+{
+  const Case test = MakeCase(4, ColumnConnectivity::Four);
+  JoiningRules rules;
+  rules.ContactSize = 5;
+  rules.LargestShare = 0.1;
+  JoiningRules looser = rules;
+  looser.SmallestContact = 0.2;
+  Oracle oracle(test.Picks, *test.Links, rules);
+  const std::vector<PointId> before = oracle.Run();
+  const std::vector<PointId> expected = oracle.Run(looser);
+  CHECK(before != expected);
+  SurfaceSets sets(test.Picks);
+  BestFirstJoining joining(test.Picks, sets, 100.0);
+  joining.Run(*test.Links, rules, Monitor());
+  joining.Run(*test.Links, looser, Monitor());
+  const RawVector<PointId> found = sets.TakeLabels();
+  CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+}
 }
 
 int TestBestFirstJoining(int, char*[])
 {
   TestOracle();
+  TestWindows();
+  TestSecondRun();
   return Check::Result();
 }

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PartFit.h"
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+bool PartFit::MayJoin(PointId big, const ColumnSet* columns, PointId small, std::int64_t& shared) const
+{
+  if (columns)
+  {
+    return this->MayJoin(
+      big, small, [columns](int i, int j) { return columns->Has(i, j); }, shared);
+  }
+  const auto hasColumn = [this, big](int i, int j)
+  {
+    const bool isInside = i >= 0 && i < this->Picks.Columns[0] && j >= 0 && j < this->Picks.Columns[1];
+    return isInside && this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j));
+  };
+  return this->MayJoin(big, small, hasColumn, shared);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename HasColumn>
+bool PartFit::MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::int64_t& shared) const
+{
+  const PointId size = this->Sets.SizeOf(small);
+  const auto most = std::int64_t(this->Rules.LargestShare * size);
+  const bool needsContact = size >= this->Rules.ContactSize;
+  std::int64_t facing = 0;
+  std::int64_t linked = 0;
+  const auto look = [&](PointId partner, int i, int j)
+  {
+    const bool isLinked = partner != NoPoint && this->Sets.SetOf(partner) == big;
+    linked += isLinked ? 1 : 0;
+    facing += isLinked || hasColumn(i, j) ? 1 : 0;
+  };
+  shared = 0;
+  this->Sets.ForEachMember(small,
+    [&](PointId pick)
+    {
+      const int i = this->Sets.ColumnOf(pick) % this->Picks.Columns[0];
+      const int j = this->Sets.ColumnOf(pick) / this->Picks.Columns[0];
+      shared += hasColumn(i, j) ? 1 : 0;
+      for (int direction = 0; needsContact && direction < this->Links.Directions(); ++direction)
+      {
+        const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
+        look(this->Links.Next(pick, direction), i + step.I, j + step.J);
+        look(this->Links.Previous(pick, direction), i - step.I, j - step.J);
+      }
+      return shared <= most;
+    });
+  const bool isTooWide =
+    needsContact && size >= this->Rules.LargestFilled && size > this->Rules.LargestFilledWidth * double(facing);
+  return shared <= most && !isTooWide && double(linked) >= this->Rules.SmallestContact * double(facing);
+}
+}

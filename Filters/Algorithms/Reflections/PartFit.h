@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether two parts of surfaces fit together: they may not lie over each other, and where they face each other most of
+// their picks have to be linked. A link that is wrong, across a fault or onto the next layer, leads between parts that
+// face each other along a line with few links.
+
+#ifndef SeismicHorizonsPartFit_h
+#define SeismicHorizonsPartFit_h
+
+#include "ColumnSet.h"
+#include "ReflectionLinks.h"
+#include "SurfaceSets.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace SeismicHorizons
+{
+struct JoiningRules
+{
+  /// Of the smaller part's columns: so many may be shared with the other; its picks there are dropped.
+  double LargestShare = 0.03;
+  /// Of the pairs of picks, one of each part, in neighbouring columns: so many have to be linked.
+  double SmallestContact = 0.5;
+  /// Smaller parts than this need no contact.
+  PointId ContactSize = 30;
+  /// Smaller parts of that many picks or more are joined only when they are so many columns wide at most, on average
+  /// along their contact.
+  PointId LargestFilled = std::numeric_limits<PointId>::max();
+  double LargestFilledWidth = 0.0;
+};
+
+/// Reads nothing but the two parts, and their columns: parts that have nothing in common may be looked at by several
+/// threads.
+class PartFit
+{
+public:
+  PartFit(
+    const ReflectionPicks& picks, const ReflectionLinks& links, const JoiningRules& rules, const SurfaceSets& sets)
+    : Picks(picks)
+    , Links(links)
+    , Rules(rules)
+    , Sets(sets)
+  {
+  }
+
+  /// Whether two sets, the larger one first, may become one. If so, `shared` is how many columns both have. `columns`:
+  /// those of the larger one, or null, where its picks are looked for.
+  bool MayJoin(PointId big, const ColumnSet* columns, PointId small, std::int64_t& shared) const;
+
+  const ReflectionPicks& Picks;
+  const ReflectionLinks& Links;
+
+private:
+  template <typename HasColumn>
+  bool MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::int64_t& shared) const;
+
+  const JoiningRules Rules;
+  const SurfaceSets& Sets;
+};
+}
+
+#endif
