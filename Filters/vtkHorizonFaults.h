@@ -116,9 +116,29 @@ public:
   vtkGetMacro(NumberOfCutLinks, vtkIdType);
   ///@}
 
+  /// What given lines are.
+  enum LineTypes
+  {
+    Traces = 0,
+    Sticks = 1
+  };
+
   ///@{
   /**
-   * The fault traces or polygons, input 1; none when they are removed.
+   * What given lines are. Traces: they run along the horizon, seen from above, as fault traces and polygons do. Sticks:
+   * they run down faults, and the trace of a fault goes through the places where its sticks, one after the other, pass
+   * through the horizon; sticks of one fault agree in all words of the cell array FaultName but the last. Default:
+   * Traces.
+   */
+  vtkSetClampMacro(LineType, int, Traces, Sticks);
+  vtkGetMacro(LineType, int);
+  void SetLineTypeToTraces() { this->SetLineType(Traces); }
+  void SetLineTypeToSticks() { this->SetLineType(Sticks); }
+  ///@}
+
+  ///@{
+  /**
+   * The fault traces, polygons or sticks, input 1; none when they are removed.
    */
   void SetFaultLinesConnection(vtkAlgorithmOutput* lines) { this->SetInputConnection(1, lines); }
   void RemoveFaultLines() { this->SetInputConnection(1, nullptr); }
@@ -139,6 +159,7 @@ private:
 
   SeismicHorizons::FaultDetectionOptions MakeOptions() const;
 
+  int LineType = Traces;
   bool Detect = true;
   double SmallestThrow = 4.0;
   double Noise = 0.0;
