@@ -28,8 +28,8 @@
  * LargestGap missing columns are cut in the middle when planes through the points on both sides are as far apart there.
  * Faults that bend by ramps of several columns show as bundles of lines, or are missed where no single step is large.
  *
- * Linear time, on several threads, with the same result on any number of them; 24 bytes per column of the bounding box
- * and 24 per point beyond input and output.
+ * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box
+ * and 16 per point beyond input and output.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
  * parameter out of its range, a line with a point that is not finite. A warning where no given line passes the horizon.
