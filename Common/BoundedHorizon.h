@@ -6,9 +6,11 @@
 #ifndef SeismicHorizonsBoundedHorizon_h
 #define SeismicHorizonsBoundedHorizon_h
 
+#include "LinkCuts.h"
 #include "Types.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace SeismicHorizons
@@ -22,6 +24,7 @@ struct BoundedHorizon
   std::vector<std::int64_t> Count; // how many points of the original horizon each one stands for; empty: one
   Loops Boundary;
   std::int32_t SubVoxelsPerColumn = 1;
+  std::shared_ptr<const LinkCuts> Cuts; // points on two sides of these are never merged; null: there are none
 };
 }
 

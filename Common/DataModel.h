@@ -19,10 +19,14 @@ constexpr const char* RealZ = "RealZ";
 constexpr const char* PatchId = "PatchId";
 constexpr const char* Boundary = "Boundary";
 constexpr const char* PointCount = "PointCount";
+constexpr const char* SeamGap = "SeamGap";
 constexpr const char* CellOrigin = "CellOrigin";
 constexpr const char* Flatness = "Flatness";
 constexpr const char* Distance = "Distance";
 constexpr const char* VerticalDistance = "VerticalDistance";
+constexpr const char* Throw = "Throw";
+constexpr const char* Filled = "Filled";
+constexpr const char* Spike = "Spike";
 }
 
 namespace CellArray
@@ -33,6 +37,8 @@ constexpr const char* Quality = "Quality";
 constexpr const char* Dilatation = "Dilatation";
 constexpr const char* Error = "Error";
 constexpr const char* Part = "Part";
+constexpr const char* FaultLine = "FaultLine";
+constexpr const char* FaultName = "FaultName";
 }
 
 namespace FieldArray
@@ -69,6 +75,18 @@ constexpr const char* ChosenOutlineTolerance = "ChosenOutlineTolerance";
 constexpr const char* ChosenDistanceThreshold = "ChosenDistanceThreshold";
 constexpr const char* ChosenMaximumError = "ChosenMaximumError";
 constexpr const char* ChosenMaximumNumberOfPoints = "ChosenMaximumNumberOfPoints";
+constexpr const char* NumberOfFilledHoles = "NumberOfFilledHoles";
+constexpr const char* NumberOfFilledPoints = "NumberOfFilledPoints";
+constexpr const char* NumberOfOpenHoles = "NumberOfOpenHoles";
+constexpr const char* NumberOfSpikes = "NumberOfSpikes";
+constexpr const char* NumberOfThreadPoints = "NumberOfThreadPoints";
+constexpr const char* CutLinks = "CutLinks";
+constexpr const char* CutThrow = "CutThrow";
+constexpr const char* CutLine = "CutLine";
+constexpr const char* FaultNoise = "FaultNoise";
+constexpr const char* SeamRows = "SeamRows";
+constexpr const char* NumberOfParts = "NumberOfParts";
+constexpr const char* SeamPoints = "SeamPoints";
 constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* MeanDistance = "MeanDistance";
 constexpr const char* RmsDistance = "RmsDistance";

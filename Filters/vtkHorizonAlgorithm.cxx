@@ -9,6 +9,7 @@
 #include "Common/VTK/Ranks.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/RankedHorizons.h"
+#include "Marshalling/StageReport.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -52,7 +53,8 @@ int vtkHorizonAlgorithm::RequestData(
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0], 0);
   const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
   const Ranks ranks(this->GetController(), request, outputVector);
-  const auto work = [this, input, &outputs, &ranks](std::string& subject, const Monitor& monitor)
+  StageReport report;
+  const auto work = [this, input, &outputs, &ranks, &report](std::string& subject, const Monitor& monitor)
   {
     std::vector<HorizonLeaf> horizons;
     ranks.Together([&]() { horizons = ListHorizons(input, outputs); });
@@ -68,8 +70,12 @@ int vtkHorizonAlgorithm::RequestData(
         RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
           { horizon.Outputs.begin(), horizon.Outputs.end() },
           [&]() { this->ProcessHorizon(horizon.Input, horizon.Outputs, step); });
+        report.Add(horizon.Name, horizon.Input, horizon.Outputs.front());
       }
     }
   };
-  return RunRequest(this, outputs, NotEnoughMemory, work, ranks);
+  this->Results.clear();
+  const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
+  this->Results = done ? report.Text() : std::string();
+  return done;
 }

@@ -26,6 +26,7 @@
 #include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <string> // for the results
 #include <vector> // for the outputs
 
 namespace SeismicHorizons
@@ -42,6 +43,13 @@ public:
 
   /// Output 0 as a single horizon; null when it is a composite dataset.
   vtkPolyData* GetPolyDataOutput();
+
+  /**
+   * What the last update made of each horizon, as lines of text for people: points in and out, and the figures that the
+   * stage put into the field data. Of several processes, each has a text of its own horizons. Empty before the first
+   * update, and after an error.
+   */
+  const char* GetResults() { return this->Results.c_str(); }
 
 protected:
   vtkHorizonAlgorithm() = default;
@@ -60,6 +68,8 @@ protected:
 private:
   vtkHorizonAlgorithm(const vtkHorizonAlgorithm&) = delete;
   void operator=(const vtkHorizonAlgorithm&) = delete;
+
+  std::string Results;
 };
 
 #endif

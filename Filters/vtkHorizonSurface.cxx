@@ -5,12 +5,18 @@
 
 #include "Boundary/BoundaryMarks.h"
 #include "Common/DataModel.h"
+#include "Common/Errors.h"
 #include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/BoundaryOutput.h"
+#include "Marshalling/CutData.h"
 #include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
+#include "Marshalling/HorizonTree.h"
+#include "Marshalling/SeamData.h"
+#include "Surface/GapHistogram.h"
 #include "Surface/Surface.h"
 
 #include "vtkDoubleArray.h"
@@ -21,6 +27,7 @@
 #include "vtkPolyData.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 using namespace SeismicHorizons;
@@ -34,6 +41,26 @@ template <typename Value, typename Given>
 std::optional<Value> UnlessAutomatic(bool isAutomatic, Given value)
 {
   return isAutomatic ? std::nullopt : std::optional<Value>(value);
+}
+
+std::optional<std::int32_t> ToSeam(int row)
+{
+  CheckAtLeast("seam row", row, -1, ", which stands for none");
+  return row < 0 ? std::optional<std::int32_t>() : std::optional<std::int32_t>(row);
+}
+
+/// The points on the lower seam, where there is one.
+std::vector<PointId> FindPointsOn(const std::optional<std::int32_t>& row, const std::vector<PlanePoint>& columns)
+{
+  std::vector<PointId> found;
+  for (std::size_t point = 0; row && point < columns.size(); ++point)
+  {
+    if (columns[point].Y == *row)
+    {
+      found.push_back(PointId(point));
+    }
+  }
+  return found;
 }
 
 void WriteChosen(const SurfaceParameters& chosen, vtkFieldData* figures)
@@ -66,6 +93,7 @@ void vtkHorizonSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "GrowthStrategy: " << (this->GrowthStrategy == Distance ? "Distance" : "Clockwise") << "\n";
   os << indent << "HoleBoundaries: " << tell(this->HoleBoundaries) << "\n";
+  os << indent << "UseCuts: " << tell(this->UseCuts) << "\n";
   os << indent << "AutomaticSmallestHoleSize: " << tell(this->AutomaticSmallestHoleSize) << "\n";
   os << indent << "SmallestHoleSize: " << this->SmallestHoleSize << "\n";
   os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
@@ -73,7 +101,39 @@ void vtkHorizonSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineTolerance: " << this->OutlineTolerance << "\n";
   os << indent << "AutomaticDistanceThreshold: " << tell(this->AutomaticDistanceThreshold) << "\n";
   os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
+  os << indent << "SeamRows: " << this->SeamRows[0] << ", " << this->SeamRows[1] << "\n";
   os << indent << "FitHeights: " << tell(this->GetFitHeights()) << "\n";
+}
+
+//------------------------------------------------------------------------------
+SeismicHorizons::SeamRows vtkHorizonSurface::MakeSeams()
+{
+  SeismicHorizons::SeamRows seams;
+  seams.Lower = ToSeam(this->SeamRows[0]);
+  seams.Upper = ToSeam(this->SeamRows[1]);
+  if (HasSeams(seams) && this->Target == LargestError && this->GetErrorUnit() == Diagonal)
+  {
+    throw InputError(
+      "a seam and a maximum error of unit Diagonal, expected Lattice or World: the diagonal of a part is "
+      "not that of the horizon");
+  }
+  return seams;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
+{
+  int radius = 0;
+  RunRequest(this, {}, NotEnoughMemory,
+    [&](std::string&, const Monitor&)
+    {
+      if (horizon && horizon->GetNumberOfPoints() > 0)
+      {
+        LatticePoints points = ReadPoints(WithoutHiddenPoints(horizon));
+        radius = SeismicHorizons::ChooseRadius(ToColumns(std::move(points.Plane), points.Grid));
+      }
+    });
+  return radius;
 }
 
 //------------------------------------------------------------------------------
@@ -105,15 +165,24 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
 {
   const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
   LatticePoints points = ReadPoints(input);
-  const SurfaceOptions options = this->MakeOptions(points);
+  SurfaceOptions options = this->MakeOptions(points);
+  options.Seams = this->MakeSeams();
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input) : std::nullopt;
+  options.Cuts = cuts ? &*cuts : nullptr;
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
   std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid, ColumnTolerance::None);
+  const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, columns);
   monitor.Progress(0.1);
   Surface surface =
     MakeSurface({ std::move(columns), {}, std::move(points.Height), size }, options, monitor.Step(0.1, 0.9));
   vtkPolyData* const outlines = outputs[OutlinePort];
   WriteBoundary(
     input, surface.Kept, surface.Boundary, MarkBoundary(BoundaryType::Exterior, {}, surface.Boundary), outlines);
+  if (!this->UseCuts)
+  {
+    RemoveCuts(outlines);
+    RemoveCuts(outputs[MeshPort]);
+  }
   vtkPolyData* const mesh = outputs[MeshPort];
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
   if (surface.Kept.empty())
@@ -126,6 +195,10 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     AddValue<vtkDoubleArray>(figures, FieldArray::BoundaryDeviation, surface.BoundaryDeviation);
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, surface.OutlineDeviation);
     WriteDecimation(outlines, points.Grid, surface.Mesh, mesh);
+    if (HasSeams(options.Seams))
+    {
+      WriteSeams(outlines, points.Grid, surface, options.Seams, onLowerSeam, mesh);
+    }
   }
   WriteChosen(surface.Parameters, mesh->GetFieldData());
 }

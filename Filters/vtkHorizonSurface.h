@@ -40,6 +40,7 @@
 namespace SeismicHorizons
 {
 struct LatticePoints;
+struct SeamRows;
 struct SurfaceOptions;
 }
 
@@ -122,6 +123,17 @@ public:
 
   ///@{
   /**
+   * Whether the cut links that the horizon carries (field data CutLinks) part it: cracks are loops around both lips,
+   * whatever HoleBoundaries and the smallest hole are, and the mesh leaves them open. Off: the horizon is not cut
+   * from here on, and the outputs have no CutLinks. Default: on.
+   */
+  vtkSetMacro(UseCuts, bool);
+  vtkGetMacro(UseCuts, bool);
+  vtkBooleanMacro(UseCuts, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the size of the smallest hole that stays open is chosen: a square with the larger one of two sides, twice
    * the radius plus one, and twice the outline tolerance. Off: SmallestHoleSize. Default: on.
    */
@@ -182,6 +194,25 @@ public:
   vtkGetMacro(DistanceThreshold, double);
   ///@}
 
+  ///@{
+  /**
+   * For a part of a horizon, to be joined to others by vtkHorizonSurfaceJoin: the rows (j) of the lattice where other
+   * parts go on, below the part and above it, -1 for none. The parts on both sides have the points of such a row, and
+   * the part none beyond. The target is the error then, not of unit Diagonal, holes have boundaries, MinimumPatchSize
+   * is 1 and growth clockwise where the radius is not 1. The mesh has two arrays more: SeamRows (int, 2 components),
+   * these rows, as field data, and SeamGap (unsigned char) at points, 1 to the left of gaps along a seam that are not
+   * filled. PointCount leaves out the points of the row below. Default: -1, -1.
+   */
+  vtkSetVector2Macro(SeamRows, int);
+  vtkGetVector2Macro(SeamRows, int);
+  ///@}
+
+  /**
+   * The radius that AutomaticRadius chooses for the points of a horizon, to be given to all its parts; 0 for none, and,
+   * after an error, for points that are not on a lattice.
+   */
+  int ChooseRadius(vtkPolyData* horizon);
+
 protected:
   vtkHorizonSurface();
   ~vtkHorizonSurface() override = default;
@@ -193,6 +224,7 @@ private:
   void operator=(const vtkHorizonSurface&) = delete;
 
   SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::LatticePoints& points) const;
+  SeismicHorizons::SeamRows MakeSeams();
 
   int Target = LargestError;
   int MaximumNumberOfTriangles = 20000;
@@ -200,6 +232,7 @@ private:
   int Radius = 1;
   int GrowthStrategy = Clockwise;
   bool HoleBoundaries = true;
+  bool UseCuts = true;
   bool AutomaticSmallestHoleSize = true;
   int SmallestHoleSize = 1;
   int MinimumPatchSize = 1;
@@ -207,6 +240,7 @@ private:
   double OutlineTolerance = 0.0;
   bool AutomaticDistanceThreshold = true;
   double DistanceThreshold = 0.4;
+  int SeamRows[2] = { -1, -1 };
 };
 
 #endif

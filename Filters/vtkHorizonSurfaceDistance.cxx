@@ -61,6 +61,7 @@ void vtkHorizonSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerPoint: " << this->SamplesPerPoint << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "IncludeFilledPoints: " << (this->IncludeFilledPoints ? "on" : "off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +127,8 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   SurfaceDistanceOptions options;
   options.SamplesPerPoint = this->SamplesPerPoint;
   options.Seed = std::uint64_t(this->Seed);
-  MeasuredPair measured = MeasureSurfaces(pair, options, this->DistanceUnit == World, monitor.Step(0.1, 0.95));
+  MeasuredPair measured =
+    MeasureSurfaces(pair, options, this->DistanceUnit == World, this->IncludeFilledPoints, monitor.Step(0.1, 0.95));
   AddArrays(measured.Points.Reference, measured.Upwards, pair.ReferenceOutput);
   AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
   WriteFieldData(measured.Report, measured.Report.Surfaces[0], pair.ReferenceOutput);

@@ -42,8 +42,9 @@
  *
  * With InvalidHorizons set to LeaveOut, a pair that can not be measured has empty surfaces and no rows.
  *
- * Errors: 2^30 points or triangles, no triangles or no area in a mesh, other cells than triangles, a horizon without
- * counterpart, points that are not finite, a reference without triangles that is no horizon on a lattice.
+ * Errors: 2^30 points or triangles, no triangles or no area in a mesh (but at filled points), other cells than
+ * triangles, a horizon without counterpart, points that are not finite, a reference without triangles that is no
+ * horizon on a lattice.
  *
  * @sa vtkHorizonTriangulation vtkDistancePolyDataFilter vtkHausdorffDistancePointSetFilter
  */
@@ -113,6 +114,17 @@ public:
   vtkGetMacro(Radius, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the figures count what vtkHorizonHoleFilling has put in: points whose array Filled is not 0, on either
+   * surface, and the edges and triangles at them. When off, distances to these are measured, and all points have their
+   * Distance and VerticalDistance, but no figure counts from them. Default: off.
+   */
+  vtkSetMacro(IncludeFilledPoints, bool);
+  vtkGetMacro(IncludeFilledPoints, bool);
+  vtkBooleanMacro(IncludeFilledPoints, bool);
+  ///@}
+
 protected:
   vtkHorizonSurfaceDistance();
   ~vtkHorizonSurfaceDistance() override = default;
@@ -131,6 +143,7 @@ private:
   double SamplesPerPoint = 2.0;
   int Seed = 1;
   int Radius = 1;
+  bool IncludeFilledPoints = false;
 };
 
 #endif

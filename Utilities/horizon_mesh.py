@@ -10,6 +10,7 @@ The work is done by the modules of that package; here is the command line.
 import argparse
 import os
 import pathlib
+import re
 import signal
 import sys
 
@@ -21,6 +22,8 @@ GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
+JOININGS = ("BestFirst", "Continuous", "Components")
+POLARITIES = ("Both", "Positive", "Negative")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -53,6 +56,17 @@ def _vertical_step(text):
 _vertical_step.__name__ = "number other than 0:"
 
 
+def _memory(text):
+    """Bytes from "2G", "1.5 GB", "800M" and the like."""
+    found = re.fullmatch(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*([KMGT]?)I?B?\s*", text.upper())
+    if not found or float(found.group(1)) == 0.0:
+        raise ValueError(text)
+    return int(float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " "))
+
+
+_memory.__name__ = "size like 2G or 800M:"
+
+
 def _horizon(text):
     if os.path.exists(text):
         raise argparse.ArgumentTypeError("%s is a file; put -- between horizons and files that follow" % text)
@@ -65,7 +79,7 @@ def make_parser():
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
         description="Reads files of seismic horizons (sparse voxel files, text picks of OpendTect, Petrel, OpenWorks, IESX "
         "and the like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer and GXF; by what is in them, whatever their "
-        "extension), and turns each horizon in them into a triangle mesh: exterior "
+        "extension) or finds the largest ones in seismic cubes (SEG-Y), and turns each horizon in them into a triangle mesh: exterior "
         "boundary, boundary simplification, rough and (on request) elaborate simplification, triangulation. Or, "
         "recommended, with one number: --largest-error or --triangles, from which all else follows. Writes one "
         "mesh per horizon and one picture per file, and prints a table; on request, measures the error. Files "
@@ -84,6 +98,8 @@ def make_parser():
                         help="formats of the meshes: VTK, GOCAD TSurf, STL, PLY (single precision) and OBJ; put -- "
                         "between them and files that follow")
     _add_reader_options(parser.add_argument_group("reading"))
+    _add_cube_options(parser.add_argument_group("seismic cubes"))
+    _add_preparation_options(parser.add_argument_group("before all stages", "horizons are read as a whole then"))
     _add_stage_options(parser.add_argument_group("stages"))
     _add_error_options(parser.add_argument_group("error"))
     running = parser.add_argument_group("running")
@@ -91,6 +107,11 @@ def make_parser():
     running.add_argument("--leave-out-invalid", action="store_true",
                          help="leave out horizons that can not be processed, with a warning, and do the others of "
                          "their file; otherwise such a file is not done")
+    running.add_argument("--memory", type=_memory, metavar="SIZE",
+                         help="as much memory as may be used, as 2G or 800M: of sparse voxel files, horizons are read as "
+                         "many at a time as fit, and with --largest-error one that does not fit alone is meshed in "
+                         "windows of rows and joined (default: three quarters of what the machine has left, where a file "
+                         "may be larger)")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
                          help="number of threads; 0 uses all processors")
     return parser
@@ -124,6 +145,36 @@ def _add_reader_options(group):
                        help="world vector from a column to the next (default: 1 0; for picks found from them)")
     group.add_argument("--row-step", nargs=2, type=float, default=argparse.SUPPRESS, metavar=("X", "Y"),
                        help="world vector from a row to the next (default: 0 1; for picks found from them)")
+
+
+def _add_cube_options(group):
+    group.add_argument("--surfaces", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="how many surfaces of a cube become meshes, the largest ones (default: 20)")
+    group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="surfaces of fewer picks are left out (default: 100)")
+    group.add_argument("--inlines", nargs=2, type=int, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+                       help="only these inlines, by their numbers (default: all)")
+    group.add_argument("--crosslines", nargs=2, type=int, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+                       help="only these crosslines, by their numbers (default: all)")
+    group.add_argument("--polarity", choices=POLARITIES, default=argparse.SUPPRESS,
+                       help="the sign of the amplitudes of reflections that are taken (default: Both)")
+    group.add_argument("--joining", choices=JOININGS, default=argparse.SUPPRESS,
+                       help="how picks become surfaces: the most alike first, which stops at faults; whole strong events, "
+                       "some over faults; or whatever touches (default: BestFirst)")
+    group.add_argument("--amplitude-percentile", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS,
+                       metavar="P", help="the part of the reflections that are too weak, in percent (default: 25)")
+
+
+def _add_preparation_options(group):
+    group.add_argument("--despike", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
+                       help="remove points that are more than T vertical indices above or below the median of those "
+                       "around them (default: none)")
+    group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
+                       help="find faults that throw by T vertical indices or more, and leave the mesh open there "
+                       "(default: no fault is cut)")
+    group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
+                       help="fill holes of at most N columns with new points that go on smoothly from "
+                       "those around them (default: none)")
 
 
 def _add_stage_options(group):
@@ -208,9 +259,15 @@ def make_settings(options):
 
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
+    settings.memory = options.memory
     settings.reader = {"VerticalDirection": options.vertical_direction, **_given(
         options, VerticalStep="vertical_step", Elevation="elevation", DuplicatePolicy="duplicate_policy",
-        Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step")}
+        Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step",
+        LargestNumber="surfaces", SmallestSize="smallest_surface", InlineRange="inlines", CrosslineRange="crosslines",
+        Polarity="polarity", Joining="joining", AmplitudePercentile="amplitude_percentile")}
+    settings.despiked = {"Threshold": options.despike} if hasattr(options, "despike") else None
+    settings.torn = {"SmallestThrow": options.cut_faults} if hasattr(options, "cut_faults") else None
+    settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
         "HoleBoundaries": options.hole_boundaries,

@@ -7,12 +7,15 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
+#include "Common/VTK/DataArrays.h"
+#include "CutData.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPairs.h"
 #include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -46,6 +49,8 @@ BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monito
   }
   BoundaryOptions options;
   options.Radius = radius;
+  const std::optional<LinkCuts> cuts = FindCuts(input);
+  options.Cuts = cuts ? &*cuts : nullptr;
   ExteriorBoundary found = FindExteriorBoundary(ToColumns(points.Plane, points.Grid), options, monitor);
   BoundedHorizon horizon;
   horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
@@ -93,15 +98,36 @@ void ForEachPoint(TriangleSurface& surface, Work&& work)
     });
 }
 
+/// Which points hole filling has put in; empty when none.
+std::vector<unsigned char> ReadFilled(vtkPolyData* data)
+{
+  vtkDataArray* const filled = FindNumbers(data->GetPointData(), PointArray::Filled);
+  if (!filled)
+  {
+    return {};
+  }
+  RequireTuples(filled, data->GetNumberOfPoints(), "points");
+  std::vector<unsigned char> marks(std::size_t(data->GetNumberOfPoints()));
+  for (std::size_t point = 0; point < marks.size(); ++point)
+  {
+    marks[point] = filled->GetComponent(vtkIdType(point), 0) != 0.0 ? 1 : 0;
+  }
+  return marks;
+}
+
 /// A mesh in world coordinates.
-TriangleSurface ReadSurface(vtkPolyData* data)
+TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
 {
   CheckSize(data);
   TriangleSurface surface;
   surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
-  ForEachPoint(surface,
-    [data](std::size_t point, Eigen::Vector3d& place) { data->GetPoint(vtkIdType(point), place.data()); });
+  ForEachPoint(
+    surface, [data](std::size_t point, Eigen::Vector3d& place) { data->GetPoint(vtkIdType(point), place.data()); });
   surface.Triangles = ReadTriangles(data);
+  if (!withFilledPoints)
+  {
+    surface.LeftOut = ReadFilled(data);
+  }
   return surface;
 }
 
@@ -147,9 +173,9 @@ struct Surfaces
   TriangleSurface Reference;
   TriangleSurface Mesh;
 
-  explicit Surfaces(const HorizonPair& pair)
-    : Reference(PrefixErrors("reference", [&]() { return ReadSurface(pair.ReferenceOutput); }))
-    , Mesh(PrefixErrors("mesh", [&]() { return ReadSurface(pair.Mesh); }))
+  Surfaces(const HorizonPair& pair, bool withFilledPoints)
+    : Reference(PrefixErrors("reference", [&]() { return ReadSurface(pair.ReferenceOutput, withFilledPoints); }))
+    , Mesh(PrefixErrors("mesh", [&]() { return ReadSurface(pair.Mesh, withFilledPoints); }))
   {
     CheckSurface(this->Reference, "reference");
     CheckSurface(this->Mesh, "mesh");
@@ -216,10 +242,10 @@ void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-MeasuredPair MeasureSurfaces(
-  const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits, const Monitor& monitor)
+MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits,
+  bool withFilledPoints, const Monitor& monitor)
 {
-  Surfaces surfaces(pair);
+  Surfaces surfaces(pair, withFilledPoints);
   const std::optional<Lattice> lattice = FindLattice(pair.Reference, pair.Mesh);
   const Eigen::Vector3d origin = surfaces.Reference.Points.front(); // so that coordinates are small in the world, too
   surfaces.Move([&](const Eigen::Vector3d& world)

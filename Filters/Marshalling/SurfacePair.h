@@ -26,10 +26,11 @@ struct MeasuredPair
   DistanceReport Report; // the figures, in all units
 };
 
-/// Measures the output of WriteReference and the mesh. Without a lattice, lattice units are those of the world. Throws
+/// Measures the output of WriteReference and the mesh; figures leave out what hole filling has put in unless
+/// `withFilledPoints`. Without a lattice, lattice units are those of the world. Throws
 /// InputError on other cells than triangles, and as MeasureSurfaceDistance does.
-MeasuredPair MeasureSurfaces(
-  const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits, const Monitor& monitor);
+MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits,
+  bool withFilledPoints, const Monitor& monitor);
 }
 
 #endif

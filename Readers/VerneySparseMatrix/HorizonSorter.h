@@ -7,6 +7,7 @@
 #include "SparseMatrixParser.h"
 #include "SurfacePositions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -40,7 +41,8 @@ public:
   /// Adds a voxel of column (i, j). All voxels of a column come one after the other.
   void Add(int i, int j, const SparseMatrixVoxel& voxel)
   {
-    if (!IsWithin(i, this->Options.ColumnRange) || !IsWithin(j, this->Options.RowRange))
+    if (!IsWithin(i, this->Options.ColumnRange) || !IsWithin(j, this->Options.RowRange) ||
+      !this->Takes(voxel.SurfaceId))
     {
       return;
     }
@@ -71,6 +73,12 @@ private:
   static constexpr std::size_t MostKept = 256;
 
   static bool IsWithin(int n, const std::array<int, 2>& range) { return n >= range[0] && n <= range[1]; }
+
+  bool Takes(int surfaceId) const
+  {
+    const std::vector<int>& chosen = this->Options.Surfaces;
+    return chosen.empty() || std::binary_search(chosen.begin(), chosen.end(), surfaceId);
+  }
 
   HorizonVoxels& HorizonOf(int surfaceId)
   {

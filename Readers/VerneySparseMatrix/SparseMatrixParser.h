@@ -65,11 +65,12 @@ struct SparseMatrixOptions
   std::array<int, 2> ColumnRange = { 0, std::numeric_limits<int>::max() }; ///< first and last i
   std::array<int, 2> RowRange = { 0, std::numeric_limits<int>::max() }; ///< first and last j
   std::int64_t SmallestSize = 1; ///< horizons of fewer voxels, those in the ranges, are left out
+  std::vector<int> Surfaces = {}; ///< only these are kept, by their IDs, ascending; empty for all
 
   bool operator==(const SparseMatrixOptions& other) const
   {
     return this->Policy == other.Policy && this->ColumnRange == other.ColumnRange && this->RowRange == other.RowRange &&
-      this->SmallestSize == other.SmallestSize;
+      this->SmallestSize == other.SmallestSize && this->Surfaces == other.Surfaces;
   }
 };
 

@@ -6,6 +6,7 @@
 #include "Common/FixedChunks.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace SeismicHorizons
 {
@@ -13,43 +14,22 @@ namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
 
-/// Sums over voxels, relative to one of them: the differences between sums of large, nearly equal numbers would be
-/// mostly rounding.
-struct VerticalSums
+std::optional<ReferenceVoxel> FindReference(const std::vector<HorizonVoxels>& horizons)
 {
-  double Count = 0.0;
-  double K = 0.0;
-  double Z = 0.0;
-  double KK = 0.0;
-  double KZ = 0.0;
-
-  void Add(double k, double z)
+  const HorizonVoxels* first = nullptr;
+  const auto place = [](const HorizonVoxels& voxels)
+  { return std::make_tuple(voxels.J.front(), voxels.I.front(), voxels.SurfaceId); };
+  for (const HorizonVoxels& horizon : horizons)
   {
-    this->Count += 1.0;
-    this->K += k;
-    this->Z += z;
-    this->KK += k * k;
-    this->KZ += k * z;
+    if (!horizon.K.empty() && (!first || place(horizon) < place(*first)))
+    {
+      first = &horizon;
+    }
   }
+  return first ? ReferenceVoxel{ double(first->K.front()), first->RealZ.front() } : std::optional<ReferenceVoxel>();
+}
 
-  void Add(const VerticalSums& other)
-  {
-    this->Count += other.Count;
-    this->K += other.K;
-    this->Z += other.Z;
-    this->KK += other.KK;
-    this->KZ += other.KZ;
-  }
-};
-
-/// The voxel that the sums are relative to.
-struct Reference
-{
-  double K = 0.0;
-  double Z = 0.0;
-};
-
-VerticalSums SumUp(const HorizonVoxels& horizon, const Reference& reference)
+VerticalSums SumUp(const HorizonVoxels& horizon, const ReferenceVoxel& reference)
 {
   return AddUpChunks<VerticalSums>(std::int64_t(horizon.K.size()), ChunkSize, Monitor(),
     [&](VerticalSums& part, std::int64_t first, std::int64_t last)
@@ -60,21 +40,9 @@ VerticalSums SumUp(const HorizonVoxels& horizon, const Reference& reference)
       }
     });
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-SparseMatrixVerticalFit FitVertically(const std::vector<HorizonVoxels>& horizons)
+SparseMatrixVerticalFit Fit(const VerticalSums& sums, const ReferenceVoxel& reference)
 {
-  if (horizons.empty())
-  {
-    return {};
-  }
-  const Reference reference = { double(horizons.front().K.front()), horizons.front().RealZ.front() };
-  VerticalSums sums;
-  for (const HorizonVoxels& horizon : horizons)
-  {
-    sums.Add(SumUp(horizon, reference));
-  }
   const double spread = sums.Count * sums.KK - sums.K * sums.K;
   const double step = spread > 0.0 ? (sums.Count * sums.KZ - sums.K * sums.Z) / spread : 0.0;
   if (step == 0.0 || !std::isfinite(step))
@@ -83,5 +51,71 @@ SparseMatrixVerticalFit FitVertically(const std::vector<HorizonVoxels>& horizons
   }
   const double offset = (sums.Z - step * sums.K) / sums.Count;
   return { reference.Z + offset - step * reference.K, step };
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrixVerticalFit FitVertically(const std::vector<HorizonVoxels>& horizons)
+{
+  const std::optional<ReferenceVoxel> reference = FindReference(horizons);
+  if (!reference)
+  {
+    return {};
+  }
+  VerticalSums sums;
+  for (const HorizonVoxels& horizon : horizons)
+  {
+    sums.Add(SumUp(horizon, *reference));
+  }
+  return Fit(sums, *reference);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void VerticalFitter::Add(const std::vector<HorizonSorter>& blocks, std::size_t count)
+{
+  for (std::size_t block = 0; block < count; ++block)
+  {
+    this->Reference = this->Reference ? this->Reference : FindReference(blocks[block].List());
+    for (const HorizonVoxels& voxels : blocks[block].List())
+    {
+      if (!voxels.K.empty())
+      {
+        this->Add(voxels, this->Horizons[voxels.SurfaceId]);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void VerticalFitter::Add(const HorizonVoxels& voxels, Sums& sums) const
+{
+  for (std::size_t voxel = 0; voxel < voxels.K.size(); ++voxel)
+  {
+    if (sums.InChunk == ChunkSize)
+    {
+      sums.All.Add(sums.Chunk);
+      sums.Chunk = VerticalSums();
+      sums.InChunk = 0;
+    }
+    sums.Chunk.Add(voxels.K[voxel] - this->Reference->K, voxels.RealZ[voxel] - this->Reference->Z);
+    ++sums.InChunk;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrixVerticalFit VerticalFitter::Fit() const
+{
+  if (!this->Reference)
+  {
+    return {};
+  }
+  VerticalSums all;
+  for (const auto& [surfaceId, sums] : this->Horizons)
+  {
+    VerticalSums horizon = sums.All;
+    horizon.Add(sums.Chunk);
+    all.Add(horizon);
+  }
+  return SeismicHorizons::Fit(all, *this->Reference);
 }
 }

@@ -17,6 +17,7 @@
 #include "HorizonImage.h"
 #include "HorizonVolume.h"
 #include "ImageFrame.h"
+#include "SparseMatrixOverview.h"
 #include "SparseMatrixParser.h"
 #include "VoxelExtent.h"
 
@@ -79,8 +80,10 @@ struct vtkVerneySparseMatrixReader::FileContent
   std::vector<std::string> Names; // of the horizons
   std::vector<VoxelExtent> Extents; // theirs
   SparseMatrixSize Size = {};
+  std::vector<int> SurfaceIds; // of the same, with the least memory
   SparseMatrixVerticalFit VerticalFit;
   std::optional<SparseMatrix> Matrix; // until it is used
+  std::optional<SparseMatrixOverview> Overview; // in its place, with the least memory
 };
 
 vtkStandardNewMacro(vtkVerneySparseMatrixReader);
@@ -119,13 +122,6 @@ SparseMatrixOptions vtkVerneySparseMatrixReader::MakeOptions() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SparseMatrix vtkVerneySparseMatrixReader::Read(const Monitor& monitor) const
-{
-  const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
-  return ReadSparseMatrix(*stream, this->MakeOptions(), monitor);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
 {
   RequireFileName(this->FileName);
@@ -134,7 +130,8 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->FileName);
-      if (this->Content && this->Content->Stamp == stamp && this->Content->Options == options)
+      if (this->Content && !this->Content->Overview && this->Content->Stamp == stamp &&
+        this->Content->Options == options)
       {
         return;
       }
@@ -142,7 +139,7 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
       content->Options = options;
-      content->Matrix = this->Read(monitor);
+      content->Matrix = ReadSparseMatrix(*OpenInputFile(this->FileName), options, monitor);
       content->Size = content->Matrix->Size;
       content->VerticalFit = content->Matrix->VerticalFit;
       for (const HorizonVoxels& horizon : content->Matrix->Horizons)
@@ -152,6 +149,59 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
       }
       this->Content = std::move(content);
     });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Reads the file when the overview is not that of the file and the options.
+void vtkVerneySparseMatrixReader::UpdateOverview(const Monitor& monitor)
+{
+  RequireFileName(this->FileName);
+  const SparseMatrixOptions options = this->MakeOptions();
+  const SparseMatrixOptions ofOverview = ForAllRows(options);
+  PrefixErrors(this->FileName,
+    [&]()
+    {
+      const FileStamp stamp = MakeFileStamp(this->FileName);
+      if (!this->FindOverview() || !(this->Content->Stamp == stamp) || !(this->Content->Options == ofOverview))
+      {
+        this->Content = std::make_unique<FileContent>();
+        const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+        SparseMatrixOverview overview = ReadSparseMatrixOverview(*stream, ofOverview, monitor);
+        this->Content->Stamp = stamp;
+        this->Content->Options = ofOverview;
+        this->Content->Size = overview.Size;
+        this->Content->VerticalFit = overview.VerticalFit;
+        this->Content->Overview = std::move(overview);
+      }
+    });
+  this->Content->SurfaceIds = ListSurfaces(*this->Content->Overview, options);
+  this->Content->Names.clear();
+  for (const int surfaceId : this->Content->SurfaceIds)
+  {
+    this->Content->Names.push_back(HorizonName(surfaceId));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const SparseMatrixOverview* vtkVerneySparseMatrixReader::FindOverview() const
+{
+  return this->Content && this->Content->Overview ? &*this->Content->Overview : nullptr;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkIdType vtkVerneySparseMatrixReader::GetNumberOfPointsInRows(const char* name, int firstRow, int lastRow)
+{
+  const auto& names = this->Content ? this->Content->Names : std::vector<std::string>();
+  const std::size_t number = std::size_t(std::find(names.begin(), names.end(), name ? name : "") - names.begin());
+  return !this->FindOverview() || number == names.size()
+    ? 0
+    : this->FindOverview()->Horizons.at(this->Content->SurfaceIds[number]).CountVoxels(firstRow, lastRow);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkVerneySparseMatrixReader::GetNumberOfRows()
+{
+  return this->FindOverview() ? this->FindOverview()->Size[1] : 0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -192,23 +242,36 @@ void vtkVerneySparseMatrixReader::CheckParameters()
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor& monitor)
 {
-  this->UpdateContent(monitor);
+  // A volume takes far more memory than what it is made from.
+  this->LeastMemory && this->OutputType != Volume ? this->UpdateOverview(monitor) : this->UpdateContent(monitor);
   return this->Content->Names;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// What the list was made from is used once: kept, it would take as much memory as the output.
-SparseMatrix vtkVerneySparseMatrixReader::TakeMatrix(const Monitor& monitor)
+/// Voxels of at least the horizons of some numbers in the list, in its order. What the list was made from is used once:
+/// kept, it would take as much memory as the output.
+SparseMatrix vtkVerneySparseMatrixReader::TakeMatrix(const std::vector<int>& numbers, const Monitor& monitor)
 {
   std::optional<SparseMatrix> kept = std::exchange(this->Content->Matrix, std::nullopt);
-  return kept ? std::move(*kept) : PrefixErrors(this->FileName, [&]() { return this->Read(monitor); });
+  if (kept)
+  {
+    return std::move(*kept);
+  }
+  return PrefixErrors(this->FileName,
+    [&]()
+    {
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      return this->FindOverview() ? ReadSparseMatrixRows(*stream, *this->FindOverview(), this->MakeOptions(),
+                                      this->Content->SurfaceIds, numbers, monitor)
+                                  : ReadSparseMatrix(*stream, this->MakeOptions(), monitor);
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHorizons(
   const std::vector<int>& numbers, const Monitor& monitor)
 {
-  SparseMatrix matrix = this->TakeMatrix(monitor.Step(0.0, 0.8));
+  SparseMatrix matrix = this->TakeMatrix(numbers, monitor.Step(0.0, 0.8));
   const HorizonPlacement placement = this->MakeHorizonPlacement();
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
@@ -287,7 +350,7 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
   const VolumeOptions options = { static_cast<VolumeAttribute>(this->VolumeArray), this->BackgroundValue,
     this->VolumeMemoryLimit };
   CheckVolumeMemory(extent, options);
-  const SparseMatrix matrix = this->TakeMatrix(monitor.Step(0.0, 0.6));
+  const SparseMatrix matrix = this->TakeMatrix(numbers, monitor.Step(0.0, 0.6));
   std::vector<const HorizonVoxels*> horizons;
   for (const int number : numbers)
   {
@@ -321,6 +384,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeMemoryLimit: " << this->VolumeMemoryLimit << '\n';
   os << indent << "SmallestHorizonSize: " << this->SmallestHorizonSize << '\n';
   os << indent << "ColumnRange: " << this->ColumnRange[0] << " to " << this->ColumnRange[1] << '\n';
+  os << indent << "LeastMemory: " << (this->LeastMemory ? "on" : "off") << '\n';
   os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';
   os << indent << "Elevation: " << elevations[static_cast<std::size_t>(this->Elevation)] << '\n';
   const LatticePlacement placement = this->MakePlacement();

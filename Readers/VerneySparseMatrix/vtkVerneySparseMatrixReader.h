@@ -45,7 +45,8 @@
  * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
  * lines are parsed on several threads. The peak of memory is 36 bytes per voxel of the file, those of horizons that are
  * not selected included, plus 36 bytes per voxel of the output, which has 64 and takes arrays over as they are; or plus
- * what a volume takes, 4 or 8 bytes for each of its points.
+ * what a volume takes, 4 or 8 bytes for each of its points. With LeastMemory, horizons that are not
+ * selected take none.
  *
  * Of several processes each reads the whole file.
  *
@@ -69,6 +70,7 @@ struct HorizonPlacement;
 struct LatticePlacement;
 struct SparseMatrix;
 struct SparseMatrixOptions;
+struct SparseMatrixOverview;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkHorizonSource
@@ -112,6 +114,29 @@ public:
   vtkSetVector2Macro(RowRange, int);
   vtkGetVector2Macro(RowRange, int);
   ///@}
+
+  ///@{
+  /**
+   * Whether as little memory is used as can be, for files larger than it. On: a pass over the file lists the horizons,
+   * and keeps nothing else but how many points each has in each row. Then only the selected ones are read, and of the
+   * file only the RowRange. Listing and reading then takes two passes instead of one, but for other rows and horizons
+   * the list is kept. It counts for nothing with a volume. Default: off.
+   */
+  vtkSetMacro(LeastMemory, bool);
+  vtkGetMacro(LeastMemory, bool);
+  vtkBooleanMacro(LeastMemory, bool);
+  ///@}
+
+  /**
+   * With LeastMemory, after UpdateInformation(): how many points a horizon has in some rows (and the ColumnRange). 0
+   * for other names.
+   */
+  vtkIdType GetNumberOfPointsInRows(const char* name, int firstRow, int lastRow);
+
+  /**
+   * With LeastMemory, after UpdateInformation(): how many rows the lattice of the file has; else 0.
+   */
+  int GetNumberOfRows();
 
   /// What horizons become.
   enum OutputKind
@@ -200,10 +225,11 @@ public:
   /**
    * The z coordinate of the points. VerticalIndex: Origin's z, minus or plus VerticalStep times the vertical index.
    * RealZ: minus or plus the real z of the voxel, in the unit of the file; in place of Origin's z and VerticalStep,
-   * LatticeToWorld then holds the straight line that fits it over the vertical index best, for all voxels of the file,
-   * so that a height of 1 in lattice units is one vertical index all the same. (Where real z or the index is the same
-   * everywhere there is no such line, and Origin and VerticalStep hold.) The sign is that of VerticalDirection.
-   * The voxels of a volume always lie where LatticeToWorld puts their vertical index. Default: VerticalIndex.
+   * LatticeToWorld then holds the straight line that fits it over the vertical index best, for all voxels in the ranges
+   * (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units is one vertical index all the
+   * same. (Where real z or the index is the same everywhere there is no such line, and Origin and VerticalStep hold.)
+   * The sign is that of VerticalDirection. The voxels of a volume always lie where LatticeToWorld puts their vertical
+   * index. Default: VerticalIndex.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
   vtkGetMacro(Elevation, int);
@@ -310,14 +336,16 @@ private:
   SeismicHorizons::LatticePlacement MakePlacement() const;
   SeismicHorizons::HorizonPlacement MakeHorizonPlacement() const;
   SeismicHorizons::SparseMatrixOptions MakeOptions() const;
-  SeismicHorizons::SparseMatrix Read(const SeismicHorizons::Monitor& monitor) const;
-  SeismicHorizons::SparseMatrix TakeMatrix(const SeismicHorizons::Monitor& monitor);
   void UpdateContent(const SeismicHorizons::Monitor& monitor);
+  void UpdateOverview(const SeismicHorizons::Monitor& monitor);
+  const SeismicHorizons::SparseMatrixOverview* FindOverview() const;
+  SeismicHorizons::SparseMatrix TakeMatrix(const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor);
 
   char* FileName = nullptr;
   vtkIdType SmallestHorizonSize = 1;
   int ColumnRange[2] = { 0, -1 };
   int RowRange[2] = { 0, -1 };
+  bool LeastMemory = false;
   int OutputType = Points;
   int VolumeExtent = Whole;
   int VolumeArray = SurfaceId;

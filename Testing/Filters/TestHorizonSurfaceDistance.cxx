@@ -347,9 +347,11 @@ void TestPrint()
   filter->SetSamplesPerPoint(12.5);
   filter->SetSeed(77);
   filter->SetRadius(3);
+  filter->IncludeFilledPointsOn();
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line : { "DistanceUnit: World", "SamplesPerPoint: 12.5", "Seed: 77", "Radius: 3" })
+  for (const char* line :
+    { "DistanceUnit: World", "SamplesPerPoint: 12.5", "Seed: 77", "Radius: 3", "IncludeFilledPoints: on" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

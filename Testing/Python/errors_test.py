@@ -85,4 +85,5 @@ def main():
         check(name, ["expected", *parts], simple.HorizonSurfaceDistance, Reference=reference, Mesh=mesh)
 
 
-main()
+if __name__ == "__main__":
+    main()

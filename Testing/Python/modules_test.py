@@ -219,7 +219,7 @@ class ResultTest(unittest.TestCase):
         self.result.seconds = {"boundary": 1.0, "simplified": 0.5, "mesh": 12.345, "error": 0.0}
 
     def test_loops(self):
-        self.assertEqual(tables.count_loops(loops_of([0, 1, 2, 0], [3])), (2, 4))
+        self.assertEqual(pipeline.count_loops(loops_of([0, 1, 2, 0], [3])), (2, 4))
 
     def test_row(self):
         row = ("1", "20", "1", "14", "4", "10", "14", "50.0 %", "1.00", "0.50", "-", "-", "12.35")

@@ -9,9 +9,11 @@ import pathlib
 import sys
 
 import seismichorizons as sh
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import mesh_checks
@@ -110,6 +112,24 @@ def check_split(horizon):
     assert points(output) == (points(horizon) if OWN == 1 else 0)
 
 
+def check_extraction():
+    """Surfaces of a cube: each rank has every second one, as one process has them all."""
+    wavelet = vtkRTAnalyticSource()
+    wavelet.SetWholeExtent(0, 30, 0, 25, -20, 20)
+    wavelet.Update()
+    cube = wavelet.GetOutput()
+    amplitudes = vtk_to_numpy(cube.GetPointData().GetScalars())
+    amplitudes -= 150.0
+    everything = mesh_checks.blocks(alone("SeismicReflectionExtraction", cube))
+    assert len(everything) >= 2, everything
+    data, errors, _ = run("SeismicReflectionExtraction", cube)
+    assert errors == 0
+    own = mesh_checks.blocks(data)
+    assert list(own) == list(everything)[OWN::2], (own, everything)
+    for name, horizon in own.items():
+        assert (mesh_checks.coordinates(horizon) == mesh_checks.coordinates(everything[name])).all(), name
+
+
 def check_invalid(horizons):
     """A horizon on one rank that has no lattice stops all, or is left out."""
     broken = {name: vtkPolyData() for name in horizons}
@@ -140,6 +160,7 @@ def main():
     check_missing(horizons, meshes)
     check_split(next(iter(horizons.values())))
     check_invalid(horizons)
+    check_extraction()
     print("rank %d: done" % OWN)
 
 

@@ -93,6 +93,63 @@ def check_surface(reader):
     simple.Delete(surface)
 
 
+def told(proxy, name):
+    """A figure that the panel shows."""
+    proxy.UpdatePropertyInformation()
+    return proxy.SMProxy.GetProperty(name).GetElement(0)
+
+
+def check_filling(reader):
+    """Spikes out and holes filled before all else; the choices of the panels reach the filters, which say what they did."""
+    from paraview import simple
+
+    despiking = simple.HorizonDespiking(Input=reader, Threshold=2.0, NeighborhoodRadius=3)
+    filling = simple.HorizonHoleFilling(Input=despiking, LargestHoleSize=30, Method="Membrane", Attributes="Not A Number")
+    filling.UpdatePipeline()
+    left, filled = (sum(horizon.GetNumberOfPoints() for horizon in fetch(proxy).values()) for proxy in (despiking, filling))
+    read = sum(horizon.GetNumberOfPoints() for horizon in fetch(reader).values())
+    assert 0 < told(despiking, "NumberOfSpikes") == read - left, (read, left)
+    assert told(filling, "NumberOfFilledHoles") > 0 and told(filling, "NumberOfOpenHoles") > 0
+    assert told(filling, "NumberOfFilledPoints") == filled - left > 0, (left, filled)
+    for horizon in fetch(filling).values():
+        new = mesh_checks.array(horizon, "Filled") == 1
+        assert (mesh_checks.counts(horizon)[new] == 0).all()
+        amplitudes = mesh_checks.array(horizon, "Amplitude")
+        assert (amplitudes[new] != amplitudes[new]).all()
+    filling.LargestHoleSize = 10000
+    filling.UpdatePipeline()
+    assert told(filling, "NumberOfOpenHoles") == 0
+    simple.Delete(filling)
+    simple.Delete(despiking)
+
+
+def check_faults(reader, folder):
+    """Lines of a file cut links beside those that are found, or alone, and no more once they are taken away."""
+    from paraview import simple
+
+    path = folder / "fault.pol"
+    path.write_text("20.5 -9.0 0\n20.5 900.0 0\n999.0 999.0 999.0\n", encoding="utf-8")
+    lines = simple.OpenDataFile(str(path))
+    faults = simple.HorizonFaults(Input=reader, FaultLines=lines, SmallestThrow=3.5)
+    faults.UpdatePipeline()
+    both = told(faults, "NumberOfCutLinks")
+    assert told(faults, "MeasuredNoise") > 0
+    faults.Detect = 0
+    faults.UpdatePipeline()
+    assert both >= told(faults, "NumberOfCutLinks") > 10 and told(faults, "NumberOfFaultLines") > 0
+    algorithm = faults.GetClientSideObject()
+    horizons, shown = (mesh_checks.blocks(algorithm.GetOutputDataObject(port)) for port in (0, 1))
+    for name, horizon in horizons.items():
+        cut = horizon.GetFieldData().GetArray("CutLinks")
+        assert all(cut.GetTuple3(n)[::2] == (20, 0) for n in range(cut.GetNumberOfTuples())), name
+        assert shown[name].GetNumberOfCells() == (cut.GetNumberOfTuples() > 0), name
+    faults.FaultLines = None
+    faults.UpdatePipeline()
+    assert told(faults, "NumberOfCutLinks") == 0
+    simple.Delete(faults)
+    simple.Delete(lines)
+
+
 def check_warped_maps(reader):
     """Maps that are warped by their elevation lie where the points are."""
     from paraview import simple
@@ -160,6 +217,8 @@ def main():
         pipelines.assert_same(mesh, direct[name])
     check_distance(proxies[0], proxies[-1])
     check_surface(proxies[0])
+    check_filling(proxies[0])
+    check_faults(proxies[0], pathlib.Path.cwd())
     check_selection(proxies[0], names)
     check_reader_properties(proxies[0])
 

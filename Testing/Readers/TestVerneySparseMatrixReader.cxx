@@ -520,12 +520,90 @@ void SampleIsRead(const std::string& path)
   CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 3);
   CHECK(reader->GetOutput()->GetNumberOfPoints() == 6282 + 5957 + 6019);
 }
+
+// ---- Least memory ------------------------------------------------------------------------------------------------
+void LeastMemoryGivesTheSame()
+{
+  const std::string file = WriteFile("least.vsm", Small);
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(file.c_str());
+  CHECK(!reader->GetLeastMemory() && reader->GetNumberOfRows() == 0);
+  reader->LeastMemoryOn();
+  CHECK(reader->GetNumberOfPointsInRows("Horizon 2", 0, 1) == 0);
+  reader->UpdateInformation();
+  CHECK(reader->GetNumberOfHorizons() == 2 && reader->GetNumberOfRows() == 2);
+  CHECK(reader->GetNumberOfPointsInRows("Horizon 2", 0, 1) == 2);
+  CHECK(reader->GetNumberOfPointsInRows("Horizon 7", 0, 0) == 1);
+  CHECK(reader->GetNumberOfPointsInRows("Horizon 7", 1, 1) == 1);
+  CHECK(reader->GetNumberOfPointsInRows("Horizon 7", 1, 0) == 0);
+  CHECK(reader->GetNumberOfPointsInRows("Horizon 3", 0, 1) == 0);
+  CHECK(reader->GetNumberOfPointsInRows(nullptr, 0, 1) == 0);
+  for (const int elevation : { vtkVerneySparseMatrixReader::VerticalIndex, vtkVerneySparseMatrixReader::RealZ })
+  {
+    vtkNew<vtkVerneySparseMatrixReader> plain;
+    plain->SetFileName(file.c_str());
+    plain->SetElevation(elevation);
+    plain->Update();
+    reader->SetElevation(elevation);
+    reader->Update();
+    for (int number = 0; number < 2; ++number)
+    {
+      vtkPolyData* const found = GetHorizon(reader, number);
+      vtkPolyData* const expected = GetHorizon(plain, number);
+      CHECK(found->GetNumberOfPoints() == expected->GetNumberOfPoints());
+      CHECK(std::string(found->GetPointData()->GetArrayName(2)) == expected->GetPointData()->GetArrayName(2));
+      for (vtkIdType point = 0; point < found->GetNumberOfPoints(); ++point)
+      {
+        CHECK(found->GetPoint(point)[2] == expected->GetPoint(point)[2]);
+      }
+      for (int n = 0; n < 16; ++n)
+      {
+        CHECK(found->GetFieldData()->GetArray("LatticeToWorld")->GetComponent(0, n) ==
+          expected->GetFieldData()->GetArray("LatticeToWorld")->GetComponent(0, n));
+      }
+      CHECK(found->GetFieldData()->GetArray("DroppedDuplicates")->GetTuple1(0) ==
+        expected->GetFieldData()->GetArray("DroppedDuplicates")->GetTuple1(0));
+    }
+  }
+}
+
+void LeastMemoryTakesRowsAndHorizons()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(WriteFile("least.vsm", Small).c_str());
+  reader->LeastMemoryOn();
+  reader->SetRowRange(1, 1);
+  reader->Update();
+  CHECK(reader->GetNumberOfHorizons() == 1 && GetName(reader, 0) == "Horizon 7");
+  CHECK(GetHorizon(reader, 0)->GetNumberOfPoints() == 1);
+  reader->SetRowRange(0, -1);
+  reader->Update(); // the list is that of all rows again
+  CHECK(reader->GetNumberOfHorizons() == 2);
+  reader->SetSmallestHorizonSize(3);
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 0);
+  reader->SetSmallestHorizonSize(1);
+  reader->UpdateInformation();
+  reader->EnableAllHorizons();
+  reader->SetHorizonStatus("Horizon 7", 0);
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 2");
+  reader->DisableAllHorizons();
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 0);
+  reader->EnableAllHorizons();
+  reader->LeastMemoryOff();
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 2 && reader->GetNumberOfRows() == 0);
+}
 }
 
 int TestVerneySparseMatrixReader(int argc, char* argv[])
 {
   Folder = MakeFolder(argc, argv, "TestVerneySparseMatrixReader");
   ArraysAreComplete();
+  LeastMemoryGivesTheSame();
+  LeastMemoryTakesRowsAndHorizons();
   FieldDataDescribeTheLattice();
   RotatedSurveyKeepsDoublePrecision();
   ElevationCanBeRealZ();

@@ -13,7 +13,10 @@ import sys
 import tempfile
 
 from . import interrupt, pipeline, reading, tables, writing
+from .memory import Budget
+from .parts import Windows
 from .stage import HorizonError
+from .supply import Supply
 
 
 def run(inputs, output_folder, settings, with_pictures, report):
@@ -101,26 +104,35 @@ def _workspace(output_folder):
 def process(path, label, workspace, settings, with_pictures, report):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Raises
     HorizonError or OSError."""
-    horizons, read_seconds = reading.read(path, settings.horizons, **settings.reader)
-    names = _Names(_stem(label), horizons, settings, with_pictures)
+    supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), **settings.reader)
+    names = _Names(_stem(label), supply.names, settings, with_pictures)
     names.check(workspace.parent)
-    results = _run_stages(label, horizons, settings, report)
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
-        _write(results, names, pathlib.Path(folder), report)
+        results = _run_stages(label, supply, settings, report,
+                              lambda result: _write_mesh(result, names, pathlib.Path(folder), report))
+        _write(results, names, pathlib.Path(folder))
         interrupt.check()
         for name in sorted(os.listdir(folder)):
             os.replace(os.path.join(folder, name), workspace.parent / name)
-    _print(["%s: read in %.2f s" % (label, read_seconds), *("  " + line for line in tables.table(results))])
+    _print(["%s: read in %.2f s" % (label, supply.seconds), *("  " + line for line in tables.table(results))])
 
 
-def _run_stages(label, horizons, settings, report):
-    """The results of all horizons but those left out."""
+def _run_stages(label, supply, settings, report, write):
+    """The results of all horizons but those left out, which are written at once. Where horizons are not in memory all at
+    once, only their meshes are kept."""
     results = []
-    for name, points in horizons:
-        result = pipeline.run(label, name, points, settings)
+    for name, points in supply:
+        if isinstance(points, Windows):
+            result = pipeline.run_windows(label, points, settings)
+        else:
+            result = pipeline.run(label, name, points, settings)
+        del points
         for warning in result.warnings:
             report("warning", "%s: %s" % (label, warning))
+        if not supply.is_whole:
+            result.release()
         if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
+            write(result)
             results.append(result)
     if not results:
         raise HorizonError("%s: all horizons are left out" % label)
@@ -130,8 +142,7 @@ def _run_stages(label, horizons, settings, report):
 class _Names:
     """The names of the files of results."""
 
-    def __init__(self, stem, horizons, settings, with_pictures):
-        names = [name for name, _ in horizons]
+    def __init__(self, stem, names, settings, with_pictures):
         self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats]
                        for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None else []
@@ -159,11 +170,13 @@ def _mesh_stems(stem, names):
     return stems
 
 
-def _write(results, names, folder, report):
-    for result in results:
-        for name in names.meshes[result.name]:
-            for warning in writing.write_mesh(result.data["mesh"], folder / name, result.name):
-                report("warning", "%s: %s" % (name, warning))
+def _write_mesh(result, names, folder, report):
+    for name in names.meshes[result.name]:
+        for warning in writing.write_mesh(result.data["mesh"], folder / name, result.name):
+            report("warning", "%s: %s" % (name, warning))
+
+
+def _write(results, names, folder):
     for name in names.figures:
         writing.write_figures(results, folder / name)
     for name in names.pictures:

@@ -3,8 +3,8 @@
 """The picture of all stages: a row for each horizon, a panel for each stage."""
 
 from . import pictures
-from .pictures import MESH, OUTLINE, POINTS, Panel
-from .tables import count_loops
+from .pictures import FAULTS, MESH, OUTLINE, POINTS, Panel
+from .pipeline import count_loops
 
 MOST_ROWS = 8
 
@@ -15,13 +15,28 @@ def write(results, path):
 
 
 def panels(result):
+    """Of all stages, or of the mesh alone where the data of the others were given back."""
+    if "points" not in result.data:
+        mesh = result.data["mesh"]
+        return [Panel(result.name, "%s, %s" % (_count(result.number_of_points, "point"),
+                                               _count(mesh.GetNumberOfPolys(), "triangle")), mesh, MESH)]
     points = result.data["points"]
     loops, loop_points = count_loops(result.data["boundary"])
     mesh = result.data["mesh"]
-    row = [
-        Panel(result.name, _count(points.GetNumberOfPoints(), "point"), points, POINTS),
-        Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
-              result.data["boundary"], OUTLINE, points)]
+    row = [Panel(result.name, _count(points.GetNumberOfPoints(), "point"), points, POINTS)]
+    if "despiked" in result.data:
+        known, points = points, result.data["despiked"]
+        row.append(Panel("Despiking", _count(known.GetNumberOfPoints() - points.GetNumberOfPoints(), "point") + " removed",
+                         points, POINTS))
+    if "torn" in result.data:
+        points, lines = result.data["torn"], result.data["faults"]
+        row.append(Panel("Faults", _count(lines.GetNumberOfLines(), "line"), lines, FAULTS, points))
+    if "filled" in result.data:
+        known, points = points, result.data["filled"]
+        row.append(Panel("Hole filling", _count(points.GetNumberOfPoints() - known.GetNumberOfPoints(), "new point"),
+                         points, POINTS))
+    row.append(Panel("Exterior boundary", "%s, %s" % (_count(loops, "loop"), _count(loop_points, "point")),
+                     result.data["boundary"], OUTLINE, points))
     if "simplified" in result.data:
         straight = result.data["simplified"]
         row.append(Panel("Simplified boundary", _count(count_loops(straight)[1], "point"), straight, OUTLINE, points))

@@ -11,9 +11,14 @@ Or straight from points to a mesh, with the parameters that were chosen:
     mesh, chosen = surface(horizons[0][1], largest_error=1.0)
 """
 
+import time
 from dataclasses import dataclass, field
 from typing import Optional
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import parts
+from .parts import SURFACE
 from .reading import read, read_first  # noqa: F401: the first step of a pipeline
 from .stage import HorizonError, apply, make, update
 
@@ -24,21 +29,30 @@ STAGES = {
     "rough": "vtkHorizonRoughSimplification",
     "elaborate": "vtkHorizonElaborateSimplification",
     "mesh": "vtkHorizonTriangulation"}
-# In place of all of them.
-SURFACE = "vtkHorizonSurface"
-# Its properties that are chosen, unless they are given: each has a switch, "Automatic" and its name.
+# Before all of them, on request.
+PREPARATIONS = {
+    "despiked": "vtkHorizonDespiking",
+    "torn": "vtkHorizonFaults",
+    "filled": "vtkHorizonHoleFilling"}
+# Properties of the surface, which takes the place of all of them, that are chosen, unless they are given: each has a
+# switch, "Automatic" and its name.
 CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
 
 
 @dataclass
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
-    defaults. None leaves a stage out. With `surface` (see surface_properties) one stage takes the place of all.
+    defaults. None leaves a stage out. `despiked`, `torn` and `filled` are those of despiking, faults and hole filling,
+    which come first. With `surface` (see surface_properties) one stage takes the place of all others.
     `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
-    meshes are written in (writing.FORMATS)."""
+    meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
+    left; horizons are read as many at a time as fit."""
 
     reader: dict = field(default_factory=dict)
+    despiked: Optional[dict] = None
+    torn: Optional[dict] = None
+    filled: Optional[dict] = None
     boundary: dict = field(default_factory=dict)
     simplified: dict = field(default_factory=dict)
     rough: Optional[dict] = field(default_factory=dict)
@@ -49,13 +63,20 @@ class Settings:
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
+    memory: Optional[int] = None
 
     def make_stages(self):
         """The stages from points to mesh in their order, as (name, algorithm)."""
         stages = [(name, STAGES[name], getattr(self, name)) for name in STAGES]
         if self.surface is not None:
             stages = [("mesh", SURFACE, self.surface)]
+        stages = [(name, PREPARATIONS[name], getattr(self, name)) for name in PREPARATIONS] + stages
         return [(name, self.make(class_name, given)) for name, class_name, given in stages if given is not None]
+
+    def can_cut(self):
+        """Whether a horizon that is larger than memory can be meshed in windows."""
+        by_error = self.surface is not None and self.surface.get("Target") != "NumberOfTriangles"
+        return by_error and self.error is None and all(getattr(self, name) is None for name in PREPARATIONS)
 
     def make(self, class_name, properties):
         """A stage, or the measure."""
@@ -100,9 +121,16 @@ class Result:
         self.source = source
         self.name = name
         self.data = {"points": points}
+        self.number_of_points = 0 if points is None else points.GetNumberOfPoints()
+        self.loops = None  # outlines over all points, and the points in them
+        self.simplified = None  # the same once points were dropped
         self.seconds = {}
         self.figures = None
         self.warnings = []
+
+    def release(self):
+        """Gives all data back but the mesh."""
+        self.data = {"mesh": self.data["mesh"]}
 
     def run_stage(self, stage, algorithm):
         try:
@@ -119,11 +147,42 @@ def run(source, name, points, settings):
         algorithm.SetInputDataObject(0, data)
         result.run_stage(stage, algorithm)
         data = result.data[stage] = algorithm.GetOutputDataObject(0)
-        if settings.surface is not None:
+        if stage == "torn":
+            result.data["faults"] = algorithm.GetOutputDataObject(1)
+        elif settings.surface is not None and stage == "mesh":
             result.data["boundary"] = algorithm.GetOutputDataObject(1)
+    result.loops = count_loops(result.data["boundary"])
+    result.simplified = count_loops(result.data.get("simplified", result.data["mesh"]))
     if settings.error is not None:
         _measure(result, settings)
     return result
+
+
+def run_windows(source, windows, settings):
+    """Makes the mesh of a horizon that is larger than memory (parts.Windows). Raises HorizonError."""
+    result = Result(source, windows.name, None)
+    result.number_of_points = windows.number_of_points
+    start = time.monotonic()
+    try:
+        result.data = {"mesh": parts.mesh(windows, settings.surface, "%s: %s" % (source, windows.name), result.warnings)}
+    except HorizonError as error:
+        if not settings.leave_out_invalid:
+            raise HorizonError("%s: %s" % (source, error)) from None
+        result.warnings.append("%s is left out" % error)
+        result.data = {"mesh": vtkPolyData()}
+    result.seconds["mesh"] = time.monotonic() - start
+    result.simplified = count_loops(result.data["mesh"])
+    return result
+
+
+def count_loops(horizon):
+    """Number of outlines, and of points in them (a closed line repeats its first one; a single point does not)."""
+    lines = horizon.GetLines()
+    points = 0
+    for number in range(lines.GetNumberOfCells()):
+        size = lines.GetCellSize(number)
+        points += max(1, size - 1)
+    return lines.GetNumberOfCells(), points
 
 
 def _measure(result, settings):

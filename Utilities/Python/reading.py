@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of horizons: which reader takes a file, and the horizons it gives.
+"""Files of horizons, and seismic cubes: which reader takes a file, and the horizons it gives.
 
     horizons, seconds = read("survey.vsm")
     name, points = horizons[0]
@@ -8,10 +8,11 @@
 
 import pathlib
 
+from . import cubes
 from .stage import HorizonError, configure, make, update, watched
 
 # In the order they are asked. The last one says what is wrong with a file that none of them knows.
-READERS = ("vtkVerneySparseMatrixReader", "vtkHorizonGridReader", "vtkHorizonTextReader")
+READERS = ("vtkVerneySparseMatrixReader", "vtkHorizonGridReader", cubes.READER, "vtkHorizonTextReader")
 
 
 def find_reader(path):
@@ -20,8 +21,12 @@ def find_reader(path):
 
 
 def open_file(path, **properties):
-    """A reader of a file. Raises HorizonError when it has no such property."""
-    reader = make(find_reader(path) or READERS[-1], FileName=str(path))
+    """What gives the horizons of a file: its reader, or the extraction from a cube. Raises HorizonError when it has no
+    such property."""
+    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else READERS[-1])
+    if name == cubes.READER:
+        return cubes.open_cube(path, **properties)
+    reader = make(name, FileName=str(path))
     properties = _with_lattice(reader, properties)
     for name in properties:
         if not hasattr(reader, "Set" + name):
@@ -51,19 +56,30 @@ def read(path, horizons=None, **properties):
     there is nothing to read.
     """
     path = pathlib.Path(path)
-    reader = open_file(path, **properties)
-    if horizons is not None:
-        _select(reader, [name_of(horizon) for horizon in horizons], path)
-    seconds = update(reader, "%s: reading" % path.name)
-    output = reader.GetOutputDataObject(0)
+    source = open_file(path, **properties)
+    seconds = 0.0
+    if cubes.is_extraction(source):
+        seconds += cubes.read(source, path)
+    elif horizons is not None:
+        select(source, horizons, path)
+    seconds += update(source, "%s: reading" % path.name)
+    if cubes.is_extraction(source) and horizons is not None:
+        _switch(source, horizons, path)
+    found = [(name, points) for name, points in list_horizons(source.GetOutputDataObject(0))
+             if source.GetHorizonStatus(name)]
+    if not found:
+        raise HorizonError("%s: there is no point to work on" % path)
+    return found, seconds
+
+
+def list_horizons(output):
+    """The horizons of a collection that have points, as a list of (name, polydata)."""
     found = []
     for block in range(output.GetNumberOfPartitionedDataSets()):
         horizon = output.GetPartition(block, 0)
         if horizon is not None and horizon.GetNumberOfPoints():
             found.append((output.GetMetaData(block).Get(output.NAME()), horizon))
-    if not found:
-        raise HorizonError("%s: there is no point to work on" % path)
-    return found, seconds
+    return found
 
 
 def read_first(path, **properties):
@@ -82,13 +98,24 @@ def short_name(name):
     return rest if first == "Horizon" and rest.isdecimal() else name
 
 
-def _select(reader, names, path):
-    """Leaves only some horizons switched on."""
+def selected(reader):
+    """The names of the horizons that are switched on."""
+    names = [reader.GetHorizonName(number) for number in range(reader.GetNumberOfHorizons())]
+    return [name for name in names if reader.GetHorizonStatus(name)]
+
+
+def select(reader, horizons, path):
+    """Leaves only some horizons switched on. Raises HorizonError when the file does not have them."""
     with watched(reader):
         reader.UpdateInformation()
+    _switch(reader, horizons, path)
+
+
+def _switch(reader, horizons, path):
+    """The same once the list of horizons is filled."""
     known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
     reader.DisableAllHorizons()
-    for name in names:
+    for name in map(name_of, horizons):
         if name not in known and short_name(name) not in known:
             raise HorizonError("%s: there is no horizon %s; the file has %s" % (
                 path, short_name(name), ", ".join(short_name(k) for k in known) or "none"))

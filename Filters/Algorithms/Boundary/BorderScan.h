@@ -34,7 +34,8 @@ struct SweepResult
 };
 
 /// `Graph` is a plane graph of hops: its Sweep(place, from) gives the first hop of the graph from a place that a
-/// clockwise sweep after `from` meets, where `from` comes last.
+/// clockwise sweep after `from` meets, where `from` comes last; its LeadsEast(place) tells whether there is a hop to
+/// the column to the right.
 template <typename Graph>
 class BorderScan
 {
@@ -114,7 +115,7 @@ private:
   /// so that it is walked once; so are those of islands in it, whose outlines run the other way and so have no size.
   bool EntersHole(std::int64_t place, std::int32_t patch)
   {
-    if (!this->Options.HoleBoundaries || this->Raster[place + 1] != NoPoint ||
+    if (!this->Options.HoleBoundaries || this->HopGraph.LeadsEast(place) ||
       this->FilledHoleEast[std::size_t(this->Raster[place])])
     {
       return false;
@@ -149,6 +150,7 @@ private:
   /// Gives the points of the last walk to a patch.
   void NumberSteps(std::int32_t patch)
   {
+    DropStepsInGaps(this->Steps);
     for (const FaceStep& step : this->Steps)
     {
       this->Result.Patch[std::size_t(step.Point)] = patch;

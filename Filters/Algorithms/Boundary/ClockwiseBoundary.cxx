@@ -4,11 +4,15 @@
 #include "ClockwiseBoundary.h"
 
 #include "ColumnRaster.h"
+#include "CutFaces.h"
 #include "FaceWalk.h"
 #include "Islands.h"
 #include "PatchComponents.h"
 #include "PlanarHops.h"
+#include "SeamGaps.h"
 
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace SeismicHorizons
@@ -20,27 +24,48 @@ constexpr std::size_t SmallestWalkToRemember = 16;
 
 constexpr std::size_t Batch = 256; // points from one report of progress to the next
 
-/// Walks the faces of the graph: first the outlines of all components, then the holes.
+std::unique_ptr<const CutBlocks> FindCutBlocks(
+  const BoundaryOptions& options, const std::vector<PlanePoint>& columns, const ColumnRaster& raster)
+{
+  return options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, columns, raster) : nullptr;
+}
+
+/// Walks the faces of the graph: first the outlines of all components, then the holes. With cuts, holes are walked that
+/// get no loop, too, and then those get one that hold a cut.
 class FaceFinder
 {
 public:
-  FaceFinder(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+  FaceFinder(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
+    const Monitor& monitor)
     : Columns(columns)
     , Options(options)
     , Raster(columns, 2 * options.Radius)
     , Hops(options.Radius, this->Raster.Width())
-    , Graph(this->Raster, this->Hops, monitor)
-    , Parts(FindPatchComponents(this->Raster, columns.size(), options.Radius))
+    , Gaps(columns, this->Raster, options, seams)
+    , Blocks(FindCutBlocks(options, columns, this->Raster))
+    , Graph(this->Raster, this->Hops, this->Gaps, this->Blocks.get(), monitor)
+    , Parts(options.Cuts ? FindHopComponents(columns, this->Raster, this->Hops, this->Graph)
+                         : FindPatchComponents(this->Raster, columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
+    , WalksHoles(options.HoleBoundaries || options.Cuts)
   {
+    if (options.Cuts)
+    {
+      this->Cracks.emplace(columns, this->Raster, this->Hops, *this->Blocks);
+    }
+    this->Gaps.Join(this->Raster, this->Parts);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)
   {
-    this->WalkOutlines(monitor.Step(0.0, this->Options.HoleBoundaries ? 0.4 : 0.9));
-    if (this->Options.HoleBoundaries)
+    this->WalkOutlines(monitor.Step(0.0, this->WalksHoles ? 0.4 : 0.9));
+    if (this->WalksHoles)
     {
       this->WalkHoles(monitor.Step(0.4, 0.9));
+    }
+    if (this->Cracks)
+    {
+      this->Faces = this->Cracks->Select(this->Faces, this->Parts.First);
     }
     return this->Collect();
   }
@@ -57,7 +82,12 @@ private:
       }
       const std::int64_t start = this->Parts.First[part];
       this->Walk(start, this->Graph.Next(start, west));
-      if (this->Options.HoleBoundaries)
+      if (this->Cracks)
+      {
+        this->Cracks->AddOutline(this->Steps);
+      }
+      DropStepsInGaps(this->Steps);
+      if (this->WalksHoles)
       {
         this->Remember();
       }
@@ -98,11 +128,14 @@ private:
   {
     this->Walk(place, hop);
     const std::int64_t inside = ColumnsInside(this->Hops, this->Steps);
-    if (inside > 0 || this->Steps.size() >= SmallestWalkToRemember)
+    const bool isHole = this->Options.HoleBoundaries && inside > 0 && inside >= this->Options.SmallestHoleSize;
+    const bool hasLoop = this->Cracks ? this->Cracks->AddHole(this->Steps, isHole, inside > 0) : isHole;
+    DropStepsInGaps(this->Steps);
+    if (hasLoop || inside > 0 || this->Steps.size() >= SmallestWalkToRemember)
     {
       this->Remember();
     }
-    if (inside > 0 && inside >= this->Options.SmallestHoleSize)
+    if (hasLoop)
     {
       AppendLoop(this->Columns, this->Steps, this->Faces);
     }
@@ -156,18 +189,22 @@ private:
   const BoundaryOptions& Options;
   const ColumnRaster Raster;
   const HopVectors Hops;
+  const SeamGaps Gaps;
+  const std::unique_ptr<const CutBlocks> Blocks; // with cuts
   const PlanarHops Graph;
   PatchComponents Parts;
   Loops Faces; // the outlines of all components, then the loops of holes
   std::vector<bool> Walked; // by the numbers of hops in the graph: the face to the left was walked
+  const bool WalksHoles;
+  std::optional<CutFaces> Cracks; // with cuts
   std::vector<FaceStep> Steps; // of the last walk
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ExteriorBoundary FindClockwiseBoundary(
-  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+  const SeamPresence& seams, const Monitor& monitor)
 {
-  return FaceFinder(columns, options, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
+  return FaceFinder(columns, options, seams, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
 }
 }

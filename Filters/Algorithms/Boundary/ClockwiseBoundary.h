@@ -11,9 +11,11 @@
 
 namespace SeismicHorizons
 {
+struct SeamPresence;
+
 /// As FindExteriorBoundary, but for MinimumPatchSize and for checks of the options.
-ExteriorBoundary FindClockwiseBoundary(
-  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor);
+ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+  const SeamPresence& seams, const Monitor& monitor);
 }
 
 #endif

@@ -8,7 +8,10 @@
 #include "Common/Parameters.h"
 #include "EmptyBands.h"
 #include "PatchBridges.h"
+#include "SeamGaps.h"
+#include "SeamedHops.h"
 
+#include <algorithm>
 #include <string>
 
 namespace SeismicHorizons
@@ -41,14 +44,49 @@ ExteriorBoundary GrowByDistance(
     .Run(monitor.Step(0.5, 1.0));
 }
 
-ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary FindBetweenSeams(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+  const SeamPresence& seams, const Monitor& monitor)
 {
+  if (options.Radius > 1)
+  {
+    return FindClockwiseBoundary(columns, options, seams, monitor);
+  }
+  const ColumnRaster raster(columns);
+  const HopVectors hops(1, raster.Width());
+  const SeamGaps gaps(columns, raster, options, seams);
+  return BorderScan<SeamedHops>(columns, raster, hops, SeamedHops(raster, hops, gaps), options).Run(monitor);
+}
+
+ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
+  const Monitor& monitor)
+{
+  if (seams.AtLeastRow || seams.AtGreatestRow)
+  {
+    return FindBetweenSeams(columns, options, seams, monitor);
+  }
+  if (options.Cuts)
+  {
+    return FindClockwiseBoundary(columns, options, seams, monitor);
+  }
   if (options.Radius == 1)
   {
     return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
   }
   return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
-                                                    : FindClockwiseBoundary(columns, options, monitor);
+                                                    : FindClockwiseBoundary(columns, options, seams, monitor);
+}
+
+void CheckCuts(const BoundaryOptions& options)
+{
+  if (options.Cuts && HasSeams(options.Seams))
+  {
+    throw InputError("cut links and a seam, expected one of them: a crack may go on beyond the seam");
+  }
+  if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
+  {
+    throw InputError("cut links and growth by distance with a radius of " + std::to_string(options.Radius) +
+      " columns, expected clockwise growth, or a radius of 1");
+  }
 }
 
 /// Without the numbers and the loops of patches that are too small, and the loops of their holes.
@@ -87,8 +125,13 @@ ExteriorBoundary FindExteriorBoundary(
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
-  ExteriorBoundary result = WithoutWideBands(
-    columns, options.Radius, [&](const std::vector<PlanePoint>& near) { return Find(near, options, monitor); });
+  CheckSeams(columns, options);
+  CheckCuts(options);
+  const SeamPresence seams(columns, options.Seams);
+  // Gaps of seams stay as wide as they are, and cuts where they are.
+  const int reach = std::max(options.Radius, options.Seams.LongestEdge);
+  const auto find = [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, monitor); };
+  ExteriorBoundary result = options.Cuts ? find(columns) : WithoutWideBands(columns, reach, find);
   if (options.MinimumPatchSize > 1)
   {
     return WithoutSpecks(result, options.MinimumPatchSize);

@@ -19,14 +19,20 @@
 //    of the plane graph only;
 //  - gives a loop to a patch inside the loop of another one: here that patch has none and belongs to the outer one, as
 //    their meshes would lie over each other.
+//
+// A horizon can be cut along links between neighbouring columns (CutBlocks.h). The loop of a crack runs around both of
+// its lips, counter-clockwise as that of a hole, or is part of an outline where the crack reaches it.
 
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
 
 #include "Common/KeptPoints.h"
+#include "Common/LinkCuts.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -37,6 +43,20 @@ enum class GrowthStrategy
   Distance = 0, // by hops to neighbours, and by longer ones where only these lead on
   Clockwise = 1 // by the first hop of a clockwise sweep, whatever its length
 };
+
+/// Rows where a part of a horizon ends and another one goes on that has the same row (SeamGaps.h). No point is beyond.
+struct SeamRows
+{
+  std::optional<std::int32_t> Lower; // the row of the least y
+  std::optional<std::int32_t> Upper;
+  /// Gaps of a seam, from a point to the next one, are closed up to so many columns, and up to the radius.
+  int LongestEdge = 1;
+};
+
+inline bool HasSeams(const SeamRows& seams)
+{
+  return seams.Lower || seams.Upper;
+}
 
 struct BoundaryOptions
 {
@@ -49,6 +69,12 @@ struct BoundaryOptions
   std::int64_t SmallestHoleSize = 1;
   /// Patches of fewer points have no number and no loops.
   std::int64_t MinimumPatchSize = 1;
+  /// With a seam, holes need loops, all patches stay, and growth by distance is for a radius of 1 alone.
+  SeamRows Seams;
+  /// Where the horizon is cut, or null. Hops never cross cuts, and a hole that holds a cut has a loop, whatever the two
+  /// options of holes: a crack is such a hole, though no column may lie inside it. With cuts there can be no seam, and
+  /// growth by distance is for a radius of 1 alone.
+  const LinkCuts* Cuts = nullptr;
 };
 
 /// HopCandidates.h keeps the columns that hops of a row can lead to, 2 k + 1 of them, in one number of 128 bits, of
@@ -77,7 +103,8 @@ struct ExteriorBoundary
 /// the points. Takes time linear in the points and in the columns of their bounding box, with a factor that grows with
 /// k for the points beside empty columns. Memory beyond the result: 4 bytes per column of that box, for growth by
 /// distance with k > 1 also 4 per point, and some for the points beside empty columns. On one thread, as each step of a
-/// walk depends on the one before.
+/// walk depends on the one before. With cuts, the box also has a byte per column, and is never narrowed where it is
+/// empty.
 ExteriorBoundary FindExteriorBoundary(const std::vector<PlanePoint>& columns,
   const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
 

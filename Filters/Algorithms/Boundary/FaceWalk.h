@@ -18,7 +18,8 @@
 
 namespace SeismicHorizons
 {
-/// A point of a walk, and the hop by which the walk leaves it: NoHop for a point alone.
+/// A point of a walk, and the hop by which the walk leaves it: NoHop for a point alone. In the gap of a seam there is
+/// no point (SeamGaps.h).
 struct FaceStep
 {
   PointId Point;
@@ -45,31 +46,50 @@ void WalkFace(const ColumnRaster& raster, const HopVectors& hops, std::int64_t s
   } while (place != start || hop != first);
 }
 
-/// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
-/// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
-inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
+struct FaceSize
 {
-  std::int64_t twiceArea = 0;
-  std::int64_t onLoop = 0;
+  std::int64_t TwiceArea = 0; // less than 0 for a face that is walked clockwise
+  std::int64_t OnLoop = 0; // columns that the walk passes through the middles of, each as often as it does
+};
+
+inline FaceSize MeasureFace(const HopVectors& hops, const std::vector<FaceStep>& steps)
+{
+  FaceSize size;
   std::int64_t x = 0;
   std::int64_t y = 0;
   for (const FaceStep& step : steps)
   {
     if (step.Hop == NoHop)
     {
-      return 0;
+      return size;
     }
     const PlanePoint& vector = hops.Vector(step.Hop);
-    twiceArea += x * vector.Y - y * vector.X;
-    onLoop += hops.NumberOfParts(step.Hop);
+    size.TwiceArea += x * vector.Y - y * vector.X;
+    size.OnLoop += hops.NumberOfParts(step.Hop);
     x += vector.X;
     y += vector.Y;
   }
-  return twiceArea > 0 ? (twiceArea - onLoop) / 2 + 1 : 0;
+  return size;
+}
+
+/// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
+/// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
+inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
+{
+  const FaceSize size = MeasureFace(hops, steps);
+  return size.TwiceArea > 0 ? (size.TwiceArea - size.OnLoop) / 2 + 1 : 0;
+}
+
+/// Leaves out the steps in gaps of seams. The columns inside are counted before.
+inline void DropStepsInGaps(std::vector<FaceStep>& steps)
+{
+  steps.erase(std::remove_if(steps.begin(), steps.end(), [](const FaceStep& step) { return step.Point == NoPoint; }),
+    steps.end());
 }
 
 /// Adds a walk as a loop that begins at its point of least x, then least y. When the walk visits that point several
-/// times, the loop begins with the hop from there that a clockwise sweep from the south meets first.
+/// times, the loop begins with the hop from there that a clockwise sweep from the south meets first. No step is in a
+/// gap.
 inline void AppendLoop(const std::vector<PlanePoint>& columns, std::vector<FaceStep>& steps, Loops& loops)
 {
   const auto first = std::min_element(steps.begin(), steps.end(),

@@ -20,48 +20,42 @@ struct Crossing
   std::size_t Loop;
 };
 
-class IslandFinder
+using PlaceVisitor = std::function<void(std::size_t, const std::vector<std::size_t>&)>;
+
+class LoopReader
 {
 public:
-  IslandFinder(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
-    const std::vector<std::int64_t>& first, const Loops& loops)
+  LoopReader(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
+    const std::vector<std::int64_t>& places, const Loops& loops)
     : Columns(columns)
     , Raster(raster)
-    , First(first)
+    , Places(places)
     , Boundary(loops)
     , RowNumber(std::size_t(raster.Height()), -1)
-    , PatchOf(first.size())
   {
-    std::iota(this->PatchOf.begin(), this->PatchOf.end(), 0);
   }
 
-  /// Components are met from below, so that each is met after the one around it, and an island in an island after both.
-  std::vector<std::int32_t> Run()
+  void Run(const PlaceVisitor& visit)
   {
-    if (this->First.size() > 1)
+    this->NumberRows();
+    this->FindCrossings();
+    std::size_t place = 0;
+    for (std::vector<Crossing>& crossings : this->Crossings)
     {
-      this->NumberRows();
-      this->FindCrossings();
-      std::size_t part = 0;
-      for (std::vector<Crossing>& crossings : this->Crossings)
-      {
-        std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.X < b.X; });
-        part = this->ReadRow(crossings, part);
-      }
+      std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.X < b.X; });
+      place = this->ReadRow(crossings, place, visit);
     }
-    return std::move(this->PatchOf);
   }
 
 private:
   std::int64_t RowOf(std::int64_t place) const { return place / this->Raster.Width(); }
   std::int64_t ColumnOf(std::int64_t place) const { return place % this->Raster.Width(); }
-  bool IsHole(std::size_t loop) const { return loop >= this->First.size(); }
 
-  /// Numbers the rows that have first points.
+  /// Numbers the rows that have places.
   void NumberRows()
   {
     std::int32_t rows = 0;
-    for (const std::int64_t place : this->First)
+    for (const std::int64_t place : this->Places)
     {
       std::int32_t& number = this->RowNumber[std::size_t(this->RowOf(place))];
       number = number < 0 ? rows++ : number;
@@ -100,22 +94,21 @@ private:
     }
   }
 
-  /// Assigns the components whose first points are in the same row as that of `part`, and returns the next component.
-  std::size_t ReadRow(const std::vector<Crossing>& crossings, std::size_t part)
+  /// Visits the places in the row of one, and returns the next place.
+  std::size_t ReadRow(const std::vector<Crossing>& crossings, std::size_t place, const PlaceVisitor& visit)
   {
-    const std::int64_t row = this->RowOf(this->First[part]);
+    const std::int64_t row = this->RowOf(this->Places[place]);
     std::vector<std::size_t> around; // loops; few lie around a place
     auto next = crossings.begin();
-    for (; part < this->First.size() && this->RowOf(this->First[part]) == row; ++part)
+    for (; place < this->Places.size() && this->RowOf(this->Places[place]) == row; ++place)
     {
-      for (; next != crossings.end() && next->X < double(this->ColumnOf(this->First[part])); ++next)
+      for (; next != crossings.end() && next->X < double(this->ColumnOf(this->Places[place])); ++next)
       {
         EnterOrLeave(around, next->Loop);
       }
-      const std::int32_t patch = this->InnermostPatch(around);
-      this->PatchOf[part] = patch < 0 ? std::int32_t(part) : patch;
+      visit(place, around);
     }
-    return part;
+    return place;
   }
 
   static void EnterOrLeave(std::vector<std::size_t>& around, std::size_t loop)
@@ -131,40 +124,58 @@ private:
     }
   }
 
-  /// The patch at a place inside some loops, or -1. From outside to inside, outlines of patches and loops of holes take
-  /// turns when those of islands that belong to another patch are left out.
-  std::int32_t InnermostPatch(const std::vector<std::size_t>& around) const
-  {
-    std::int32_t innermost = -1;
-    std::size_t outlines = 0;
-    std::size_t holes = 0;
-    for (const std::size_t loop : around)
-    {
-      const bool isHole = this->IsHole(loop);
-      holes += isHole ? 1 : 0;
-      if (!isHole && this->PatchOf[loop] == std::int32_t(loop))
-      {
-        ++outlines;
-        innermost = std::max(innermost, std::int32_t(loop));
-      }
-    }
-    return outlines > holes ? innermost : -1;
-  }
-
   const std::vector<PlanePoint>& Columns;
   const ColumnRaster& Raster;
-  const std::vector<std::int64_t>& First;
+  const std::vector<std::int64_t>& Places;
   const Loops& Boundary;
   std::vector<std::int32_t> RowNumber; // for each row of the raster, or -1
   std::vector<std::vector<Crossing>> Crossings; // by the number of the row
-  std::vector<std::int32_t> PatchOf;
 };
+
+/// The patch at a place inside some loops, or -1. From outside to inside, outlines of patches and loops of holes take
+/// turns when those of islands that belong to another patch are left out.
+std::int32_t InnermostPatch(const std::vector<std::size_t>& around, const std::vector<std::int32_t>& patchOf)
+{
+  std::int32_t innermost = -1;
+  std::size_t outlines = 0;
+  std::size_t holes = 0;
+  for (const std::size_t loop : around)
+  {
+    const bool isHole = loop >= patchOf.size();
+    holes += isHole ? 1 : 0;
+    if (!isHole && patchOf[loop] == std::int32_t(loop))
+    {
+      ++outlines;
+      innermost = std::max(innermost, std::int32_t(loop));
+    }
+  }
+  return outlines > holes ? innermost : -1;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void ForEachPlaceInLoops(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
+  const std::vector<std::int64_t>& places, const Loops& loops, const PlaceVisitor& visit)
+{
+  LoopReader(columns, raster, places, loops).Run(visit);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Components are met from below, so that each is met after the one around it, and an island in an island after both.
 std::vector<std::int32_t> AssignIslands(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
   const std::vector<std::int64_t>& first, const Loops& loops)
 {
-  return IslandFinder(columns, raster, first, loops).Run();
+  std::vector<std::int32_t> patchOf(first.size());
+  std::iota(patchOf.begin(), patchOf.end(), 0);
+  if (first.size() > 1)
+  {
+    ForEachPlaceInLoops(columns, raster, first, loops,
+      [&patchOf](std::size_t part, const std::vector<std::size_t>& around)
+      {
+        const std::int32_t patch = InnermostPatch(around, patchOf);
+        patchOf[part] = patch < 0 ? std::int32_t(part) : patch;
+      });
+  }
+  return patchOf;
 }
 }

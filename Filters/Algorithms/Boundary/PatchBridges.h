@@ -38,6 +38,8 @@ public:
     return { NoHop, passedEast };
   }
 
+  bool LeadsEast(std::int64_t place) const { return this->Raster[place + 1] != NoPoint; }
+
 private:
   const ColumnRaster& Raster;
   std::array<std::int64_t, 8> Offsets;
@@ -81,6 +83,7 @@ public:
   BridgedHops(const ColumnRaster& raster, const HopVectors& hops, const PatchBridges& bridges);
 
   SweepResult Sweep(std::int64_t place, HopId from) const;
+  bool LeadsEast(std::int64_t place) const { return this->Raster[place + 1] != NoPoint; }
 
 private:
   /// By how many hops a clockwise sweep turns from one to another.

@@ -24,14 +24,4 @@ PlaceSet::PlaceSet(const ColumnRaster& raster)
     }
   }
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void PlaceSet::AddSurrounded()
-{
-  // No two of the places that are added are neighbours, so that one does not change what is found of another.
-  for (std::int64_t place = 0; place < this->Places; place += WordBits)
-  {
-    this->Words[std::size_t((this->Margin + place) / WordBits)] |= this->Surrounded(place);
-  }
-}
 }

@@ -42,8 +42,17 @@ public:
 
   bool Contains(std::int64_t place) const { return (this->From(place) & 1U) != 0; }
 
-  /// Adds places whose eight neighbours are all in the set.
-  void AddSurrounded();
+  /// Adds places whose eight neighbours are all in the set, but for those for which `except(first)` has bits: it gives
+  /// a bit for each of 64 places.
+  template <typename Except>
+  void AddSurrounded(Except&& except)
+  {
+    // No two of the places that are added are neighbours, so that one does not change what is found of another.
+    for (std::int64_t place = 0; place < this->Places; place += WordBits)
+    {
+      this->Words[std::size_t((this->Margin + place) / WordBits)] |= this->Surrounded(place) & ~except(place);
+    }
+  }
 
   /// Those of 64 places that have all eight neighbours in the set.
   std::uint64_t Surrounded(std::int64_t place) const

@@ -19,12 +19,15 @@ constexpr std::size_t Batch = 4096; // points from one report of progress to the
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
+  const Monitor& monitor)
   : Raster(raster)
   , Hops(hops)
+  , Gaps(gaps)
+  , Cuts(cuts)
   , Long(hops)
-  , South(hops.Find({ 0, -2 }))
-  , North(hops.Find({ 0, 2 }))
+  , South(hops.Radius() > 1 ? hops.Find({ 0, -2 }) : NoHop)
+  , North(hops.Radius() > 1 ? hops.Find({ 0, 2 }) : NoHop)
 {
   for (HopId hop = 0; hop < hops.Size(); ++hop)
   {
@@ -51,11 +54,17 @@ PlaceSet PlanarHops::FindBorder()
 {
   const PlaceSet points(this->Raster);
   PlaceSet filled = points;
-  filled.AddSurrounded();
+  const auto besideCuts = [this](std::int64_t place)
+  { return this->Cuts ? this->Cuts->BesideOpenFrom(place) : std::uint64_t(0); };
+  if (this->North != NoHop)
+  {
+    filled.AddSurrounded(besideCuts);
+  }
   const std::int64_t end = this->Raster.Width() * this->Raster.Height();
   for (std::int64_t place = 0; place < end; place += PlaceSet::WordBits)
   {
-    const std::uint64_t besideGaps = std::uint64_t(points.From(place)) & ~filled.Surrounded(place);
+    const std::uint64_t besideGaps =
+      std::uint64_t(points.From(place)) & (~filled.Surrounded(place) | besideCuts(place));
     this->BorderNumbers.Append(besideGaps);
     for (std::uint64_t left = besideGaps; left != 0; left &= left - 1)
     {
@@ -93,7 +102,7 @@ void PlanarHops::AddDirectHops(const HopCandidates& candidates, const Monitor& m
   this->ForEachCandidate(candidates, monitor,
     [this](const PlacedHop& hop)
     {
-      if (this->IsDirect(hop))
+      if (this->IsDirect(hop) && !this->IsOverCut(hop))
       {
         this->Add(hop);
       }
@@ -108,7 +117,7 @@ void PlanarHops::AddFurtherHops(const HopCandidates& candidates, const Monitor& 
     [&](const PlacedHop& hop)
     {
       if (!this->IsCrossed(hop) && candidates.IsFree(this->StartOf(hop), this->Long[std::size_t(hop.Number)]) &&
-        !this->IsDirect(hop))
+        !this->IsDirect(hop) && !this->IsOverCut(hop))
       {
         left.push_back(hop);
       }
@@ -134,6 +143,16 @@ bool PlanarHops::IsDirect(const PlacedHop& hop) const
   const std::int64_t start = this->StartOf(hop);
   const std::vector<std::int64_t>& between = this->Long[std::size_t(hop.Number)].Between;
   return std::none_of(between.begin(), between.end(), [&](std::int64_t offset) { return this->Has(start + offset); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool PlanarHops::IsOverCut(const PlacedHop& hop) const
+{
+  const std::int64_t start = this->StartOf(hop);
+  const std::vector<std::int64_t>& squares = this->Long[std::size_t(hop.Number)].Squares;
+  return this->Cuts &&
+    std::any_of(
+      squares.begin(), squares.end(), [&](std::int64_t square) { return this->Cuts->IsOpen(start + square); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -176,9 +195,8 @@ void PlanarHops::Add(const PlacedHop& hop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(hop) for the admissible hops from a place to neighbours, and over single empty columns. Of the two
-// diagonals between four neighbouring points that from south-east to north-west is one, as a sweep meets it first;
-// between fewer points each is.
+// Calls visit(hop) for the admissible hops from a place to neighbours, over single empty columns, and into the gaps of
+// seams.
 template <typename Visitor>
 void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 {
@@ -186,13 +204,11 @@ void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
   {
     const PlanePoint& vector = this->Hops.Vector(hop);
     const std::int64_t neighbour = place + this->Hops.Offset(hop);
-    const bool isOfFour =
-      vector.X * vector.Y > 0 && this->Has(place + vector.X) && this->Has(place + this->Hops.OffsetOf({ 0, vector.Y }));
-    if (this->Has(neighbour) && !isOfFour)
+    if ((this->Has(neighbour) && this->IsAdmissible(place, vector)) || (vector.Y == 0 && this->Gaps.Has(neighbour)))
     {
       visit(hop);
     }
-    else if (vector.X == 0 && !this->Has(neighbour) && this->HasAllNeighbours(neighbour))
+    else if (vector.X == 0 && !this->Has(neighbour) && this->IsSingleGap(neighbour))
     {
       visit(vector.Y < 0 ? this->South : this->North);
     }
@@ -200,10 +216,25 @@ void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool PlanarHops::HasAllNeighbours(std::int64_t place) const
+// Whether a hop between two neighbouring points is admissible. Of the two diagonals between four points that from
+// south-east to north-west is, as a sweep meets it first; between fewer points each is, and where cuts leave just one.
+bool PlanarHops::IsAdmissible(std::int64_t place, const PlanePoint& step) const
 {
-  return std::all_of(
-    this->Short.begin(), this->Short.end(), [&](HopId hop) { return this->Has(place + this->Hops.Offset(hop)); });
+  const bool isOfFour =
+    step.X * step.Y > 0 && this->Has(place + step.X) && this->Has(place + this->Hops.OffsetOf({ 0, step.Y }));
+  if (this->Cuts && this->Cuts->IsBesideOpen(place))
+  {
+    return !this->Cuts->IsBarred(place, step) && (!isOfFour || this->Cuts->LeavesDiagonal(place, step));
+  }
+  return !isOfFour;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool PlanarHops::IsSingleGap(std::int64_t place) const
+{
+  return this->North != NoHop && !(this->Cuts && this->Cuts->IsBesideOpen(place)) &&
+    std::all_of(
+      this->Short.begin(), this->Short.end(), [&](HopId hop) { return this->Has(place + this->Hops.Offset(hop)); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -237,7 +268,7 @@ HopId PlanarHops::Next(std::int64_t place, HopId from) const
   const std::int64_t number = this->BorderNumbers[place];
   if (number == PlaceNumbers::None)
   {
-    return this->NextShort(place, from);
+    return this->Gaps.Has(place) ? this->Hops.Opposite(from) : this->NextShort(place, from);
   }
   const HopId* const first = this->Listed.begin(number);
   const HopId* const last = this->Listed.end(number);

@@ -33,6 +33,9 @@
 // So longer hops are only looked for between points beside gaps, which are two or more empty columns side by side.
 // First the direct ones are found, and hops that cross one of these are ruled out. The rest, a few per point, is tried
 // in order of length, and each is compared with the admissible hops that touch the same unit squares.
+//
+// With cut links, those hops are left out that these bar (CutBlocks.h), and points beside open blocks count as beside
+// gaps. Points that only a barred hop connects are in different components then.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
@@ -40,11 +43,14 @@
 #include "ColumnRaster.h"
 #include "Common/CountingSort.h"
 #include "Common/Monitor.h"
+#include "CutBlocks.h"
 #include "HopCandidates.h"
 #include "HopVectors.h"
 #include "LongHops.h"
 #include "PlaceSet.h"
+#include "SeamGaps.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -58,12 +64,32 @@ namespace SeismicHorizons
 class PlanarHops
 {
 public:
-  /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it and to
-  /// `hops`.
-  PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const Monitor& monitor);
+  /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it, to `hops`
+  /// and to `gaps`, and to `cuts` when there are some.
+  PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
+    const Monitor& monitor);
 
   /// The places of the points beside gaps, row by row. Only these are on outlines, or on faces with columns inside.
   const std::vector<std::int64_t>& PlacesBesideGaps() const { return this->Border; }
+
+  /// Calls visit(hop) for enough of the admissible hops from a place that those of all places connect what hops do.
+  template <typename Visitor>
+  void ForEachConnection(std::int64_t place, Visitor&& visit) const
+  {
+    const std::int64_t number = this->BorderNumbers[place];
+    if (number != PlaceNumbers::None)
+    {
+      std::for_each(this->Listed.begin(number), this->Listed.end(number), visit);
+      return;
+    }
+    for (const PlanePoint& step : { PlanePoint{ 1, 0 }, PlanePoint{ 0, 1 } })
+    {
+      if (this->Has(place + this->Hops.OffsetOf(step)))
+      {
+        visit(this->Hops.Find(step));
+      }
+    }
+  }
 
   /// The first admissible hop from a place that a clockwise sweep after `from` meets, where `from` comes last; NoHop
   /// when there is none.
@@ -101,13 +127,17 @@ private:
   template <typename Visitor>
   void ForEachShortHop(std::int64_t place, Visitor&& visit) const;
   HopId NextShort(std::int64_t place, HopId from) const;
-  bool HasAllNeighbours(std::int64_t place) const;
+  bool IsAdmissible(std::int64_t place, const PlanePoint& step) const;
+  bool IsSingleGap(std::int64_t place) const;
+  bool IsOverCut(const PlacedHop& hop) const;
 
   bool Has(std::int64_t place) const { return this->Raster[place] != NoPoint; }
   std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Raster.Width() + hop.From.X; }
 
   const ColumnRaster& Raster;
   const HopVectors& Hops;
+  const SeamGaps& Gaps; // the hops of their columns are those to the left and to the right
+  const CutBlocks* const Cuts;
   const LongHops Long;
   std::vector<HopId> Short; // hops to the eight neighbours
   const HopId South; // the hops over a single empty column

@@ -33,6 +33,10 @@ public:
     , Visits(points.size(), 0)
   {
     boundary.ForEachPoint([this](PointId point) { this->CountVisit(point); });
+    for (const PointId point : options.Fixed)
+    {
+      this->Visits[std::size_t(point)] = 2;
+    }
     if (options.Method == OutlineMethod::FewestPoints)
     {
       this->Fewest.emplace(points, this->Visits, options.OutlineTolerance, options.DistanceThreshold,

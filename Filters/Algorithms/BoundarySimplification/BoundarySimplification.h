@@ -45,6 +45,8 @@ struct BoundarySimplificationOptions
   /// otherwise). With 0 no corners are dropped, and loops stay as they are in plan.
   double OutlineTolerance = 0.0;
   OutlineMethod Method = OutlineMethod::Threshold;
+  /// Points that stay, as those do that loops visit more than once.
+  std::vector<PointId> Fixed = {};
 };
 
 struct BoundarySimplification

@@ -41,6 +41,10 @@ public:
   /// the same: one that stays when the first of the loop does, half-way round from there.
   std::vector<std::size_t> Simplify(const std::vector<PointId>& loop);
 
+  /// The positions of the points that an open chain keeps, or one from a point back to itself, ascending. Its ends
+  /// stay.
+  std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
+
 private:
   /// The last edge of a way from the begin of the chain, and what the way has cost.
   struct Step
@@ -61,7 +65,6 @@ private:
 
   bool IsFixed(PointId point) const { return this->Visits[std::size_t(point)] > 1; }
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
-  std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
   void SetChain(std::vector<PointId> chain);
   void ListNodes();
   bool IsBend(std::size_t position) const;

@@ -6,7 +6,9 @@
 // Terms:
 //  - cell: a square of the grid in plan. The elaborate simplification stacks cubes on it and halves them; the pieces
 //    are called cells as well, and how many times one was halved is its level.
-//  - group: the points of one patch in one cell of level 0.
+//  - side: the points of one patch in one cell of level 0, and where the cell is cut, on one side of the cuts
+//    (CellSides.h).
+//  - group: the points of one side; the elaborate simplification parts them by height, too.
 //  - leaf: the points of a group in a cell that is not cut any further. A group is one leaf until it is cut.
 //  - inner points: the points of a leaf that are not on the boundary.
 //
@@ -60,6 +62,12 @@ public:
     return { place.X * this->Scale, place.Y * this->Scale, this->Height(point) };
   }
   std::int32_t Patch(PointId point) const { return this->Input.Patch[std::size_t(point)]; }
+  /// The number of the side that a point is on in its cell: where the cell is not cut, that of its patch.
+  std::int32_t SideOf(PointId point) const
+  {
+    return this->Sides.empty() ? this->Patch(point) : this->Sides[std::size_t(point)];
+  }
+  bool HasCuts() const { return !this->Sides.empty(); }
   bool IsOnBoundary(PointId point) const { return this->OnBoundary[std::size_t(point)] != 0; }
   /// For each point 1 when it is on the boundary, else 0.
   const std::vector<unsigned char>& BoundaryFlags() const { return this->OnBoundary; }
@@ -134,6 +142,8 @@ private:
   static bool MergesInner(unsigned mark) { return (mark & Start) && (!(mark & Boundary) || (mark & KeepsInner)); }
 
   void SortPoints(const Monitor& monitor);
+  void FindSides();
+  PlanePoint ColumnOf(PointId point) const;
   template <typename Key>
   std::uint32_t GroupCell(std::int64_t cell, Key& key, KeyedPoints& keyed);
   /// Marks where keys change, and counts the groups. False when keys do not ascend: then points have to be sorted
@@ -153,6 +163,7 @@ private:
   const std::int64_t Side;
   const CellGrid Cells;
   std::vector<unsigned char> OnBoundary;
+  std::vector<std::int32_t> Sides; // by point; empty without cuts
   std::unique_ptr<PointId[]> Points; // the array of all points
   std::vector<unsigned char> Marks; // for each entry of Points: what kind of leaf begins there, or 0
   std::vector<std::uint32_t> CellEnds; // where the points of each cell begin, and at the end their number

@@ -26,6 +26,7 @@
 //  they
 //    are taken as the next ring, and those beside them in plan count as touching them. Cubes that nothing leads to come
 //    last, and are cut by curvature alone.
+//  - Where a cell is cut, the points on each side of the cuts are in cubes of their own (CellSides.h).
 //  - Leaves can lie above each other. No two points are made in one place in plan all the same (StandIns.h).
 
 #ifndef SeismicHorizonsElaborateSimplification_h

@@ -35,8 +35,8 @@ void PatchCubes::MakeCubes(const Monitor& monitor)
   this->Leaves.MakeGroups(
     [this](PointId point)
     {
-      const std::int64_t patch = this->Leaves.Patch(point);
-      return patch * (std::int64_t(1) << 32) + this->LayerOf(point);
+      const std::int64_t side = this->Leaves.SideOf(point);
+      return side * (std::int64_t(1) << 32) + this->LayerOf(point);
     },
     monitor);
   this->Cubes.resize(this->Leaves.NumberOfGroups());
@@ -64,7 +64,8 @@ void PatchCubes::MakeTowers()
   for (std::size_t n = 0; n < this->Cubes.size(); ++n)
   {
     PatchCube& cube = this->Cubes[n];
-    if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell || cube.Patch != this->Cubes[n - 1].Patch)
+    if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell ||
+      this->Leaves.SideOf(*cube.First) != this->Leaves.SideOf(*this->Cubes[n - 1].First))
     {
       this->Towers.push_back({ n, n, cube.Patch, false, CellSizes() });
       ++this->TowersOfCells[std::size_t(cube.Cell) + 1];

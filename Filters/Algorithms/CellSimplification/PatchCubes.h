@@ -4,8 +4,9 @@
 // The points of a horizon in cubes, patch by patch, for the elaborate simplification.
 //
 // Terms: space is cut into cubes with the side of a cell, one layer above the other, over the cells of the grid. A
-// patch cube is the points of one patch in one cube, which is what CellLeaves.h calls a group. A tower is the patch
-// cubes of one patch over one cell. The ring of a patch cube is the number of steps to it from the boundary:
+// patch cube is the points of one side, mostly a patch, in one cube, which is what CellLeaves.h calls a group. A tower
+// is the patch cubes of one side over one cell. The ring of a patch cube is the number of steps to it from the
+// boundary:
 //
 //    ring  1  1  1  1  1  1
 //          1  2  2  2  2  1
@@ -26,7 +27,7 @@
 
 namespace SeismicHorizons
 {
-/// The points of one patch in one cube.
+/// The points of one side in one cube.
 struct PatchCube
 {
   PointId* First = nullptr;
@@ -68,7 +69,7 @@ public:
   CubeBox BoxOf(PointId point) const;
 
 private:
-  /// The patch cubes of one patch over one cell, from the bottom up.
+  /// The patch cubes of one side over one cell, from the bottom up.
   struct PatchTower
   {
     std::size_t First = 0;

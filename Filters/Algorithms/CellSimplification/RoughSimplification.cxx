@@ -18,8 +18,7 @@ Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& option
     return Reduction();
   }
   CellLeaves leaves(horizon, options.CellSize, monitor.Step(0.0, 0.4));
-  leaves.MakeGroups(
-    [&horizon](PointId point) { return std::int64_t(horizon.Patch[std::size_t(point)]); }, monitor.Step(0.4, 0.6));
+  leaves.MakeGroups([&leaves](PointId point) { return std::int64_t(leaves.SideOf(point)); }, monitor.Step(0.4, 0.6));
   Reduction result = WriteLeaves(leaves, options.Representative, monitor.Step(0.6, 1.0));
   if (options.ListCells)
   {

@@ -4,7 +4,8 @@
 // One point per square cell inside the boundary (thesis 4.3.1, Alg. 4.1): vertex clustering on a regular grid in plan
 // that leaves the boundary as it is.
 //
-// Cells start at the least corner of the bounding box of the horizon. The points of one patch in one cell are a group.
+// Cells start at the least corner of the bounding box of the horizon. The points of one patch in one cell are a group,
+// and where the cell is cut, those on one side (CellSides.h).
 // A group with boundary points keeps these, and its other points go. For any other group its barycentre stands, or the
 // input point nearest to that. A long boundary edge can cross a cell without having an end in it: a barycentre on the
 // wrong side of it is not used, but the nearest point.

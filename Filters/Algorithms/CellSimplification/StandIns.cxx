@@ -96,7 +96,8 @@ StandIn StandInFinder::FindBarycentre(const PointId* first, const PointId* last)
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Whether a place in the hull of points of one cell and patch is strictly inside the boundary, as the point `inner`
-/// among them is: the segment between the two must cross the boundary of the patch an even number of times.
+/// among them is: the segment between the two must cross the boundary of the patch an even number of times, and with
+/// cuts not at all, as it may cross both lips of a crack.
 bool StandInFinder::IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const
 {
   const PlanePoint& from = this->Leaves.Plane(inner);
@@ -113,7 +114,12 @@ bool StandInFinder::IsInside(std::int64_t cell, const PlanePoint& place, PointId
     {
       return false;
     }
-    inside = inside != Crosses(a, b, from, place);
+    const bool crosses = Crosses(a, b, from, place);
+    if (crosses && this->Leaves.HasCuts())
+    {
+      return false;
+    }
+    inside = inside != crosses;
   }
   return inside;
 }

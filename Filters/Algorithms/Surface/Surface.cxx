@@ -107,12 +107,7 @@ private:
     {
       return;
     }
-    BoundarySimplificationOptions options;
-    options.Method = OutlineMethod::FewestPoints;
-    options.OutlineTolerance = parameters.OutlineTolerance;
-    options.DistanceThreshold = parameters.DistanceThreshold;
-    BoundarySimplification simplified = SimplifyBoundary(
-      SpacePoints(this->Columns(), this->Height(), 1), this->Result.Boundary.Boundary, options, monitor.Step(0.5, 1.0));
+    BoundarySimplification simplified = this->SimplifyLoops(monitor.Step(0.5, 1.0));
     this->Result.BoundaryDeviation = simplified.Deviation;
     this->Result.OutlineDeviation = simplified.OutlineDeviation;
     this->Dropped = std::move(simplified.Dropped);
@@ -147,6 +142,37 @@ private:
   BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Columns(), this->Height()); }
   BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Columns()), std::move(this->Height())); }
 
+  /// Seams first, then what is left of the loops.
+  BoundarySimplification SimplifyLoops(const Monitor& monitor)
+  {
+    const SurfaceParameters& parameters = this->Result.Parameters;
+    BoundarySimplificationOptions options;
+    options.Method = OutlineMethod::FewestPoints;
+    options.OutlineTolerance = parameters.OutlineTolerance;
+    options.DistanceThreshold = parameters.DistanceThreshold;
+    const auto simplify = [&](const Loops& loops)
+    { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
+    if (!HasSeams(this->Options.Seams))
+    {
+      return simplify(this->Result.Boundary.Boundary);
+    }
+    SeamChains seams = SimplifySeams(this->Columns(), this->Height(), this->Result.Boundary.Boundary,
+      this->BoundaryParameters, parameters.DistanceThreshold);
+    for (const SeamPin& pin : seams.Pins)
+    {
+      this->Height()[std::size_t(pin.Point)] = pin.Height;
+    }
+    options.Fixed = std::move(seams.Kept);
+    BoundarySimplification simplified = simplify(seams.Boundary);
+    simplified.Dropped.insert(simplified.Dropped.end(), seams.Dropped.begin(), seams.Dropped.end());
+    std::sort(simplified.Dropped.begin(), simplified.Dropped.end(),
+      [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
+    simplified.Deviation = std::max(simplified.Deviation, seams.Deviation);
+    this->Result.Pins = std::move(seams.Pins);
+    this->Result.OpenGaps = std::move(seams.OpenGaps);
+    return simplified;
+  }
+
   void FindBoundary(const Monitor& monitor)
   {
     SurfaceParameters& parameters = this->Result.Parameters;
@@ -163,6 +189,10 @@ private:
       return;
     }
     parameters.SmallestHoleSize = options.SmallestHoleSize;
+    options.Cuts = this->Options.Cuts;
+    options.Seams = this->Options.Seams;
+    options.Seams.LongestEdge = ChooseLongestSeamEdge(options.SmallestHoleSize);
+    this->BoundaryParameters = options;
     this->Result.Boundary = FindExteriorBoundary(this->Points.Columns, options, monitor);
     this->Result.Kept = DropPointsWithoutPatch(this->Result.Boundary);
     if (!this->Result.Kept.AreAll())
@@ -224,6 +254,7 @@ private:
   const SurfaceOptions& Options;
   Surface Result;
   bool HasBoundary = false;
+  BoundaryOptions BoundaryParameters; // with which it was found
   std::vector<PlanePoint> KeptColumns; // of the points that have a patch, where some have none
   std::vector<double> KeptHeight;
   DroppedPoints Dropped; // from the outlines of these
@@ -241,11 +272,22 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+int ChooseLongestSeamEdge(std::int64_t smallestHoleSize)
+{
+  constexpr double Longest = 64.0;
+  return int(std::min(std::ceil(std::sqrt(double(std::max<std::int64_t>(smallestHoleSize, 1)))), Longest));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const Monitor& monitor)
 {
   if (options.MaximumNumberOfTriangles == 0)
   {
     CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
+  }
+  else if (HasSeams(options.Seams))
+  {
+    throw InputError("a seam and a number of triangles, expected an error as the target of a part of a horizon");
   }
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   CheckAtLeast("distance threshold", options.DistanceThreshold.value_or(0.0), 0.0, " lattice units");

@@ -22,6 +22,7 @@
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 #include "Decimation/Decimation.h"
+#include "SeamChains.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,11 @@ struct SurfaceOptions : DecimationQuality
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
+  /// For a part of a horizon, to be joined to others (SurfaceJoin.h). The longest edge is chosen. The parameters above
+  /// then suit a seam (BoundaryOptions), and an error is the target.
+  SeamRows Seams;
+  /// Where the horizon is cut, or null (BoundaryOptions). Cracks stay open, whatever their size.
+  const LinkCuts* Cuts = nullptr;
 };
 
 /// What the three methods were run with.
@@ -79,6 +85,10 @@ struct Surface
   double OutlineDeviation = 0.0;
   /// The mesh; its reduction is that of the points that have a patch. Empty when there are none.
   Decimation Mesh;
+  /// Of a part with seams: points that were put onto their lines, and those to the left of open gaps (SeamChains.h); as
+  /// the boundary numbers them.
+  std::vector<SeamPin> Pins;
+  std::vector<PointId> OpenGaps;
 };
 
 /// Gives what the methods give one after the other, to the bit. Throws InputError where they do, and for a number of
@@ -86,6 +96,10 @@ struct Surface
 /// effort come before the last one for a number of triangles.
 Surface MakeSurface(
   SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
+
+/// The longest edge along a seam: the side of a square of so many columns, so that what the seam cuts of a smaller hole
+/// is closed as that is; at most 64.
+int ChooseLongestSeamEdge(std::int64_t smallestHoleSize);
 
 /// The columns of the smallest hole that is left open.
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);

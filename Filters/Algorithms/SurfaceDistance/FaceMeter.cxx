@@ -55,7 +55,7 @@ private:
     const TriangleSurface& surface = this->From.Surface;
     const Corners& t = surface.Triangles[std::size_t(triangle)];
     const double area = this->From.Metrics[0].Area(surface, t);
-    if (!(area > 0.0))
+    if (!(area > 0.0) || !surface.Counts(t))
     {
       return;
     }

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::int64_t TrianglesPerChunk = 16384;
 
-/// The area of a surface by metric.
+/// The area of what counts of a surface, by metric.
 struct AreaSums
 {
   MetricValues Area = {};
@@ -33,9 +33,10 @@ MetricValues MeasureAreas(const TriangleSurface& surface, const std::vector<Metr
   {
     for (std::int64_t n = first; n < last; ++n)
     {
-      for (std::size_t metric = 0; metric < metrics.size(); ++metric)
+      const Corners& corners = surface.Triangles[std::size_t(n)];
+      for (std::size_t metric = 0; metric < metrics.size() && surface.Counts(corners); ++metric)
       {
-        sums.Area[metric] += metrics[metric].Area(surface, surface.Triangles[std::size_t(n)]);
+        sums.Area[metric] += metrics[metric].Area(surface, corners);
       }
     }
   };

@@ -21,7 +21,7 @@ struct MeasuredSurface
   TriangleSearch Search;
   SurfaceEdges Edges;
   TriangleSurface Outline;
-  MetricValues Area = {};
+  MetricValues Area = {}; // of what counts
 
   MeasuredSurface(const TriangleSurface& surface, const std::vector<Metric>& metrics, const Monitor& monitor);
 };

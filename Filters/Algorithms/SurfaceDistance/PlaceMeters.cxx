@@ -39,6 +39,7 @@ MetricValues LargestOf(const std::vector<MetricValues>& chunks)
   return largest;
 }
 
+/// The corners of triangles that count.
 std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
 {
   std::vector<unsigned char> marks(surface.Points.size(), 0);
@@ -46,7 +47,7 @@ std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
   {
     for (const PointId corner : triangle)
     {
-      marks[std::size_t(corner)] = 1;
+      marks[std::size_t(corner)] = surface.Counts(corner) ? 1 : 0;
     }
   }
   return marks;
@@ -147,7 +148,8 @@ MetricValues MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges
         [&](PointId low, PointId high, std::uint32_t)
         {
           const std::int64_t count = std::int64_t(LengthOf(from, low, high, metrics[0]) / wide);
-          if (count > 0 && MayExceed(from, low, high, metrics, points, probe.Largest()))
+          if (count > 0 && from.Counts(low) && from.Counts(high) &&
+            MayExceed(from, low, high, metrics, points, probe.Largest()))
           {
             const std::uint64_t edge = (std::uint64_t(low) << 32U) | std::uint64_t(high);
             SampleEdge(from.Point(low), from.Point(high), count, Scramble(seed ^ Scramble(edge)),

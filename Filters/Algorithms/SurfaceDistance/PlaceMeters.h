@@ -15,8 +15,9 @@
 
 namespace SeismicHorizons
 {
-/// Writes the distances of all points, by metric, and gives the largest of those that are corners of triangles. With a
-/// tolerance above 0, writes how far points are above the other surface as well, to the first one (FindHeight).
+/// Writes the distances of all points, by metric, and gives the largest of those that are corners of triangles and
+/// count. With a tolerance above 0, writes how far points are above the other surface as well, to the first one
+/// (FindHeight).
 MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to, const std::vector<Metric>& metrics,
   double tolerance, std::vector<PointDistances>& points, const Monitor& monitor);
 

@@ -65,7 +65,8 @@ void CheckSurface(const TriangleSurface& surface, const char* name)
       for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
       {
         CheckCorners(surface, triangle, name);
-        found = found || surface.Area(surface.Triangles[triangle]) > 0.0;
+        const Corners& corners = surface.Triangles[triangle];
+        found = found || (surface.Counts(corners) && surface.Area(corners) > 0.0);
       }
       if (found)
       {
@@ -75,7 +76,8 @@ void CheckSurface(const TriangleSurface& surface, const char* name)
   if (!hasArea)
   {
     throw InputError(std::string(name) + ": " + std::to_string(surface.Triangles.size()) +
-      " triangles without any area, expected a surface");
+      " triangles without any area" + (surface.LeftOut.empty() ? "" : " away from points that are left out") +
+      ", expected a surface");
   }
 }
 

@@ -24,8 +24,14 @@ struct TriangleSurface
 {
   std::vector<Eigen::Vector3d> Points;
   std::vector<Corners> Triangles;
+  /// By point: 1 where figures leave it out, and the triangles at it. Distances are measured to these as to all others.
+  /// Empty when all count.
+  std::vector<unsigned char> LeftOut;
 
   const Eigen::Vector3d& Point(PointId point) const { return this->Points[std::size_t(point)]; }
+
+  bool Counts(PointId point) const { return this->LeftOut.empty() || this->LeftOut[std::size_t(point)] == 0; }
+  bool Counts(const Corners& t) const { return this->Counts(t[0]) && this->Counts(t[1]) && this->Counts(t[2]); }
 
   double Area(const Corners& t) const
   {
@@ -36,8 +42,8 @@ struct TriangleSurface
 /// Squares of larger coordinates would leave the range of single precision, which searches use.
 constexpr double LargestCoordinate = 1e16;
 
-/// Throws InputError on a surface without triangles, without any area, with a corner that is no point of it, and on
-/// coordinates that are not finite or larger than LargestCoordinate. Messages begin with `name`.
+/// Throws InputError on a surface without triangles, without any area that counts, with a corner that is no point of
+/// it, and on coordinates that are not finite or larger than LargestCoordinate. Messages begin with `name`.
 void CheckSurface(const TriangleSurface& surface, const char* name);
 
 /// The diagonal of the bounding box of all triangles.

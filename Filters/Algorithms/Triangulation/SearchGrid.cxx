@@ -117,6 +117,8 @@ SearchGrid::SortedPoints::SortedPoints(
     this->Places[std::size_t(number)] = points[point];
     this->Names[std::size_t(number)] = names[point];
   }
+  // A search that looks at places after the last point then finds no better ones than that of the point.
+  std::fill_n(this->Places.end() - Padding, Padding, points.empty() ? PlanePoint{} : this->Places[points.size() - 1]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

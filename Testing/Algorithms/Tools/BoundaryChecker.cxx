@@ -137,7 +137,7 @@ std::string CheckLoops(const std::vector<PlanePoint>& columns, const ExteriorBou
   for (std::size_t loop = 0; loop < parts.Size(); ++loop)
   {
     const std::string name = " of loop " + std::to_string(loop);
-    if (parts.IsHole(loop) ? !options.HoleBoundaries : parts.PatchOf(loop) != std::int32_t(loop))
+    if (parts.IsHole(loop) ? !options.HoleBoundaries && !options.Cuts : parts.PatchOf(loop) != std::int32_t(loop))
     {
       return "number" + name;
     }
@@ -145,7 +145,7 @@ std::string CheckLoops(const std::vector<PlanePoint>& columns, const ExteriorBou
     {
       return "direction" + name;
     }
-    if (parts.IsHole(loop) && parts.CountInside(loop) < std::max<std::int64_t>(1, options.SmallestHoleSize))
+    if (parts.IsHole(loop) && !options.Cuts && parts.CountInside(loop) < std::max<std::int64_t>(1, options.SmallestHoleSize))
     {
       return "size" + name;
     }
@@ -192,7 +192,7 @@ std::string CheckBoundary(
 {
   const BoundaryParts parts(columns, boundary);
   std::string wrong = CheckEdges(columns, boundary.Boundary, options.Radius);
-  wrong = wrong.empty() ? CheckConnection(columns, boundary.Patch, options.Radius) : wrong;
+  wrong = wrong.empty() && !options.Cuts ? CheckConnection(columns, boundary.Patch, options.Radius) : wrong;
   wrong = wrong.empty() ? CheckLoops(columns, boundary, parts, options) : wrong;
   return wrong.empty() ? CheckInside(columns, boundary.Patch, parts) : wrong;
 }

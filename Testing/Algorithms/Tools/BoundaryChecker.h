@@ -18,7 +18,8 @@ namespace BoundaryChecker
 /// The contract for any radius, rule and choice of holes, by looking at every pair: loops hop between points within the
 /// radius and over none, never cross themselves or each other, begin at their least point, and turn the right way;
 /// points within the radius are in one patch; each point is inside or on the outline of its patch, not inside a hole of
-/// it, and in no other patch; holes have the size they should.
+/// it, and in no other patch; holes have the size they should. With cuts, what these decide is left out: which points
+/// are in one patch, and which holes have loops (CrackedPatches.h).
 std::string CheckBoundary(const std::vector<SeismicHorizons::PlanePoint>& columns,
   const SeismicHorizons::ExteriorBoundary& boundary, const SeismicHorizons::BoundaryOptions& options);
 

@@ -82,6 +82,16 @@ void TestConstrainedEdges()
   CHECK_EQUAL(Mesh(notch), std::string());
 }
 
+/// No point stands at the least corner of the box, to the left of all edges here: what a search finds there does not
+/// count.
+void TestEmptyCorner()
+{
+  CHECK_EQUAL(Mesh(FromPolygon({ { 0, 14336 }, { 2048, 15360 }, { 3072, 1024 }, { 1024, 0 }, { 1536, 6144 },
+                                 { 1536, 8704 }, { 1024, 10240 } },
+                4)),
+    std::string());
+}
+
 void TestRandomPatches()
 {
   Patches::Random random(4);
@@ -287,6 +297,7 @@ int TestTriangulation(int, char*[])
   TestSmallMeshes();
   TestDelaunayDiagonal();
   TestConstrainedEdges();
+  TestEmptyCorner();
   TestRandomPatches();
   TestHardPoints();
   TestOrderOfPointsIsNoMatter();

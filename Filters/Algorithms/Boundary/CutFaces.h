@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which faces of the graph of hops stay open because a cut link is in them, whatever the sizes of holes that get loops.
+//
+// A cut link with a point at an end is passed by the sweep of a walk there. When that is the walk around a hole, the
+// hole holds the cut: a crack is such a hole, of the open blocks of its links. When it is the walk around the outline
+// of a component, the cut is in the hole that the component lies in. So are cut links between empty columns.
+
+#ifndef SeismicHorizonsCutFaces_h
+#define SeismicHorizonsCutFaces_h
+
+#include "ColumnRaster.h"
+#include "CutBlocks.h"
+#include "FaceWalk.h"
+#include "HopVectors.h"
+#include "PatchComponents.h"
+#include "PlanarHops.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// The components of points that the hops of a graph connect.
+PatchComponents FindHopComponents(
+  const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const PlanarHops& graph);
+
+class CutFaces
+{
+public:
+  /// Keeps references.
+  CutFaces(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
+    const CutBlocks& blocks);
+
+  /// Takes the walk around the outline of the next component.
+  void AddOutline(const std::vector<FaceStep>& steps);
+
+  /// Takes the walk around a hole, and tells whether its loop should be collected. `hasLoop` is for a hole that gets a
+  /// loop in any case, and `hasColumns` for one that other faces can lie in.
+  bool AddHole(const std::vector<FaceStep>& steps, bool hasLoop, bool hasColumns);
+
+  /// Of the loops that were collected, first those of all outlines, those that stay. `first` has the first place of
+  /// each component.
+  Loops Select(const Loops& loops, const std::vector<std::int64_t>& first);
+
+private:
+  /// A loop that was collected.
+  struct Face
+  {
+    std::int64_t TwiceArea;
+    bool Stays;
+  };
+
+  bool PassesCut(const std::vector<FaceStep>& steps) const;
+  bool IsSwept(HopId hop, HopId from, HopId to) const;
+  std::vector<std::int64_t> PlacesInOpenFaces(const std::vector<std::int64_t>& first) const;
+
+  const std::vector<PlanePoint>& Columns;
+  const ColumnRaster& Raster;
+  const HopVectors& Hops;
+  const CutBlocks& Blocks;
+  std::array<HopId, 4> Sides; // the hops along links
+  std::vector<Face> Faces; // in the order of the loops
+  std::vector<std::size_t> CutOutlines; // of components, that cuts are at
+};
+}
+
+#endif

@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultForest.h"
+
+#include "Common/PlaneGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The groups of vertices that kept edges join.
+DisjointSets JoinKept(const CornerGraph& graph)
+{
+  DisjointSets groups(graph.NumberOfVertices());
+  for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
+  {
+    if (graph.IsKept(edge))
+    {
+      groups.Join(graph.Ends(edge)[0], graph.Ends(edge)[1]);
+    }
+  }
+  return groups;
+}
+
+/// A step from a corner to a neighbouring one, across a link.
+struct CornerStep
+{
+  std::int64_t Link = -1; // none when it is outside the box
+  std::int64_t Target = -1;
+  bool IsForward = true; // to the east or to the north
+};
+
+constexpr int NumberOfDirections = 4; // east, north, west, south
+
+CornerStep StepFrom(const LinkGrid& grid, std::int64_t corner, int direction)
+{
+  const bool isForward = direction < 2;
+  const bool isAcrossNorth = direction % 2 == 0; // a step to the east crosses a link to the north
+  const std::int64_t shift = isForward ? 1 : -1;
+  const std::int64_t x = grid.CornerX(corner) + (isAcrossNorth ? shift : 0);
+  const std::int64_t y = grid.CornerY(corner) + (isAcrossNorth ? 0 : shift);
+  // The column of the link is that below and left of the end of a step forward.
+  const std::int64_t columnX = isAcrossNorth && !isForward ? x + 1 : x;
+  const std::int64_t columnY = !isAcrossNorth && !isForward ? y + 1 : y;
+  if (columnX < 0 || columnY < 0 || columnX >= grid.Width() || columnY >= grid.Height())
+  {
+    return {};
+  }
+  const std::int64_t link = grid.LinkOf(columnX, columnY, isAcrossNorth ? LinkSide::North : LinkSide::East);
+  return grid.IsInside(link) ? CornerStep{ link, grid.CornerOf(x, y), isForward } : CornerStep{};
+}
+
+/// Looks for links that join the ends of candidates to other groups.
+class EndBridges
+{
+public:
+  EndBridges(const CornerGraph& graph, const std::function<float(std::int64_t)>& step, float least)
+    : Graph(graph)
+    , Groups(JoinKept(graph))
+    , StepAcross(step)
+    , Least(least)
+  {
+  }
+
+  std::vector<std::int64_t> Find()
+  {
+    for (std::int32_t vertex = 0; vertex < this->Graph.NumberOfVertices(); ++vertex)
+    {
+      if (this->Graph.Degree(vertex) == 1)
+      {
+        this->Graph.ForEachEdgeAt(vertex,
+          [&](std::int32_t edge, std::int32_t)
+          {
+            const bool isForward = this->Graph.Ends(edge)[1] == vertex;
+            this->FindFrom(vertex, this->LeftStep(this->Graph.Edge(edge).Link, isForward));
+          });
+      }
+    }
+    std::sort(this->Links.begin(), this->Links.end());
+    this->Links.erase(std::unique(this->Links.begin(), this->Links.end()), this->Links.end());
+    return std::move(this->Links);
+  }
+
+private:
+  /// How much higher the left is than the right of a step from corner to corner.
+  float LeftStep(std::int64_t link, bool isForward) const
+  {
+    const float step = this->StepAcross(link);
+    return (LinkGrid::SideOf(link) == LinkSide::North) == isForward ? step : -step;
+  }
+
+  /// Whether a step goes on with one whose left is higher by `left`.
+  bool Continues(const CornerStep& step, float left) const
+  {
+    return this->LeftStep(step.Link, step.IsForward) * (left < 0.0F ? -1.0F : 1.0F) >= this->Least;
+  }
+
+  bool IsOfOtherGroup(std::int32_t vertex, std::int32_t other)
+  {
+    return other >= 0 && this->Groups.Find(other) != this->Groups.Find(vertex);
+  }
+
+  /// Whether a single candidate starts at a vertex, and its left is the same side.
+  bool StartsAlike(std::int32_t vertex, float left) const
+  {
+    bool isAlike = false;
+    if (this->Graph.Degree(vertex) == 1)
+    {
+      this->Graph.ForEachEdgeAt(vertex,
+        [&](std::int32_t edge, std::int32_t)
+        {
+          const bool isForward = this->Graph.Ends(edge)[0] == vertex;
+          isAlike = this->LeftStep(this->Graph.Edge(edge).Link, isForward) * left > 0.0F;
+        });
+    }
+    return isAlike;
+  }
+
+  void FindFrom(std::int32_t vertex, float left)
+  {
+    const LinkGrid& grid = this->Graph.Grid();
+    for (int direction = 0; direction < NumberOfDirections; ++direction)
+    {
+      const CornerStep first = StepFrom(grid, this->Graph.Corner(vertex), direction);
+      const std::int32_t middle = first.Link >= 0 ? this->Graph.FindVertex(first.Target) : -1;
+      if (this->IsOfOtherGroup(vertex, middle))
+      {
+        this->Links.push_back(first.Link);
+      }
+      if (first.Link < 0 || middle >= 0 || !this->Continues(first, left))
+      {
+        continue;
+      }
+      for (int next = 0; next < NumberOfDirections; ++next)
+      {
+        const CornerStep second = StepFrom(grid, first.Target, next);
+        if (second.Link < 0 || !this->Continues(second, left))
+        {
+          continue;
+        }
+        const std::int32_t end = this->Graph.FindVertex(second.Target);
+        if (this->IsOfOtherGroup(vertex, end) && this->StartsAlike(end, left))
+        {
+          this->Links.push_back(first.Link);
+          this->Links.push_back(second.Link);
+        }
+      }
+    }
+  }
+
+  const CornerGraph& Graph;
+  DisjointSets Groups;
+  const std::function<float(std::int64_t)>& StepAcross;
+  const float Least;
+  std::vector<std::int64_t> Links;
+};
+
+void KeepTrees(CornerGraph& graph)
+{
+  std::vector<std::int32_t> order(std::size_t(graph.NumberOfEdges()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&graph](std::int32_t a, std::int32_t b) { return graph.Edge(a).Size > graph.Edge(b).Size; });
+  DisjointSets trees(graph.NumberOfVertices());
+  for (const std::int32_t edge : order)
+  {
+    if (!trees.Join(graph.Ends(edge)[0], graph.Ends(edge)[1]))
+    {
+      graph.Drop(edge);
+    }
+  }
+}
+
+void DropSmallTrees(CornerGraph& graph, const ForestLimits& limits)
+{
+  DisjointSets trees = JoinKept(graph);
+  std::vector<PlaneBox> boxes(std::size_t(graph.NumberOfVertices()));
+  std::vector<std::int32_t> strong(boxes.size(), 0);
+  const LinkGrid& grid = graph.Grid();
+  for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
+  {
+    if (graph.IsKept(edge))
+    {
+      const auto tree = std::size_t(trees.Find(graph.Ends(edge)[0]));
+      strong[tree] += graph.Edge(edge).IsStrong ? 1 : 0;
+      for (const std::int32_t end : graph.Ends(edge))
+      {
+        const std::int64_t corner = graph.Corner(end);
+        boxes[tree].Add(PlanePoint{ std::int32_t(grid.CornerX(corner)), std::int32_t(grid.CornerY(corner)) });
+      }
+    }
+  }
+  for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
+  {
+    if (graph.IsKept(edge))
+    {
+      const auto tree = std::size_t(trees.Find(graph.Ends(edge)[0]));
+      const PlaneBox& box = boxes[tree];
+      const std::int32_t extent = std::max(box.Greatest.X - box.Least.X, box.Greatest.Y - box.Least.Y);
+      if (extent < limits.SmallestExtent || strong[tree] < limits.FewestStrong)
+      {
+        graph.Drop(edge);
+      }
+    }
+  }
+}
+
+/// The edges from an end of a tree to its next junction, at most `longest`; empty when there is none within them.
+std::vector<std::int32_t> WalkBranch(const CornerGraph& graph, std::int32_t end, int longest)
+{
+  std::vector<std::int32_t> branch;
+  std::int32_t vertex = end;
+  while (int(branch.size()) < longest)
+  {
+    const std::int32_t came = branch.empty() ? -1 : branch.back();
+    std::int32_t next = -1;
+    graph.ForEachEdgeAt(vertex,
+      [&](std::int32_t edge, std::int32_t opposite)
+      {
+        if (edge != came)
+        {
+          branch.push_back(edge);
+          next = opposite;
+        }
+      });
+    if (next < 0)
+    {
+      return {}; // the other end: the tree is a single line
+    }
+    if (graph.Degree(next) > 2)
+    {
+      return branch;
+    }
+    vertex = next;
+  }
+  return {};
+}
+
+/// Shorter branches go first, as what is left of their junction may be part of a longer one.
+void PruneBranches(CornerGraph& graph, int smallest)
+{
+  std::vector<std::int32_t> ends;
+  for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
+  {
+    if (graph.Degree(vertex) == 1)
+    {
+      ends.push_back(vertex);
+    }
+  }
+  for (int length = 1; length < smallest; ++length)
+  {
+    for (const std::int32_t end : ends)
+    {
+      if (graph.Degree(end) == 1)
+      {
+        for (const std::int32_t edge : WalkBranch(graph, end, length))
+        {
+          graph.Drop(edge);
+        }
+      }
+    }
+  }
+}
+
+/// Ways through a tree from one of its vertices, the root, of which each other vertex knows the way back.
+class TreeWays
+{
+public:
+  explicit TreeWays(const CornerGraph& graph)
+    : Graph(graph)
+    , EdgeBack(std::size_t(graph.NumberOfVertices()), -1)
+    , Back(this->EdgeBack)
+    , Height(this->EdgeBack.size(), 0)
+    , Next(this->EdgeBack.size(), -1)
+  {
+  }
+
+  bool IsVisited(std::int32_t vertex) const { return this->Back[std::size_t(vertex)] >= 0; }
+
+  /// The vertices of a tree in an order in which each comes after the one on its way back; the last one is farthest.
+  std::vector<std::int32_t> Visit(std::int32_t root)
+  {
+    std::vector<std::int32_t> order = { root };
+    this->Back[std::size_t(root)] = root;
+    this->EdgeBack[std::size_t(root)] = -1;
+    for (std::size_t n = 0; n < order.size(); ++n)
+    {
+      const std::int32_t vertex = order[n];
+      this->Graph.ForEachEdgeAt(vertex,
+        [&](std::int32_t edge, std::int32_t opposite)
+        {
+          if (edge != this->EdgeBack[std::size_t(vertex)])
+          {
+            this->Back[std::size_t(opposite)] = vertex;
+            this->EdgeBack[std::size_t(opposite)] = edge;
+            order.push_back(opposite);
+          }
+        });
+    }
+    return order;
+  }
+
+  /// Lines of the tree that was visited last, from its root: each goes on with the vertex from which it gets farthest.
+  void AppendLines(const std::vector<std::int32_t>& order, std::vector<std::vector<ForestStep>>& lines)
+  {
+    for (auto vertex = order.rbegin(); vertex + 1 != order.rend(); ++vertex)
+    {
+      const auto back = std::size_t(this->Back[std::size_t(*vertex)]);
+      const std::int32_t height = this->Height[std::size_t(*vertex)] + 1;
+      if (height > this->Height[back])
+      {
+        this->Height[back] = height;
+        this->Next[back] = *vertex;
+      }
+    }
+    for (const std::int32_t vertex : order)
+    {
+      const std::int32_t back = this->Back[std::size_t(vertex)];
+      if (vertex == order.front())
+      {
+        this->AppendLine(this->Next[std::size_t(vertex)], lines);
+      }
+      else if (this->Next[std::size_t(back)] != vertex)
+      {
+        this->AppendLine(vertex, lines);
+      }
+    }
+  }
+
+private:
+  /// The line whose first step leads to `vertex`.
+  void AppendLine(std::int32_t vertex, std::vector<std::vector<ForestStep>>& lines) const
+  {
+    std::vector<ForestStep> line;
+    for (; vertex >= 0; vertex = this->Next[std::size_t(vertex)])
+    {
+      const std::int32_t edge = this->EdgeBack[std::size_t(vertex)];
+      line.push_back({ edge, this->Graph.Ends(edge)[1] == vertex });
+    }
+    lines.push_back(std::move(line));
+  }
+
+  const CornerGraph& Graph;
+  std::vector<std::int32_t> EdgeBack; // the first edge on the way to the root
+  std::vector<std::int32_t> Back; // the vertex beyond it; a root has itself
+  std::vector<std::int32_t> Height; // how many edges the longest way away from the root has
+  std::vector<std::int32_t> Next; // the first vertex of that
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultCandidate> BridgeEnds(const LinkGrid& grid, std::vector<FaultCandidate> candidates,
+  const std::function<float(std::int64_t)>& step, float least)
+{
+  const CornerGraph graph(grid, candidates);
+  for (const std::int64_t link : EndBridges(graph, step, least).Find())
+  {
+    const float size = std::abs(step(link));
+    candidates.push_back({ link, std::isnan(size) ? 0.0F : size, false });
+  }
+  return candidates;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeepForest(CornerGraph& graph, const ForestLimits& limits)
+{
+  KeepTrees(graph);
+  DropSmallTrees(graph, limits);
+  PruneBranches(graph, limits.SmallestBranch);
+  DropSmallTrees(graph, limits); // of some, branches alone were long enough
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::vector<ForestStep>> ListLines(const CornerGraph& graph)
+{
+  std::vector<std::vector<ForestStep>> lines;
+  TreeWays probe(graph);
+  TreeWays ways(graph);
+  for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
+  {
+    if (graph.Degree(vertex) > 0 && !probe.IsVisited(vertex))
+    {
+      // The vertex farthest from any is an end of the longest way.
+      const std::int32_t end = probe.Visit(vertex).back();
+      const std::vector<std::int32_t> order = ways.Visit(end);
+      ways.AppendLines(order, lines);
+    }
+  }
+  return lines;
+}
+}

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The links of a lattice and its corners. A link joins a column to its neighbour to the east (i + 1) or to the north
+// (j + 1). A corner lies in the middle of two by two columns, or half a column outside the lattice. A cut of a link is
+// a step from a corner to the next one, across the link:
+//
+//       o     o         o  columns
+//      p   n  q         n  link to the north of the column below, cut by the step from corner p to corner q
+//       o     o
+
+#ifndef SeismicHorizonsLinkGrid_h
+#define SeismicHorizonsLinkGrid_h
+
+#include "Common/PlaneGeometry.h"
+#include "Common/Types.h"
+
+#include <array>
+#include <cstdint>
+
+namespace SeismicHorizons
+{
+/// To which neighbour a link leads. The numbers go into an array (Documentation/DataModel.md).
+enum class LinkSide : unsigned char
+{
+  East = 0,
+  North = 1
+};
+
+/// A link by its column of lesser coordinates.
+struct LatticeLink
+{
+  PlanePoint Column;
+  LinkSide Side = LinkSide::East;
+
+  PlanePoint Beyond() const
+  {
+    return this->Side == LinkSide::East ? PlanePoint{ this->Column.X + 1, this->Column.Y }
+                                        : PlanePoint{ this->Column.X, this->Column.Y + 1 };
+  }
+};
+
+/// Numbers the columns of a box row by row, its links in the same order, of a column first that to the east, and its
+/// corners row by row. Links to columns outside the box have numbers, too.
+class LinkGrid
+{
+public:
+  explicit LinkGrid(const PlaneBox& box)
+    : Least(box.Least)
+    , SizeX(std::int64_t(box.Greatest.X) - box.Least.X + 1)
+    , SizeY(std::int64_t(box.Greatest.Y) - box.Least.Y + 1)
+  {
+  }
+
+  std::int64_t Width() const { return this->SizeX; }
+  std::int64_t Height() const { return this->SizeY; }
+  std::int64_t NumberOfColumns() const { return this->SizeX * this->SizeY; }
+  std::int64_t NumberOfLinks() const { return 2 * this->NumberOfColumns(); }
+  std::int64_t NumberOfCorners() const { return (this->SizeX + 1) * (this->SizeY + 1); }
+
+  std::int64_t ColumnOf(const PlanePoint& column) const
+  {
+    return (std::int64_t(column.Y) - this->Least.Y) * this->SizeX + (std::int64_t(column.X) - this->Least.X);
+  }
+
+  std::int64_t LinkOf(std::int64_t column, LinkSide side) const { return 2 * column + std::int64_t(side); }
+  std::int64_t LinkOf(std::int64_t x, std::int64_t y, LinkSide side) const
+  {
+    return this->LinkOf(y * this->SizeX + x, side);
+  }
+  static std::int64_t FirstColumn(std::int64_t link) { return link / 2; }
+  static LinkSide SideOf(std::int64_t link) { return static_cast<LinkSide>(link % 2); }
+  std::int64_t SecondColumn(std::int64_t link) const
+  {
+    return link / 2 + (SideOf(link) == LinkSide::East ? 1 : this->SizeX);
+  }
+
+  LatticeLink ToLink(std::int64_t link) const
+  {
+    const std::int64_t column = FirstColumn(link);
+    return { { std::int32_t(this->Least.X + column % this->SizeX), std::int32_t(this->Least.Y + column / this->SizeX) },
+      SideOf(link) };
+  }
+
+  /// Whether the column on the far side of a link is in the box.
+  bool IsInside(std::int64_t link) const
+  {
+    const std::int64_t column = FirstColumn(link);
+    return SideOf(link) == LinkSide::East ? column % this->SizeX + 1 < this->SizeX
+                                          : column / this->SizeX + 1 < this->SizeY;
+  }
+
+  /// The corner in the middle of the columns x, y to x + 1, y + 1, both counted from the least of the box.
+  std::int64_t CornerOf(std::int64_t x, std::int64_t y) const { return (y + 1) * (this->SizeX + 1) + x + 1; }
+  std::int64_t CornerX(std::int64_t corner) const { return corner % (this->SizeX + 1) - 1; }
+  std::int64_t CornerY(std::int64_t corner) const { return corner / (this->SizeX + 1) - 1; }
+
+  /// From where to where the cut of a link leads: to the north across one to the east, and to the east across one to
+  /// the north.
+  std::array<std::int64_t, 2> CornersOf(std::int64_t link) const
+  {
+    const std::int64_t column = FirstColumn(link);
+    const std::int64_t end = this->CornerOf(column % this->SizeX, column / this->SizeX);
+    return { SideOf(link) == LinkSide::East ? end - (this->SizeX + 1) : end - 1, end };
+  }
+
+private:
+  PlanePoint Least;
+  std::int64_t SizeX;
+  std::int64_t SizeY;
+};
+}
+
+#endif

@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceJoin.h"
+
+#include "Common/Errors.h"
+#include "LoopAssembly.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// How far a vertex may be off the line of a seam that it was put onto, in lattice units and as a part of its height.
+constexpr double Rounding = 1e-6;
+
+/// Vertices of a seam by their x.
+using SeamVertices = std::map<std::int32_t, PointId>;
+
+std::string RowText(const std::optional<std::int32_t>& row)
+{
+  return row ? "row " + std::to_string(*row) : std::string("none");
+}
+
+class Joiner
+{
+public:
+  explicit Joiner(const std::vector<SurfacePart>& parts)
+    : Parts(parts)
+    , Seams(parts.size())
+    , Number(parts.size())
+  {
+  }
+
+  JoinedSurface Run(std::int64_t minimumPatchSize)
+  {
+    for (std::size_t part = 0; part < this->Parts.size(); ++part)
+    {
+      this->CheckSeams(part);
+      this->NumberVertices(part);
+    }
+    this->FindOpenGaps();
+    for (std::size_t part = 0; part < this->Parts.size(); ++part)
+    {
+      this->AddEdges(part);
+      this->AddTriangles(part);
+    }
+    AssembledLoops loops = AssembleLoops(this->Result.Vertices, this->Edges, this->Result.Triangles);
+    this->Result.Boundary = std::move(loops.Boundary);
+    this->Result.Patch = std::move(loops.Patch);
+    this->Result.NumberOfPatches = loops.NumberOfPatches;
+    if (minimumPatchSize > 1)
+    {
+      this->DropSpecks(minimumPatchSize);
+    }
+    this->CountSeamVertices();
+    return std::move(this->Result);
+  }
+
+private:
+  void CheckSeams(std::size_t part) const
+  {
+    const std::optional<std::int32_t> before =
+      part == 0 ? std::optional<std::int32_t>() : this->Parts[part - 1].Seams.Upper;
+    const std::optional<std::int32_t>& lower = this->Parts[part].Seams.Lower;
+    if (lower != before || (part > 0 && !lower))
+    {
+      throw InputError("part " + std::to_string(part) + " with its lower seam at " + RowText(lower) + ", expected " +
+        (part == 0 ? std::string("none below the first part") : "that above the part before, " + RowText(before)));
+    }
+    if (part + 1 == this->Parts.size() && this->Parts[part].Seams.Upper)
+    {
+      throw InputError("the last part with its upper seam at " + RowText(this->Parts[part].Seams.Upper) +
+        ", expected a part beyond it");
+    }
+  }
+
+  /// The seam that a vertex of a part is on, by the number of the part below it; the number of parts when on none.
+  std::size_t SeamOf(std::size_t part, PointId vertex) const
+  {
+    const SurfacePart& here = this->Parts[part];
+    const std::int32_t row = here.Vertices[std::size_t(vertex)].Y;
+    return here.Seams.Upper && row == *here.Seams.Upper ? part
+      : here.Seams.Lower && row == *here.Seams.Lower    ? part - 1
+                                                        : this->Parts.size();
+  }
+
+  void NumberVertices(std::size_t part)
+  {
+    const SurfacePart& here = this->Parts[part];
+    for (std::size_t vertex = 0; vertex < here.Vertices.size(); ++vertex)
+    {
+      const std::size_t seam = this->SeamOf(part, PointId(vertex));
+      PointId number = PointId(this->Result.Vertices.size());
+      if (seam < this->Parts.size())
+      {
+        number = this->Seams[seam].emplace(here.Vertices[vertex].X, number).first->second;
+      }
+      this->Number[part].push_back(number);
+      if (std::size_t(number) < this->Result.Vertices.size())
+      {
+        this->CheckHeight(number, here.Height[vertex], here.Height[vertex]);
+        this->Result.Count[std::size_t(number)] += here.Count[vertex];
+        continue;
+      }
+      this->Result.Sources.push_back({ std::int32_t(part), std::int32_t(vertex) });
+      this->Result.Vertices.push_back(here.Vertices[vertex]);
+      this->Result.Count.push_back(here.Count[vertex]);
+    }
+  }
+
+  double HeightOf(PointId vertex) const
+  {
+    const PartItem& source = this->Result.Sources[std::size_t(vertex)];
+    return this->Parts[std::size_t(source.Part)].Height[std::size_t(source.Item)];
+  }
+
+  /// A vertex of one part against what another part has there.
+  void CheckHeight(PointId vertex, double height, double size) const
+  {
+    const double off = std::abs(this->HeightOf(vertex) - height);
+    if (!(off <= Rounding * std::max(1.0, std::abs(size))))
+    {
+      const PlanePoint& column = this->Result.Vertices[std::size_t(vertex)];
+      std::ostringstream text;
+      text << "heights " << this->HeightOf(vertex) << " and " << height << " in column (" << column.X << ", "
+           << column.Y << ") on both sides of a seam, expected the same: parts of one horizon with the same parameters";
+      throw InputError(text.str());
+    }
+  }
+
+  /// Those that are open on both sides, by the vertex to their left.
+  void FindOpenGaps()
+  {
+    for (std::size_t part = 0; part < this->Parts.size(); ++part)
+    {
+      for (const PointId vertex : this->Parts[part].OpenGaps)
+      {
+        const bool isUpper = this->SeamOf(part, vertex) == part;
+        (isUpper ? this->OpenBelow : this->OpenAbove).insert(this->Number[part][std::size_t(vertex)]);
+      }
+    }
+  }
+
+  /// Calls visit(from, to) for an edge of a part, or, along a seam, for each of its pieces.
+  template <typename Visitor>
+  void ForEachPiece(std::size_t part, PointId from, PointId to, Visitor&& visit) const
+  {
+    const std::size_t seam = this->SeamOf(part, from);
+    PointId last = this->Number[part][std::size_t(from)];
+    const PointId end = this->Number[part][std::size_t(to)];
+    if (seam < this->Parts.size() && seam == this->SeamOf(part, to))
+    {
+      const std::int32_t x = this->Result.Vertices[std::size_t(last)].X;
+      const std::int32_t endX = this->Result.Vertices[std::size_t(end)].X;
+      std::vector<PointId> between;
+      const auto first = this->Seams[seam].upper_bound(std::min(x, endX));
+      const auto stop = this->Seams[seam].lower_bound(std::max(x, endX));
+      std::transform(first, stop, std::back_inserter(between), [](const auto& entry) { return entry.second; });
+      if (endX < x)
+      {
+        std::reverse(between.begin(), between.end());
+      }
+      for (const PointId vertex : between)
+      {
+        visit(last, vertex);
+        last = vertex;
+      }
+    }
+    visit(last, end);
+  }
+
+  void AddEdges(std::size_t part)
+  {
+    std::set<PointId> covered;
+    this->Parts[part].Boundary.ForEachPoint(
+      [&](PointId vertex) { covered.insert(this->Number[part][std::size_t(vertex)]); });
+    this->Parts[part].Boundary.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        const std::size_t seam = this->SeamOf(part, from);
+        const bool isAlong = seam < this->Parts.size() && seam == this->SeamOf(part, to);
+        this->ForEachPiece(part, from, to,
+          [&](PointId a, PointId b)
+          {
+            covered.insert(b);
+            if (!isAlong || this->IsLeft(part, seam, a, b))
+            {
+              this->Edges.push_back({ a, b });
+            }
+          });
+        if (isAlong)
+        {
+          this->CheckLine(part, from, to);
+        }
+      });
+    this->CheckCovered(part, covered);
+  }
+
+  /// Whether a piece of a loop along a seam is one of the joined mesh: it has the part on its left, and is not across a
+  /// gap that is open.
+  bool IsLeft(std::size_t part, std::size_t seam, PointId from, PointId to) const
+  {
+    const bool isRightward = this->Result.Vertices[std::size_t(from)].X < this->Result.Vertices[std::size_t(to)].X;
+    const bool isOwn = isRightward != (seam == part);
+    const PointId left = isRightward ? from : to;
+    return isOwn && !(this->OpenBelow.count(left) != 0 && this->OpenAbove.count(left) != 0);
+  }
+
+  /// Vertices that cut an edge of a part stand on it.
+  void CheckLine(std::size_t part, PointId from, PointId to) const
+  {
+    const SurfacePart& here = this->Parts[part];
+    const double fromX = here.Vertices[std::size_t(from)].X;
+    const double width = here.Vertices[std::size_t(to)].X - fromX;
+    const double fromHeight = here.Height[std::size_t(from)];
+    const double rise = here.Height[std::size_t(to)] - fromHeight;
+    const PointId end = this->Number[part][std::size_t(to)];
+    this->ForEachPiece(part, from, to,
+      [&](PointId, PointId vertex)
+      {
+        if (vertex != end)
+        {
+          const double way = (this->Result.Vertices[std::size_t(vertex)].X - fromX) / width;
+          this->CheckHeight(vertex, fromHeight + way * rise, std::max(std::abs(fromHeight), std::abs(rise)));
+        }
+      });
+  }
+
+  /// A part goes along its seams wherever the other part does.
+  void CheckCovered(std::size_t part, const std::set<PointId>& covered) const
+  {
+    for (std::size_t seam = part > 0 ? part - 1 : part; seam <= part; ++seam)
+    {
+      for (const auto& [x, vertex] : this->Seams[seam])
+      {
+        if (covered.count(vertex) == 0)
+        {
+          throw InputError("no edge of part " + std::to_string(part) + " at column (" + std::to_string(x) + ", " +
+            std::to_string(this->Result.Vertices[std::size_t(vertex)].Y) +
+            ") of its seam, expected parts of one horizon with the same parameters");
+        }
+      }
+    }
+  }
+
+  /// A triangle with a side along a seam becomes one for each piece of that.
+  void AddTriangles(std::size_t part)
+  {
+    const SurfacePart& here = this->Parts[part];
+    for (std::size_t corner = 0; corner < here.Triangles.size(); corner += 3)
+    {
+      std::array<PointId, 3> corners = { here.Triangles[corner], here.Triangles[corner + 1],
+        here.Triangles[corner + 2] };
+      const auto isAlong = [&]()
+      {
+        const std::size_t seam = this->SeamOf(part, corners[0]);
+        return seam < this->Parts.size() && seam == this->SeamOf(part, corners[1]);
+      };
+      for (int turn = 0; turn < 3 && !isAlong(); ++turn)
+      {
+        std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+      }
+      const PointId apex = this->Number[part][std::size_t(corners[2])];
+      this->ForEachPiece(part, corners[0], corners[1],
+        [&](PointId a, PointId b)
+        {
+          this->Result.Triangles.insert(this->Result.Triangles.end(), { a, b, apex });
+          this->Result.TriangleSources.push_back({ std::int32_t(part), std::int32_t(corner / 3) });
+        });
+    }
+  }
+
+  void DropSpecks(std::int64_t minimumSize)
+  {
+    std::vector<std::int64_t> size(this->Result.NumberOfPatches, 0);
+    for (std::size_t vertex = 0; vertex < this->Result.Vertices.size(); ++vertex)
+    {
+      size[std::size_t(this->Result.Patch[vertex])] += this->Result.Count[vertex];
+    }
+    std::vector<std::int32_t> patchNumber(size.size(), NoPatch);
+    std::int32_t patches = 0;
+    for (std::size_t patch = 0; patch < size.size(); ++patch)
+    {
+      const bool isSpeck = size[patch] < minimumSize;
+      this->Result.DroppedPoints += isSpeck ? size[patch] : 0;
+      patchNumber[patch] = isSpeck ? NoPatch : patches++;
+    }
+    this->Result.NumberOfPatches = std::size_t(patches);
+    this->Keep(patchNumber);
+  }
+
+  /// Leaves out what is of patches without a number.
+  void Keep(const std::vector<std::int32_t>& patchNumber)
+  {
+    JoinedSurface all = std::exchange(this->Result, JoinedSurface());
+    this->Result.NumberOfPatches = all.NumberOfPatches;
+    this->Result.DroppedPoints = all.DroppedPoints;
+    const auto patchOf = [&](PointId vertex) { return patchNumber[std::size_t(all.Patch[std::size_t(vertex)])]; };
+    std::vector<PointId> number(all.Vertices.size(), NoPoint);
+    for (std::size_t vertex = 0; vertex < number.size(); ++vertex)
+    {
+      if (patchOf(PointId(vertex)) != NoPatch)
+      {
+        number[vertex] = PointId(this->Result.Vertices.size());
+        this->Result.Vertices.push_back(all.Vertices[vertex]);
+        this->Result.Sources.push_back(all.Sources[vertex]);
+        this->Result.Count.push_back(all.Count[vertex]);
+        this->Result.Patch.push_back(patchOf(PointId(vertex)));
+      }
+    }
+    for (std::size_t corner = 0; corner < all.Triangles.size(); ++corner)
+    {
+      const PointId vertex = number[std::size_t(all.Triangles[corner])];
+      if (vertex != NoPoint)
+      {
+        this->Result.Triangles.push_back(vertex);
+      }
+      if (vertex != NoPoint && corner % 3 == 0)
+      {
+        this->Result.TriangleSources.push_back(all.TriangleSources[corner / 3]);
+      }
+    }
+    for (std::size_t loop = 0; loop < all.Boundary.Size(); ++loop)
+    {
+      if (patchOf(*all.Boundary.begin(loop)) != NoPatch)
+      {
+        this->Result.Boundary.AppendLoop(all.Boundary, loop);
+      }
+    }
+    this->Result.Boundary = this->Result.Boundary.Renumbered(number);
+  }
+
+  void CountSeamVertices()
+  {
+    const std::vector<unsigned char> isOnLoop = this->Result.Boundary.MarkPoints(this->Result.Vertices.size());
+    for (std::size_t vertex = 0; vertex < isOnLoop.size(); ++vertex)
+    {
+      const PartItem& source = this->Result.Sources[vertex];
+      const bool isOnSeam = this->SeamOf(std::size_t(source.Part), source.Item) < this->Parts.size();
+      this->Result.SeamVertices += isOnSeam && isOnLoop[vertex] == 0 ? 1 : 0;
+    }
+  }
+
+  const std::vector<SurfacePart>& Parts;
+  std::vector<SeamVertices> Seams; // by the number of the part below
+  std::vector<std::vector<PointId>> Number; // by part and its vertex
+  std::set<PointId> OpenBelow;
+  std::set<PointId> OpenAbove;
+  std::vector<Edge> Edges; // of loops that are left
+  JoinedSurface Result;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+JoinedSurface JoinSurface(const std::vector<SurfacePart>& parts, std::int64_t minimumPatchSize)
+{
+  return Joiner(parts).Run(minimumPatchSize);
+}
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CutData.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
+#include "HorizonData.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+
+#include <array>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// A link from a column to its neighbour.
+struct Link
+{
+  PlanePoint Column;
+  bool IsNorth; // else east
+};
+
+Link ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>& dimensions)
+{
+  const std::array<double, 3> link = { links->GetComponent(n, 0), links->GetComponent(n, 1),
+    links->GetComponent(n, 2) };
+  const std::array<int, 3> end = { dimensions[0], dimensions[1], 2 };
+  for (std::size_t component = 0; component < link.size(); ++component)
+  {
+    const double value = link[component];
+    if (!(value >= 0.0 && value < end[component] && value == double(int(value))))
+    {
+      std::ostringstream text;
+      text << "cut link " << n << " (" << link[0] << ", " << link[1] << ", " << link[2]
+           << "), expected a column of the lattice, i from 0 to " << end[0] - 1 << " and j from 0 to " << end[1] - 1
+           << ", and a side, 0 or 1";
+      throw InputError(text.str());
+    }
+  }
+  return { { std::int32_t(link[0]), std::int32_t(link[1]) }, link[2] == 1.0 };
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<LinkCuts> FindCuts(vtkDataObject* horizon)
+{
+  vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), FieldArray::CutLinks);
+  if (!array || array->GetNumberOfTuples() == 0)
+  {
+    return std::nullopt;
+  }
+  if (array->GetNumberOfComponents() != 3)
+  {
+    throw InputError("field data array " + std::string(FieldArray::CutLinks) + " with " +
+      std::to_string(array->GetNumberOfComponents()) + " components, expected 3: i, j and the side");
+  }
+  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
+  std::vector<Link> links;
+  PlaneBox box;
+  for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
+  {
+    links.push_back(ReadLink(array, n, dimensions));
+    box.Add(links.back().Column);
+  }
+  LinkCuts cuts(box);
+  for (const Link& link : links)
+  {
+    link.IsNorth ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
+  }
+  return cuts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteCuts(const FaultLines& lines, vtkFieldData* data)
+{
+  const std::vector<LinkOfLine> sorted = SortLinks(lines);
+  auto links = NewArray<vtkIntArray>(FieldArray::CutLinks, vtkIdType(sorted.size()), 3);
+  for (std::size_t n = 0; n < sorted.size(); ++n)
+  {
+    const LatticeLink& link = lines[sorted[n].Link].Place;
+    const std::array<int, 3> tuple = { link.Column.X, link.Column.Y, int(link.Side) };
+    links->SetTypedTuple(vtkIdType(n), tuple.data());
+  }
+  data->AddArray(links);
+  AddArray<vtkDoubleArray>(
+    data, FieldArray::CutThrow, sorted, [&lines](const LinkOfLine& item) { return lines[item.Link].Throw; });
+  AddArray<vtkIntArray>(data, FieldArray::CutLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
+}
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The links of a horizon's lattice that faults cut, in its field data (Documentation/DataModel.md).
+
+#ifndef SeismicHorizonsCutData_h
+#define SeismicHorizonsCutData_h
+
+#include "Common/LinkCuts.h"
+#include "Faults/FaultLines.h"
+
+#include <optional>
+
+class vtkDataObject;
+class vtkFieldData;
+
+namespace SeismicHorizons
+{
+/// The cuts that the field data array CutLinks lists, in their own bounding box; nothing where there is no such array,
+/// or where it is empty. Throws InputError on an array of other than three whole numbers a link, on columns outside the
+/// lattice of the horizon, and on sides other than 0 and 1.
+std::optional<LinkCuts> FindCuts(vtkDataObject* horizon);
+
+/// Writes the links of fault lines as CutLinks, CutThrow and CutLine, in place of those there are. A link of several
+/// lines is that of the first.
+void WriteCuts(const FaultLines& lines, vtkFieldData* data);
+}
+
+#endif

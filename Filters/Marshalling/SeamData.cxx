@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SeamData.h"
+
+#include "Boundary/BoundaryMarks.h"
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
+#include "HorizonCells.h"
+#include "HorizonData.h"
+#include "HorizonPoints.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributesFieldList.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr int NoSeam = -1;
+
+int ToRow(const std::optional<std::int32_t>& row)
+{
+  return row ? *row : NoSeam;
+}
+
+std::optional<std::int32_t> FromRow(double row)
+{
+  return row < 0.0 ? std::optional<std::int32_t>() : std::optional<std::int32_t>(std::int32_t(row));
+}
+
+vtkDataArray* RequireSeamRows(vtkPolyData* mesh)
+{
+  vtkDataArray* const rows = mesh->GetFieldData()->GetArray(FieldArray::SeamRows);
+  if (!rows || rows->GetNumberOfValues() < 2)
+  {
+    throw InputError(std::string("a mesh without the field data array ") + FieldArray::SeamRows +
+      ", expected parts of a horizon, as Horizon Surface gives them with SeamRows");
+  }
+  return rows;
+}
+
+/// How many points each vertex stands for, one where the mesh does not say.
+std::vector<std::int64_t> CountsOf(vtkPolyData* mesh)
+{
+  std::vector<std::int64_t> counts = ReadCounts(mesh);
+  counts.resize(std::size_t(mesh->GetNumberOfPoints()), 1);
+  return counts;
+}
+
+RawVector<PointId> ReadTrianglesOnLattice(vtkPolyData* mesh, const Lattice& grid)
+{
+  RawVector<PointId> triangles;
+  for (const std::array<PointId, 3>& triangle : ReadTriangles(mesh))
+  {
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  }
+  FaceUp(grid, triangles); // once more, which undoes it
+  return triangles;
+}
+
+std::vector<PointId> ReadOpenGaps(vtkPolyData* mesh)
+{
+  std::vector<PointId> gaps;
+  vtkDataArray* const marks = mesh->GetPointData()->GetArray(PointArray::SeamGap);
+  for (vtkIdType point = 0; marks && point < mesh->GetNumberOfPoints(); ++point)
+  {
+    if (marks->GetComponent(point, 0) != 0.0)
+    {
+      gaps.push_back(PointId(point));
+    }
+  }
+  return gaps;
+}
+
+void WritePoints(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkPolyData* output)
+{
+  vtkDataSetAttributesFieldList arrays(int(meshes.size()));
+  for (vtkPolyData* const mesh : meshes)
+  {
+    arrays.IntersectFieldList(mesh->GetPointData());
+  }
+  const vtkIdType size = vtkIdType(joined.Sources.size());
+  vtkPointData* const data = output->GetPointData();
+  arrays.CopyAllocate(data, vtkDataSetAttributes::COPYTUPLE, size, 0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(size);
+  for (vtkIdType point = 0; point < size; ++point)
+  {
+    const PartItem& source = joined.Sources[std::size_t(point)];
+    vtkPolyData* const mesh = meshes[std::size_t(source.Part)];
+    std::array<double, 3> place;
+    mesh->GetPoint(source.Item, place.data());
+    points->SetPoint(point, place.data());
+    arrays.CopyData(source.Part, mesh->GetPointData(), source.Item, data, point);
+  }
+  output->SetPoints(points);
+  data->RemoveArray(PointArray::SeamGap);
+}
+
+void WriteBoundary(const JoinedSurface& joined, vtkPolyData* output)
+{
+  ExteriorBoundary boundary;
+  boundary.Boundary = joined.Boundary;
+  boundary.Patch = joined.Patch;
+  boundary.NumberOfPatches = joined.NumberOfPatches;
+  vtkPointData* const data = output->GetPointData();
+  AddArray<vtkIdTypeArray>(data, PointArray::PointCount, joined.Count);
+  AddArray<vtkIntArray>(data, PointArray::PatchId, joined.Patch);
+  AddArray<vtkUnsignedCharArray>(data, PointArray::Boundary, MarkBoundary(BoundaryType::Exterior, {}, boundary),
+    [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
+  output->SetLines(MakePolylines(joined.Boundary));
+}
+
+/// For each triangle the error of the one that it was, or was a piece of.
+std::vector<double> GatherErrors(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined)
+{
+  std::vector<double> errors;
+  for (const PartItem& source : joined.TriangleSources)
+  {
+    vtkPolyData* const mesh = meshes[std::size_t(source.Part)];
+    vtkDataArray* const array = mesh->GetCellData()->GetArray(CellArray::Error);
+    errors.push_back(array ? array->GetComponent(mesh->GetNumberOfLines() + source.Item, 0)
+                           : std::numeric_limits<double>::quiet_NaN());
+  }
+  return errors;
+}
+
+double ValueOf(vtkPolyData* mesh, const char* name)
+{
+  vtkDataArray* const array = mesh->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
+}
+
+void WriteLargest(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFieldData* figures)
+{
+  double largest = 0.0;
+  for (vtkPolyData* const mesh : meshes)
+  {
+    largest = std::max(largest, ValueOf(mesh, name));
+  }
+  AddValue<vtkDoubleArray>(figures, name, largest);
+}
+
+/// The mean over the points of all parts. Those on seams are in two.
+double FindMeanError(const std::vector<vtkPolyData*>& meshes)
+{
+  double sum = 0.0;
+  double points = 0.0;
+  for (vtkPolyData* const mesh : meshes)
+  {
+    const std::vector<std::int64_t> counts = CountsOf(mesh);
+    const double count = double(std::accumulate(counts.begin(), counts.end(), std::int64_t(0)));
+    sum += count * ValueOf(mesh, FieldArray::MeanError);
+    points += count;
+  }
+  return points > 0.0 ? sum / points : 0.0;
+}
+
+void WriteFigures(
+  const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, double smallestAngle, vtkPolyData* output)
+{
+  vtkFieldData* const figures = output->GetFieldData();
+  figures->PassData(meshes.front()->GetFieldData());
+  figures->RemoveArray(FieldArray::SeamRows);
+  for (const char* const name : { FieldArray::LargestError, FieldArray::LargestLoopError, FieldArray::BoundaryDeviation,
+         FieldArray::OutlineDeviation })
+  {
+    WriteLargest(meshes, name, figures);
+  }
+  double duplicates = 0.0;
+  for (vtkPolyData* const mesh : meshes)
+  {
+    duplicates += ValueOf(mesh, FieldArray::DroppedDuplicates);
+  }
+  if (figures->HasArray(FieldArray::DroppedDuplicates))
+  {
+    AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedDuplicates, vtkIdType(duplicates));
+  }
+  AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, FindMeanError(meshes));
+  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(joined.NumberOfPatches));
+  AddValue<vtkIdTypeArray>(
+    figures, FieldArray::NumberOfHoles, vtkIdType(joined.Boundary.Size() - joined.NumberOfPatches));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSpeckPoints, vtkIdType(joined.DroppedPoints));
+  AddValue<vtkIntArray>(figures, FieldArray::NumberOfParts, int(meshes.size()));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::SeamPoints, vtkIdType(joined.SeamVertices));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface, const SeamRows& seams,
+  const std::vector<PointId>& onLowerSeam, vtkPolyData* mesh)
+{
+  AddTuple<vtkIntArray>(
+    mesh->GetFieldData(), FieldArray::SeamRows, std::array<int, 2>{ ToRow(seams.Lower), ToRow(seams.Upper) });
+  const Reduction& vertices = surface.Mesh.Points;
+  std::vector<unsigned char> isBesideGap(std::size_t(mesh->GetNumberOfPoints()), 0);
+  for (const PointId point : surface.OpenGaps)
+  {
+    isBesideGap[std::size_t(vertices.Target[std::size_t(point)])] = 1;
+  }
+  AddArray<vtkUnsignedCharArray>(mesh->GetPointData(), PointArray::SeamGap, isBesideGap);
+  for (const SeamPin& pin : surface.Pins)
+  {
+    const PointId vertex = vertices.Target[std::size_t(pin.Point)];
+    const PlanePoint& place = vertices.Plane[std::size_t(vertex)];
+    const Eigen::Vector3d world =
+      grid.ToWorld({ grid.ToLatticeUnits(place.X), grid.ToLatticeUnits(place.Y), pin.Height });
+    mesh->GetPoints()->SetPoint(vertex, world.data());
+  }
+  const std::vector<std::int64_t> counts = ReadCounts(points);
+  std::vector<std::int64_t> sums = CountsOf(mesh);
+  for (const PointId point : onLowerSeam)
+  {
+    const std::size_t vertex = std::size_t(vertices.Target[std::size_t(point)]);
+    sums[vertex] -= counts.empty() ? 1 : counts[std::size_t(point)];
+  }
+  AddArray<vtkIdTypeArray>(mesh->GetPointData(), PointArray::PointCount, sums);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfacePart ReadSurfacePart(vtkPolyData* mesh)
+{
+  vtkDataArray* const rows = RequireSeamRows(mesh);
+  LatticePoints points = ReadPoints(mesh);
+  SurfacePart part;
+  part.Seams.Lower = FromRow(FieldValue(rows, 0));
+  part.Seams.Upper = FromRow(FieldValue(rows, 1));
+  part.Vertices = ToColumns(std::move(points.Plane), points.Grid);
+  part.Height = std::move(points.Height);
+  part.Count = CountsOf(mesh);
+  part.Boundary = ReadBoundary(mesh);
+  part.Triangles = ReadTrianglesOnLattice(mesh, points.Grid);
+  part.OpenGaps = ReadOpenGaps(mesh);
+  return part;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteJoinedSurface(
+  const std::vector<vtkPolyData*>& meshes, const Lattice& grid, const JoinedSurface& joined, vtkPolyData* output)
+{
+  WritePoints(meshes, joined, output);
+  WriteBoundary(joined, output);
+  std::vector<PlanePoint> plane;
+  std::transform(joined.Vertices.begin(), joined.Vertices.end(), std::back_inserter(plane),
+    [&grid](const PlanePoint& column) {
+      return PlanePoint{ column.X * grid.SubVoxelsPerColumn(), column.Y * grid.SubVoxelsPerColumn() };
+    });
+  const double smallestAngle = WriteTriangles(plane, grid, joined.Triangles, output);
+  AddTriangleArray<vtkDoubleArray>(CellArray::Error, GatherErrors(meshes, joined), output);
+  WriteFigures(meshes, joined, smallestAngle, output);
+  ActivateHeight(output);
+}
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "StageReport.h"
+
+#include "Common/DataModel.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+
+#include <array>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// A panel has no room for more.
+constexpr std::int64_t MostLines = 50;
+
+/// What a number is called.
+struct Figure
+{
+  const char* Array;
+  const char* Name;
+};
+
+/// Those that a reader looks for, in the order of the stages.
+constexpr std::array<Figure, 24> Figures = { {
+  { FieldArray::NumberOfSpikes, "spikes" },
+  { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
+  { FieldArray::NumberOfFilledHoles, "holes filled" },
+  { FieldArray::NumberOfOpenHoles, "holes left open" },
+  { FieldArray::NumberOfPatches, "patches" },
+  { FieldArray::NumberOfHoles, "holes with a loop" },
+  { FieldArray::DroppedSpeckPoints, "points in specks left out" },
+  { FieldArray::BoundaryDeviation, "boundary off by up to" },
+  { FieldArray::OutlineDeviation, "on the map by up to" },
+  { FieldArray::TriangleCount, "triangles" },
+  { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
+  { FieldArray::SmallestAngle, "smallest angle" },
+  { FieldArray::LargestError, "largest error" },
+  { FieldArray::LargestLoopError, "largest error of loops" },
+  { FieldArray::MeanError, "mean error" },
+  { FieldArray::NumberOfParts, "parts" },
+  { FieldArray::SeamPoints, "vertices on seams" },
+  { FieldArray::ChosenRadius, "chosen radius" },
+  { FieldArray::ChosenSmallestHoleSize, "smallest open hole" },
+  { FieldArray::ChosenOutlineTolerance, "outline tolerance" },
+  { FieldArray::ChosenDistanceThreshold, "distance threshold" },
+  { FieldArray::ChosenMaximumError, "maximum error" },
+  { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
+  { FieldArray::DroppedDuplicates, "points left out of columns with several" },
+} };
+
+std::ostringstream MakeStream()
+{
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::setprecision(4);
+  return stream;
+}
+
+/// The array of a figure that the stage made and that is not 0, or null.
+vtkDataArray* FindFigure(const char* name, vtkPolyData* input, vtkPolyData* output)
+{
+  vtkDataArray* const array = output->GetFieldData()->GetArray(name);
+  const bool isOfStage = array && array != input->GetFieldData()->GetArray(name);
+  return isOfStage && array->GetNumberOfValues() == 1 && array->GetTuple1(0) != 0.0 ? array : nullptr;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* output)
+{
+  ++this->Horizons;
+  this->PointsIn += input->GetNumberOfPoints();
+  this->PointsOut += output->GetNumberOfPoints();
+  if (this->Horizons > MostLines)
+  {
+    return;
+  }
+  std::ostringstream line = MakeStream();
+  line << (name.empty() ? "" : name + ": ") << input->GetNumberOfPoints() << " points in, "
+       << output->GetNumberOfPoints() << " out";
+  for (const Figure& figure : Figures)
+  {
+    if (vtkDataArray* const array = FindFigure(figure.Array, input, output))
+    {
+      line << ", " << figure.Name << ' ';
+      if (array->GetDataType() == VTK_DOUBLE)
+      {
+        line << array->GetTuple1(0);
+      }
+      else
+      {
+        line << vtkIdType(array->GetTuple1(0)); // counts are printed whole
+      }
+    }
+  }
+  this->Lines += line.str() + "\n";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string StageReport::Text() const
+{
+  std::ostringstream text = MakeStream();
+  if (this->Horizons > 1)
+  {
+    text << this->Horizons << " horizons: " << this->PointsIn << " points in, " << this->PointsOut << " out\n";
+  }
+  text << this->Lines;
+  if (this->Horizons > MostLines)
+  {
+    text << "and " << this->Horizons - MostLines << " more\n";
+  }
+  return text.str();
+}
+}

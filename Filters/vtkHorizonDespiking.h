@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonDespiking
+ * @brief   takes spikes and threads out of a horizon
+ *
+ * Input: a horizon before it has an outline, or a composite dataset of such; at most one point in a column of the
+ * lattice. Output: with Remove the points that are neither spikes nor on threads, with Flag all of them; a vertex cell
+ * for each point, and all arrays but PatchId and Boundary of an outline before. With Flag there is the point array
+ *  - Spike (unsigned char): 0 a point that belongs to the horizon, 1 a spike, 2 on a thread.
+ * Field data, one vtkIdType each: NumberOfSpikes, NumberOfThreadPoints.
+ *
+ * A spike is a point whose height differs from the median of the points around it by more than Threshold. The median
+ * goes with the larger side at a fault, so that straight faults are no spikes; at the rim of a steep horizon it is off
+ * by about Radius times the dip. A thread is what is at most ThreadWidth columns wide: points that no full square of
+ * one column more covers (a morphological opening). What hung on by it becomes a patch of its own, which
+ * vtkHorizonExteriorBoundary can drop as a speck.
+ *
+ * Takes time linear in the points and in the square of Radius, on several threads.
+ *
+ * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
+ * parameter out of its range.
+ *
+ * @sa vtkHorizonHoleFilling, which fills what was removed
+ */
+
+#ifndef vtkHorizonDespiking_h
+#define vtkHorizonDespiking_h
+
+#include "vtkHorizonAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonDespiking : public vtkHorizonAlgorithm
+{
+public:
+  static vtkHorizonDespiking* New();
+  vtkTypeMacro(vtkHorizonDespiking, vtkHorizonAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Actions
+  {
+    Remove = 0,
+    Flag = 1
+  };
+
+  ///@{
+  /**
+   * What is done with spikes and threads: Remove leaves them out, Flag keeps all points and marks them in the array
+   * Spike. Default: Remove.
+   */
+  vtkSetClampMacro(Action, int, Remove, Flag);
+  vtkGetMacro(Action, int);
+  void SetActionToRemove() { this->SetAction(Remove); }
+  void SetActionToFlag() { this->SetAction(Flag); }
+  ///@}
+
+  ///@{
+  /**
+   * How far a point may be above or below the median of the points around it, in vertical indices. Finite, at least 0.
+   * Default: 4.
+   */
+  vtkSetMacro(Threshold, double);
+  vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many columns along each axis points count as around, 1 to 16. Clusters of spikes stand out as long as they
+   * cover less than half of that square. Default: 2.
+   */
+  vtkSetMacro(NeighborhoodRadius, int);
+  vtkGetMacro(NeighborhoodRadius, int);
+  ///@}
+
+  ///@{
+  /**
+   * Strips and spurs that are at most so many columns wide are threads, 0 to 64; 0 looks for none. Default: 0.
+   */
+  vtkSetMacro(ThreadWidth, int);
+  vtkGetMacro(ThreadWidth, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last update, over all horizons: how many points are spikes, and how many are on threads.
+   */
+  vtkGetMacro(NumberOfSpikes, vtkIdType);
+  vtkGetMacro(NumberOfThreadPoints, vtkIdType);
+  ///@}
+
+protected:
+  vtkHorizonDespiking() = default;
+  ~vtkHorizonDespiking() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonDespiking(const vtkHorizonDespiking&) = delete;
+  void operator=(const vtkHorizonDespiking&) = delete;
+
+  int Action = Remove;
+  double Threshold = 4.0;
+  int NeighborhoodRadius = 2;
+  int ThreadWidth = 0;
+  vtkIdType NumberOfSpikes = 0;
+  vtkIdType NumberOfThreadPoints = 0;
+};
+
+#endif

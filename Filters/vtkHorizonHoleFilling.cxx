@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonHoleFilling.h"
+
+#include "Common/Parameters.h"
+#include "HoleFilling/HoleFilling.h"
+#include "Marshalling/CutData.h"
+#include "Marshalling/FilledHorizon.h"
+#include "Marshalling/HorizonData.h"
+#include "Marshalling/HorizonPoints.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+vtkStandardNewMacro(vtkHorizonHoleFilling);
+
+//------------------------------------------------------------------------------
+void vtkHorizonHoleFilling::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LargestHoleSize: " << this->LargestHoleSize << "\n";
+  os << indent << "LargestHoleArea: " << this->LargestHoleArea << "\n";
+  os << indent << "Method: " << (this->Method == Plate ? "Plate" : "Membrane") << "\n";
+  os << indent << "RimSmoothing: " << this->RimSmoothing << "\n";
+  os << indent << "RimWidth: " << this->RimWidth << "\n";
+  os << indent << "Attributes: " << (this->Attributes == FromRim ? "FromRim" : "NotANumber") << "\n";
+  os << indent << "NumberOfFilledHoles: " << this->NumberOfFilledHoles << "\n";
+  os << indent << "NumberOfFilledPoints: " << this->NumberOfFilledPoints << "\n";
+  os << indent << "NumberOfOpenHoles: " << this->NumberOfOpenHoles << "\n";
+}
+
+//------------------------------------------------------------------------------
+HoleFillingOptions vtkHorizonHoleFilling::MakeOptions(double columnArea) const
+{
+  CheckAtLeast<vtkIdType>("largest hole size", this->LargestHoleSize, 1, " column");
+  CheckAtLeast("largest hole area", this->LargestHoleArea, 0.0, " square units of the world");
+  HoleFillingOptions options;
+  options.LargestHoleSize = this->LargestHoleSize;
+  // Areas are often whole multiples of the column's. The quotient may then come out a few roundings (1e-16 each) below
+  // the whole number, which must not leave a hole open.
+  constexpr double rounding = 1e-12;
+  const double columns = std::floor(this->LargestHoleArea / columnArea * (1.0 + rounding));
+  if (this->LargestHoleArea > 0.0 && columns < double(this->LargestHoleSize))
+  {
+    options.LargestHoleSize = std::int64_t(columns);
+  }
+  options.Method = static_cast<FillMethod>(this->Method);
+  options.RimSmoothing = this->RimSmoothing;
+  options.RimWidth = this->RimWidth;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonHoleFilling::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->NumberOfFilledHoles = 0;
+  this->NumberOfFilledPoints = 0;
+  this->NumberOfOpenHoles = 0;
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
+{
+  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
+  LatticePoints points = ReadPoints(input);
+  const HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
+  const std::vector<FilledArray> arrays = ListFilledArrays(input, points.Height, this->Attributes == FromRim);
+  const std::optional<LinkCuts> cuts = FindCuts(input);
+  monitor.Progress(0.2);
+  const FilledColumns filled = FillHoles(ToColumns(std::move(points.Plane), points.Grid), points.Height,
+    ListFilledValues(arrays, points.Height), options, cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
+  WriteFilledHorizon(input, points.Grid, arrays, filled, outputs.front());
+  this->NumberOfFilledHoles += vtkIdType(filled.FilledGaps);
+  this->NumberOfFilledPoints += vtkIdType(filled.Column.size());
+  this->NumberOfOpenHoles += vtkIdType(filled.OpenGaps);
+}

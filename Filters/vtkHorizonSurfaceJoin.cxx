@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonSurfaceJoin.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/Monitor.h"
+#include "Common/Parameters.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "Marshalling/HorizonData.h"
+#include "Marshalling/HorizonTree.h"
+#include "Marshalling/SeamData.h"
+#include "Surface/SurfaceJoin.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// Parameters that parts must have in common, as all of them decide what a seam is like.
+void RequireSame(vtkPolyData* first, vtkPolyData* other, const char* name)
+{
+  vtkDataArray* const expected = first->GetFieldData()->GetArray(name);
+  vtkDataArray* const found = other->GetFieldData()->GetArray(name);
+  const vtkIdType size = expected ? expected->GetNumberOfValues() : 0;
+  for (vtkIdType n = 0; n < size; ++n)
+  {
+    if (!found || found->GetNumberOfValues() != size || FieldValue(found, int(n)) != FieldValue(expected, int(n)))
+    {
+      std::ostringstream text;
+      text << "parts that differ in " << name << " (" << (found ? std::to_string(FieldValue(found, int(n))) : "none")
+           << " and " << FieldValue(expected, int(n)) << "), expected parts of one horizon with the same parameters";
+      throw InputError(text.str());
+    }
+  }
+}
+
+/// The inputs that have points, from the least row on.
+std::vector<vtkPolyData*> ListParts(vtkInformationVector* inputs)
+{
+  std::vector<std::pair<double, vtkPolyData*>> parts;
+  for (int n = 0; n < inputs->GetNumberOfInformationObjects(); ++n)
+  {
+    vtkPolyData* const mesh = vtkPolyData::GetData(inputs, n);
+    vtkDataArray* const rows = mesh ? mesh->GetFieldData()->GetArray(FieldArray::SeamRows) : nullptr;
+    if (mesh && (rows || mesh->GetNumberOfPoints() > 0))
+    {
+      parts.push_back({ rows ? rows->GetComponent(0, 0) : 0.0, mesh });
+    }
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<vtkPolyData*> meshes;
+  std::transform(parts.begin(), parts.end(), std::back_inserter(meshes), [](const auto& part) { return part.second; });
+  return meshes;
+}
+}
+
+vtkStandardNewMacro(vtkHorizonSurfaceJoin);
+
+//------------------------------------------------------------------------------
+void vtkHorizonSurfaceJoin::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurfaceJoin::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurfaceJoin::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+  return RunRequest(this, { output }, NotEnoughMemory,
+    [&](std::string&, const Monitor& monitor)
+    {
+      CheckAtLeast("minimum patch size", this->MinimumPatchSize, 1, " point");
+      const std::vector<vtkPolyData*> meshes = ListParts(inputVector[0]);
+      std::vector<SurfacePart> parts;
+      for (vtkPolyData* const mesh : meshes)
+      {
+        for (const char* const name : { FieldArray::LatticeToWorld, FieldArray::ChosenRadius,
+               FieldArray::ChosenSmallestHoleSize, FieldArray::ChosenDistanceThreshold })
+        {
+          RequireSame(meshes.front(), mesh, name);
+        }
+        parts.push_back(ReadSurfacePart(mesh));
+        monitor.Progress(0.4 * double(parts.size()) / double(meshes.size()));
+      }
+      if (!parts.empty())
+      {
+        const JoinedSurface joined = JoinSurface(parts, this->MinimumPatchSize);
+        monitor.Progress(0.8);
+        WriteJoinedSurface(meshes, ReadLattice(meshes.front()), joined, output);
+      }
+    });
+}

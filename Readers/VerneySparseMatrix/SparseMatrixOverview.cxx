@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SparseMatrixOverview.h"
+
+#include "Common/LineBuffer.h"
+#include "HorizonCollector.h"
+#include "PieceParser.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+void Count(const HorizonVoxels& voxels, HorizonOverview& horizon)
+{
+  if (voxels.J.empty())
+  {
+    return;
+  }
+  if (horizon.RowSizes.empty())
+  {
+    horizon.FirstRow = voxels.J.front();
+  }
+  horizon.RowSizes.resize(std::size_t(voxels.J.back() - horizon.FirstRow) + 1, 0);
+  for (const int row : voxels.J)
+  {
+    ++horizon.RowSizes[std::size_t(row - horizon.FirstRow)];
+  }
+}
+
+/// The line of the last one that is listed before those of a row.
+SparseMatrixOverview::Line FindLine(const SparseMatrixOverview& overview, int row)
+{
+  const std::int64_t column = std::int64_t(row) * overview.Size[0];
+  const auto after = std::upper_bound(overview.Lines.begin(), overview.Lines.end(), column,
+    [](std::int64_t wanted, const SparseMatrixOverview::Line& line) { return wanted < line.Column; });
+  return *(after - 1);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t HorizonOverview::CountVoxels(int firstRow, int lastRow) const
+{
+  const std::int64_t end = std::int64_t(this->RowSizes.size());
+  const std::int64_t first = std::clamp<std::int64_t>(std::int64_t(firstRow) - this->FirstRow, 0, end);
+  const std::int64_t last = std::clamp<std::int64_t>(std::int64_t(lastRow) + 1 - this->FirstRow, first, end);
+  std::int64_t sum = 0;
+  std::for_each(this->RowSizes.begin() + first, this->RowSizes.begin() + last, [&sum](std::int32_t n) { sum += n; });
+  return sum;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrixOptions ForAllRows(SparseMatrixOptions options)
+{
+  options.RowRange = SparseMatrixOptions().RowRange;
+  options.SmallestSize = SparseMatrixOptions().SmallestSize;
+  options.Surfaces.clear();
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<int> ListSurfaces(const SparseMatrixOverview& overview, const SparseMatrixOptions& options)
+{
+  std::vector<int> surfaceIds;
+  for (const auto& [surfaceId, horizon] : overview.Horizons)
+  {
+    if (horizon.CountVoxels(options.RowRange[0], options.RowRange[1]) >= options.SmallestSize)
+    {
+      surfaceIds.push_back(surfaceId);
+    }
+  }
+  return surfaceIds;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOverview& overview,
+  SparseMatrixOptions options, const std::vector<int>& surfaceIds, const std::vector<int>& chosen,
+  const Monitor& monitor)
+{
+  SparseMatrix matrix;
+  matrix.Size = overview.Size;
+  for (const int position : chosen)
+  {
+    options.Surfaces.push_back(surfaceIds[std::size_t(position)]);
+  }
+  if (!chosen.empty())
+  {
+    matrix = ReadSparseMatrixRows(stream, overview, options, monitor);
+  }
+  std::vector<HorizonVoxels> horizons(surfaceIds.size());
+  auto read = matrix.Horizons.begin();
+  for (const int position : chosen)
+  {
+    HorizonVoxels& horizon = horizons[std::size_t(position)];
+    horizon.SurfaceId = surfaceIds[std::size_t(position)];
+    if (read != matrix.Horizons.end() && read->SurfaceId == horizon.SurfaceId)
+    {
+      horizon = std::move(*read++);
+    }
+  }
+  matrix.Horizons = std::move(horizons);
+  return matrix;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrixOverview ReadSparseMatrixOverview(
+  std::istream& stream, const SparseMatrixOptions& options, const Monitor& monitor, std::size_t bufferSize)
+{
+  SparseMatrixOverview overview;
+  overview.Size = ReadSparseMatrixHeader(stream);
+  std::int64_t byte = std::int64_t(stream.tellg());
+  VerticalFitter fitter;
+  LineBuffer lines(stream, bufferSize);
+  PieceParser pieces(overview.Size, ForAllRows(options));
+  pieces.ParseAll(
+    lines, monitor,
+    [&](const std::vector<HorizonSorter>& blocks, std::size_t count)
+    {
+      fitter.Add(blocks, count);
+      for (std::size_t block = 0; block < count; ++block)
+      {
+        for (const HorizonVoxels& voxels : blocks[block].List())
+        {
+          if (!voxels.J.empty())
+          {
+            Count(voxels, overview.Horizons[voxels.SurfaceId]);
+          }
+        }
+      }
+    },
+    [&](std::int64_t column)
+    {
+      overview.Lines.push_back({ byte, column });
+      byte += lines.Last() - lines.First();
+      return true;
+    });
+  pieces.RequireEnd();
+  overview.VerticalFit = fitter.Fit();
+  return overview;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOverview& overview,
+  const SparseMatrixOptions& options, const Monitor& monitor, std::size_t bufferSize)
+{
+  SparseMatrix matrix;
+  matrix.Size = overview.Size;
+  matrix.VerticalFit = overview.VerticalFit;
+  const SparseMatrixOverview::Line first = FindLine(overview, std::min(options.RowRange[0], overview.Size[1]));
+  const std::int64_t end = (std::int64_t(options.RowRange[1]) + 1) * overview.Size[0];
+  stream.seekg(first.Byte);
+  LineBuffer lines(stream, bufferSize);
+  PieceParser pieces(overview.Size, options, first.Column);
+  HorizonCollector horizons;
+  pieces.ParseAll(
+    lines, monitor, [&](const std::vector<HorizonSorter>& blocks, std::size_t count) { horizons.Add(blocks, count); },
+    [end](std::int64_t column) { return column < end; });
+  matrix.Horizons = horizons.Take(options.SmallestSize);
+  return matrix;
+}
+}

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Faults are found where they are: exactly without noise, nearly all with some, none where there is none.
+
+#include "Common/Parallel.h"
+#include "FaultPictures.h"
+#include "Faults/FaultDetection.h"
+#include "Faults/LinkDeviations.h"
+#include "Generator/FaultGenerator.h"
+#include "Tools/Check.h"
+#include "Tools/FaultScore.h"
+
+#include <limits>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
+
+FaultDetection Detect(const FaultedHorizon& horizon, const FaultDetectionOptions& options = {})
+{
+  return DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), options);
+}
+
+FaultDetectionOptions Sensitive()
+{
+  FaultDetectionOptions options;
+  options.SmallestThrow = 2.0;
+  options.SmallestExtent = 8;
+  options.SmallestBranch = 6;
+  return options;
+}
+
+void FindsAStepExactly()
+{
+  // Dip of 2 to the east, a step of 7 between the columns 14 and 15.
+  const FaultDetection found =
+    DetectFaults(MakeHeights(30, 25, [](int i, int) { return 2.0 * i + (i > 14 ? 7.0 : 0.0); }), {});
+  CHECK_EQUAL(found.Lines.Size(), 1U);
+  CHECK_EQUAL(found.Lines.NumberOfLinks(), 25U);
+  for (std::size_t n = 0; n < found.Lines.NumberOfLinks(); ++n)
+  {
+    const CutLink& link = found.Lines[n];
+    CHECK_EQUAL(ToText(link.Place), "E(14," + std::to_string(link.Place.Column.Y) + ")");
+    CHECK_EQUAL(link.Throw, 9.0);
+    CHECK_EQUAL(link.LeftThrow(), 9.0);
+    CHECK_EQUAL(link.Middle, 32.5);
+  }
+  CHECK(AreChains(found.Lines));
+  CHECK_EQUAL(found.Noise, 0.408);
+  CHECK_EQUAL(found.High, 4.0);
+}
+
+void NoiseIsMeasured()
+{
+  for (const bool areWhole : { true, false })
+  {
+    for (const double noise : { 0.3, 0.5, 1.0, 2.0 })
+    {
+      FaultGeneratorOptions options;
+      options.Noise = noise;
+      options.AreHeightsWhole = areWhole;
+      options.NumberOfFaults = 0;
+      const double truth = std::sqrt(2.0 * (noise * noise + (areWhole ? 1.0 / 12.0 : 0.0)));
+      const double found = Detect(MakeFaultedHorizon(options)).Noise;
+      CHECK(found > 0.95 * truth && found < 1.15 * truth);
+    }
+  }
+  FaultDetectionOptions given;
+  given.Noise = 3.0;
+  const FaultDetection found = Detect(MakeFaultedHorizon({}), given);
+  CHECK_EQUAL(found.Noise, 3.0);
+  CHECK_EQUAL(found.Low, 7.5);
+  CHECK_EQUAL(found.High, 12.0);
+}
+
+void FindsGeneratedFaults()
+{
+  for (const bool areWhole : { true, false })
+  {
+    for (const double dip : { 0.5, 2.0 })
+    {
+      FaultScore score;
+      for (const double largest : { 5.0, 12.0, 40.0 })
+      {
+        FaultGeneratorOptions options;
+        options.AreHeightsWhole = areWhole;
+        options.Dip = dip;
+        options.AreTapered = true;
+        options.AreCrossed = true;
+        options.Throw = largest;
+        options.Seed = 77 + std::uint64_t(largest);
+        const FaultedHorizon horizon = MakeFaultedHorizon(options);
+        const FaultDetection found = Detect(horizon, Sensitive());
+        CHECK(AreChains(found.Lines));
+        score.Add(ScoreFaults(horizon, found.Lines, 0));
+      }
+      CHECK(score.FoundPercent(1) >= 93.0);
+      CHECK(score.FoundPercent(2) >= 99.0);
+      CHECK(score.FoundPercent(3) >= 99.0);
+      CHECK(score.FalsePerThousand() < 0.5);
+    }
+  }
+}
+
+void FindsNothingWhereNothingIs()
+{
+  for (const bool areWhole : { true, false })
+  {
+    for (const double noise : { 0.0, 0.3, 1.0 })
+    {
+      for (const double dip : { 0.0, 0.5, 2.0 })
+      {
+        FaultGeneratorOptions options;
+        options.NumberOfFaults = 0;
+        options.AreHeightsWhole = areWhole;
+        options.Noise = noise;
+        options.Dip = dip;
+        CHECK_EQUAL(Detect(MakeFaultedHorizon(options), Sensitive()).Lines.NumberOfLinks(), 0U);
+      }
+    }
+  }
+}
+
+void BridgesGaps()
+{
+  // Three missing columns, in a band that shifts by one; the dip alone would lift the far side by 8.
+  const auto height = [](int i, int j)
+  {
+    const int first = j < 15 ? 14 : 15;
+    return i >= first && i < first + 3 ? Missing : 2.0 * i + (i >= first ? 6.0 : 0.0);
+  };
+  const FaultDetection found = DetectFaults(MakeHeights(32, 30, height), {});
+  CHECK_EQUAL(found.Lines.Size(), 1U);
+  CHECK(AreChains(found.Lines));
+  CHECK_EQUAL(found.Lines.NumberOfLinks(), 31U); // a step in each row, and one aside
+  for (std::size_t n = 0; n < found.Lines.NumberOfLinks(); ++n)
+  {
+    const CutLink& link = found.Lines[n];
+    CHECK(link.Place.Side == LinkSide::North || std::abs(link.Throw - 6.0) < 1e-9);
+    CHECK(link.Place.Column.X >= 13 && link.Place.Column.X <= 18);
+  }
+  FaultDetectionOptions narrow;
+  narrow.LargestGap = 2;
+  CHECK_EQUAL(DetectFaults(MakeHeights(32, 30, height), narrow).Lines.Size(), 0U);
+  // The same band without a throw.
+  const auto level = [](int i, int) { return i >= 14 && i < 17 ? Missing : 2.0 * i; };
+  CHECK_EQUAL(DetectFaults(MakeHeights(32, 30, level), {}).Lines.Size(), 0U);
+  // From a gap into links without one.
+  const auto half = [](int i, int j) { return j < 15 && i >= 13 && i < 17 ? Missing : i >= 15 ? 6.0 : 0.0; };
+  const FaultDetection both = DetectFaults(MakeHeights(32, 30, half), {});
+  CHECK_EQUAL(both.Lines.Size(), 1U);
+  CHECK(both.Lines.NumberOfLinks() >= 30U);
+}
+
+void SmallHorizonsHaveNoFaults()
+{
+  CHECK_EQUAL(DetectFaults(ColumnHeights({ { 3, 4 } }, { 5.0 }), {}).Lines.Size(), 0U);
+  CHECK_EQUAL(DetectFaults(MakeHeights(40, 1, [](int i, int) { return i < 20 ? 0.0 : 9.0; }), {}).Lines.Size(), 0U);
+  // Points far apart, nothing between them.
+  CHECK_EQUAL(DetectFaults(ColumnHeights({ { 0, 0 }, { 300, 200 } }, { 5.0, 99.0 }), {}).Lines.Size(), 0U);
+}
+
+void ThreadsDoNotMatter()
+{
+  FaultGeneratorOptions options;
+  options.AreTapered = true;
+  options.AreCrossed = true;
+  options.GapWidth = 2.0;
+  const FaultedHorizon horizon = MakeFaultedHorizon(options);
+  Detail::NumberOfThreads() = 1;
+  const FaultDetection one = Detect(horizon);
+  Detail::NumberOfThreads() = 5;
+  const FaultDetection five = Detect(horizon);
+  CHECK(one.Lines.NumberOfLinks() > 200U);
+  CHECK_EQUAL(one.Noise, five.Noise);
+  CHECK_EQUAL(one.Lines.Size(), five.Lines.Size());
+  CHECK_EQUAL(ToText(one.Lines), ToText(five.Lines));
+}
+
+void RefusesBadInput()
+{
+  CHECK_THROWS_WITH(ColumnHeights({}, {}), "no points, expected a horizon");
+  CHECK_THROWS_WITH(ColumnHeights({ { 1, 2 } }, { Missing }), "height nan in column (1, 2), expected a finite number");
+  CHECK_THROWS_WITH(
+    ColumnHeights({ { 1, 2 }, { 1, 2 } }, { 3.0, 4.0 }), "two points in column (1, 2), expected at most one");
+  FaultDetectionOptions options;
+  options.SmallestThrow = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(CheckOptions(options), "smallest throw inf, expected a finite number, at least 0 vertical indices");
+  options = {};
+  options.Noise = -1.0;
+  CHECK_THROWS_WITH(CheckOptions(options), "noise -1, expected at least 0 vertical indices");
+  options = {};
+  options.SmallestExtent = -1;
+  CHECK_THROWS_WITH(CheckOptions(options), "smallest extent -1, expected at least 0 columns");
+  options = {};
+  options.SmallestBranch = -2;
+  CHECK_THROWS_WITH(CheckOptions(options), "smallest branch -2, expected at least 0 links");
+  options = {};
+  options.LargestGap = -3;
+  CHECK_THROWS_WITH(CheckOptions(options), "largest gap -3, expected at least 0 columns");
+}
+
+void StopsOnRequest()
+{
+  const FaultedHorizon horizon = MakeFaultedHorizon({});
+  const ColumnHeights heights(horizon.Columns, horizon.Height);
+  bool stopped = false;
+  try
+  {
+    DetectFaults(heights, {}, Monitor([](double part) { return part < 0.5; }));
+  }
+  catch (const Aborted&)
+  {
+    stopped = true;
+  }
+  CHECK(stopped);
+}
+}
+
+int TestFaultDetection(int, char*[])
+{
+  FindsAStepExactly();
+  NoiseIsMeasured();
+  FindsGeneratedFaults();
+  FindsNothingWhereNothingIs();
+  BridgesGaps();
+  SmallHorizonsHaveNoFaults();
+  ThreadsDoNotMatter();
+  RefusesBadInput();
+  StopsOnRequest();
+  return Check::Result();
+}

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkHorizonDespiking.h"
+#include "vtkHorizonExteriorBoundary.h"
+#include "vtkHorizonHoleFilling.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using HorizonFixtures::FromPicture;
+
+/// A plane with a spike of 12 in column (3, 2), which is point 15 of the square, and of -7 in column (4, 4), point 28.
+double Spiky(int i, int j)
+{
+  return 20.0 + i + (i == 3 && j == 2 ? 12.0 : i == 4 && j == 4 ? -7.0 : 0.0);
+}
+
+/// A square of six.
+vtkSmartPointer<vtkPolyData> WithSpikes()
+{
+  return FromPicture(
+    { "######", "######", "######", "######", "######", "######" }, 3, HorizonFixtures::RotatedSurvey(), Spiky);
+}
+
+double Value(vtkPolyData* horizon, const char* name, vtkIdType point)
+{
+  vtkDataArray* const array = horizon->GetPointData()->GetArray(name);
+  return array ? array->GetComponent(point, 0) : std::nan("");
+}
+
+void TestRemove()
+{
+  auto input = WithSpikes();
+  vtkNew<vtkHorizonDespiking> despiking;
+  despiking->SetInputDataObject(input);
+  despiking->Update();
+  vtkPolyData* const output = despiking->GetPolyDataOutput();
+  CHECK_EQUAL(output->GetNumberOfPoints(), 34);
+  CHECK_EQUAL(output->GetNumberOfVerts(), 34);
+  CHECK_EQUAL(despiking->GetNumberOfSpikes(), 2);
+  CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 0);
+  CHECK_EQUAL(output->GetFieldData()->GetArray("NumberOfSpikes")->GetTuple1(0), 2.0);
+  vtkIdType kept = 0;
+  for (vtkIdType point = 0; point < 36; ++point)
+  {
+    if (point != 15 && point != 28)
+    {
+      CHECK_EQUAL(output->GetPoint(kept)[2], input->GetPoint(point)[2]);
+      CHECK_EQUAL(Value(output, "Amplitude", kept), Value(input, "Amplitude", point));
+      ++kept;
+    }
+  }
+  CHECK(!output->GetPointData()->HasArray("Spike"));
+  vtkNew<vtkHorizonHoleFilling> filling;
+  filling->SetInputConnection(despiking->GetOutputPort());
+  filling->Update();
+  CHECK_EQUAL(filling->GetPolyDataOutput()->GetNumberOfPoints(), 36);
+  CHECK_EQUAL(Value(filling->GetPolyDataOutput(), "VerticalIndex", 34), 23.0);
+  CHECK_EQUAL(Value(filling->GetPolyDataOutput(), "VerticalIndex", 35), 24.0);
+}
+
+void TestFlag()
+{
+  vtkNew<vtkHorizonExteriorBoundary> outline;
+  vtkNew<vtkHorizonDespiking> despiking;
+  outline->SetInputDataObject(WithSpikes());
+  despiking->SetInputConnection(outline->GetOutputPort());
+  despiking->SetActionToFlag();
+  despiking->SetThreshold(10.0);
+  despiking->Update();
+  vtkPolyData* const output = despiking->GetPolyDataOutput();
+  CHECK_EQUAL(output->GetNumberOfPoints(), 36);
+  CHECK_EQUAL(output->GetNumberOfLines(), 0);
+  CHECK(!output->GetPointData()->HasArray("PatchId") && !output->GetPointData()->HasArray("Boundary"));
+  CHECK(output->GetPointData()->GetArray("Spike")->GetDataType() == VTK_UNSIGNED_CHAR);
+  for (vtkIdType point = 0; point < 36; ++point)
+  {
+    CHECK_EQUAL(Value(output, "Spike", point), point == 15 ? 1.0 : 0.0);
+  }
+  CHECK_EQUAL(despiking->GetNumberOfSpikes(), 1);
+}
+
+void TestThreads()
+{
+  vtkNew<vtkHorizonDespiking> despiking;
+  despiking->SetInputDataObject(
+    FromPicture({ "####.####", "#########", "####.####" }, 3, HorizonFixtures::UnitSurvey()));
+  despiking->SetThreadWidth(1);
+  despiking->SetThreshold(1000.0);
+  despiking->Update();
+  CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 24);
+  CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 1);
+  despiking->SetThreadWidth(3);
+  despiking->Update(); // nothing is left
+  CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+  CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 25);
+}
+
+/// Nothing to compare with is no spike; what is no place is refused.
+void TestBadInput()
+{
+  for (const std::vector<std::string>& picture : { std::vector<std::string>{ "#" }, { "#.#", "...", "#.#" } })
+  {
+    auto input = FromPicture(picture, 3, HorizonFixtures::UnitSurvey());
+    vtkNew<vtkHorizonDespiking> despiking;
+    HorizonFixtures::Errors errors(despiking);
+    despiking->SetInputDataObject(input);
+    despiking->Update();
+    CHECK_EQUAL(errors.Count(), 0u);
+    CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
+  }
+  auto input = WithSpikes();
+  input->GetPoints()->SetPoint(7, 0.0, 0.0, std::nan(""));
+  vtkNew<vtkHorizonDespiking> despiking;
+  HorizonFixtures::Errors errors(despiking);
+  despiking->SetInputDataObject(input);
+  despiking->Update();
+  CHECK(errors.FirstContains("height nan, expected a place on the lattice"));
+  CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+}
+
+void TestPrint()
+{
+  vtkNew<vtkHorizonDespiking> despiking;
+  despiking->SetActionToFlag();
+  despiking->SetThreshold(2.5);
+  despiking->SetNeighborhoodRadius(4);
+  despiking->SetThreadWidth(6);
+  std::ostringstream text;
+  despiking->Print(text);
+  for (const char* line : { "Action: Flag", "Threshold: 2.5", "NeighborhoodRadius: 4", "ThreadWidth: 6",
+         "NumberOfSpikes: 0", "NumberOfThreadPoints: 0" })
+  {
+    CHECK(text.str().find(line) != std::string::npos);
+  }
+}
+}
+
+int TestHorizonDespiking(int, char*[])
+{
+  TestRemove();
+  TestFlag();
+  TestThreads();
+  TestBadInput();
+  TestPrint();
+  return Check::Result();
+}

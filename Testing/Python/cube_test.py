@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a seismic cube to meshes: the batch program and the package. Arguments: the generator of cubes, the batch program,
+and a folder for files."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+from seismichorizons import cubes, pipeline, reading
+from seismichorizons.stage import HorizonError
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+CUBE = FOLDER / "survey.sgy"
+# The fault cuts each of the reflectors in two.
+REFLECTORS = 6
+SURFACES = 2 * REFLECTORS
+
+
+def run(*arguments):
+    return subprocess.run([sys.executable, str(PROGRAM), "--no-pictures", *map(str, arguments)],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
+
+
+def read_mesh(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def coordinates(mesh):
+    return vtk_to_numpy(mesh.GetPoints().GetData())
+
+
+class CubeTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        FOLDER.mkdir(parents=True)
+        subprocess.run([GENERATOR, CUBE], check=True, stdout=subprocess.PIPE)
+
+    def refused(self, *arguments):
+        done = run("--output-folder", FOLDER / "refused", *arguments)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertFalse((FOLDER / "refused").exists())
+        return done.stderr
+
+    def test_meshes_are_those_of_reader_extraction_and_surface(self):
+        folder = FOLDER / "meshes"
+        done = run("--largest-error", "1", "--surfaces", "4", "--output-folder", folder, CUBE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(sorted(p.name for p in folder.iterdir()), ["survey_horizon_%d.vtp" % n for n in (1, 2, 3, 4)])
+        horizons, _ = pipeline.read(CUBE)
+        self.assertGreaterEqual(len(horizons), SURFACES)
+        self.assertLessEqual(len(horizons), cubes.LARGEST_NUMBER)
+        sizes = [points.GetNumberOfPoints() for _, points in horizons]
+        self.assertEqual(sizes, sorted(sizes, reverse=True))
+        for number, (name, points) in enumerate(horizons[:4]):
+            self.assertEqual(name, "Horizon %d" % (number + 1))
+            mesh, _ = pipeline.surface(points, largest_error=1.0)
+            written = read_mesh(folder / ("survey_horizon_%d.vtp" % (number + 1)))
+            self.assertTrue((coordinates(written) == coordinates(mesh)).all())
+            self.assertEqual(vtk_to_numpy(written.GetPointData().GetArray("PointCount")).sum(), points.GetNumberOfPoints())
+
+    def test_choices(self):
+        everything, _ = reading.read(CUBE)
+        two, _ = reading.read(CUBE, horizons=["3", "1"])
+        self.assertEqual([name for name, _ in two], ["Horizon 1", "Horizon 3"])
+        self.assertEqual(two[1][1].GetNumberOfPoints(), everything[2][1].GetNumberOfPoints())
+        # With the polarity, there are fewer picks; with the reader's window, fewer traces.
+        positive, _ = reading.read(CUBE, Polarity="Positive", SmallestSize=500)
+        self.assertTrue(all(points.GetNumberOfPoints() >= 500 for _, points in positive))
+        self.assertTrue(all((vtk_to_numpy(points.GetPointData().GetArray("Amplitude")) > 0.0).all()
+                            for _, points in positive))
+        reader = cubes.open_cube(CUBE).GetInputAlgorithm()
+        reader.Update()
+        first = int(vtk_to_numpy(reader.GetOutput().GetFieldData().GetArray("LineNumbers")).ravel()[0])
+        lines = reader.GetOutput().GetDimensions()[1]
+        part, _ = reading.read(CUBE, InlineRange=(first, first + lines // 4))
+        self.assertLess(part[0][1].GetNumberOfPoints(), everything[0][1].GetNumberOfPoints())
+
+    def test_errors_are_those_of_the_reader(self):
+        for name, content in (("cut.sgy", CUBE.read_bytes()[:5000]), ("text.segy", b"no cube\n"), ("empty.sgy", b"")):
+            (FOLDER / name).write_bytes(content)
+            message = self.refused(FOLDER / name)
+            self.assertIn(name, message)
+            self.assertRegex(message, r"a file (of|that ends) \d+ bytes")
+
+    def test_errors_of_choices(self):
+        self.assertRegex(self.refused("--origin", "0", "0", "0", CUBE), "a seismic cube leaves no choice of Origin")
+        self.assertRegex(self.refused("--horizons", "1", "70", "--", CUBE), "there is no horizon 70; the file has 1, 2, ")
+        self.assertRegex(self.refused("--memory", "1M", CUBE), r"a cube that takes [\d.]+M with its picks, expected at most")
+        self.assertRegex(self.refused("--inlines", "-9", "-8", CUBE), "InlineRange -9 to -8, expected some of the lines")
+        self.assertRegex(self.refused("--smallest-surface", "1000000", CUBE), "there is no point to work on")
+        with self.assertRaisesRegex(HorizonError, "no choice of Wrong"):
+            cubes.open_cube(CUBE, Wrong=1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the way from a seismic cube to meshes: a section, the same with picks, surfaces and meshes in space.
+
+    cube_pictures.py CUBE.sgy PICTURE.png      for Documentation/Pictures/CubeToMesh.png: the cube of
+                                               generate_cube --noise 0.2 --folds 22 --spacing 36 --weakest 0.6 CUBE.sgy
+
+Needs an X server, and the package seismichorizons in PYTHONPATH.
+"""
+
+import pathlib
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkImagingCore import vtkExtractVOI
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+from seismichorizons import cubes, pictures, reading
+from seismichorizons.pipeline import surface
+
+PANEL_SIZE = (480, 430)
+HEIGHT = 0.55  # of a section, in parts of its length
+LARGEST_NUMBER = 36
+IN_SPACE = 12  # surfaces: the strongest, as the sides of a wavelet are surfaces of their own
+LARGEST_ERROR = 0.75
+COLORS = ("d62728", "1f77b4", "2ca02c", "9467bd", "ff7f0e", "17becf", "e377c2", "8c564b", "bcbd22", "3a5f8a")
+
+
+def actor(data, color=None, lighting=False):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputDataObject(data)
+    result = vtkActor()
+    result.SetMapper(mapper)
+    if color:
+        mapper.ScalarVisibilityOff()
+        result.GetProperty().SetColor(*pictures.rgb(color))
+    result.GetProperty().SetLighting(lighting)
+    return result
+
+
+def section(cube, row):
+    """The amplitudes of an inline, grey."""
+    extent = list(cube.GetExtent())
+    extent[2:4] = row, row
+    part = vtkExtractVOI()
+    part.SetInputData(cube)
+    part.SetVOI(extent)
+    outside = vtkDataSetSurfaceFilter()
+    outside.SetInputConnection(part.GetOutputPort())
+    outside.Update()
+    largest = np.percentile(np.abs(vtk_to_numpy(cube.GetPointData().GetScalars())), 99.7)
+    grey = vtkLookupTable()
+    grey.SetNumberOfTableValues(256)
+    grey.SetHueRange(0.0, 0.0)
+    grey.SetSaturationRange(0.0, 0.0)
+    grey.SetValueRange(0.1, 1.0)
+    grey.Build()
+    result = actor(outside.GetOutput())
+    result.GetMapper().SetLookupTable(grey)
+    result.GetMapper().SetScalarRange(-largest, largest)
+    return result
+
+
+def is_on_row(points, row):
+    """Which points are on an inline."""
+    matrix = vtk_to_numpy(points.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
+    places = vtk_to_numpy(points.GetPoints().GetData())
+    lattice = np.column_stack([places, np.ones(len(places))]) @ np.linalg.inv(matrix).T
+    return np.rint(lattice[:, 1]) == row
+
+
+def strength(points):
+    return abs(vtk_to_numpy(points.GetPointData().GetArray("Amplitude")).mean())
+
+
+def picks_of(points, row):
+    """The picks on an inline."""
+    dots = vtkPolyData()
+    dots.SetPoints(points.GetPoints())
+    vertices = vtkCellArray()
+    for number in np.flatnonzero(is_on_row(points, row)):
+        vertices.InsertNextCell(1, [int(number)])
+    dots.SetVerts(vertices)
+    return dots
+
+
+def place_camera(renderer, toward, scale):
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetPosition(*toward)
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    renderer.ResetCamera()
+    camera.Zoom(scale)
+    camera.SetWindowCenter(0.0, 0.08)  # a little lower than the middle, for the text above
+
+
+def panel(title, caption, actors, exaggeration, toward, zoom):
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.90, 0.92, 0.95)
+    renderer.SetBackground2(0.99, 0.99, 1.0)
+    renderer.GradientBackgroundOn()
+    for one in actors:
+        one.SetScale(1.0, 1.0, exaggeration)
+        renderer.AddActor(one)
+    renderer.AddViewProp(pictures.text_actor(title, 17, (14, PANEL_SIZE[1] - 30), bold=True))
+    renderer.AddViewProp(pictures.text_actor(caption, 13, (14, PANEL_SIZE[1] - 50)))
+    place_camera(renderer, toward, zoom)
+    return renderer
+
+
+def main():
+    path, picture = (pathlib.Path(argument) for argument in sys.argv[1:3])
+    extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
+    cubes.read(extraction, path)
+    cube = extraction.GetInputAlgorithm().GetOutput()
+    extraction.Update()
+    horizons = sorted((points for _, points in reading.list_horizons(extraction.GetOutput())), key=strength, reverse=True)
+    row = cube.GetDimensions()[1] // 2
+    bounds = np.array(cube.GetBounds()).reshape(3, 2)
+    length = np.hypot(*(bounds[:2, 1] - bounds[:2, 0]))
+    exaggeration = HEIGHT * length / (bounds[2, 1] - bounds[2, 0])
+    matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
+    across = -matrix[:3, 1] / np.linalg.norm(matrix[:3, 1])
+    aside = across + 0.75 * matrix[:3, 0] / np.linalg.norm(matrix[:3, 0]) + [0.0, 0.0, 0.9]
+    colored = [(points, COLORS[number % len(COLORS)]) for number, points in enumerate(horizons)]
+
+    strokes = []
+    for points, color in colored:
+        dots = actor(picks_of(points, row), color)
+        dots.GetProperty().SetPointSize(3.5)
+        dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+        strokes.append(dots)
+    clouds, meshes, triangles = [], [], 0
+    for points, color in colored[:IN_SPACE]:
+        cloud = actor(points, color)
+        cloud.GetProperty().SetPointSize(2.5)
+        clouds.append(cloud)
+        mesh, _ = surface(points, largest_error=LARGEST_ERROR)
+        triangles += mesh.GetNumberOfPolys()
+        only = vtkPolyData()
+        only.SetPoints(mesh.GetPoints())
+        only.SetPolys(mesh.GetPolys())
+        shaded = actor(only, color, lighting=True)
+        shaded.GetProperty().SetAmbient(0.35)
+        shaded.GetProperty().SetDiffuse(0.75)
+        shaded.GetProperty().EdgeVisibilityOn()
+        shaded.GetProperty().SetEdgeColor(0.1, 0.1, 0.15)
+        meshes.append(shaded)
+    picked = sum(points.GetNumberOfPoints() for points in horizons[:IN_SPACE])
+    renderers = [
+        panel("Amplitudes", "an inline of the cube", [section(cube, row)], exaggeration, across, 1.18),
+        panel("Picks", "in the colours of their surfaces", [section(cube, row), *strokes], exaggeration, across, 1.18),
+        panel("Surfaces", "the %d strongest, %d picks" % (IN_SPACE, picked), clouds, exaggeration, aside, 1.12),
+        panel("Meshes", "%d triangles, within %g samples" % (triangles, LARGEST_ERROR), meshes, exaggeration, aside, 1.12)]
+    for number, renderer in enumerate(renderers):
+        left, bottom = 0.5 * (number % 2), 0.5 * (1 - number // 2)
+        renderer.SetViewport(left, bottom, left + 0.5, bottom + 0.5)
+    pictures.write(pictures.render(renderers, (2 * PANEL_SIZE[0], 2 * PANEL_SIZE[1])), picture)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Seismic cubes: the reflections of a SEG-Y file, joined to horizons."""
+
+import pathlib
+
+from . import memory
+from .stage import HorizonError, configure, make, update, watched
+
+READER = "vtkSEGYCubeReader"
+EXTRACTION = "vtkSeismicReflectionExtraction"
+
+# How many surfaces of a cube become meshes, the largest ones.
+LARGEST_NUMBER = 20
+# Bytes per sample, at most, of a cube whose reflections are joined, its own included (ReflectionBenchmark).
+WORKED = 20
+
+
+def is_named_so(path):
+    """Whether the name of a file says that it is SEG-Y, whatever is in it."""
+    return pathlib.Path(path).suffix.lower() in (".sgy", ".segy")
+
+
+def is_extraction(source):
+    return source.IsA(EXTRACTION)
+
+
+def open_cube(path, **properties):
+    """The extraction from a cube, connected to its reader. Properties are those of both. Raises HorizonError when neither
+    has one."""
+    reader = make(READER, FileName=str(path))
+    extraction = make(EXTRACTION, LargestNumber=LARGEST_NUMBER)
+    extraction.SetInputConnection(reader.GetOutputPort())
+    for name, value in properties.items():
+        owner = next((owner for owner in (reader, extraction) if hasattr(owner, "Set" + name)), None)
+        if owner is None:
+            raise HorizonError("%s: a seismic cube leaves no choice of %s" % (path, name))
+        configure(owner, **{name: value})
+    return extraction
+
+
+def count_samples(extraction):
+    """How many samples will be read, from the headers. Raises HorizonError."""
+    reader = extraction.GetInputAlgorithm()
+    with watched(reader):
+        reader.UpdateInformation()
+    extent = reader.GetOutputInformation(0).Get(reader.GetExecutive().WHOLE_EXTENT())
+    return (extent[1] - extent[0] + 1) * (extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1)
+
+
+def read(extraction, path):
+    """Reads the cube; an error is then that of its reader. Returns the seconds it took. Raises HorizonError."""
+    return update(extraction.GetInputAlgorithm(), "%s: reading the cube" % path.name)
+
+
+def require(extraction, budget, path):
+    """Raises HorizonError where the cube and its picks do not fit in memory."""
+    size = WORKED * count_samples(extraction)
+    if budget.left is not None and size > budget.left:
+        raise HorizonError(
+            "%s: a cube that takes %s with its picks, expected at most the %s that are left of %s; --inlines and "
+            "--crosslines read a part" % (path, memory.size_text(size), memory.size_text(max(budget.left, 0)),
+                                          budget.limit_text()))

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A horizon larger than memory: read and meshed in windows of rows that share their edge rows, and joined."""
+
+from . import memory
+from .stage import HorizonError, make, update
+
+SURFACE = "vtkHorizonSurface"
+JOIN = "vtkHorizonSurfaceJoin"
+ALL_ROWS = (0, -1)
+
+
+class Windows:
+    """The windows of a horizon, by its name, of a reader with LeastMemory. Raises HorizonError where it can not be cut so
+    that each fits."""
+
+    def __init__(self, reader, name, budget):
+        self.name = name
+        self._reader = reader
+        row_sizes = [reader.GetNumberOfPointsInRows(name, row, row) for row in range(reader.GetNumberOfRows())]
+        self.number_of_points = sum(row_sizes)
+        self.rows = memory.make_windows(row_sizes, budget.most_points())
+        if self.rows is None:
+            raise HorizonError("%s: rows of up to %d points, expected at most %d points in two rows for %s" % (
+                name, max(row_sizes), budget.most_points(), budget.limit_text()))
+        self._sizes = [sum(row_sizes[first:last + 1]) for first, last in self.rows]
+
+    def read(self, number, label=""):
+        """The points of a window."""
+        self._reader.SetRowRange(*self.rows[number])
+        update(self._reader, label)
+        output = self._reader.GetOutputDataObject(0)
+        return output.GetPartition(0, 0)
+
+    def choose_radius(self, label=""):
+        """That of the window with the most points."""
+        stage = make(SURFACE)
+        points = self.read(self._sizes.index(max(self._sizes)), label)
+        radius = stage.ChooseRadius(points)
+        if radius < 1:
+            raise HorizonError("%s: no radius can be chosen, expected points on a lattice" % self.name)
+        return radius
+
+    def close(self):
+        """Leaves the reader as it was, without data."""
+        self._reader.SetRowRange(*ALL_ROWS)
+        self._reader.GetOutputDataObject(0).Initialize()
+
+
+def mesh(windows, properties, label="", warnings=None):
+    """The mesh of a horizon by its windows. The properties are those of vtkHorizonSurface. Raises HorizonError."""
+    given = dict(properties)
+    smallest_patch = given.pop("MinimumPatchSize", 1)
+    if given.get("AutomaticRadius", True):
+        given.update(AutomaticRadius=False, Radius=windows.choose_radius("%s: reading" % label))
+    join = make(JOIN, MinimumPatchSize=smallest_patch)
+    last = len(windows.rows) - 1
+    for number, (first_row, last_row) in enumerate(windows.rows):
+        step = "%s: window %d of %d" % (label, number + 1, last + 1)
+        points = windows.read(number, step)
+        seams = (-1 if number == 0 else first_row, -1 if number == last else last_row)
+        stage = make(SURFACE, **given, SeamRows=seams)
+        stage.SetInputDataObject(0, points)
+        update(stage, step, warnings)
+        join.AddInputDataObject(stage.GetOutputDataObject(0))
+    windows.close()
+    update(join, "%s: joining" % label, warnings)
+    return join.GetOutputDataObject(0)

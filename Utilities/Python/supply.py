@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The horizons of a file, no more of them at a time than memory allows.
+
+    for name, points in Supply("survey.vsm", None, memory.Budget(2 << 30)):
+        ...
+"""
+
+import pathlib
+import time
+
+from . import cubes, memory, reading
+from .parts import Windows
+from .stage import HorizonError, update, watched
+
+
+class Supply:
+    """Iterated over once, as (name, points). With `cuts_large`, what comes for a horizon that does not fit alone is Windows
+    in place of points. `names` are those of all, `seconds` what reading has taken so far, `is_whole` says whether all are
+    there at once. `horizons` and properties are those of reading.read. Raises HorizonError."""
+
+    def __init__(self, path, horizons, budget, cuts_large=False, **properties):
+        self._path = pathlib.Path(path)
+        self._budget = budget
+        self._cuts_large = cuts_large
+        self._reader = None
+        self._found = []
+        self.seconds = 0.0
+        reader = reading.open_file(self._path, **properties)
+        if cubes.is_extraction(reader):
+            cubes.require(reader, budget, self._path)
+        if hasattr(reader, "SetLeastMemory") and (budget.is_given or not budget.fits_file(self._path)):
+            self._list(reader, horizons)
+        else:
+            self._found, self.seconds = reading.read(self._path, horizons, **properties)
+            self.names = [name for name, _ in self._found]
+            self._sizes = [points.GetNumberOfPoints() for _, points in self._found]
+            self._groups = [list(range(len(self._found)))]
+        self.is_whole = len(self._groups) == 1 and not self._is_cut(self._groups[0])
+
+    def __iter__(self):
+        for group in self._groups:
+            if self._is_cut(group):
+                yield self.names[group[0]], self._cut(group)
+                continue
+            if self._budget.is_given:
+                for number in group:
+                    self._budget.require(self._sizes[number], "%s: %s" % (self._path.name, self.names[number]))
+            found = self._read(group) if self._reader else self._found
+            while found:
+                yield found.pop(0)
+
+    def _list(self, reader, horizons):
+        """Lists the horizons of a file without their points."""
+        reader.SetLeastMemory(True)
+        start = time.monotonic()
+        if horizons is not None:
+            reading.select(reader, horizons, self._path)
+        with watched(reader, "%s: listing horizons" % self._path.name):
+            reader.UpdateInformation()
+        self.names = reading.selected(reader)
+        if not self.names:
+            raise HorizonError("%s: there is no point to work on" % self._path)
+        last_row = reader.GetNumberOfRows() - 1
+        self._sizes = [reader.GetNumberOfPointsInRows(name, 0, last_row) for name in self.names]
+        self._groups = memory.make_groups(self._sizes, self._budget)
+        self._reader = reader
+        self.seconds = time.monotonic() - start
+
+    def _is_cut(self, group):
+        return bool(self._reader and self._cuts_large and not self._budget.fits(self._sizes[group[0]]))
+
+    def _select(self, group):
+        self._reader.DisableAllHorizons()
+        for number in group:
+            self._reader.SetHorizonStatus(self.names[number], 1)
+
+    def _cut(self, group):
+        self._select(group)
+        try:
+            return Windows(self._reader, self.names[group[0]], self._budget)
+        except HorizonError as error:
+            raise HorizonError("%s: %s" % (self._path.name, error)) from None
+
+    def _read(self, group):
+        self._select(group)
+        self.seconds += update(self._reader, "%s: reading" % self._path.name)
+        output = self._reader.GetOutputDataObject(0)
+        found = reading.list_horizons(output)
+        output.Initialize()  # points go as soon as nobody uses them any more
+        return found

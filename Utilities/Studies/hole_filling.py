@@ -1,0 +1,315 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How near filled holes come to what was there: columns are taken out of horizons, filled by several methods, and
+compared. Prints the page Documentation/HoleFillingTables.md.
+
+    hole_filling.py [--real FOLDER] [--widths W...] [--size COLUMNS] [--repeat N] [--processes N]
+
+Needs the package seismichorizons in PYTHONPATH, and numpy. Horizons in FOLDER are files *.ijz with lines "i j z".
+"""
+
+import argparse
+import multiprocessing
+import pathlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkDelaunay2D, vtkProbeFilter
+from vtkmodules.vtkFiltersPoints import (vtkEllipsoidalGaussianKernel, vtkGaussianKernel, vtkGeneralizedKernel,
+                                         vtkLinearKernel, vtkPointInterpolator, vtkProbabilisticVoronoiKernel,
+                                         vtkShepardKernel, vtkVoronoiKernel)
+
+import seismichorizons as sh
+from seismichorizons.stage import apply
+from text import report, table
+
+MARGIN = 12  # columns that stay around each hole
+PAGE = """# How near filled holes come
+
+Root mean square errors in lattice units where columns were taken out of horizons and filled again, by
+`Utilities/Studies/hole_filling.py`; the methods are those of [hole filling](HorizonHoleFilling.md). Widths are those of
+the holes, in columns. Generated horizons have waves of all lengths, and a deviation of 12 vertical indices; their errors
+are those to the surface without noise, of deviation 1 where there is some. Others are real ones, whose noise is in their
+errors; a unit of theirs is the median of the steps from column to column that are not 0.
+
+*Plate* is the default, *exact plate* goes through all columns around (RimSmoothing 0), *smooth plate* has a RimSmoothing
+of 16 and a RimWidth of 5. *Triangles* is linear over the mesh of this project, *vtkDelaunay2D* over VTK's own. *Inverse
+distance*: to the power of two, from all columns of the rim, three wide. The others are the kernels of ParaView's point
+interpolator with the 32 nearest points. *Ours / best other* takes the plate, and the smooth plate where there is noise 1.
+"""
+NOISY = "generated, noise 1"  # whose noise asks for a smooth plate
+MOST_PLACES = 4000  # that are compared: kernels take long in the middle of wide holes
+NEAREST = 32  # points that a kernel takes
+OURS = ("plate", "exact plate", "smooth plate", "membrane")
+KERNELS = {"Voronoi": vtkVoronoiKernel, "probabilistic Voronoi": vtkProbabilisticVoronoiKernel,
+           "Shepard": vtkShepardKernel, "linear kernel": vtkLinearKernel, "Gaussian": vtkGaussianKernel,
+           "ellipsoidal Gaussian": vtkEllipsoidalGaussianKernel}
+
+
+# ---- Horizons, as two arrays of one number per column: whether there is a point, and its height ----
+
+def generated(random, size, roughness):
+    """A surface of waves of all lengths, higher the longer they are; roughness is the part of short waves."""
+    frequencies = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
+    height = np.zeros((size, size))
+    for power, shortest, deviation in ((2.5, 16.0, 12.0), (1.7, 2.0, 12.0 * roughness)):
+        spectrum = random.standard_normal(frequencies.shape) + 1j * random.standard_normal(frequencies.shape)
+        spectrum /= np.maximum(frequencies, 1.0 / 400.0) ** power
+        spectrum[(frequencies == 0.0) | (frequencies > 1.0 / shortest)] = 0.0
+        waves = np.fft.irfft2(spectrum, (size, size))
+        height += deviation * waves / waves.std()
+    return height
+
+
+def read_real(path):
+    """The columns of a file, with the median of the steps between neighbours as the vertical index where that is more."""
+    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    values = np.array([line.split() for line in lines[1:] if len(line.split()) == 3], float)
+    i, j = (values[:, axis].astype(int) - int(values[:, axis].min()) for axis in (0, 1))
+    height = np.full((j.max() + 1, i.max() + 1), np.nan)
+    height[j, i] = values[:, 2]
+    return height
+
+
+def cut_holes(random, there, width, number):
+    """Numbers of holes, 0 elsewhere: discs with lobes, all of whose surroundings are there."""
+    holes = np.zeros(there.shape, int)
+    reach = int(0.65 * width) + MARGIN
+    rows, columns = there.shape
+    if min(rows, columns) <= 2 * reach + 1:
+        return holes
+    for _ in range(200 * number):
+        if holes.max() == number:
+            break
+        y, x = random.integers(reach, rows - reach), random.integers(reach, columns - reach)
+        window = np.s_[y - reach:y + reach + 1, x - reach:x + reach + 1]
+        if there[window].mean() < 0.97 or holes[window].any():
+            continue
+        v, u = np.mgrid[-reach:reach + 1, -reach:reach + 1]
+        lobes = 1.0 + 0.15 * np.sin(3.0 * np.arctan2(v, u) + random.uniform(0.0, 6.3))
+        holes[window][np.hypot(u, v) <= 0.5 * width * lobes] = holes.max() + 1
+    return holes
+
+
+def horizon(there, height):
+    """The data of the stages."""
+    j, i = np.nonzero(there)
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.column_stack([i, j, height[there]]).astype(float), deep=True))
+    data.SetPoints(points)
+    for name, values in (("LatticeDimensions", [[there.shape[1], there.shape[0], 1]]), ("LatticeToWorld", [np.eye(4).ravel()])):
+        array = numpy_to_vtk(np.array(values), deep=True)
+        array.SetName(name)
+        data.GetFieldData().AddArray(array)
+    return data
+
+
+# ---- Methods: each gives the heights at the places (row, column) that were taken out ----
+
+def fill(there, height, places, **properties):
+    filled = apply(sh.vtkHorizonHoleFilling(), horizon(there, height), LargestHoleSize=there.size, **properties)
+    points = vtk_to_numpy(filled.GetPoints().GetData())
+    result = np.full(there.shape, np.nan)
+    result[points[:, 1].astype(int), points[:, 0].astype(int)] = points[:, 2]
+    return result[places]
+
+
+def triangles(there, height, places):
+    """Linear over the triangles of the mesh, which closes holes."""
+    outline = apply(sh.vtkHorizonExteriorBoundary(), horizon(there, height))
+    return probe(apply(sh.vtkHorizonTriangulation(), outline), places)
+
+
+def flat(data):
+    """The points in plan, with their heights as an array."""
+    places = vtk_to_numpy(data.GetPoints().GetData()).copy()
+    heights = numpy_to_vtk(places[:, 2].copy(), deep=True)
+    heights.SetName("Height")
+    places[:, 2] = 0.0
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    result = vtkPolyData()
+    result.SetPoints(points)
+    result.SetPolys(data.GetPolys() if data.GetNumberOfPolys() else vtkCellArray())
+    result.GetPointData().AddArray(heights)
+    return result
+
+
+def at_places(places):
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.column_stack([places[1], places[0], np.zeros(len(places[0]))]).astype(float), deep=True))
+    data.SetPoints(points)
+    return data
+
+
+def probe(mesh, places):
+    return probe_flat(flat(mesh), places)
+
+
+def probe_flat(mesh, places):
+    sample = vtkProbeFilter()
+    sample.SetInputData(at_places(places))
+    sample.SetSourceData(mesh)
+    sample.Update()
+    found = vtk_to_numpy(sample.GetOutput().GetPointData().GetArray("Height"))
+    # VTK's own triangles leave gaps between points on a line; there the nearest point stands for them.
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    heights = vtk_to_numpy(mesh.GetPointData().GetArray("Height"))
+    for n in np.nonzero(vtk_to_numpy(sample.GetOutput().GetPointData().GetArray("vtkValidPointMask")) == 0)[0]:
+        away = np.hypot(points[:, 0] - places[1][n], points[:, 1] - places[0][n])
+        found[n] = heights[away.argmin()]
+    return found
+
+
+def rim(there, holes, width=3):
+    """The known columns near holes."""
+    near = holes > 0
+    for _ in range(width):
+        near = near | np.roll(near, 1, 0) | np.roll(near, -1, 0)
+        near = near | np.roll(near, 1, 1) | np.roll(near, -1, 1)
+    return near & there
+
+
+def delaunay(there, height, holes, places):
+    """Linear over VTK's own Delaunay triangles between the columns around holes."""
+    mesher = vtkDelaunay2D()
+    mesher.SetInputData(flat(horizon(rim(there, holes), height)))
+    mesher.Update()
+    return probe_flat(mesher.GetOutput(), places)
+
+
+def kernel(kind, there, height, holes, places):
+    """ParaView's point interpolator, from the columns near holes."""
+    interpolator = vtkPointInterpolator()
+    interpolator.SetInputData(at_places(places))
+    interpolator.SetSourceData(flat(horizon(rim(there, holes, 6), height)))
+    chosen = kind()
+    if isinstance(chosen, vtkGeneralizedKernel):
+        chosen.SetKernelFootprintToNClosest()
+        chosen.SetNumberOfPoints(NEAREST)
+        chosen.SetRadius(1e9)
+    interpolator.SetKernel(chosen)
+    interpolator.SetNullPointsStrategyToClosestPoint()
+    interpolator.Update()
+    return vtk_to_numpy(interpolator.GetOutput().GetPointData().GetArray("Height"))
+
+
+def inverse_distance(there, height, holes, places):
+    """Weights by the inverse square of the distance to all columns of the hole's own rim."""
+    result = np.empty(len(places[0]))
+    numbers = holes[places]
+    for number in range(1, holes.max() + 1):
+        own = rim(there, np.where(holes == number, 1, 0))
+        row, column = np.nonzero(own)
+        for part in np.array_split(np.nonzero(numbers == number)[0], max(1, (numbers == number).sum() // 2000)):
+            squared = ((places[0][part][:, None] - row) ** 2 + (places[1][part][:, None] - column) ** 2).astype(float)
+            weights = 1.0 / squared
+            result[part] = weights @ height[own] / weights.sum(axis=1)
+    return result
+
+
+def methods(there, height, holes, places):
+    """All of them by name."""
+    yield "plate", fill(there, height, places)
+    yield "exact plate", fill(there, height, places, RimSmoothing=0.0)
+    yield "smooth plate", fill(there, height, places, RimSmoothing=16.0, RimWidth=5)
+    yield "membrane", fill(there, height, places, Method="Membrane")
+    yield "triangles", triangles(there, height, places)
+    yield "vtkDelaunay2D", delaunay(there, height, holes, places)
+    yield "inverse distance", inverse_distance(there, height, holes, places)
+    for name, kind in KERNELS.items():
+        yield name, kernel(kind, there, height, holes, places)
+
+
+# ---- The table ----
+
+def errors(random, truth, noisy, width, number):
+    """The root mean square error of each method; none when no hole fits."""
+    there = np.isfinite(noisy)
+    holes = cut_holes(random, there, width, number)
+    places = np.nonzero((holes > 0) & there)
+    if not len(places[0]):
+        return None
+    some = random.permutation(len(places[0]))[:MOST_PLACES]
+    places = tuple(axis[some] for axis in places)
+    known = there & (holes == 0)
+    return {name: np.sqrt(np.mean((found - truth[places]) ** 2))
+            for name, found in methods(known, noisy, holes, places)}
+
+
+NOISES = {"no noise": lambda random, height: height,
+          "noise 1": lambda random, height: height + random.standard_normal(height.shape),
+          "whole numbers": lambda random, height: np.round(height)}
+
+
+def number_of_holes(width):
+    return max(4, 2000 // width**2 + 100 // width)  # as far as there is room
+
+
+def errors_of_generated(options, noise, width, seed):
+    random = np.random.default_rng(seed)
+    truth = generated(random, options.size, options.roughness)
+    return errors(random, truth, NOISES[noise](random, truth), width, number_of_holes(width))
+
+
+def errors_of_real(_, path, width, seed):
+    height = read_real(path)
+    scale = np.nanmedian(np.abs(np.diff(height, axis=1))[np.abs(np.diff(height, axis=1)) > 0.0])
+    height = height / max(scale, 1e-12)
+    return errors(np.random.default_rng(seed), height, height, width, number_of_holes(width))
+
+
+def run(job):
+    name, width, measure, arguments = job
+    report("%s, width %d" % (name, width))
+    return measure(*arguments)
+
+
+def jobs_of(options):
+    """What the rows are made of, as (name, width, function, its arguments)."""
+    for width in options.widths:
+        for noise in NOISES:
+            for seed in range(options.repeat):
+                yield "generated, %s" % noise, width, errors_of_generated, (options, noise, width, seed)
+    for path in sorted(options.real.rglob("*.ijz")) if options.real else []:
+        for width in options.widths:
+            for seed in range(options.repeat):
+                yield "%s, %s" % (path.parent.name, path.stem), width, errors_of_real, (None, path, width, seed)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--real", type=pathlib.Path)
+    parser.add_argument("--widths", type=int, nargs="+", default=[5, 50, 150, 500])
+    parser.add_argument("--size", type=int, default=768, help="columns along a side of generated horizons")
+    parser.add_argument("--roughness", type=float, default=0.1, help="part of short waves in generated horizons")
+    parser.add_argument("--repeat", type=int, default=1)
+    parser.add_argument("--processes", type=int, default=2)
+    options = parser.parse_args()
+    jobs = list(jobs_of(options))
+    with multiprocessing.Pool(options.processes) as pool:
+        measured = pool.map(run, jobs, 1)
+    found_of = {}
+    for (name, width, _, _), found in zip(jobs, measured):
+        if found:
+            found_of.setdefault((name, width), []).append(found)
+    rows, ratios, heads = [], [], None
+    for (name, width), found in found_of.items():
+        means = {method: np.sqrt(np.mean([one[method] ** 2 for one in found])) for method in found[0]}
+        best = min(error for method, error in means.items() if method not in OURS)
+        heads = heads or ["horizon", "width", *means, "ours / best other"]
+        ours = means["smooth plate" if name == NOISY else "plate"]
+        ratios.append(ours / best)
+        rows.append([name, str(width), *("%.2f" % error for error in means.values()), "%.2f" % ratios[-1]])
+    print(PAGE)
+    print(table(heads, rows))
+    print("*Ours / best other*: %.2f on the average, at most %.2f." % (np.mean(ratios), max(ratios)))
+
+
+if __name__ == "__main__":
+    main()
