@@ -6,24 +6,22 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-bool PartFit::MayJoin(PointId big, const ColumnSet* columns, PointId small, std::int64_t& shared) const
+bool PartFit::MayJoin(
+  PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const
 {
   if (columns)
   {
     return this->MayJoin(
-      big, small, [columns](int i, int j) { return columns->Has(i, j); }, shared);
+      big, small, window, [columns](int i, int j) { return columns->Has(i, j); }, shared);
   }
-  const auto hasColumn = [this, big](int i, int j)
-  {
-    const bool isInside = i >= 0 && i < this->Picks.Columns[0] && j >= 0 && j < this->Picks.Columns[1];
-    return isInside && this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j));
-  };
-  return this->MayJoin(big, small, hasColumn, shared);
+  const auto hasColumn = [this, big](int i, int j) { return this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j)); };
+  return this->MayJoin(big, small, window, hasColumn, shared);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename HasColumn>
-bool PartFit::MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::int64_t& shared) const
+bool PartFit::MayJoin(
+  PointId big, PointId small, const ColumnWindow& window, HasColumn&& hasColumn, std::int64_t& shared) const
 {
   const PointId size = this->Sets.SizeOf(small);
   const auto most = std::int64_t(this->Rules.LargestShare * size);
@@ -31,6 +29,10 @@ bool PartFit::MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::in
   Contact contact;
   const auto look = [&](PointId partner, int i, int j)
   {
+    if (!window.Has(i, j))
+    {
+      return;
+    }
     const bool isLinked = partner != NoPoint && this->Sets.SetOf(partner) == big;
     contact.Linked += isLinked ? 1 : 0;
     contact.Facing += isLinked || hasColumn(i, j) ? 1 : 0;

@@ -39,8 +39,8 @@ struct JoiningRules
   std::function<double(std::vector<Edge> pairs)> Correlate;
 };
 
-/// Reads nothing but the two parts, and their columns: parts that have nothing in common may be looked at by several
-/// threads.
+/// Reads nothing but the two parts, and their columns in the window: parts that have nothing in common may be looked at
+/// by several threads.
 class PartFit
 {
 public:
@@ -55,7 +55,9 @@ public:
 
   /// Whether two sets, the larger one first, may become one. If so, `shared` is how many columns both have. `columns`:
   /// those of the larger one, or null, where its picks are looked for.
-  bool MayJoin(PointId big, const ColumnSet* columns, PointId small, std::int64_t& shared) const;
+  /// `window`: columns that hold both.
+  bool MayJoin(
+    PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const;
 
   const ReflectionPicks& Picks;
   const ReflectionLinks& Links;
@@ -68,7 +70,8 @@ private:
   };
 
   template <typename HasColumn>
-  bool MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::int64_t& shared) const;
+  bool MayJoin(
+    PointId big, PointId small, const ColumnWindow& window, HasColumn&& hasColumn, std::int64_t& shared) const;
   bool IsEnough(PointId big, PointId small, const Contact& contact) const;
   /// From picks of the smaller set to those of the larger one.
   std::vector<Edge> ListPairs(PointId big, PointId small) const;
