@@ -38,6 +38,7 @@ constexpr const char* Dilatation = "Dilatation";
 constexpr const char* Error = "Error";
 constexpr const char* Part = "Part";
 constexpr const char* FaultLine = "FaultLine";
+constexpr const char* FaultName = "FaultName";
 }
 
 namespace FieldArray

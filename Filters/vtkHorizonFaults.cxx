@@ -7,6 +7,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Faults/FaultDetection.h"
 #include "Faults/FaultPolylines.h"
+#include "Faults/FaultSticks.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/FaultPolyData.h"
 #include "Marshalling/HorizonPoints.h"
@@ -45,6 +46,7 @@ vtkHorizonFaults::vtkHorizonFaults()
 void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LineType: " << (this->LineType == Sticks ? "Sticks" : "Traces") << "\n";
   os << indent << "Detect: " << (this->Detect ? "on" : "off") << "\n";
   os << indent << "SmallestThrow: " << this->SmallestThrow << "\n";
   os << indent << "Noise: " << this->Noise << "\n";
@@ -121,8 +123,8 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   FaultLines lines;
   if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
   {
-    const std::vector<FaultPolyline> polylines = ReadPolylines(given, points.Grid);
-    lines = CutAlong(heights, polylines);
+    const std::vector<FaultStick> polylines = ReadPolylines(given, points.Grid);
+    lines = CutAlong(heights, this->LineType == Sticks ? FindTraces(heights, polylines) : ToMap(polylines));
     this->NumberOfGivenLines = vtkIdType(polylines.size());
     this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
   }

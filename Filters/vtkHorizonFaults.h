@@ -28,8 +28,8 @@
  * LargestGap missing columns are cut in the middle when planes through the points on both sides are as far apart there.
  * Faults that bend by ramps of several columns show as bundles of lines, or are missed where no single step is large.
  *
- * Linear time, on several threads, with the same result on any number of them; 24 bytes per column of the bounding box
- * and 24 per point beyond input and output.
+ * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box
+ * and 16 per point beyond input and output.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
  * parameter out of its range, a line with a point that is not finite. A warning where no given line passes the horizon.
@@ -116,9 +116,29 @@ public:
   vtkGetMacro(NumberOfCutLinks, vtkIdType);
   ///@}
 
+  /// What given lines are.
+  enum LineTypes
+  {
+    Traces = 0,
+    Sticks = 1
+  };
+
   ///@{
   /**
-   * The fault traces or polygons, input 1; none when they are removed.
+   * What given lines are. Traces: they run along the horizon, seen from above, as fault traces and polygons do. Sticks:
+   * they run down faults, and the trace of a fault goes through the places where its sticks, one after the other, pass
+   * through the horizon; sticks of one fault agree in all words of the cell array FaultName but the last. Default:
+   * Traces.
+   */
+  vtkSetClampMacro(LineType, int, Traces, Sticks);
+  vtkGetMacro(LineType, int);
+  void SetLineTypeToTraces() { this->SetLineType(Traces); }
+  void SetLineTypeToSticks() { this->SetLineType(Sticks); }
+  ///@}
+
+  ///@{
+  /**
+   * The fault traces, polygons or sticks, input 1; none when they are removed.
    */
   void SetFaultLinesConnection(vtkAlgorithmOutput* lines) { this->SetInputConnection(1, lines); }
   void RemoveFaultLines() { this->SetInputConnection(1, nullptr); }
@@ -139,6 +159,7 @@ private:
 
   SeismicHorizons::FaultDetectionOptions MakeOptions() const;
 
+  int LineType = Traces;
   bool Detect = true;
   double SmallestThrow = 4.0;
   double Noise = 0.0;

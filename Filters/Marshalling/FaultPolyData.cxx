@@ -18,7 +18,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -27,31 +29,45 @@ namespace SeismicHorizons
 {
 namespace
 {
-void AppendCells(vtkPolyData* data, vtkCellArray* cells, const Lattice& grid, std::vector<FaultPolyline>& polylines)
+/// A text without its last word.
+std::string WithoutLastWord(const std::string& text)
+{
+  const std::size_t blank = text.find_last_of(' ');
+  return blank == std::string::npos ? text : text.substr(0, blank);
+}
+
+/// Appends the polylines of some cells, the first of which has the number `first` among those of the dataset.
+void AppendCells(
+  vtkPolyData* data, vtkCellArray* cells, vtkIdType first, const Lattice& grid, std::vector<FaultStick>& polylines)
 {
   const bool arePolygons = cells == data->GetPolys();
+  auto* const names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray(CellArray::FaultName));
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     cells->GetCellAtId(cell, size, points);
-    FaultPolyline polyline;
+    FaultStick polyline;
     for (vtkIdType n = 0; n < size; ++n)
     {
       Eigen::Vector3d world;
       data->GetPoint(points[n], world.data());
       const Eigen::Vector3d place = grid.ToLattice(world);
-      polyline.push_back({ place.x(), place.y() });
+      polyline.Places.push_back({ place.x(), place.y(), place.z() });
     }
-    if (arePolygons && !polyline.empty())
+    if (arePolygons && !polyline.Places.empty())
     {
-      polyline.push_back(polyline.front());
+      polyline.Places.push_back(polyline.Places.front());
+    }
+    if (names && first + cell < names->GetNumberOfTuples())
+    {
+      polyline.Fault = WithoutLastWord(names->GetValue(first + cell));
     }
     polylines.push_back(polyline);
   }
 }
 
-void AppendDataSet(vtkDataObject* object, const Lattice& grid, std::vector<FaultPolyline>& polylines)
+void AppendDataSet(vtkDataObject* object, const Lattice& grid, std::vector<FaultStick>& polylines)
 {
   auto* const data = vtkPolyData::SafeDownCast(object);
   if (!data)
@@ -59,8 +75,8 @@ void AppendDataSet(vtkDataObject* object, const Lattice& grid, std::vector<Fault
     throw InputError(
       "fault polylines in a " + std::string(object->GetClassName()) + ", expected lines or polygons of a vtkPolyData");
   }
-  AppendCells(data, data->GetLines(), grid, polylines);
-  AppendCells(data, data->GetPolys(), grid, polylines);
+  AppendCells(data, data->GetLines(), data->GetNumberOfVerts(), grid, polylines);
+  AppendCells(data, data->GetPolys(), data->GetNumberOfVerts() + data->GetNumberOfLines(), grid, polylines);
 }
 
 /// What takes the points of a polyline.
@@ -155,9 +171,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultPolyline> ReadPolylines(vtkDataObject* lines, const Lattice& grid)
+std::vector<FaultStick> ReadPolylines(vtkDataObject* lines, const Lattice& grid)
 {
-  std::vector<FaultPolyline> polylines;
+  std::vector<FaultStick> polylines;
   auto* const composite = vtkCompositeDataSet::SafeDownCast(lines);
   if (!composite)
   {
@@ -167,7 +183,27 @@ std::vector<FaultPolyline> ReadPolylines(vtkDataObject* lines, const Lattice& gr
   const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
   {
+    const std::size_t first = polylines.size();
     AppendDataSet(leaves->GetCurrentDataObject(), grid, polylines);
+    // Sticks of two datasets are of two faults.
+    const std::string number = std::to_string(leaves->GetCurrentFlatIndex());
+    std::for_each(polylines.begin() + std::ptrdiff_t(first), polylines.end(),
+      [&number](FaultStick& polyline) { polyline.Fault += ' ' + number; });
+  }
+  return polylines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines)
+{
+  std::vector<FaultPolyline> polylines;
+  for (const FaultStick& line : lines)
+  {
+    polylines.emplace_back();
+    for (const SpacePoint& place : line.Places)
+    {
+      polylines.back().push_back({ place.X, place.Y });
+    }
   }
   return polylines;
 }

@@ -24,6 +24,7 @@ public:
   std::vector<SpacePoint> Places;
   std::vector<std::size_t> Ends; // of each polyline in the places
   std::vector<std::string> Names;
+  bool IsUpright = false; // whether z counts upwards for certain, as the format says where it counts to
 
   /// Appends to the polyline that is being built.
   void Append(const SpacePoint& place) { this->Places.push_back(place); }

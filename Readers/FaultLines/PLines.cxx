@@ -204,6 +204,7 @@ private:
 FaultLineFile ReadPLines(const std::vector<NumberedLine>& lines)
 {
   PLineParser parser;
+  parser.File.IsUpright = true;
   for (const NumberedLine& line : lines)
   {
     parser.Take(line);

@@ -3,6 +3,7 @@
 
 #include "vtkFaultLinesReader.h"
 
+#include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/InputFile.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -27,13 +28,13 @@ using namespace SeismicHorizons;
 
 namespace
 {
-void WriteLines(const FaultLineFile& file, vtkPolyData* output)
+void WriteLines(const FaultLineFile& file, double upwards, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const SpacePoint& place : file.Places)
   {
-    points->InsertNextPoint(place.X, place.Y, place.Z);
+    points->InsertNextPoint(place.X, place.Y, file.IsUpright ? place.Z : upwards * place.Z);
   }
   vtkNew<vtkCellArray> cells;
   std::size_t start = 0;
@@ -50,7 +51,7 @@ void WriteLines(const FaultLineFile& file, vtkPolyData* output)
   if (std::any_of(file.Names.begin(), file.Names.end(), [](const std::string& name) { return !name.empty(); }))
   {
     vtkNew<vtkStringArray> names;
-    names->SetName("FaultName");
+    names->SetName(CellArray::FaultName);
     for (const std::string& name : file.Names)
     {
       names->InsertNextValue(name);
@@ -89,7 +90,7 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
           const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
           WriteLines(
             ReadFaultLines(std::string(std::istreambuf_iterator<char>(*stream), std::istreambuf_iterator<char>())),
-            output);
+            this->VerticalDirection == Up ? 1.0 : -1.0, output);
         });
     });
 }
@@ -99,4 +100,5 @@ void vtkFaultLinesReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
 }

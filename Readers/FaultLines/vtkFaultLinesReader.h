@@ -38,6 +38,24 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /// Where z grows to.
+  enum VerticalSense
+  {
+    Down = 0,
+    Up = 1
+  };
+
+  ///@{
+  /**
+   * Where z grows to. Down: to smaller world z, as time and depth do. Up: to larger world z, as elevation does. GOCAD
+   * files say it themselves. It counts for sticks alone, and has to be that of the horizon's reader. Default: Down.
+   */
+  vtkSetClampMacro(VerticalDirection, int, Down, Up);
+  vtkGetMacro(VerticalDirection, int);
+  void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
+  void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
+  ///@}
+
 protected:
   vtkFaultLinesReader();
   ~vtkFaultLinesReader() override;
@@ -49,6 +67,7 @@ private:
   void operator=(const vtkFaultLinesReader&) = delete;
 
   char* FileName = nullptr;
+  int VerticalDirection = Down;
 };
 
 #endif

@@ -12,6 +12,7 @@
 #include "vtkHorizonFaults.h"
 #include "vtkHorizonHoleFilling.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
 
 #include <array>
 #include <cmath>
@@ -138,6 +139,47 @@ void TestGivenLines()
   CHECK_EQUAL(Faults(filter)->GetNumberOfPoints(), 0);
 }
 
+/// Two sticks that pass through the horizon between the columns 4 and 5, in the rows 2 and 7, and one of another fault.
+void TestSticks()
+{
+  const auto survey = HorizonFixtures::RotatedSurvey();
+  auto sticks = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkStringArray> names;
+  names->SetName("FaultName");
+  for (const double j : { 2.0, 7.0, 12.0 })
+  {
+    cells->InsertNextCell(2);
+    for (const double k : { 0.0, 40.0 })
+    {
+      const double lattice[4] = { 4.4 + 0.1 * (k - 20.0) / 20.0, j, k, 1.0 };
+      double world[4];
+      survey->MultiplyPoint(lattice, world);
+      cells->InsertCellPoint(points->InsertNextPoint(world));
+    }
+    names->InsertNextValue(j > 10.0 ? "G 1" : "F " + std::to_string(int(j)));
+  }
+  sticks->SetPoints(points);
+  sticks->SetLines(cells);
+  sticks->GetCellData()->AddArray(names);
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Level, survey));
+  filter->SetInputData(1, sticks);
+  filter->DetectOff();
+  filter->SetLineTypeToSticks();
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
+  CHECK(filter->GetNumberOfCutLinks() >= 4 && filter->GetNumberOfCutLinks() <= 6); // ends lie on rows
+  vtkFieldData* const data = filter->GetPolyDataOutput()->GetFieldData();
+  CHECK_EQUAL(data->GetArray("CutLinks")->GetComponent(0, 0), 4.0);
+  sticks->GetCellData()->RemoveArray("FaultName"); // now all are of one fault
+  sticks->Modified();
+  filter->Update();
+  CHECK(filter->GetNumberOfCutLinks() >= 9 && filter->GetNumberOfCutLinks() <= 11);
+}
+
 /// The cuts of an earlier run are replaced, and the stages read what is written.
 void TestInPipeline()
 {
@@ -234,10 +276,12 @@ void TestPrintSelf()
   filter->SetSmallestBranch(7);
   filter->SetLargestGap(3);
   filter->DetectOff();
+  filter->SetLineTypeToSticks();
   std::ostringstream text;
   filter->Print(text);
-  for (const char* const line : { "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "SmallestExtent: 11",
-         "SmallestBranch: 7", "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
+  for (const char* const line :
+    { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "SmallestExtent: 11", "SmallestBranch: 7",
+      "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -248,6 +292,7 @@ int TestHorizonFaults(int, char*[])
 {
   TestOutputs();
   TestGivenLines();
+  TestSticks();
   TestInPipeline();
   TestSeveralHorizons();
   TestLinesBesideTheHorizon();

@@ -17,7 +17,6 @@ from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
 SIZE = (480, 420)
 
@@ -110,29 +109,6 @@ def torn(data):
     return faulted
 
 
-def faults_by_throw(_, horizon):
-    """Fault lines in the colours of their throw."""
-    throws = numpy.abs(numpy_support.vtk_to_numpy(horizon.GetPointData().GetArray("Throw")))
-    colors = vtkColorTransferFunction()
-    for part, color in pictures.NEAR_TO_FAR[1:]:
-        colors.AddRGBPoint(part * max(1e-9, numpy.nanmax(throws)), *pictures.rgb(color))
-    lines = vtkPolyData()
-    lines.SetPoints(horizon.GetPoints())
-    lines.SetLines(horizon.GetLines())
-    lines.GetPointData().SetScalars(numpy_support.numpy_to_vtk(throws, deep=True))
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(lines)
-    mapper.SetLookupTable(colors)
-    mapper.UseLookupTableScalarRangeOn()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, pictures.OUTLINE_OFFSET)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetLineWidth(4.0)
-    actor.GetProperty().LightingOff()
-    return [actor]
-
-
 def fault_lines(data, smallest_throw):
     """The points of a horizon, and its fault lines."""
     finder = sh.vtkHorizonFaults()
@@ -185,7 +161,7 @@ def panel(scene, sample, changed):
         return marked(found, "Spike", 3)
     if scene == "Faults":
         faulted = torn(data)
-        return pictures.Panel("", "", fault_lines(faulted, own.smallest_throw), faults_by_throw, faulted)
+        return pictures.Panel("", "", fault_lines(faulted, own.smallest_throw), pictures.FAULTS, faulted)
     if scene == "HoleFilling":
         return marked(apply(sh.vtkHorizonHoleFilling(), data, LargestHoleSize=own.largest_hole), "Filled", 2)
     if scene == "BoundarySimplification":

@@ -60,11 +60,16 @@ int TestFaultLinesReader(int argc, char* argv[])
   CHECK_EQUAL(lines->GetNumberOfLines(), 2);
   CHECK_EQUAL(lines->GetNumberOfPoints(), 5);
   CHECK_EQUAL(lines->GetPoint(0)[0], 604321.25);
+  CHECK_EQUAL(lines->GetPoint(0)[2], -1850.0);
   auto* const names = vtkStringArray::SafeDownCast(lines->GetCellData()->GetAbstractArray("FaultName"));
   CHECK(names && names->GetValue(0) == "F1" && names->GetValue(1) == "F2");
   std::ostringstream text;
   reader->Print(text);
   CHECK(Contains(text.str(), "FileName: " + path));
+  CHECK(Contains(text.str(), "VerticalDirection: Down"));
+  reader->SetVerticalDirectionToUp();
+  reader->Update();
+  CHECK_EQUAL(lines->GetPoint(0)[2], 1850.0);
 
   reader->SetFileName(FileFixtures::WriteText(folder + "/plain.txt", "1 2 3\n4 5 6\n").c_str());
   CHECK_EQUAL(UpdateError(reader), "");
