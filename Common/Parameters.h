@@ -8,8 +8,11 @@
 
 #include "Errors.h"
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -37,6 +40,18 @@ void CheckWithin(const char* name, Number value, Number least, Number most, cons
     text << name << ' ' << value << ", expected " << least << " to " << most << unit;
     throw InputError(text.str());
   }
+}
+
+/// The first and last column or row of a range, in which -1 stands for the last there is. Throws InputError when it is
+/// no range.
+inline std::array<int, 2> MakeRange(const char* name, const int (&range)[2])
+{
+  if (range[0] < 0 || range[1] < -1 || (range[1] >= 0 && range[1] < range[0]))
+  {
+    throw InputError(name + std::string(" ") + std::to_string(range[0]) + " to " + std::to_string(range[1]) +
+      ", expected a first number of at least 0, and a last one that is not less, or -1 for the end");
+  }
+  return { range[0], range[1] < 0 ? std::numeric_limits<int>::max() : range[1] };
 }
 }
 

@@ -68,6 +68,12 @@ std::vector<std::string> vtkHorizonFromPoints::ListHorizons(const Monitor& monit
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::int64_t> vtkHorizonFromPoints::CountHorizonPoints()
+{
+  return this->Picks->CountPicks();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PickTable vtkHorizonFromPoints::ReadPicks(const Monitor&)
 {
   return std::move(*std::exchange(this->Picks, nullptr));

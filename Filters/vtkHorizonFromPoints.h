@@ -62,6 +62,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) override;
 
 private:

@@ -148,6 +148,17 @@ std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Moni
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::int64_t> vtkSeismicReflectionExtraction::CountHorizonPoints()
+{
+  std::vector<std::int64_t> sizes;
+  for (const HorizonVoxels& surface : this->Found->Result.Surfaces)
+  {
+    sizes.push_back(static_cast<std::int64_t>(surface.I.size()));
+  }
+  return sizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void vtkSeismicReflectionExtraction::Describe()
 {
   const Extraction& result = this->Found->Result;

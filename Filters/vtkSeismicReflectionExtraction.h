@@ -262,6 +262,7 @@ protected:
 
   void CheckParameters() override;
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
 

@@ -7,6 +7,7 @@
 #include "SurveyDescription.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,18 @@ struct PickTable
   std::size_t Size() const { return this->Z.size(); }
   bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }
   bool HasLines() const { return !this->Inline.empty() && !this->Crossline.empty(); }
+
+  /// How many picks each horizon has.
+  std::vector<std::int64_t> CountPicks() const
+  {
+    std::vector<std::int64_t> counts(this->Names.size(), 0);
+    counts.front() = this->Horizon.empty() ? std::int64_t(this->Size()) : 0;
+    for (const int horizon : this->Horizon)
+    {
+      ++counts[std::size_t(horizon)];
+    }
+    return counts;
+  }
 };
 }
 

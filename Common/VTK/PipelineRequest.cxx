@@ -7,6 +7,7 @@
 
 #include "vtkDataObject.h"
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 
@@ -23,6 +24,13 @@ void Empty(const std::vector<vtkDataObject*>& outputs)
       output->Initialize();
     }
   }
+}
+
+/// Whether a rank has a problem that none before it has.
+bool IsFirst(const std::vector<std::string>& problems, int rank)
+{
+  const auto own = problems.begin() + rank;
+  return !own->empty() && std::find(problems.begin(), own, *own) == own;
 }
 }
 
@@ -53,16 +61,18 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
   {
     problem = noMemory;
   }
-  if (ranks.Any(!isDone))
-  {
-    Empty(outputs);
-  }
-  if (problem.empty())
+  if (!ranks.Any(!isDone))
   {
     return 1;
   }
-  vtkErrorWithObjectMacro(algorithm, << subject << (subject.empty() ? "" : ": ") << problem);
-  return 0;
+  Empty(outputs);
+  problem = problem.empty() || subject.empty() ? problem : subject + ": " + problem;
+  const std::vector<std::string> problems = ranks.Gather(problem);
+  if (IsFirst(problems, ranks.Own()))
+  {
+    vtkErrorWithObjectMacro(algorithm, << problem);
+  }
+  return std::all_of(problems.begin(), problems.end(), [](const std::string& other) { return other.empty(); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

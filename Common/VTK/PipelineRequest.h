@@ -24,8 +24,10 @@ using RequestWork = std::function<void(std::string& subject, const Monitor& moni
 
 /// Runs the work and gives what the request has to return: 1, or 0 after an error. An InputError that the work throws
 /// becomes one error of `algorithm`; so does a lack of memory, with the text `noMemory`. Both leave all outputs empty,
-/// and so does a request to stop, which is no error. What empties the outputs of one rank empties those of all. Outputs
-/// may be null. Collective.
+/// and so does a request to stop, which is no error. Outputs may be null.
+///
+/// What empties the outputs of one rank empties those of all, and where one has to return 0 all do, so that all go on or
+/// none does. An error that several have is reported by the first of them. Collective.
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
   const RequestWork& work, const Ranks& ranks = Ranks());
 

@@ -6,15 +6,18 @@
 
 #include "vtkHorizonSource.h"
 
+#include "Common/DealOut.h"
 #include "Common/Errors.h"
 #include "Common/Monitor.h"
 #include "HorizonName.h"
 #include "PipelineRequest.h"
+#include "Ranks.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -68,15 +71,23 @@ std::vector<int> Select(const std::vector<std::string>& names, vtkDataArraySelec
   return selected;
 }
 
-/// Every `numberOfPieces`-th of the horizons, from number `piece` on.
-std::vector<int> DealOut(const std::vector<int>& horizons, int piece, int numberOfPieces)
+/// The sizes of chosen horizons, by their numbers. Where none are known, all are the same.
+std::vector<std::int64_t> Choose(const std::vector<std::int64_t>& sizes, const std::vector<int>& numbers)
 {
-  std::vector<int> dealt;
-  for (auto n = static_cast<std::size_t>(piece); n < horizons.size(); n += static_cast<std::size_t>(numberOfPieces))
+  std::vector<std::int64_t> chosen;
+  for (const int number : numbers)
   {
-    dealt.push_back(horizons[n]);
+    chosen.push_back(sizes.empty() ? 1 : sizes[static_cast<std::size_t>(number)]);
   }
-  return dealt;
+  return chosen;
+}
+
+/// Those that have to answer a request for an output together; null where each can do so alone, as VTK cuts outputs
+/// other than collections as it likes.
+vtkMultiProcessController* FindController(vtkDataObject* output)
+{
+  vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
+  return all && all->GetNumberOfProcesses() > 1 && output->IsA("vtkPartitionedDataSetCollection") ? all : nullptr;
 }
 
 /// Adds an empty partitioned dataset with a name.
@@ -155,7 +166,7 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
   {
     return 1;
   }
-  return RunRequest(this, { vtkDataObject::GetData(outputVector) },
+  const int done = RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
     [this, info](std::string&, const Monitor& monitor)
     {
@@ -163,6 +174,8 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
       List(names, this->HorizonSelection);
       this->DescribeOutput(Select(names, this->HorizonSelection), info);
     });
+  // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
+  return done || FindController(vtkDataObject::GetData(info)) ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -191,36 +204,42 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
   const int piece = outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   const int numberOfPieces =
     std::max(1, outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-  const std::vector<vtkSmartPointer<vtkDataObject>> made =
-    this->MakeHorizons(DealOut(numbers, piece, numberOfPieces), monitor);
+  const std::vector<int> pieceOf = DealOut(Choose(this->CountHorizonPoints(), numbers), numberOfPieces);
   vtkNew<vtkPartitionedDataSetCollection> horizons;
-  for (const int number : numbers)
+  std::vector<int> own;
+  std::vector<unsigned int> positions; // of the same in the collection
+  for (std::size_t n = 0; n < numbers.size(); ++n)
   {
-    AddName(horizons, names[static_cast<std::size_t>(number)]);
+    AddName(horizons, names[static_cast<std::size_t>(numbers[n])]);
+    if (pieceOf[n] == piece)
+    {
+      own.push_back(numbers[n]);
+      positions.push_back(static_cast<unsigned int>(n));
+    }
   }
-  auto position = static_cast<unsigned int>(piece); // as the horizons were dealt out
-  for (const vtkSmartPointer<vtkDataObject>& horizon : made)
+  const std::vector<vtkSmartPointer<vtkDataObject>> made = this->MakeHorizons(own, monitor);
+  for (std::size_t n = 0; n < made.size(); ++n)
   {
-    horizons->SetPartition(position, 0, horizon);
-    position += static_cast<unsigned int>(numberOfPieces);
+    horizons->SetPartition(positions[n], 0, made[n]);
   }
   vtkDataObject::GetData(outputInformation)->ShallowCopy(horizons);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkHorizonSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
+  const auto work = [&](std::string&, const Monitor& monitor)
+  {
+    this->CheckParameters();
+    // The data may have changed since the information was asked for.
+    const std::vector<std::string> names = this->NameHorizons(monitor.Step(0.0, 0.5));
+    List(names, this->HorizonSelection);
+    this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
+  };
+  const Ranks ranks(FindController(vtkDataObject::GetData(info)), request, outputVector);
   return RunRequest(this, { vtkDataObject::GetData(info) },
-    this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
-    [&](std::string&, const Monitor& monitor)
-    {
-      this->CheckParameters();
-      // The data may have changed since the information was asked for.
-      const std::vector<std::string> names = this->NameHorizons(monitor.Step(0.0, 0.5));
-      List(names, this->HorizonSelection);
-      this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
-    });
+    this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons", work, ranks);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -7,9 +7,10 @@
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, which has its
  * name.
  *
- * When pieces are asked for, the first selected horizon goes to the first piece, the second one to the second piece,
- * and so on, starting again after the last piece. In each piece the other horizons are partitioned datasets without a
- * partition.
+ * When pieces are asked for, the selected horizons are dealt out by size: the one with the most points first, each to
+ * the piece that has the fewest points so far; of equal horizons the first goes first, of equal pieces the first takes
+ * it. Where sizes are not known before the horizons are made, they are dealt out in turn. In each piece the horizons of
+ * others are partitioned datasets without a partition.
  *
  * What is wrong with a file or with a parameter gives one error; the output is empty then.
  */
@@ -22,6 +23,7 @@
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 #include "vtkSmartPointer.h" // for the datasets
 
+#include <cstdint> // for numbers of points
 #include <string> // for names
 #include <vector> // for lists
 
@@ -73,6 +75,11 @@ protected:
   /// Makes the datasets of some horizons, by their numbers in that list.
   virtual std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) = 0;
+
+  /// How large each horizon of that list is, in points or anything that is about in proportion to them, when the list has
+  /// been made; empty where it is not known. Horizons are dealt out to pieces by this, so that it has to be the same on
+  /// all processes.
+  virtual std::vector<std::int64_t> CountHorizonPoints() { return {}; }
 
   /// Says what is known of an output before it is made, when the numbers of the chosen horizons are known.
   virtual void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation);

@@ -183,6 +183,10 @@ private:
     {
       ++this->List.OtherObjects;
     }
+    if (this->IsTSurf)
+    {
+      this->List.Lines.push_back(this->Line - this->ObjectLine);
+    }
     this->ObjectLine = 0;
   }
 

@@ -34,6 +34,7 @@ bool BeginsAsGOCAD(std::istream& stream);
 struct TSurfList
 {
   std::vector<std::string> Names; ///< of all TSurfs in the order of the file; empty for one without a name
+  std::vector<std::int64_t> Lines; ///< how many each of them has, with blank ones: mostly vertices and triangles
   std::int64_t OtherObjects = 0; ///< how many objects of other types the file has
 };
 

@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <istream>
 #include <memory>
 #include <string>
@@ -45,6 +46,7 @@ struct vtkGOCADTSurfReader::FileList
 {
   FileStamp Stamp;
   std::vector<std::string> Names;
+  std::vector<std::int64_t> Lines; // of each surface
 };
 
 vtkStandardNewMacro(vtkGOCADTSurfReader);
@@ -76,10 +78,18 @@ std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monito
       {
         this->List.reset();
         const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
-        this->List = std::make_unique<FileList>(FileList{ stamp, NamesOf(ListTSurfs(*stream, monitor)) });
+        TSurfList found = ListTSurfs(*stream, monitor);
+        this->List = std::make_unique<FileList>(FileList{ stamp, NamesOf(found), std::move(found.Lines) });
       }
     });
   return this->List->Names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// How much of the file is theirs: vertices are known only when they are read.
+std::vector<std::int64_t> vtkGOCADTSurfReader::CountHorizonPoints()
+{
+  return this->List->Lines;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

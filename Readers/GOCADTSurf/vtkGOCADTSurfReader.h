@@ -64,6 +64,7 @@ protected:
   ~vtkGOCADTSurfReader() override;
 
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
   std::string ErrorPrefix() override;

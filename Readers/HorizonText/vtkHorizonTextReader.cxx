@@ -10,6 +10,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <cstdint>
 #include <istream>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ struct vtkHorizonTextReader::FileContent
   std::string Columns, NullValues; // with which it was read
   TextLayout Layout;
   std::vector<std::string> Names; // of the horizons
+  std::vector<std::int64_t> Sizes; // theirs in picks, where there may be several
   std::optional<PickTable> Picks; // where they had to be read for the names, until they are used
 };
 
@@ -80,6 +82,7 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
       {
         content->Picks = SeismicHorizons::ReadPicks(*stream, content->Layout, monitor);
         content->Names = content->Picks->Names;
+        content->Sizes = content->Picks->CountPicks();
       }
       for (std::string& name : content->Names)
       {
@@ -94,6 +97,12 @@ std::vector<std::string> vtkHorizonTextReader::ListHorizons(const Monitor& monit
 {
   this->UpdateContent(monitor);
   return this->Content->Names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::int64_t> vtkHorizonTextReader::CountHorizonPoints()
+{
+  return this->Content->Sizes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -73,6 +73,7 @@ protected:
   ~vtkHorizonTextReader() override;
 
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) override;
   std::string DescribeFormat() override;
   std::string ErrorPrefix() override;

@@ -21,6 +21,7 @@
 #include "SparseMatrixParser.h"
 #include "VoxelExtent.h"
 
+#include "vtkDataObjectTypes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -31,8 +32,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <istream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,17 +50,6 @@ bool HasOwnExtension(const std::string& name)
   const auto endsIn = [&name](const std::string& extension)
   { return name.size() >= extension.size() && ToLower(name.substr(name.size() - extension.size())) == extension; };
   return endsIn(".vsm") || endsIn(".vsm.gz");
-}
-
-/// The first and last column or row; -1 stands for the last there is.
-std::array<int, 2> MakeRange(const char* name, const int (&range)[2])
-{
-  if (range[0] < 0 || range[1] < -1 || (range[1] >= 0 && range[1] < range[0]))
-  {
-    throw InputError(name + std::string(" ") + std::to_string(range[0]) + " to " + std::to_string(range[1]) +
-      ", expected a first number of at least 0, and a last one that is not less, or -1 for the end");
-  }
-  return { range[0], range[1] < 0 ? std::numeric_limits<int>::max() : range[1] };
 }
 
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
@@ -79,11 +69,18 @@ struct vtkVerneySparseMatrixReader::FileContent
   SparseMatrixOptions Options; // with which it was read
   std::vector<std::string> Names; // of the horizons
   std::vector<VoxelExtent> Extents; // theirs
+  std::vector<std::int64_t> Sizes; // theirs: points in the ranges
   SparseMatrixSize Size = {};
   std::vector<int> SurfaceIds; // of the same, with the least memory
   SparseMatrixVerticalFit VerticalFit;
   std::optional<SparseMatrix> Matrix; // until it is used
   std::optional<SparseMatrixOverview> Overview; // in its place, with the least memory
+
+  void Add(int surfaceId, std::int64_t size)
+  {
+    this->Names.push_back(HorizonName(surfaceId));
+    this->Sizes.push_back(size);
+  }
 };
 
 vtkStandardNewMacro(vtkVerneySparseMatrixReader);
@@ -144,7 +141,7 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
       content->VerticalFit = content->Matrix->VerticalFit;
       for (const HorizonVoxels& horizon : content->Matrix->Horizons)
       {
-        content->Names.push_back(HorizonName(horizon.SurfaceId));
+        content->Add(horizon.SurfaceId, static_cast<std::int64_t>(horizon.I.size()));
         content->Extents.push_back(FindExtent(horizon));
       }
       this->Content = std::move(content);
@@ -176,9 +173,11 @@ void vtkVerneySparseMatrixReader::UpdateOverview(const Monitor& monitor)
     });
   this->Content->SurfaceIds = ListSurfaces(*this->Content->Overview, options);
   this->Content->Names.clear();
+  this->Content->Sizes.clear();
   for (const int surfaceId : this->Content->SurfaceIds)
   {
-    this->Content->Names.push_back(HorizonName(surfaceId));
+    const HorizonOverview& horizon = this->FindOverview()->Horizons.at(surfaceId);
+    this->Content->Add(surfaceId, horizon.CountVoxels(options.RowRange[0], options.RowRange[1]));
   }
 }
 
@@ -248,6 +247,12 @@ std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::int64_t> vtkVerneySparseMatrixReader::CountHorizonPoints()
+{
+  return this->Content->Sizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 /// Voxels of at least the horizons of some numbers in the list, in its order. What the list was made from is used once:
 /// kept, it would take as much memory as the output.
 SparseMatrix vtkVerneySparseMatrixReader::TakeMatrix(const std::vector<int>& numbers, const Monitor& monitor)
@@ -300,9 +305,7 @@ int vtkVerneySparseMatrixReader::RequestDataObject(
   vtkDataObject* const output = vtkDataObject::GetData(info);
   if (!output || !output->IsA(type))
   {
-    const auto fresh = this->OutputType == Volume
-      ? vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkImageData>::New())
-      : vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkPartitionedDataSetCollection>::New());
+    const auto fresh = vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
     info->Set(vtkDataObject::DATA_OBJECT(), fresh);
   }
   return 1;

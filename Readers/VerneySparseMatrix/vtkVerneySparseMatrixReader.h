@@ -326,6 +326,7 @@ protected:
   void CheckParameters() override;
   /// "Horizon <ID>", by ascending ID.
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
   void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation) override;

@@ -55,4 +55,15 @@ def assert_same(first, second):
     assert sorted(names[0]) == sorted(names[1]), names
     for name in names[0]:
         values = [vtk_to_numpy(m.GetPointData().GetArray(name)) for m in (first, second)]
-        assert np.array_equal(*values), name
+        assert values[0].dtype == values[1].dtype and values[0].tobytes() == values[1].tobytes(), name
+
+
+def assert_same_fields(first, second):
+    """Two datasets have the same field data."""
+    fields = [[_values(data.GetFieldData().GetAbstractArray(n)) for n in range(data.GetFieldData().GetNumberOfArrays())]
+              for data in (first, second)]
+    assert sorted(fields[0]) == sorted(fields[1]), fields
+
+
+def _values(array):
+    return array.GetName(), [str(array.GetVariantValue(n)) for n in range(array.GetNumberOfValues())]

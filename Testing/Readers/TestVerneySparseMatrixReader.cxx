@@ -349,7 +349,7 @@ void FileIsScannedOnlyOnce()
   CHECK(reader->GetNumberOfHorizons() == 1 && std::string(reader->GetHorizonName(0)) == "Horizon 33");
 }
 
-void HorizonsAreDealtOutToPieces()
+void EqualHorizonsAreDealtOutInTurn()
 {
   std::string text = "1 1 9\n";
   for (int id = 1; id <= 5; ++id)
@@ -371,6 +371,66 @@ void HorizonsAreDealtOutToPieces()
       CHECK(reader->GetOutput()->GetNumberOfPartitions(position) == expected);
       CHECK((GetHorizon(reader, position) != nullptr) == (expected == 1));
     }
+  }
+}
+
+/// A reader of horizons 1, 2, ... with some numbers of voxels, those of each in the first columns.
+vtkSmartPointer<vtkVerneySparseMatrixReader> MakeReaderOfSizes(const std::vector<int>& sizes, bool leastMemory)
+{
+  const int columns = *std::max_element(sizes.begin(), sizes.end());
+  std::string text = std::to_string(columns) + " 2 99\n";
+  for (int row = 0; row < 2; ++row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      for (std::size_t n = 0; n < sizes.size(); ++n)
+      {
+        const std::string number = std::to_string(n + 1);
+        text += column < sizes[n] ? number + ' ' + number + " 1 1 1 " : "";
+      }
+      text += '\n';
+    }
+  }
+  auto reader = vtkSmartPointer<vtkVerneySparseMatrixReader>::New();
+  reader->SetFileName(WriteFile("sizes.vsm", text).c_str());
+  reader->SetLeastMemory(leastMemory);
+  reader->UpdateInformation();
+  return reader;
+}
+
+/// The positions of the horizons that each piece has.
+std::vector<std::vector<unsigned int>> Deal(vtkVerneySparseMatrixReader* reader, int pieces)
+{
+  std::vector<std::vector<unsigned int>> dealt;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    reader->UpdatePiece(piece, pieces, 0);
+    dealt.emplace_back();
+    for (unsigned int n = 0; n < reader->GetOutput()->GetNumberOfPartitionedDataSets(); ++n)
+    {
+      if (GetHorizon(reader, n))
+      {
+        dealt.back().push_back(n);
+      }
+    }
+  }
+  return dealt;
+}
+
+void HorizonsAreDealtOutBySize()
+{
+  using Positions = std::vector<std::vector<unsigned int>>;
+  for (const bool leastMemory : { false, true })
+  {
+    const auto reader = MakeReaderOfSizes({ 3, 9, 5, 8, 4 }, leastMemory);
+    CHECK(Deal(reader, 2) == Positions({ { 0, 1, 4 }, { 2, 3 } }));
+    CHECK(Deal(reader, 1) == Positions({ { 0, 1, 2, 3, 4 } }));
+    CHECK(Deal(reader, 7) == Positions({ { 1 }, { 3 }, { 2 }, { 4 }, { 0 }, {}, {} }));
+    reader->SetHorizonStatus("Horizon 2", 0); // 3, 5, 8 and 4 stay
+    CHECK(Deal(reader, 2) == Positions({ { 0, 2 }, { 1, 3 } }));
+    reader->EnableAllHorizons();
+    reader->SetColumnRange(0, 3); // 3, 4, 4, 4 and 4 in each row
+    CHECK(Deal(reader, 2) == Positions({ { 0, 1, 3 }, { 2, 4 } }));
   }
 }
 
@@ -637,7 +697,8 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   ChoosingAmongManyHorizonsIsQuick();
   HorizonsComeInNumericalOrder();
   FileIsScannedOnlyOnce();
-  HorizonsAreDealtOutToPieces();
+  EqualHorizonsAreDealtOutInTurn();
+  HorizonsAreDealtOutBySize();
   WrongFilesGiveOneErrorEach();
   MissingFileNameIsAnError();
   FileThatTurnsWrongIsAnError();

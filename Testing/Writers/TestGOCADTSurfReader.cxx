@@ -136,8 +136,13 @@ void SelectionIsObeyed()
   CHECK_EQUAL(GetName(early->GetOutput(), 0), "b");
 }
 
-void SurfacesAreDealtOutToPieces()
+void SurfacesAreDealtOutBySize()
 {
+  const std::string larger = Tiny("b", 2).insert(Tiny("b", 2).find("END"), "\n\n");
+  vtkNew<vtkGOCADTSurfReader> sorted;
+  sorted->SetFileName(WriteText(Folder + "/sizes.ts", Tiny("a", 1) + larger + Tiny("c", 3)).c_str());
+  sorted->UpdatePiece(0, 3, 0);
+  CHECK(GetHorizon(sorted->GetOutput(), 1) && !GetHorizon(sorted->GetOutput(), 0));
   vtkNew<vtkGOCADTSurfReader> reader;
   reader->SetFileName(WriteText(Folder + "/pieces.ts", Tiny("a", 1) + Tiny("b", 2) + Tiny("c", 3)).c_str());
   for (int piece = 0; piece < 2; ++piece)
@@ -206,7 +211,7 @@ int TestGOCADTSurfReader(int argc, char* argv[])
   FieldDataTellWhatTheFileSays();
   NamesAreDistinct();
   SelectionIsObeyed();
-  SurfacesAreDealtOutToPieces();
+  SurfacesAreDealtOutBySize();
   FilesOfOthersAreLeftToThem();
   WrongFilesGiveOneErrorEach();
   AllIsPrinted();

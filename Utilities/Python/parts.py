@@ -32,10 +32,14 @@ class Windows:
         output = self._reader.GetOutputDataObject(0)
         return output.GetPartition(0, 0)
 
+    def largest(self):
+        """The number of the window with the most points."""
+        return self._sizes.index(max(self._sizes))
+
     def choose_radius(self, label=""):
         """That of the window with the most points."""
         stage = make(SURFACE)
-        points = self.read(self._sizes.index(max(self._sizes)), label)
+        points = self.read(self.largest(), label)
         radius = stage.ChooseRadius(points)
         if radius < 1:
             raise HorizonError("%s: no radius can be chosen, expected points on a lattice" % self.name)
@@ -47,6 +51,18 @@ class Windows:
         self._reader.GetOutputDataObject(0).Initialize()
 
 
+def mesh_window(windows, number, properties, label="", warnings=None):
+    """The mesh of one window, for vtkHorizonSurfaceJoin. The radius has to be among the properties. Raises HorizonError."""
+    last = len(windows.rows) - 1
+    step = "%s: window %d of %d" % (label, number + 1, last + 1)
+    first_row, last_row = windows.rows[number]
+    seams = (-1 if number == 0 else first_row, -1 if number == last else last_row)
+    stage = make(SURFACE, **properties, SeamRows=seams)
+    stage.SetInputDataObject(0, windows.read(number, step))
+    update(stage, step, warnings)
+    return stage.GetOutputDataObject(0)
+
+
 def mesh(windows, properties, label="", warnings=None):
     """The mesh of a horizon by its windows. The properties are those of vtkHorizonSurface. Raises HorizonError."""
     given = dict(properties)
@@ -54,15 +70,8 @@ def mesh(windows, properties, label="", warnings=None):
     if given.get("AutomaticRadius", True):
         given.update(AutomaticRadius=False, Radius=windows.choose_radius("%s: reading" % label))
     join = make(JOIN, MinimumPatchSize=smallest_patch)
-    last = len(windows.rows) - 1
-    for number, (first_row, last_row) in enumerate(windows.rows):
-        step = "%s: window %d of %d" % (label, number + 1, last + 1)
-        points = windows.read(number, step)
-        seams = (-1 if number == 0 else first_row, -1 if number == last else last_row)
-        stage = make(SURFACE, **given, SeamRows=seams)
-        stage.SetInputDataObject(0, points)
-        update(stage, step, warnings)
-        join.AddInputDataObject(stage.GetOutputDataObject(0))
+    for number in range(len(windows.rows)):
+        join.AddInputDataObject(mesh_window(windows, number, given, label, warnings))
     windows.close()
     update(join, "%s: joining" % label, warnings)
     return join.GetOutputDataObject(0)

@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvpython, by client_server_test.py: what comes from a server is what the client finds alone, and what goes
+wrong on the server is told to the client.
+
+Arguments: the folder of the data, a folder for results, and the port of the server.
+"""
+
+import os
+import pathlib
+import sys
+
+from paraview import servermanager, simple
+from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
+
+import errors_test
+import mesh_checks
+import pipelines
+
+
+def results(path, folder):
+    """The meshes by their names with their distances, the rows of the table, and what the panel says."""
+    horizons = simple.OpenDataFile(str(path))
+    surface = simple.HorizonSurface(Input=horizons, MaximumError=1)
+    distance = simple.HorizonSurfaceDistance(Reference=horizons, Mesh=surface)
+    distance.UpdatePipeline()
+    file = folder / "mesh.vtpc"
+    # Appended data, the default, can not be read by VTK up to 9.2 with a recent Expat library.
+    simple.SaveData(str(file), simple.OutputPort(distance, 1), DataMode="Binary")
+    reader = vtkXMLPartitionedDataSetCollectionReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    table = servermanager.Fetch(distance, idx=2)
+    rows = [[str(table.GetValue(row, column)) for column in range(table.GetNumberOfColumns())]
+            for row in range(table.GetNumberOfRows())]
+    told = [list(horizons.GetProperty("HorizonStatus").Available), surface.GetDataInformation().GetNumberOfPoints()]
+    return mesh_checks.blocks(reader.GetOutputDataObject(0)), rows, told
+
+
+def check_errors(folder):
+    """A wrong file: no data, and the client hears why."""
+    path = folder / "wrong.vsm"
+    path.write_text("2 1 9\n1 1 1 1 1\nx\n", encoding="ascii")
+    with errors_test.captured() as log:
+        surface = simple.HorizonSurface(Input=simple.OpenDataFile(str(path)))
+        surface.UpdatePipeline()
+        text = log()
+    assert surface.GetDataInformation().GetNumberOfPoints() == 0
+    assert 'wrong.vsm: line 3: vertical index "x", expected a number' in text, text
+
+
+def main():
+    sample, folder = pathlib.Path(sys.argv[1]) / "sample.vsm", pathlib.Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    expected, expected_rows, expected_told = results(sample, folder)
+    assert len(expected) == 3 and len(expected_rows) == 27 and len(expected_told[0]) == 3
+    simple.Connect("127.0.0.1", int(sys.argv[3]))
+    assert servermanager.ActiveConnection.IsRemote()
+    found, rows, told = results(sample, folder)
+    assert told == expected_told, (told, expected_told)
+    assert rows == expected_rows, (rows, expected_rows)
+    assert sorted(found) == sorted(expected), (found.keys(), expected.keys())
+    for name, mesh in expected.items():
+        pipelines.assert_same(found[name], mesh)
+    check_errors(folder)
+    print("client: done", flush=True)
+    simple.Disconnect()
+    os._exit(0)  # what the interpreter would still tidy up has gone with the server
+
+
+main()

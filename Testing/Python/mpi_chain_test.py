@@ -1,0 +1,186 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in pvbatch on any number of ranks, the same on each (--symmetric): the chain of all stages gives what it gives on
+one process, byte by byte, and what goes wrong on one rank stops all.
+
+Arguments: the folder of the data, and how many ranks there are to be.
+"""
+
+import pathlib
+import sys
+
+import seismichorizons as sh
+from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+import mesh_checks
+import pipelines
+
+RANKS = vtkMultiProcessController.GetGlobalController()
+OWN, SIZE = RANKS.GetLocalProcessId(), RANKS.GetNumberOfProcesses()
+SAMPLE = pathlib.Path(sys.argv[1]) / "sample.vsm"
+
+# The way by single stages, after the reader, and those that take the place of some of them.
+CHAIN = [("HorizonDespiking", {}), ("HorizonHoleFilling", {"LargestHoleSize": 40}), ("HorizonExteriorBoundary", {}),
+         ("HorizonBoundarySimplification", {}), ("HorizonRoughSimplification", {}), ("HorizonTriangulation", {})]
+OTHERS = [("HorizonElaborateSimplification", {}, 3), ("HorizonDecimation", {}, 3), ("HorizonSurface", {}, 1)]
+
+
+def make(name, properties, *inputs):
+    stage = getattr(sh, "vtk" + name)()
+    for key, value in properties.items():
+        getattr(stage, "Set" + key)(value)
+    for port, port_input in enumerate(inputs):
+        stage.SetInputConnection(port, port_input.GetOutputPort())
+    return stage
+
+
+def make_reader(path=SAMPLE, **properties):
+    reader = make("VerneySparseMatrixReader", properties)
+    reader.SetFileName(str(path))
+    return reader
+
+
+def make_chain(reader):
+    """All stages, the reader first, and the distance last."""
+    stages = [reader]
+    for name, properties in CHAIN:
+        stages.append(make(name, properties, stages[-1]))
+    stages += [make(name, properties, stages[source]) for name, properties, source in OTHERS]
+    return stages + [make("HorizonSurfaceDistance", {}, stages[0], stages[-1])]
+
+
+def outputs(stage):
+    return [stage.GetOutputDataObject(port) for port in range(stage.GetNumberOfOutputPorts())]
+
+
+def add_up(values):
+    """The sums over all ranks."""
+    own, sums = vtkIntArray(), vtkIntArray()
+    for array in (own, sums):
+        array.SetNumberOfValues(len(values))
+    for n, value in enumerate(values):
+        own.SetValue(n, value)
+    RANKS.AllReduce(own, sums, vtkCommunicator.SUM_OP)
+    return [sums.GetValue(n) for n in range(len(values))]
+
+
+def rows(table):
+    return [[str(table.GetValue(row, column)) for column in range(table.GetNumberOfColumns())]
+            for row in range(table.GetNumberOfRows())]
+
+
+def names(collection):
+    return [collection.GetMetaData(n).Get(vtkCompositeDataSet.NAME())
+            for n in range(collection.GetNumberOfPartitionedDataSets())]
+
+
+def check_same(found, expected, label):
+    """A collection of which this rank has a part is that of one process, and each horizon is on one rank."""
+    if found.IsA("vtkTable"):
+        assert rows(found) == (rows(expected) if OWN == 0 else []), label
+        return
+    assert names(found) == names(expected), (label, names(found), names(expected))
+    own, everything = mesh_checks.blocks(found), mesh_checks.blocks(expected)
+    for name, horizon in own.items():
+        pipelines.assert_same(horizon, everything[name])
+        pipelines.assert_same_fields(horizon, everything[name])
+    assert add_up([name in own for name in everything]) == [1] * len(everything), label
+
+
+def check_chain(**properties):
+    """The chain on one process, and on all of them."""
+    expected = make_chain(make_reader(**properties))
+    found = make_chain(make_reader(**properties))
+    for stage, serial in zip(found, expected):
+        serial.Update()
+        stage.UpdatePiece(OWN, SIZE, 0)
+        for data, serial_data in zip(outputs(stage), outputs(serial)):
+            check_same(data, serial_data, stage.GetClassName())
+
+
+def deal(horizons, rank_of):
+    """A collection with all names, and those horizons that this rank is to have."""
+    collection = vtkPartitionedDataSetCollection()
+    collection.SetNumberOfPartitionedDataSets(len(horizons))
+    for n, (name, horizon) in enumerate(horizons.items()):
+        collection.GetMetaData(n).Set(vtkCompositeDataSet.NAME(), name)
+        if rank_of(n) == OWN:
+            collection.SetPartition(n, 0, horizon)
+    return collection
+
+
+def check_places(horizons):
+    """Wherever horizons lie, the result is the same."""
+    for rank_of in (lambda n: (n + 1) % SIZE, lambda n: SIZE - 1):
+        for name, properties in CHAIN[:3] + [("HorizonSurface", {})]:
+            stage, serial = make(name, properties), make(name, properties)
+            stage.SetInputDataObject(deal(horizons, rank_of))
+            serial.SetInputDataObject(deal(horizons, lambda n: OWN))
+            serial.Update()
+            stage.UpdatePiece(OWN, SIZE, 0)
+            check_same(stage.GetOutputDataObject(0), serial.GetOutputDataObject(0), name)
+
+
+def count_errors(stages):
+    counts = [0] * len(stages)
+    for n, stage in enumerate(stages):
+        def add(*_, n=n):
+            counts[n] += 1
+        stage.AddObserver("ErrorEvent", add)
+        stage.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # it says that there was an error
+    return counts
+
+
+def check_nothing(stages):
+    for stage in stages:
+        for data in outputs(stage):
+            points = data.GetNumberOfRows() if data.IsA("vtkTable") else data.GetNumberOfPoints()
+            assert points == 0, (OWN, stage.GetClassName(), points)
+
+
+def check_broken(horizons):
+    """A horizon that only the last rank has, and has no lattice, gives one error in all; nobody waits in later stages."""
+    broken = vtkPolyData()
+    broken.DeepCopy(next(iter(horizons.values())))
+    broken.GetFieldData().Initialize()
+    data = deal(dict(horizons, broken=broken), lambda n: SIZE - 1 if n == len(horizons) else n % SIZE)
+    for first in ("HorizonDespiking", "HorizonHoleFilling", "HorizonExteriorBoundary", "HorizonSurface"):
+        stages = [make(first, {})]
+        stages[0].SetInputDataObject(data)
+        stages.append(make("HorizonSurface" if first != "HorizonSurface" else "HorizonTriangulation", {}, stages[0]))
+        stages.append(make("HorizonSurfaceDistance", {}, stages[0], stages[1]))
+        errors = count_errors(stages)
+        stages[-1].UpdatePiece(OWN, SIZE, 0)
+        assert add_up(errors) == [1, 0, 0], (first, add_up(errors))
+        assert errors[0] == (OWN == SIZE - 1), (first, errors)
+        check_nothing(stages)
+
+
+def check_wrong_file():
+    """A file that one machine does not have, and one that is missing everywhere."""
+    for missing in ([SIZE - 1], range(SIZE)):
+        stages = make_chain(make_reader("missing.vsm" if OWN in missing else SAMPLE))
+        errors = count_errors(stages)
+        stages[-1].UpdatePiece(OWN, SIZE, 0)
+        # Once for the list of horizons, and once for the data, there by the first that misses it.
+        expected = (OWN in missing) + (OWN == missing[0] and SIZE > 1)
+        assert errors == [expected] + [0] * (len(stages) - 1), (OWN, missing, errors)
+        check_nothing(stages)
+
+
+def main():
+    assert SIZE == int(sys.argv[2]), "%d ranks, expected %s" % (SIZE, sys.argv[2])
+    check_chain()
+    check_chain(LeastMemory=True, RowRange=(20, 150))
+    reader = make_reader()
+    reader.Update()
+    horizons = mesh_checks.blocks(reader.GetOutputDataObject(0))
+    check_places(horizons)
+    check_broken(horizons)
+    check_wrong_file()
+    print("rank %d of %d: done" % (OWN, SIZE))
+
+
+main()

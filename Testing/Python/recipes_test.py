@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The recipes for several machines give the same bytes on one process and on several, and say what is wrong.
+
+Arguments: the folder of the recipes, that of the data, one for results, the path of pvbatch, and the recipe to test.
+"""
+
+import csv
+import pathlib
+import shutil
+import subprocess
+import sys
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import mesh_checks
+from seismichorizons import parts
+from seismichorizons.stage import make, update
+
+RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
+PVBATCH, RECIPE = sys.argv[4:6]
+SAMPLE = DATA / "sample.vsm"
+
+
+def run(ranks, *arguments, fails=False):
+    """What a recipe says on a number of processes."""
+    symmetric = ["--symmetric"] if RECIPE == "windows_on_ranks" else []
+    command = ["mpirun", "-np", str(ranks), PVBATCH, *symmetric, str(RECIPES / (RECIPE + ".py"))]
+    done = subprocess.run(command + [str(argument) for argument in arguments], capture_output=True, text=True,
+                          timeout=100, check=False)
+    assert (done.returncode != 0) == fails, (done.returncode, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+def read(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+class WindowSize:
+    def most_points(self):
+        return 1500
+
+    def limit_text(self):
+        return "1500 points"
+
+
+def mesh_alone():
+    """The points of the largest horizon, and its mesh by the functions of the package."""
+    reader = make("vtkVerneySparseMatrixReader", FileName=str(SAMPLE), LeastMemory=True)
+    reader.DisableAllHorizons()
+    reader.SetHorizonStatus("Horizon 1", 1)
+    reader.UpdateInformation()
+    windows = parts.Windows(reader, "Horizon 1", WindowSize())
+    mesh = parts.mesh(windows, {"MaximumError": 1.0})
+    update(reader)
+    return reader.GetOutputDataObject(0).GetPartition(0, 0), mesh
+
+
+def test_windows():
+    contents = []
+    for ranks in (1, 2, 3):
+        path = FOLDER / ("mesh%d.vtp" % ranks)
+        said = run(ranks, SAMPLE, path, "--window-points", 1500)
+        assert "7 windows, " in said, said
+        contents.append(path.read_bytes())
+    assert contents[1:] == contents[:1] * 2
+    points, expected = mesh_alone()
+    mesh = read(FOLDER / "mesh2.vtp")
+    assert (mesh_checks.coordinates(mesh) == mesh_checks.coordinates(expected)).all()
+    assert (mesh_checks.triangles(mesh) == mesh_checks.triangles(expected)).all()
+    assert mesh_checks.check_mesh(mesh) > 0
+    assert mesh_checks.array(mesh, "PointCount").sum() == points.GetNumberOfPoints()
+    # A window with all of it needs no join; any other horizon.
+    run(2, SAMPLE, FOLDER / "whole.vtp", "--horizon", "Horizon 2")
+    assert mesh_checks.check_mesh(read(FOLDER / "whole.vtp")) > 0
+
+
+def test_windows_errors():
+    """One message, and an end of all processes."""
+    for arguments, message in (
+            (("none.vsm", FOLDER / "x.vtp"), "none.vsm: nothing there, expected a file"),
+            ((SAMPLE, FOLDER / "x.vtp", "--horizon", "Top"), "no horizon 'Top', expected one of Horizon 1, Horizon 2,"),
+            ((SAMPLE, FOLDER / "x.vtp", "--window-points", 10), "expected at most 10 points in two rows"),
+            ((SAMPLE, FOLDER / "absent" / "x.vtp"), "x.vtp can not be written")):
+        said = run(2, *arguments, fails=True)
+        assert said.count("windows_on_ranks: ") == 1 and message in said, said
+
+
+def test_extracts():
+    """The same files on one process and on two."""
+    for ranks in (1, 2):
+        run(ranks, SAMPLE, FOLDER / str(ranks))
+    files = sorted(path.relative_to(FOLDER / "1") for path in (FOLDER / "1").rglob("*") if path.is_file())
+    assert len(files) == 5, files  # a mesh for each horizon, what holds them together, and the table
+    for file in files:
+        assert (FOLDER / "1" / file).read_bytes() == (FOLDER / "2" / file).read_bytes(), file
+    for file in files:
+        if file.suffix == ".vtp":
+            mesh = read(FOLDER / "2" / file)
+            assert mesh_checks.check_mesh(mesh) > 0 and mesh_checks.array(mesh, "Distance").max() <= 1.0
+    with open(FOLDER / "2" / "distances.csv", encoding="utf-8", newline="") as file:
+        assert {row["Horizon"] for row in csv.DictReader(file)} == {"Horizon 1", "Horizon 2", "Horizon 3"}
+    said = run(2, "none.vsm", FOLDER / "2", fails=True)
+    assert said.count("extracts: none.vsm: nothing there, expected a file") == 1, said
+
+
+def main():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    if RECIPE == "windows_on_ranks":
+        test_windows()
+        test_windows_errors()
+    else:
+        test_extracts()
+
+
+main()

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of all horizons of a file and how far they are from them, written by ParaView's extractors.
+
+    mpirun -np 4 pvbatch extracts.py survey.vsm results --largest-error 1
+
+Writes meshes.vtpc with the distances at their points, and distances.csv. The plugin has to be in PV_PLUGIN_PATH. The
+extractors also work in a state file or in a script for Catalyst: there the lines between the marks are all it takes.
+"""
+
+import argparse
+import os
+import pathlib
+import sys
+
+from paraview import simple
+
+
+def make_parser():
+    parser = argparse.ArgumentParser(prog="extracts", description=__doc__.splitlines()[0])
+    parser.add_argument("file", metavar="FILE", help="the horizons, in any format that is read")
+    parser.add_argument("folder", metavar="FOLDER", help="where results go")
+    parser.add_argument("--largest-error", metavar="E", type=float, default=1.0, help="as MaximumError of Horizon Surface")
+    return parser
+
+
+def main():
+    arguments = make_parser().parse_args()
+    if not pathlib.Path(arguments.file).is_file():
+        sys.exit("extracts: %s: nothing there, expected a file" % arguments.file)
+    # ---- For Catalyst, from here ----
+    horizons = simple.OpenDataFile(arguments.file)
+    surface = simple.HorizonSurface(Input=horizons, MaximumError=arguments.largest_error)
+    distance = simple.HorizonSurfaceDistance(Reference=horizons, Mesh=surface)
+    meshes = simple.CreateExtractor("VTPC", simple.OutputPort(distance, 1), registrationName="meshes")
+    meshes.Writer.FileName = "meshes.vtpc"
+    meshes.Writer.DataMode = "Binary"  # some readers of VTK stumble over appended data
+    table = simple.CreateExtractor("CSV", simple.OutputPort(distance, 2), registrationName="distances")
+    table.Writer.FileName = "distances.csv"
+    # ---- to here ----
+    os.makedirs(arguments.folder, exist_ok=True)
+    simple.SaveExtracts(ExtractsOutputDirectory=arguments.folder)
+
+
+main()

@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One mesh of one huge horizon of a .vsm file, of which each process of MPI reads and meshes windows of rows.
+
+    mpirun -np 4 pvbatch --symmetric windows_on_ranks.py survey.vsm mesh.vtp --horizon "Horizon 1" --largest-error 1
+
+The windows depend on --window-points alone, and so does the mesh, byte by byte: not on the number of processes. The
+first process joins the windows and writes the mesh. PYTHONPATH has to lead to the package seismichorizons.
+"""
+
+import argparse
+import pathlib
+import sys
+
+from seismichorizons import parts
+from seismichorizons.stage import HorizonError, make, update, watched
+from seismichorizons.writing import write_vtp
+from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+RANKS = vtkMultiProcessController.GetGlobalController()
+OWN, SIZE = RANKS.GetLocalProcessId(), RANKS.GetNumberOfProcesses()
+MESH = 5012  # the tag of messages with meshes
+
+
+class WindowSize:
+    """How many points a window may have at most, in the place of a budget of memory."""
+
+    def __init__(self, points):
+        self._points = points
+
+    def most_points(self):
+        return self._points
+
+    def limit_text(self):
+        return "--window-points %d" % self._points
+
+
+def largest_of_all(value):
+    """The largest value of all processes, on each of them."""
+    own, largest = vtkIntArray(), vtkIntArray()
+    for array in (own, largest):
+        array.InsertNextValue(value)
+    RANKS.AllReduce(own, largest, vtkCommunicator.MAX_OP)
+    return largest.GetValue(0)
+
+
+def together(work):
+    """What work() returns on this process. Raises SystemExit on all when it raises HorizonError on any."""
+    result, problem = None, None
+    try:
+        result = work()
+    except HorizonError as error:
+        problem = "windows_on_ranks: %s" % error
+    # The first that has a problem tells it: all may have the same.
+    first = SIZE - largest_of_all(SIZE - OWN if problem else 0)
+    if first < SIZE:
+        if first == OWN:
+            print(problem, file=sys.stderr, flush=True)
+        raise SystemExit(1)
+    return result
+
+
+def open_windows(path, name, window_points):
+    """The windows of a horizon: by its name, or else of the largest. Raises HorizonError."""
+    reader = make("vtkVerneySparseMatrixReader", FileName=path, LeastMemory=True)
+    with watched(reader):
+        reader.UpdateInformation()
+    names = [reader.GetHorizonName(number) for number in range(reader.GetNumberOfHorizons())]
+    last_row = reader.GetNumberOfRows() - 1
+    name = name or max(names, key=lambda each: reader.GetNumberOfPointsInRows(each, 0, last_row), default="")
+    if name not in names:
+        raise HorizonError("%s: no horizon %r, expected one of %s" % (path, name, ", ".join(names)))
+    reader.DisableAllHorizons()
+    reader.SetHorizonStatus(name, 1)
+    return parts.Windows(reader, name, WindowSize(window_points))
+
+
+def mesh_own(windows, properties):
+    """The meshes of the windows of this process: every SIZE-th, as they have about equally many points."""
+    return {number: parts.mesh_window(windows, number, properties)
+            for number in range(OWN, len(windows.rows), SIZE)}
+
+
+def gather(meshes, count):
+    """The meshes of all windows, in their order, on the first process; nothing on the others."""
+    gathered = []
+    for number in range(count):
+        rank = number % SIZE
+        if OWN == 0:
+            gathered.append(meshes[number] if rank == 0 else RANKS.ReceiveDataObject(rank, MESH))
+        elif OWN == rank:
+            RANKS.Send(meshes.pop(number), 0, MESH)
+    return gathered
+
+
+def join(meshes, path):
+    mesh = meshes[0]
+    if len(meshes) > 1:
+        stage = make(parts.JOIN)
+        for part in meshes:
+            stage.AddInputDataObject(part)
+        update(stage)
+        mesh = stage.GetOutputDataObject(0)
+    write_vtp(mesh, path)
+    print("%d windows, %d points, %d triangles" % (len(meshes), mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()))
+
+
+def make_parser():
+    parser = argparse.ArgumentParser(prog="windows_on_ranks", description=__doc__.splitlines()[0])
+    parser.add_argument("file", metavar="FILE.vsm", help="the horizons, on a disk that all processes see")
+    parser.add_argument("mesh", metavar="MESH.vtp", help="the mesh to write")
+    parser.add_argument("--horizon", metavar="NAME", help='such as "Horizon 1" (default: the one with the most points)')
+    parser.add_argument("--largest-error", metavar="E", type=float, default=1.0, help="as MaximumError of Horizon Surface")
+    parser.add_argument("--window-points", metavar="N", type=int, default=2000000, help="points of a window, at most")
+    return parser
+
+
+def main():
+    arguments = make_parser().parse_args()
+    windows = together(lambda: open_windows(arguments.file, arguments.horizon, arguments.window_points))
+    # One radius for all windows, that of the largest.
+    is_chooser = OWN == windows.largest() % SIZE
+    radius = largest_of_all(together(lambda: windows.choose_radius() if is_chooser else 0))
+    properties = {"MaximumError": arguments.largest_error, "AutomaticRadius": False, "Radius": radius}
+    meshes = gather(together(lambda: mesh_own(windows, properties)), len(windows.rows))
+    together(lambda: join(meshes, pathlib.Path(arguments.mesh)) if OWN == 0 else None)
+
+
+main()
