@@ -24,6 +24,7 @@ constexpr const char* CellOrigin = "CellOrigin";
 constexpr const char* Flatness = "Flatness";
 constexpr const char* Distance = "Distance";
 constexpr const char* VerticalDistance = "VerticalDistance";
+constexpr const char* Throw = "Throw";
 constexpr const char* Filled = "Filled";
 constexpr const char* Spike = "Spike";
 }
@@ -36,6 +37,8 @@ constexpr const char* Quality = "Quality";
 constexpr const char* Dilatation = "Dilatation";
 constexpr const char* Error = "Error";
 constexpr const char* Part = "Part";
+constexpr const char* FaultLine = "FaultLine";
+constexpr const char* FaultName = "FaultName";
 }
 
 namespace FieldArray
@@ -80,6 +83,7 @@ constexpr const char* NumberOfThreadPoints = "NumberOfThreadPoints";
 constexpr const char* CutLinks = "CutLinks";
 constexpr const char* CutThrow = "CutThrow";
 constexpr const char* CutLine = "CutLine";
+constexpr const char* FaultNoise = "FaultNoise";
 constexpr const char* SeamRows = "SeamRows";
 constexpr const char* NumberOfParts = "NumberOfParts";
 constexpr const char* SeamPoints = "SeamPoints";

@@ -63,6 +63,15 @@ public:
 
   void append(const T* first, const T* last) { std::copy(first, last, this->Extend(std::size_t(last - first))); }
 
+  /// Takes memory for that many numbers, and no more.
+  void Reserve(std::size_t count)
+  {
+    if (this->Capacity < count)
+    {
+      this->Resize(count);
+    }
+  }
+
   /// Adds that many numbers, which are still to be written, and returns the first of them.
   T* Extend(std::size_t count)
   {

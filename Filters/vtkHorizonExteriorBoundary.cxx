@@ -8,6 +8,7 @@
 #include "Common/DataModel.h"
 #include "Common/Parameters.h"
 #include "Marshalling/BoundaryOutput.h"
+#include "Marshalling/CutData.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,7 @@ void vtkHorizonExteriorBoundary::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestHoleSize: " << this->SmallestHoleSize << "\n";
   os << indent << "SmallestHoleArea: " << this->SmallestHoleArea << "\n";
   os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
+  os << indent << "UseCuts: " << (this->UseCuts ? "on" : "off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -65,6 +68,8 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   options.HoleBoundaries = this->HoleBoundaries;
   options.SmallestHoleSize = this->FindSmallestHoleSize(points.Grid.ColumnArea());
   options.MinimumPatchSize = this->MinimumPatchSize;
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input) : std::nullopt;
+  options.Cuts = cuts ? &*cuts : nullptr;
   const auto type = static_cast<SeismicHorizons::BoundaryType>(this->BoundaryType);
   auto found = FindExteriorBoundary(columns, OptionsFor(type, options), monitor.Step(0.3, 0.9));
   if (found.NumberOfPatches == 0)
@@ -74,4 +79,8 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   const std::vector<BoundaryKind> marks = MarkBoundary(type, columns, found);
   const KeptPoints kept = DropPointsWithoutPatch(found);
   WriteBoundary(input, kept, found, kept.Select(marks), outputs.front());
+  if (!this->UseCuts)
+  {
+    RemoveCuts(outputs.front());
+  }
 }

@@ -131,6 +131,17 @@ public:
   vtkGetMacro(MinimumPatchSize, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the cut links that the horizon carries (field data CutLinks) part it: cracks are loops around both lips,
+   * whatever HoleBoundaries and the smallest hole are, and the later stages leave them open. Off: the horizon is not
+   * cut from here on, and the output has no CutLinks. Default: on.
+   */
+  vtkSetMacro(UseCuts, bool);
+  vtkGetMacro(UseCuts, bool);
+  vtkBooleanMacro(UseCuts, bool);
+  ///@}
+
 protected:
   vtkHorizonExteriorBoundary() = default;
   ~vtkHorizonExteriorBoundary() override = default;
@@ -151,6 +162,7 @@ private:
   int SmallestHoleSize = 1;
   double SmallestHoleArea = 0.0;
   int MinimumPatchSize = 1;
+  bool UseCuts = true;
 };
 
 #endif

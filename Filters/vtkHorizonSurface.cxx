@@ -10,6 +10,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/BoundaryOutput.h"
+#include "Marshalling/CutData.h"
 #include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
@@ -92,6 +93,7 @@ void vtkHorizonSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "GrowthStrategy: " << (this->GrowthStrategy == Distance ? "Distance" : "Clockwise") << "\n";
   os << indent << "HoleBoundaries: " << tell(this->HoleBoundaries) << "\n";
+  os << indent << "UseCuts: " << tell(this->UseCuts) << "\n";
   os << indent << "AutomaticSmallestHoleSize: " << tell(this->AutomaticSmallestHoleSize) << "\n";
   os << indent << "SmallestHoleSize: " << this->SmallestHoleSize << "\n";
   os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
@@ -165,6 +167,8 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   LatticePoints points = ReadPoints(input);
   SurfaceOptions options = this->MakeOptions(points);
   options.Seams = this->MakeSeams();
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input) : std::nullopt;
+  options.Cuts = cuts ? &*cuts : nullptr;
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
   std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid, ColumnTolerance::None);
   const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, columns);
@@ -174,6 +178,11 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   vtkPolyData* const outlines = outputs[OutlinePort];
   WriteBoundary(
     input, surface.Kept, surface.Boundary, MarkBoundary(BoundaryType::Exterior, {}, surface.Boundary), outlines);
+  if (!this->UseCuts)
+  {
+    RemoveCuts(outlines);
+    RemoveCuts(outputs[MeshPort]);
+  }
   vtkPolyData* const mesh = outputs[MeshPort];
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
   if (surface.Kept.empty())

@@ -123,6 +123,17 @@ public:
 
   ///@{
   /**
+   * Whether the cut links that the horizon carries (field data CutLinks) part it: cracks are loops around both lips,
+   * whatever HoleBoundaries and the smallest hole are, and the mesh leaves them open. Off: the horizon is not cut
+   * from here on, and the outputs have no CutLinks. Default: on.
+   */
+  vtkSetMacro(UseCuts, bool);
+  vtkGetMacro(UseCuts, bool);
+  vtkBooleanMacro(UseCuts, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the size of the smallest hole that stays open is chosen: a square with the larger one of two sides, twice
    * the radius plus one, and twice the outline tolerance. Off: SmallestHoleSize. Default: on.
    */
@@ -221,6 +232,7 @@ private:
   int Radius = 1;
   int GrowthStrategy = Clockwise;
   bool HoleBoundaries = true;
+  bool UseCuts = true;
   bool AutomaticSmallestHoleSize = true;
   int SmallestHoleSize = 1;
   int MinimumPatchSize = 1;

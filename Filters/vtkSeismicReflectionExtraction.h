@@ -28,7 +28,7 @@
  * CoordinateSystem and LineNumbers are those of the input.
  *
  * The result is the same on any number of threads. Each of several processes works on the whole cube, and gives a part
- * of the horizons. Beside the input and output it takes about 60 bytes for each pick, of which there is one in six to
+ * of the horizons. Beside the input and output it takes about 30 bytes for each pick, of which there is one in six to
  * ten samples.
  *
  * What is wrong with the input or a parameter gives one error; the output is empty then.

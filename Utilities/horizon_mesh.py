@@ -99,6 +99,7 @@ def make_parser():
                         "between them and files that follow")
     _add_reader_options(parser.add_argument_group("reading"))
     _add_cube_options(parser.add_argument_group("seismic cubes"))
+    _add_preparation_options(parser.add_argument_group("before all stages", "horizons are read as a whole then"))
     _add_stage_options(parser.add_argument_group("stages"))
     _add_error_options(parser.add_argument_group("error"))
     running = parser.add_argument_group("running")
@@ -164,10 +165,19 @@ def _add_cube_options(group):
                        metavar="P", help="the part of the reflections that are too weak, in percent (default: 25)")
 
 
-def _add_stage_options(group):
+def _add_preparation_options(group):
+    group.add_argument("--despike", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
+                       help="remove points that are more than T vertical indices above or below the median of those "
+                       "around them (default: none)")
+    group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
+                       help="find faults that throw by T vertical indices or more, and leave the mesh open there "
+                       "(default: no fault is cut)")
     group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
-                       help="before all stages, fill holes of at most N columns with new points that go on smoothly from "
-                       "those around them; horizons are read as a whole then (default: none)")
+                       help="fill holes of at most N columns with new points that go on smoothly from "
+                       "those around them (default: none)")
+
+
+def _add_stage_options(group):
     target = group.add_mutually_exclusive_group()
     target.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
                         help="few triangles, with no point farther from the mesh than this, vertically, in place of "
@@ -255,6 +265,8 @@ def make_settings(options):
         Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step",
         LargestNumber="surfaces", SmallestSize="smallest_surface", InlineRange="inlines", CrosslineRange="crosslines",
         Polarity="polarity", Joining="joining", AmplitudePercentile="amplitude_percentile")}
+    settings.despiked = {"Threshold": options.despike} if hasattr(options, "despike") else None
+    settings.torn = {"SmallestThrow": options.cut_faults} if hasattr(options, "cut_faults") else None
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,

@@ -3,6 +3,7 @@
 
 #include "BoundaryOutput.h"
 
+#include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "HorizonCells.h"
@@ -35,6 +36,15 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
     figures, FieldArray::NumberOfHoles, vtkIdType(boundary.Boundary.Size() - boundary.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::DroppedSpeckPoints, input->GetNumberOfPoints() - vtkIdType(kept.size()));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RemoveCuts(vtkPolyData* output)
+{
+  for (const char* const name : { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

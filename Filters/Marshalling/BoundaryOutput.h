@@ -22,6 +22,9 @@ namespace SeismicHorizons
 void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output);
 
+/// Takes the cut links out of the field data of a horizon.
+void RemoveCuts(vtkPolyData* output);
+
 /// What to warn of when no patch of a horizon is large enough.
 std::string NothingLeft(vtkPolyData* input, int minimumPatchSize);
 }

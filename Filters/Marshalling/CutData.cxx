@@ -5,11 +5,14 @@
 
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 #include "HorizonData.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 
 #include <array>
 #include <sstream>
@@ -75,5 +78,22 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon)
     link.IsNorth ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
   }
   return cuts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteCuts(const FaultLines& lines, vtkFieldData* data)
+{
+  const std::vector<LinkOfLine> sorted = SortLinks(lines);
+  auto links = NewArray<vtkIntArray>(FieldArray::CutLinks, vtkIdType(sorted.size()), 3);
+  for (std::size_t n = 0; n < sorted.size(); ++n)
+  {
+    const LatticeLink& link = lines[sorted[n].Link].Place;
+    const std::array<int, 3> tuple = { link.Column.X, link.Column.Y, int(link.Side) };
+    links->SetTypedTuple(vtkIdType(n), tuple.data());
+  }
+  data->AddArray(links);
+  AddArray<vtkDoubleArray>(
+    data, FieldArray::CutThrow, sorted, [&lines](const LinkOfLine& item) { return lines[item.Link].Throw; });
+  AddArray<vtkIntArray>(data, FieldArray::CutLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
 }
 }

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The links of a horizon's lattice that faults cut, from its field data (Documentation/DataModel.md).
+// The links of a horizon's lattice that faults cut, in its field data (Documentation/DataModel.md).
 
 #ifndef SeismicHorizonsCutData_h
 #define SeismicHorizonsCutData_h
 
 #include "Common/LinkCuts.h"
+#include "Faults/FaultLines.h"
 
 #include <optional>
 
 class vtkDataObject;
+class vtkFieldData;
 
 namespace SeismicHorizons
 {
@@ -18,6 +20,10 @@ namespace SeismicHorizons
 /// or where it is empty. Throws InputError on an array of other than three whole numbers a link, on columns outside the
 /// lattice of the horizon, and on sides other than 0 and 1.
 std::optional<LinkCuts> FindCuts(vtkDataObject* horizon);
+
+/// Writes the links of fault lines as CutLinks, CutThrow and CutLine, in place of those there are. A link of several
+/// lines is that of the first.
+void WriteCuts(const FaultLines& lines, vtkFieldData* data);
 }
 
 #endif

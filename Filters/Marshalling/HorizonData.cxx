@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
+#include "CutData.h"
 #include "HorizonPoints.h"
 
 #include "vtkArrayDispatch.h"
@@ -21,7 +22,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -301,6 +304,10 @@ BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points)
   BoundedHorizon result = ReadPatchesAndBoundary(horizon, std::move(points.Plane), points.Grid);
   result.Height = std::move(points.Height);
   result.Count = ReadCounts(horizon);
+  if (std::optional<LinkCuts> cuts = FindCuts(horizon))
+  {
+    result.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
+  }
   return result;
 }
 }

@@ -8,6 +8,7 @@
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
+#include "CutData.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPairs.h"
@@ -48,6 +49,8 @@ BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monito
   }
   BoundaryOptions options;
   options.Radius = radius;
+  const std::optional<LinkCuts> cuts = FindCuts(input);
+  options.Cuts = cuts ? &*cuts : nullptr;
   ExteriorBoundary found = FindExteriorBoundary(ToColumns(points.Plane, points.Grid), options, monitor);
   BoundedHorizon horizon;
   horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();

@@ -13,8 +13,8 @@
 
 namespace SeismicHorizons
 {
-/// Deals the voxels of columns out to their horizons, and leaves one in each column of a horizon, in the ranges of the
-/// options only. Functions are defined
+/// Deals the voxels of columns out to their horizons, and leaves one in each column of a horizon unless they are to be
+/// sheets, in the ranges of the options only. Functions are defined
 /// inside the class, where compilers inline them: they take a part of the time of reading.
 class HorizonSorter
 {
@@ -48,7 +48,8 @@ public:
     }
     HorizonVoxels& horizon = this->HorizonOf(voxel.SurfaceId);
     // All voxels of a column come at once, so a duplicate can only be one of the voxel added last.
-    if (!horizon.I.empty() && horizon.I.back() == i && horizon.J.back() == j)
+    if (this->Options.Policy != DuplicatePolicy::Sheets && !horizon.I.empty() && horizon.I.back() == i &&
+      horizon.J.back() == j)
     {
       ++horizon.DroppedDuplicates;
       if (!this->Prefers(voxel, horizon))

@@ -3,6 +3,7 @@
 
 #include "SparseMatrixOverview.h"
 
+#include "Common/Errors.h"
 #include "Common/LineBuffer.h"
 #include "HorizonCollector.h"
 #include "PieceParser.h"
@@ -109,6 +110,10 @@ SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOvervi
 SparseMatrixOverview ReadSparseMatrixOverview(
   std::istream& stream, const SparseMatrixOptions& options, const Monitor& monitor, std::size_t bufferSize)
 {
+  if (options.Policy == DuplicatePolicy::Sheets)
+  {
+    throw InputError("DuplicatePolicy Sheets with LeastMemory, expected another policy: sheets take the whole horizon");
+  }
   SparseMatrixOverview overview;
   overview.Size = ReadSparseMatrixHeader(stream);
   std::int64_t byte = std::int64_t(stream.tellg());

@@ -8,6 +8,7 @@
 #include "Common/TextNumbers.h"
 #include "Common/TextWords.h"
 #include "HorizonCollector.h"
+#include "HorizonSheets.h"
 #include "PieceParser.h"
 #include "VerticalFit.h"
 
@@ -15,6 +16,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -51,6 +53,23 @@ SparseMatrixSize ParseHeader(const std::string& line)
     throw ErrorAt(1, header + ", expected a product below 2^63");
   }
   return size;
+}
+
+/// All sheets of at least that many voxels.
+std::vector<HorizonVoxels> SplitAll(std::vector<HorizonVoxels> horizons, std::int64_t smallestSize)
+{
+  std::vector<HorizonVoxels> all;
+  for (HorizonVoxels& horizon : horizons)
+  {
+    for (HorizonVoxels& sheet : SplitIntoSheets(std::move(horizon)))
+    {
+      if (std::int64_t(sheet.I.size()) >= smallestSize)
+      {
+        all.push_back(std::move(sheet));
+      }
+    }
+  }
+  return all;
 }
 }
 
@@ -92,6 +111,10 @@ SparseMatrix ReadSparseMatrix(
     [](std::int64_t) { return true; });
   pieces.RequireEnd();
   matrix.Horizons = horizons.Take(options.SmallestSize);
+  if (options.Policy == DuplicatePolicy::Sheets)
+  {
+    matrix.Horizons = SplitAll(std::move(matrix.Horizons), options.SmallestSize);
+  }
   matrix.VerticalFit = FitVertically(matrix.Horizons);
   return matrix;
 }

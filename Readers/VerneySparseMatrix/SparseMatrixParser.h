@@ -54,7 +54,7 @@ struct SparseMatrixVerticalFit
 struct SparseMatrix
 {
   SparseMatrixSize Size = {};
-  std::vector<HorizonVoxels> Horizons; ///< by ascending surface ID; each has at least one voxel
+  std::vector<HorizonVoxels> Horizons; ///< by ascending surface ID, sheets of one in their order; none is empty
   SparseMatrixVerticalFit VerticalFit; ///< by least squares, through the voxels of all horizons
 };
 

@@ -377,7 +377,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 3> volumeArrays = { "SurfaceId", "Amplitude", "Thickness" };
   constexpr std::array<const char*, 2> elevations = { "VerticalIndex", "RealZ" };
   constexpr std::array<const char*, 2> directions = { "Down", "Up" };
-  constexpr std::array<const char*, 3> policies = { "StrongestAmplitude", "Topmost", "Lowest" };
+  constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';

@@ -296,20 +296,24 @@ public:
   {
     StrongestAmplitude = 0,
     Topmost = 1,
-    Lowest = 2
+    Lowest = 2,
+    Sheets = 3
   };
 
   ///@{
   /**
    * Which voxel is kept when a horizon has several in one column. StrongestAmplitude: the one of largest absolute
    * amplitude, of equal ones that of smallest vertical index. Topmost: that of smallest vertical index. Lowest: that of
-   * largest vertical index. The others are left out and counted in DroppedDuplicates. Default: StrongestAmplitude.
+   * largest vertical index. The others are left out and counted in DroppedDuplicates. Sheets: all, as at reverse
+   * faults: each sheet is a horizon of its own, the second named "Horizon 7 (2)", told apart by connection in space
+   * (HorizonSheets.h). Not with LeastMemory. Default: StrongestAmplitude.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Lowest);
+  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
   vtkGetMacro(DuplicatePolicy, int);
   void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
   void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
   void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
+  void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
   ///@}
 
 protected:

@@ -170,11 +170,8 @@ Extraction](SeismicReflectionExtraction.md) finds them with its defaults (compon
 
 ## What bounds it
 
-- Noise of half the signal hides the weakest layers of the easy cubes: their waveforms are no longer alike, and surfaces
-  fall apart. Longer waveforms (4.5 periods) or a smallest correlation of 0.6 find 98 to 99 % there, with 2 to 4 % wrong;
-  shorter ones (1.5 periods) find 99 % with 0.3 % wrong in easy cubes, and three times as many wrong in hard ones.
-- Three of four wrong picks in easy cubes are in the first columns of the fault's gap, where traces have nothing but noise.
-  An `AmplitudePercentile` of 40 halves them, and costs 1 to 3 % of the places of hard cubes, those that fade.
+- In easy cubes noise of half the signal breaks layers up into parts, which the means of their waveforms join again. The
+  wrong picks that are left are in the first columns of the fault's gap, where traces have nothing but noise.
 - In hard cubes a layer that fades to noise, or is joined with a neighbour to one wavelet, is not there to be found. Throws of
   less than a fifth of a period look like a dip.
 )";

@@ -32,6 +32,7 @@ class Parameters:
         self.maximum_error = 0.9 if changed else 0.75
         self.angle = 0.52 if changed else 0.5
         self.spike_threshold = 10.0 if changed else 4.0
+        self.smallest_throw = 14.0 if changed else 4.0
         self.largest_hole = 100 if changed else 2500
         self.amplitude_percentile = 45 if changed else 25
 
@@ -95,6 +96,34 @@ def with_spikes(data, every=97, height=12.0):
     return spiked
 
 
+def torn(data):
+    """A copy with two faults that cross, the second of which ends inside."""
+    faulted = vtkPolyData()
+    faulted.DeepCopy(data)
+    points = numpy_support.vtk_to_numpy(faulted.GetPoints().GetData())
+    i, j = points[:, 0] - points[:, 0].min(), points[:, 1] - points[:, 1].min()
+    away = j - 0.35 * i - 20.0
+    throws = numpy.where(i - 0.2 * j > 60.0, 12.0, 0.0) + numpy.where(away > 0.0, 1.0, -1.0) * (
+        numpy.maximum(0.0, 9.0 - 0.09 * i) * numpy.exp(-abs(away) / 40.0))
+    points[:, 2] += numpy.round(throws) * faulted.GetFieldData().GetArray("LatticeToWorld").GetComponent(0, 10)
+    return faulted
+
+
+def fault_lines(data, smallest_throw):
+    """The points of a horizon, and its fault lines."""
+    finder = sh.vtkHorizonFaults()
+    horizon = vtkPolyData()
+    horizon.ShallowCopy(apply(finder, data, SmallestThrow=smallest_throw))
+    throws = numpy_support.numpy_to_vtk(numpy.zeros(horizon.GetNumberOfPoints()), deep=True)
+    throws.SetName("Throw")
+    horizon.GetPointData().AddArray(throws)
+    together = vtkAppendPolyData()
+    together.AddInputData(horizon)
+    together.AddInputData(finder.GetOutputDataObject(1))
+    together.Update()
+    return together.GetOutput()
+
+
 def marked(data, name, level):
     """The points in the colours of levels: those that an array of 0 and 1 marks have that level."""
     marks = numpy_support.vtk_to_numpy(data.GetPointData().GetArray(name))
@@ -130,6 +159,9 @@ def panel(scene, sample, changed):
     if scene == "Despiking":
         found = apply(sh.vtkHorizonDespiking(), with_spikes(data), Action="Flag", Threshold=own.spike_threshold)
         return marked(found, "Spike", 3)
+    if scene == "Faults":
+        faulted = torn(data)
+        return pictures.Panel("", "", fault_lines(faulted, own.smallest_throw), pictures.FAULTS, faulted)
     if scene == "HoleFilling":
         return marked(apply(sh.vtkHorizonHoleFilling(), data, LargestHoleSize=own.largest_hole), "Filled", 2)
     if scene == "BoundarySimplification":

@@ -196,26 +196,6 @@ class PipelineTest(unittest.TestCase):
         self.assertEqual(result.figures.GetNumberOfRows(), 9)
         self.assertIsNone(pipeline.run("plane.vsm", "Horizon 1", points, NO_ROUGH).figures)
 
-    def test_filled(self):
-        """A hole of one column is filled before all stages, and the figures of the error do not count its point."""
-        voxel = b"3 1 1 0.5 4.0\n"
-        points = pipeline.read_first(write("hole.vsm", b"5 4 9\n" + 6 * voxel + b"\n" + 13 * voxel))
-        for settings in (pipeline.Settings(filled={}, rough=None, error={}),
-                         pipeline.Settings(filled={}, surface=pipeline.surface_properties(largest_error=0.5), error={})):
-            result = pipeline.run("hole.vsm", "Horizon 1", points, settings)
-            self.assertEqual((points.GetNumberOfPoints(), result.number_of_points), (19, 19))
-            self.assertEqual(result.data["filled"].GetNumberOfPoints(), 20)
-            self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
-            self.assertLess(largest_error(result.figures), ROUNDING)
-            self.assertIn("filled", tables.table([result])[0].split())
-            self.assertEqual(tables.row(result)[len(tables.COLUMNS)], "1")
-            self.assertEqual(len(tables.row(result)), len(tables.COLUMNS) + len(tables.FILLED_COLUMNS) +
-                             len(tables.ERROR_COLUMNS) + (len(tables.CHOSEN_COLUMNS) if settings.surface else 0))
-            panel = overview.panels(result)[1]
-            self.assertEqual((panel.title, panel.caption), ("Hole filling", "1 new point"))
-            self.assertFalse(settings.can_cut())
-        self.assertNotIn("filled", pipeline.run("hole.vsm", "Horizon 1", points, NO_ROUGH).data)
-
     def test_error_is_that_of_all_points(self):
         """A point of the outline that stands out by 1 is dropped, and missed."""
         voxel = b"3 1 1 0.5 4.0\n"

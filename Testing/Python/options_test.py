@@ -64,6 +64,14 @@ class OptionsTest(unittest.TestCase):
             name, filling = self.settings("--fill-holes", "40", *target).make_stages()[0]
             self.assertEqual((name, filling.GetLargestHoleSize()), ("filled", 40))
 
+    def test_preparations(self):
+        """In their order, whatever that of the options."""
+        settings = self.settings("--cut-faults", "3", "--fill-holes", "9", "--despike", "2.5")
+        stages = settings.make_stages()[:3]
+        self.assertEqual([name for name, _ in stages], ["despiked", "torn", "filled"])
+        self.assertEqual((stages[0][1].GetThreshold(), stages[1][1].GetSmallestThrow()), (2.5, 3.0))
+        self.assertFalse(settings.can_cut())
+
     def test_largest_error(self):
         """One stage, whose parameters are chosen unless they are given."""
         settings = self.settings("--largest-error", "1.5")

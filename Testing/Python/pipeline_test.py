@@ -123,6 +123,33 @@ def check_filling(reader):
     simple.Delete(despiking)
 
 
+def check_faults(reader, folder):
+    """Lines of a file cut links beside those that are found, or alone, and no more once they are taken away."""
+    from paraview import simple
+
+    path = folder / "fault.pol"
+    path.write_text("20.5 -9.0 0\n20.5 900.0 0\n999.0 999.0 999.0\n", encoding="utf-8")
+    lines = simple.OpenDataFile(str(path))
+    faults = simple.HorizonFaults(Input=reader, FaultLines=lines, SmallestThrow=3.5)
+    faults.UpdatePipeline()
+    both = told(faults, "NumberOfCutLinks")
+    assert told(faults, "MeasuredNoise") > 0
+    faults.Detect = 0
+    faults.UpdatePipeline()
+    assert both >= told(faults, "NumberOfCutLinks") > 10 and told(faults, "NumberOfFaultLines") > 0
+    algorithm = faults.GetClientSideObject()
+    horizons, shown = (mesh_checks.blocks(algorithm.GetOutputDataObject(port)) for port in (0, 1))
+    for name, horizon in horizons.items():
+        cut = horizon.GetFieldData().GetArray("CutLinks")
+        assert all(cut.GetTuple3(n)[::2] == (20, 0) for n in range(cut.GetNumberOfTuples())), name
+        assert shown[name].GetNumberOfCells() == (cut.GetNumberOfTuples() > 0), name
+    faults.FaultLines = None
+    faults.UpdatePipeline()
+    assert told(faults, "NumberOfCutLinks") == 0
+    simple.Delete(faults)
+    simple.Delete(lines)
+
+
 def check_warped_maps(reader):
     """Maps that are warped by their elevation lie where the points are."""
     from paraview import simple
@@ -191,6 +218,7 @@ def main():
     check_distance(proxies[0], proxies[-1])
     check_surface(proxies[0])
     check_filling(proxies[0])
+    check_faults(proxies[0], pathlib.Path.cwd())
     check_selection(proxies[0], names)
     check_reader_properties(proxies[0])
 

@@ -236,6 +236,26 @@ void DuplicatePolicyChoosesTheVoxel()
   CHECK(keptIndex() == 5.0);
 }
 
+void SheetsAreHorizons()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(
+    WriteFile("sheets.vsm", "3 1 20\n5 3 1 1 5 15 3 1 9 15\n5 3 1 1 5 15 3 1 9 15\n5 3 1 1 5\n").c_str());
+  reader->SetDuplicatePolicyToSheets();
+  reader->Update();
+  CHECK(reader->GetNumberOfHorizons() == 2);
+  CHECK(GetName(reader, 0) == "Horizon 3" && GetName(reader, 1) == "Horizon 3 (2)");
+  CHECK(GetHorizon(reader, 0)->GetNumberOfPoints() == 3);
+  CHECK(GetHorizon(reader, 1)->GetNumberOfPoints() == 2);
+  reader->SetHorizonStatus("Horizon 3", 0); // the file is read again, with the same sheets
+  reader->Update();
+  CHECK(GetHorizon(reader, 0)->GetPoint(0)[2] == -15.0);
+  Messages errors(reader);
+  reader->LeastMemoryOn();
+  reader->Update();
+  CHECK(errors.WasOne("DuplicatePolicy Sheets with LeastMemory, expected another policy"));
+}
+
 // ---- Selection ---------------------------------------------------------------------------------------------------
 void SelectionIsObeyed()
 {
@@ -671,6 +691,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   RealZIsFitted();
   ImagesAreMaps();
   DuplicatePolicyChoosesTheVoxel();
+  SheetsAreHorizons();
   SelectionIsObeyed();
   SelectionMayComeFirstAndOutlivesTheFile();
   ChoosingAmongManyHorizonsIsQuick();

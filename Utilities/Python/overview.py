@@ -3,7 +3,7 @@
 """The picture of all stages: a row for each horizon, a panel for each stage."""
 
 from . import pictures
-from .pictures import MESH, OUTLINE, POINTS, Panel
+from .pictures import FAULTS, MESH, OUTLINE, POINTS, Panel
 from .pipeline import count_loops
 
 MOST_ROWS = 8
@@ -24,6 +24,13 @@ def panels(result):
     loops, loop_points = count_loops(result.data["boundary"])
     mesh = result.data["mesh"]
     row = [Panel(result.name, _count(points.GetNumberOfPoints(), "point"), points, POINTS)]
+    if "despiked" in result.data:
+        known, points = points, result.data["despiked"]
+        row.append(Panel("Despiking", _count(known.GetNumberOfPoints() - points.GetNumberOfPoints(), "point") + " removed",
+                         points, POINTS))
+    if "torn" in result.data:
+        points, lines = result.data["torn"], result.data["faults"]
+        row.append(Panel("Faults", _count(lines.GetNumberOfLines(), "line"), lines, FAULTS, points))
     if "filled" in result.data:
         known, points = points, result.data["filled"]
         row.append(Panel("Hole filling", _count(points.GetNumberOfPoints() - known.GetNumberOfPoints(), "new point"),

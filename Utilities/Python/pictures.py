@@ -13,45 +13,22 @@ import numpy as np
 # Importing these two registers the implementations of rendering and of text.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
-    vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
+from .styles import (  # noqa: F401: a panel is made with one of them
+    CELLS, DISTANCE, FAULTS, LEVELS, MESH, OUTLINE, POINTS, coordinates, distances, make_actors, rgb)
 from .writing import write_file
 
-POINTS = "points"
-OUTLINE = "outline"
-MESH = "mesh"
-LEVELS = "levels"  # points, coloured by how often their cells were halved
-CELLS = "cells"  # cells of a simplification as seen from above, in the same colours
-
-DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
-
-# What a panel shows: a title, a line below it, the horizon, and one of the styles above. `behind` is a horizon whose
-# points are shown in pale grey, or None.
+# What a panel shows: a title, a line below it, the horizon, and one of the styles. `behind` is a horizon whose points
+# are shown in pale grey, or None.
 Panel = namedtuple("Panel", "title caption horizon style behind", defaults=[None])
 
 PANEL_SIZE = (480, 400)
 HEIGHT_SHARE = 0.22  # height of a horizon on show, in parts of its width
 VIEW_AZIMUTH = math.radians(-62.0)
 VIEW_ELEVATION = math.radians(38.0)
-LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
-LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
-NEAR_TO_FAR = ((0.0, "f4f2ea"), (0.12, "fee090"), (0.3, "fdae61"), (0.5, "e9693e"), (0.72, "b72842"), (1.0, "4a0c4a"))
-EXTERIOR_COLOR = (0.78, 0.11, 0.16)
-HOLE_COLOR = (0.95, 0.55, 0.05)
-PALE_COLOR = (0.72, 0.75, 0.79)
 TEXT_COLOR = (0.13, 0.16, 0.20)
-# How far lines are brought before the surface they lie on, in steps of the depth buffer. A hundred are a few pixels of
-# a slope of 45 degrees. (VTK can also take the slope into account, but knows it only roughly where it draws lines:
-# edges have gaps then, and not the same ones in all versions.)
-EDGE_OFFSET = -100.0
-OUTLINE_OFFSET = -800.0  # before the edges as well
 
 
 def draw(rows, text=True, panel_size=PANEL_SIZE):
@@ -96,16 +73,11 @@ def write(image, path):
     write_file(writer.GetResult(), path)
 
 
-def rgb(color):
-    """Red, green and blue from 0 to 1, of a colour in six hexadecimal digits."""
-    return tuple(int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
-
-
 class _Frame:
     """What the panels of a row have in common."""
 
     def __init__(self, row, panel_size):
-        points = [_coordinates(panel.horizon) for panel in row]
+        points = [coordinates(panel.horizon) for panel in row]
         points = [p for p in points if len(p)] or [np.zeros((1, 3))]
         self.points = max(points, key=len)
         self.low = np.min([p.min(axis=0) for p in points], axis=0)
@@ -115,7 +87,7 @@ class _Frame:
         # A few extreme points should not eat up the colours.
         low, high = np.percentile(self.points[:, 2], (1.0, 99.0))
         self.color_range = (low, max(high, low + 1e-9))
-        self.farthest = max([1e-9] + [np.percentile(_distances(panel.horizon), 99.0) for panel in row
+        self.farthest = max([1e-9] + [np.percentile(distances(panel.horizon), 99.0) for panel in row
                                       if panel.style == DISTANCE])
         extent = self.high - self.low
         width = max(extent[0], extent[1], 1e-9)
@@ -157,24 +129,13 @@ class _Frame:
         camera.SetClippingRange(0.5 * depth, 4.0 * depth)
 
 
-def _coordinates(horizon):
-    points = horizon.GetPoints()
-    if points is None or points.GetNumberOfPoints() == 0:
-        return np.zeros((0, 3))
-    return vtk_to_numpy(points.GetData())
-
-
-def _distances(horizon):
-    return vtk_to_numpy(horizon.GetPointData().GetArray("Distance"))
-
-
 def _renderer(frame, panel, text):
     renderer = vtkRenderer()
     renderer.SetBackground(0.90, 0.92, 0.95)
     renderer.SetBackground2(0.99, 0.99, 1.0)
     renderer.GradientBackgroundOn()
     _light(renderer)
-    for actor in _actors(frame, panel):
+    for actor in make_actors(frame, panel):
         actor.SetScale(*frame.scale())
         renderer.AddActor(actor)
     if text:
@@ -209,187 +170,3 @@ def text_actor(text, size, place, bold=False):
     style.SetBold(bold)
     style.SetColor(*TEXT_COLOR)
     return actor
-
-
-def _actors(frame, panel):
-    actors = []
-    if panel.behind is not None:
-        actors.append(_plain_points(panel.behind, frame.point_size(), PALE_COLOR))
-    if panel.style == POINTS:
-        actors.append(_colored_points(frame, panel.horizon))
-    elif panel.style == LEVELS:
-        actors.append(_leveled_points(frame, panel.horizon))
-    elif panel.style == CELLS:
-        actors.append(_cells(frame, panel.horizon))
-    elif panel.style == OUTLINE:
-        actors.extend(_outline(panel.horizon, dots=True))
-    else:
-        actors.extend(_mesh(frame, panel.horizon, panel.style == DISTANCE))
-    return actors
-
-
-def _actor(data):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputDataObject(data)
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    return actor
-
-
-def _part(horizon, verts=None, lines=None, polys=None):
-    """The points of a horizon with some of its cells, and no arrays."""
-    part = vtkPolyData()
-    part.SetPoints(horizon.GetPoints())
-    part.SetVerts(verts)
-    part.SetLines(lines)
-    part.SetPolys(polys)
-    return part
-
-
-def _color_by(actor, values, stops):
-    """Colours from an array of the points, between stops of (value, colour)."""
-    colors = vtkColorTransferFunction()
-    for value, color in stops:
-        colors.AddRGBPoint(value, *rgb(color))
-    mapper = actor.GetMapper()
-    mapper.GetInput().GetPointData().SetScalars(values)
-    mapper.ScalarVisibilityOn()
-    mapper.SetLookupTable(colors)
-    mapper.UseLookupTableScalarRangeOn()
-
-
-def _color_by_height(frame, actor):
-    """Colours from the height itself: every stage has it, whatever arrays it carries."""
-    heights = np.ascontiguousarray(_coordinates(actor.GetMapper().GetInput())[:, 2])
-    low, high = frame.color_range
-    _color_by(actor, numpy_to_vtk(heights, deep=True), [
-        (low + (high - low) * number / (len(LOW_TO_HIGH) - 1), color) for number, color in enumerate(LOW_TO_HIGH)])
-
-
-def _color_by_distance(frame, horizon, actor):
-    _color_by(actor, horizon.GetPointData().GetArray("Distance"),
-              [(part * frame.farthest, color) for part, color in NEAR_TO_FAR])
-    actor.GetMapper().InterpolateScalarsBeforeMappingOn()
-
-
-def _plain_points(horizon, size, color):
-    actor = _actor(_part(horizon, verts=horizon.GetVerts()))
-    actor.GetProperty().SetPointSize(size)
-    actor.GetProperty().SetColor(*color)
-    actor.GetProperty().LightingOff()
-    return actor
-
-
-def _colored_points(frame, horizon):
-    size = frame.point_size()
-    if horizon.GetNumberOfPoints() < frame.count:
-        size = max(2.0, min(4.0, 0.6 * size * math.sqrt(frame.count / max(1, horizon.GetNumberOfPoints()))))
-    actor = _plain_points(horizon, size, PALE_COLOR)
-    if horizon.GetNumberOfPoints():
-        _color_by_height(frame, actor)
-    return actor
-
-
-def _color_by_level(actor, attributes, origins):
-    """Colours from the first component of CellOrigin."""
-    levels = vtk_to_numpy(origins)[:, 0]
-    table = np.rint([[255.0 * part for part in rgb(color)] for color in LEVEL_COLORS]).astype(np.uint8)
-    attributes.SetScalars(numpy_to_vtk(table[np.minimum(levels, len(LEVEL_COLORS) - 1)], deep=True))
-    actor.GetMapper().ScalarVisibilityOn()
-    return actor
-
-
-def _leveled_points(frame, horizon):
-    actor = _colored_points(frame, horizon)
-    actor.GetMapper().SetLookupTable(None)
-    data = actor.GetMapper().GetInput()
-    return _color_by_level(actor, data.GetPointData(), horizon.GetPointData().GetArray("CellOrigin"))
-
-
-def _cells(frame, cells):
-    """All at the same height, so that boxes are squares."""
-    flat = vtkPolyData()
-    flat.DeepCopy(cells)
-    _coordinates(flat)[:, 2] = frame.low[2]
-    actor = _actor(flat)
-    actor.GetProperty().SetLineWidth(1.5)
-    actor.GetProperty().LightingOff()
-    return _color_by_level(actor, flat.GetCellData(), flat.GetCellData().GetArray("CellOrigin"))
-
-
-def _outline(horizon, dots=False):
-    """The outlines as lines, in front of everything they lie on; with dots on their points when asked for."""
-    lines = _part(horizon, lines=horizon.GetLines())
-    kinds = horizon.GetPointData().GetArray("Boundary")
-    colors = vtkUnsignedCharArray()
-    colors.SetNumberOfComponents(3)
-    cells = horizon.GetLines()
-    for cell in range(cells.GetNumberOfCells()):
-        hole = kinds is not None and kinds.GetTuple1(_first_point(cells, cell)) == 2
-        colors.InsertNextTuple3(*(255.0 * c for c in (HOLE_COLOR if hole else EXTERIOR_COLOR)))
-    lines.GetCellData().SetScalars(colors)
-    line_actor = _actor(lines)
-    line_actor.GetMapper().ScalarVisibilityOn()
-    line_actor.GetProperty().SetLineWidth(1.5)
-    actors = [line_actor]
-    if dots:
-        # As vertices of their own: a line also has points that are drawn nowhere else.
-        dot_actor = _actor(_part(horizon, verts=_vertices(cells)))
-        dot_actor.GetProperty().SetPointSize(max(2.0, min(4.0, 1000.0 / max(1, cells.GetNumberOfConnectivityIds()))))
-        dot_actor.GetProperty().SetColor(*(0.75 * c for c in EXTERIOR_COLOR))
-        actors.append(dot_actor)
-    for actor in actors:
-        actor.GetProperty().LightingOff()
-        _bring_forward(actor.GetMapper(), OUTLINE_OFFSET)
-    return actors
-
-
-def _bring_forward(mapper, offset):
-    """Before what lies at the same place, but still behind what is clearly nearer."""
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, offset)
-    mapper.SetRelativeCoincidentTopologyPointOffsetParameter(offset)
-
-
-def _vertices(cells):
-    """One vertex for each point of the cells."""
-    vertices = vtkCellArray()
-    ids = cells.GetConnectivityArray()
-    for number in range(ids.GetNumberOfTuples()):
-        vertices.InsertNextCell(1, [int(ids.GetTuple1(number))])
-    return vertices
-
-
-def _first_point(cells, cell):
-    offsets = cells.GetOffsetsArray()
-    return int(cells.GetConnectivityArray().GetTuple1(int(offsets.GetTuple1(cell))))
-
-
-def _mesh(frame, horizon, by_distance=False):
-    """The shaded surface, and its edges as strongly as their number allows."""
-    triangles = horizon.GetPolys()
-    surface = _part(horizon, polys=triangles)
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(surface)
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    normals.Update()
-    shaded = _actor(normals.GetOutput())
-    if by_distance:
-        _color_by_distance(frame, horizon, shaded)
-    elif horizon.GetNumberOfPoints():
-        _color_by_height(frame, shaded)
-    shaded.GetProperty().SetAmbient(0.15)
-    shaded.GetProperty().SetSpecular(0.12)
-    shaded.GetProperty().SetSpecularPower(12.0)
-
-    if triangles.GetNumberOfCells() > frame.pixels():  # edges would cover everything
-        return [shaded, *_outline(horizon)]
-    edges = _actor(surface)
-    edges.GetProperty().SetRepresentationToWireframe()
-    edges.GetProperty().SetColor(0.05, 0.07, 0.10)
-    edges.GetProperty().LightingOff()
-    edges.GetProperty().SetOpacity(max(0.05, min(0.4, 1500.0 / max(1, triangles.GetNumberOfCells()))))
-    _bring_forward(edges.GetMapper(), EDGE_OFFSET)
-    return [shaded, edges, *_outline(horizon)]

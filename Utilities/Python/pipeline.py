@@ -29,7 +29,11 @@ STAGES = {
     "rough": "vtkHorizonRoughSimplification",
     "elaborate": "vtkHorizonElaborateSimplification",
     "mesh": "vtkHorizonTriangulation"}
-FILLING = "vtkHorizonHoleFilling"  # before all of them, on request
+# Before all of them, on request.
+PREPARATIONS = {
+    "despiked": "vtkHorizonDespiking",
+    "torn": "vtkHorizonFaults",
+    "filled": "vtkHorizonHoleFilling"}
 # Properties of the surface, which takes the place of all of them, that are chosen, unless they are given: each has a
 # switch, "Automatic" and its name.
 CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
@@ -38,13 +42,16 @@ CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
 @dataclass
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
-    defaults. None leaves a stage out. `filled` are those of the hole filling. With `surface` (see surface_properties) one stage takes the place of all.
+    defaults. None leaves a stage out. `despiked`, `torn` and `filled` are those of despiking, faults and hole filling,
+    which come first. With `surface` (see surface_properties) one stage takes the place of all others.
     `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
     meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
     left; horizons are read as many at a time as fit."""
 
     reader: dict = field(default_factory=dict)
+    despiked: Optional[dict] = None
+    torn: Optional[dict] = None
     filled: Optional[dict] = None
     boundary: dict = field(default_factory=dict)
     simplified: dict = field(default_factory=dict)
@@ -63,13 +70,13 @@ class Settings:
         stages = [(name, STAGES[name], getattr(self, name)) for name in STAGES]
         if self.surface is not None:
             stages = [("mesh", SURFACE, self.surface)]
-        stages.insert(0, ("filled", FILLING, self.filled))
+        stages = [(name, PREPARATIONS[name], getattr(self, name)) for name in PREPARATIONS] + stages
         return [(name, self.make(class_name, given)) for name, class_name, given in stages if given is not None]
 
     def can_cut(self):
         """Whether a horizon that is larger than memory can be meshed in windows."""
         by_error = self.surface is not None and self.surface.get("Target") != "NumberOfTriangles"
-        return by_error and self.error is None and self.filled is None
+        return by_error and self.error is None and all(getattr(self, name) is None for name in PREPARATIONS)
 
     def make(self, class_name, properties):
         """A stage, or the measure."""
@@ -140,7 +147,9 @@ def run(source, name, points, settings):
         algorithm.SetInputDataObject(0, data)
         result.run_stage(stage, algorithm)
         data = result.data[stage] = algorithm.GetOutputDataObject(0)
-        if settings.surface is not None and stage == "mesh":
+        if stage == "torn":
+            result.data["faults"] = algorithm.GetOutputDataObject(1)
+        elif settings.surface is not None and stage == "mesh":
             result.data["boundary"] = algorithm.GetOutputDataObject(1)
     result.loops = count_loops(result.data["boundary"])
     result.simplified = count_loops(result.data.get("simplified", result.data["mesh"]))

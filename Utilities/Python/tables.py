@@ -9,7 +9,11 @@ COLUMNS = ("horizon", "points in", "loops", "loop points", "after", "points out"
            "boundary s", "simplify s", "rough s", "elaborate s", "mesh s")
 # Parameters of a surface, by the names of the properties.
 CHOSEN_COLUMNS = {"Radius": "radius", "SmallestHoleSize": "smallest hole", "OutlineTolerance": "tolerance"}
-FILLED_COLUMNS = ("filled", "fill s")
+# Of what comes before the stages: what was found, told by an array of the mesh, and the time.
+PREPARATION_COLUMNS = {
+    "despiked": ("spikes", "despike s"),
+    "torn": ("cut links", "faults s"),
+    "filled": ("filled", "fill s")}
 ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
@@ -23,14 +27,25 @@ def row(result):
     return (short_name(result.name), "%d" % before, "%d" % loops, "-" if loop_points is None else "%d" % loop_points,
             "%d" % result.simplified[1], "%d" % after,
             "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
-            *("-" if s is None else "%.2f" % s for s in seconds), *_filled_cells(result), *_chosen_cells(result),
+            *("-" if s is None else "%.2f" % s for s in seconds), *_preparation_cells(result), *_chosen_cells(result),
             *_error_cells(result))
 
 
-def _filled_cells(result):
-    """How many points the hole filling has put in, which the mesh still tells."""
-    filled = result.data["mesh"].GetFieldData().GetArray("NumberOfFilledPoints")
-    return () if filled is None else ("%d" % filled.GetValue(0), "%.2f" % result.seconds["filled"])
+def _preparation_cells(result):
+    cells = []
+    for name in PREPARATION_COLUMNS:
+        if name in result.seconds:
+            cells += ["%d" % _prepared(result.data["mesh"].GetFieldData(), name), "%.2f" % result.seconds[name]]
+    return tuple(cells)
+
+
+def _prepared(figures, name):
+    """How many spikes, cut links or filled points there are, which the mesh still tells."""
+    if name == "torn":
+        links = figures.GetArray("CutLinks")
+        return 0 if links is None else links.GetNumberOfTuples()
+    found = figures.GetArray("NumberOfSpikes" if name == "despiked" else "NumberOfFilledPoints")
+    return 0 if found is None else found.GetValue(0)
 
 
 def _chosen_cells(result):
@@ -50,8 +65,8 @@ def _error_cells(result):
 def table(results):
     """Heads, a rule and a row for each result, as lines of text."""
     chosen = tuple(CHOSEN_COLUMNS.values()) if chosen_parameters(results[0].data["mesh"]) else ()
-    filled = FILLED_COLUMNS if "filled" in results[0].seconds else ()
-    columns = COLUMNS + filled + chosen + (ERROR_COLUMNS if results[0].figures is not None else ())
+    prepared = sum((names for name, names in PREPARATION_COLUMNS.items() if name in results[0].seconds), ())
+    columns = COLUMNS + prepared + chosen + (ERROR_COLUMNS if results[0].figures is not None else ())
     return align([columns] + [row(result) for result in results])
 
 

@@ -60,7 +60,7 @@ void CutFaces::AddOutline(const std::vector<FaceStep>& steps)
   {
     this->CutOutlines.push_back(this->Faces.size());
   }
-  this->Faces.push_back({ -TwiceArea(this->Hops, steps), true });
+  this->Faces.push_back({ -MeasureFace(this->Hops, steps).TwiceArea, true });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -69,7 +69,7 @@ bool CutFaces::AddHole(const std::vector<FaceStep>& steps, bool hasLoop, bool ha
   const bool stays = hasLoop || this->PassesCut(steps);
   if (stays || hasColumns)
   {
-    this->Faces.push_back({ TwiceArea(this->Hops, steps), stays });
+    this->Faces.push_back({ MeasureFace(this->Hops, steps).TwiceArea, stays });
   }
   return stays || hasColumns;
 }

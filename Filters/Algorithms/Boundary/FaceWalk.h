@@ -46,33 +46,38 @@ void WalkFace(const ColumnRaster& raster, const HopVectors& hops, std::int64_t s
   } while (place != start || hop != first);
 }
 
-/// Twice the area of a face that is walked counter-clockwise; less than 0 for one that is walked clockwise.
-inline std::int64_t TwiceArea(const HopVectors& hops, const std::vector<FaceStep>& steps)
+struct FaceSize
 {
-  std::int64_t twiceArea = 0;
+  std::int64_t TwiceArea = 0; // less than 0 for a face that is walked clockwise
+  std::int64_t OnLoop = 0; // columns that the walk passes through the middles of, each as often as it does
+};
+
+inline FaceSize MeasureFace(const HopVectors& hops, const std::vector<FaceStep>& steps)
+{
+  FaceSize size;
   std::int64_t x = 0;
   std::int64_t y = 0;
   for (const FaceStep& step : steps)
   {
-    const PlanePoint vector = step.Hop == NoHop ? PlanePoint{} : hops.Vector(step.Hop);
-    twiceArea += x * vector.Y - y * vector.X;
+    if (step.Hop == NoHop)
+    {
+      return size;
+    }
+    const PlanePoint& vector = hops.Vector(step.Hop);
+    size.TwiceArea += x * vector.Y - y * vector.X;
+    size.OnLoop += hops.NumberOfParts(step.Hop);
     x += vector.X;
     y += vector.Y;
   }
-  return twiceArea;
+  return size;
 }
 
 /// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
 /// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
 inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
 {
-  const std::int64_t twiceArea = TwiceArea(hops, steps);
-  std::int64_t onLoop = 0;
-  for (const FaceStep& step : steps)
-  {
-    onLoop += step.Hop == NoHop ? 0 : hops.NumberOfParts(step.Hop);
-  }
-  return twiceArea > 0 ? (twiceArea - onLoop) / 2 + 1 : 0;
+  const FaceSize size = MeasureFace(hops, steps);
+  return size.TwiceArea > 0 ? (size.TwiceArea - size.OnLoop) / 2 + 1 : 0;
 }
 
 /// Leaves out the steps in gaps of seams. The columns inside are counted before.

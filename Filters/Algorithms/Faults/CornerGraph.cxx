@@ -4,39 +4,10 @@
 #include "CornerGraph.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
 {
-//----------------------------------------------------------------------------------------------------------------------
-DisjointSets::DisjointSets(std::int32_t size)
-  : Parents(std::size_t(size))
-{
-  std::iota(this->Parents.begin(), this->Parents.end(), 0);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::int32_t DisjointSets::Find(std::int32_t item)
-{
-  while (this->Parents[std::size_t(item)] != item)
-  {
-    std::int32_t& parent = this->Parents[std::size_t(item)];
-    parent = this->Parents[std::size_t(parent)]; // halves the way for the next one
-    item = parent;
-  }
-  return item;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool DisjointSets::Join(std::int32_t a, std::int32_t b)
-{
-  const std::int32_t first = this->Find(a);
-  const std::int32_t second = this->Find(b);
-  this->Parents[std::size_t(std::max(first, second))] = std::min(first, second);
-  return first != second;
-}
-
 //----------------------------------------------------------------------------------------------------------------------
 CornerGraph::CornerGraph(const LinkGrid& grid, std::vector<FaultCandidate> candidates)
   : Links(grid)

@@ -21,20 +21,6 @@ struct FaultCandidate
   bool IsStrong = false;
 };
 
-/// Parts of a whole that are joined one after the other.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::int32_t size);
-
-  std::int32_t Find(std::int32_t item);
-  /// Whether they were apart.
-  bool Join(std::int32_t a, std::int32_t b);
-
-private:
-  std::vector<std::int32_t> Parents;
-};
-
 /// The graph of some candidates: its edges are the candidates, its vertices the corners that their cuts join. Edges can
 /// be dropped.
 class CornerGraph

@@ -3,6 +3,7 @@
 
 #include "FaultForest.h"
 
+#include "Common/DisjointSets.h"
 #include "Common/PlaneGeometry.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace
 /// The groups of vertices that kept edges join.
 DisjointSets JoinKept(const CornerGraph& graph)
 {
-  DisjointSets groups(graph.NumberOfVertices());
+  DisjointSets groups(std::size_t(graph.NumberOfVertices()));
   for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
   {
     if (graph.IsKept(edge))
@@ -167,7 +168,7 @@ void KeepTrees(CornerGraph& graph)
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
     [&graph](std::int32_t a, std::int32_t b) { return graph.Edge(a).Size > graph.Edge(b).Size; });
-  DisjointSets trees(graph.NumberOfVertices());
+  DisjointSets trees(std::size_t(graph.NumberOfVertices()));
   for (const std::int32_t edge : order)
   {
     if (!trees.Join(graph.Ends(edge)[0], graph.Ends(edge)[1]))

@@ -21,7 +21,7 @@ public:
     : Picks(picks)
     , Steps(int(connectivity) / 2)
     , LargestStep(largestStep)
-    , Parents(picks.Picks.size())
+    , Parents(picks.Places.size())
   {
     std::iota(this->Parents.begin(), this->Parents.end(), 0);
   }
@@ -82,12 +82,12 @@ private:
     const PointId endA = this->Picks.End(columnA);
     for (PointId a = this->Picks.Begin(columnA); a < endA; ++a)
     {
-      const Depth place = this->Picks[a].Place;
-      while (low < endB && this->Picks[low].Place < place - this->LargestStep)
+      const Depth place = this->Picks.PlaceOf(a);
+      while (low < endB && this->Picks.PlaceOf(low) < place - this->LargestStep)
       {
         ++low;
       }
-      for (PointId b = low; b < endB && this->Picks[b].Place <= place + this->LargestStep; ++b)
+      for (PointId b = low; b < endB && this->Picks.PlaceOf(b) <= place + this->LargestStep; ++b)
       {
         this->Join(a, b);
       }

@@ -5,7 +5,6 @@
 
 #include "Common/CountingSort.h"
 
-#include <cstring>
 #include <queue>
 #include <vector>
 
@@ -17,12 +16,7 @@ namespace
 std::vector<PointId> SortByStrength(const ReflectionPicks& picks)
 {
   constexpr std::int64_t keys = 1 << 15; // strengths have no sign
-  const auto keyOf = [&picks](PointId pick)
-  {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &picks[pick].Strength, sizeof(bits));
-    return keys - 1 - std::int64_t(bits >> 16);
-  };
+  const auto keyOf = [&picks](PointId pick) { return keys - 1 - picks.CoarseStrengthOf(pick); };
   CountingSort<std::int32_t> sort(keys);
   for (PointId pick = 0; pick < picks.Size(); ++pick)
   {
@@ -56,7 +50,7 @@ public:
   Growth(const ReflectionPicks& picks, const ReflectionLinks& links)
     : Picks(picks)
     , Links(links)
-    , Labels(picks.Picks.size(), NoPoint)
+    , Labels(picks.Places.size(), NoPoint)
     , LastInColumn(picks.Starts.size() - 1, NoPoint)
     , Columns(picks.ListColumns())
   {

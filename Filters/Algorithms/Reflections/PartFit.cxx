@@ -6,35 +6,36 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-bool PartFit::MayJoin(PointId big, const ColumnSet* columns, PointId small, std::int64_t& shared) const
+bool PartFit::MayJoin(
+  PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const
 {
   if (columns)
   {
     return this->MayJoin(
-      big, small, [columns](int i, int j) { return columns->Has(i, j); }, shared);
+      big, small, window, [columns](int i, int j) { return columns->Has(i, j); }, shared);
   }
-  const auto hasColumn = [this, big](int i, int j)
-  {
-    const bool isInside = i >= 0 && i < this->Picks.Columns[0] && j >= 0 && j < this->Picks.Columns[1];
-    return isInside && this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j));
-  };
-  return this->MayJoin(big, small, hasColumn, shared);
+  const auto hasColumn = [this, big](int i, int j) { return this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j)); };
+  return this->MayJoin(big, small, window, hasColumn, shared);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename HasColumn>
-bool PartFit::MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::int64_t& shared) const
+bool PartFit::MayJoin(
+  PointId big, PointId small, const ColumnWindow& window, HasColumn&& hasColumn, std::int64_t& shared) const
 {
   const PointId size = this->Sets.SizeOf(small);
   const auto most = std::int64_t(this->Rules.LargestShare * size);
   const bool needsContact = size >= this->Rules.ContactSize;
-  std::int64_t facing = 0;
-  std::int64_t linked = 0;
+  Contact contact;
   const auto look = [&](PointId partner, int i, int j)
   {
+    if (!window.Has(i, j))
+    {
+      return;
+    }
     const bool isLinked = partner != NoPoint && this->Sets.SetOf(partner) == big;
-    linked += isLinked ? 1 : 0;
-    facing += isLinked || hasColumn(i, j) ? 1 : 0;
+    contact.Linked += isLinked ? 1 : 0;
+    contact.Facing += isLinked || hasColumn(i, j) ? 1 : 0;
   };
   shared = 0;
   this->Sets.ForEachMember(small,
@@ -51,8 +52,47 @@ bool PartFit::MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::in
       }
       return shared <= most;
     });
-  const bool isTooWide =
-    needsContact && size >= this->Rules.LargestFilled && size > this->Rules.LargestFilledWidth * double(facing);
-  return shared <= most && !isTooWide && double(linked) >= this->Rules.SmallestContact * double(facing);
+  return shared <= most && (!needsContact || this->IsEnough(big, small, contact));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool PartFit::IsEnough(PointId big, PointId small, const Contact& contact) const
+{
+  const PointId size = this->Sets.SizeOf(small);
+  const double facing = double(contact.Facing);
+  const double linked = double(contact.Linked);
+  if (linked < this->Rules.SmallestContact * facing)
+  {
+    return false;
+  }
+  if (size < this->Rules.LargestFilled || size <= this->Rules.LargestFilledWidth * facing)
+  {
+    return true;
+  }
+  return this->Rules.Correlate && contact.Linked >= this->Rules.FewestWidePairs &&
+    linked >= this->Rules.SmallestWideContact * facing &&
+    this->Rules.Correlate(this->ListPairs(big, small)) >= this->Rules.SmallestWideCorrelation;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<Edge> PartFit::ListPairs(PointId big, PointId small) const
+{
+  std::vector<Edge> pairs;
+  this->Sets.ForEachMember(small,
+    [&](PointId pick)
+    {
+      for (int direction = 0; direction < this->Links.Directions(); ++direction)
+      {
+        for (const PointId partner : { this->Links.Next(pick, direction), this->Links.Previous(pick, direction) })
+        {
+          if (partner != NoPoint && this->Sets.SetOf(partner) == big)
+          {
+            pairs.push_back({ pick, partner });
+          }
+        }
+      }
+      return true;
+    });
+  return pairs;
 }
 }

@@ -13,7 +13,9 @@
 #include "SurfaceSets.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -29,10 +31,16 @@ struct JoiningRules
   /// along their contact.
   PointId LargestFilled = std::numeric_limits<PointId>::max();
   double LargestFilledWidth = 0.0;
+  /// Wider ones are joined nevertheless where they are linked by so many pairs, these are that part of those along
+  /// which they face each other, and the mean waveforms of both sides correlate so much. Never without a correlation.
+  std::int64_t FewestWidePairs = 10;
+  double SmallestWideContact = 0.7;
+  double SmallestWideCorrelation = 0.9;
+  std::function<double(std::vector<Edge> pairs)> Correlate;
 };
 
-/// Reads nothing but the two parts, and their columns: parts that have nothing in common may be looked at by several
-/// threads.
+/// Reads nothing but the two parts, and their columns in the window: parts that have nothing in common may be looked at
+/// by several threads.
 class PartFit
 {
 public:
@@ -47,14 +55,26 @@ public:
 
   /// Whether two sets, the larger one first, may become one. If so, `shared` is how many columns both have. `columns`:
   /// those of the larger one, or null, where its picks are looked for.
-  bool MayJoin(PointId big, const ColumnSet* columns, PointId small, std::int64_t& shared) const;
+  /// `window`: columns that hold both.
+  bool MayJoin(
+    PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const;
 
   const ReflectionPicks& Picks;
   const ReflectionLinks& Links;
 
 private:
+  struct Contact
+  {
+    std::int64_t Facing = 0; // pairs of picks
+    std::int64_t Linked = 0;
+  };
+
   template <typename HasColumn>
-  bool MayJoin(PointId big, PointId small, HasColumn&& hasColumn, std::int64_t& shared) const;
+  bool MayJoin(
+    PointId big, PointId small, const ColumnWindow& window, HasColumn&& hasColumn, std::int64_t& shared) const;
+  bool IsEnough(PointId big, PointId small, const Contact& contact) const;
+  /// From picks of the smaller set to those of the larger one.
+  std::vector<Edge> ListPairs(PointId big, PointId small) const;
 
   const JoiningRules Rules;
   const SurfaceSets& Sets;

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace SeismicHorizons
@@ -61,24 +62,51 @@ struct Reflection
   float Strength = 0.0F; // the absolute amplitude at the peak; in the middle, the largest one of the run
 };
 
-/// The reflections of one sign, column by column, i fastest, and downwards in each.
+/// A strength, which has no sign, by the upper half of its bits: they sort as strengths do, and tell them apart by less
+/// than a hundredth.
+inline std::uint16_t CoarseStrength(float strength)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &strength, sizeof(bits));
+  return std::uint16_t(bits >> 16);
+}
+
+inline float StrengthOf(std::uint16_t coarse)
+{
+  const std::uint32_t bits = std::uint32_t(coarse) << 16;
+  float strength = 0.0F;
+  std::memcpy(&strength, &bits, sizeof(strength));
+  return strength;
+}
+
+/// The reflections of one sign, column by column, i fastest, and downwards in each: what it takes to join them. The
+/// rest is found once more for those that come out.
 struct ReflectionPicks
 {
   std::array<int, 2> Columns = { 0, 0 };
   /// Where the picks of each column begin; one more entry for the end of the last.
   std::vector<PointId> Starts;
-  RawVector<Reflection> Picks;
+  RawVector<Depth> Places;
+  RawVector<std::uint16_t> Strengths; // coarse
 
   std::int64_t ColumnAt(int i, int j) const { return i + std::int64_t(this->Columns[0]) * j; }
   PointId Begin(std::int64_t column) const { return this->Starts[std::size_t(column)]; }
   PointId End(std::int64_t column) const { return this->Starts[std::size_t(column) + 1]; }
-  PointId Size() const { return PointId(this->Picks.size()); }
-  const Reflection& operator[](PointId pick) const { return this->Picks[std::size_t(pick)]; }
+  PointId Size() const { return PointId(this->Places.size()); }
+  Depth PlaceOf(PointId pick) const { return this->Places[std::size_t(pick)]; }
+  std::uint16_t CoarseStrengthOf(PointId pick) const { return this->Strengths[std::size_t(pick)]; }
+
+  /// Leaves where the picks of each column begin.
+  void FreePicks()
+  {
+    this->Places = {};
+    this->Strengths = {};
+  }
 
   /// The column of each pick.
   RawVector<std::int32_t> ListColumns() const
   {
-    RawVector<std::int32_t> columns(this->Picks.size());
+    RawVector<std::int32_t> columns(this->Places.size());
     for (std::size_t column = 0; column + 1 < this->Starts.size(); ++column)
     {
       std::fill(

@@ -9,6 +9,7 @@
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "ConnectedPicks.h"
+#include "ContactWaveforms.h"
 #include "ContinuousJoining.h"
 #include "SurfaceSets.h"
 #include "SurfaceWriter.h"
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -35,6 +37,11 @@ constexpr double LargestFilledWidth = 6.0;
 // What the correlation of these links is at least: a part of their median, no more than a fixed one.
 constexpr double FillPart = 0.8;
 constexpr double LargestFillCorrelation = 0.7;
+
+// What the mean waveforms of wider parts correlate at least, by the long waveforms: a part of their median, no less
+// than a fixed one. Means of noisy waveforms are alike even where they themselves are not.
+constexpr double WidePart = 0.95;
+constexpr double SmallestWideCorrelation = 0.9;
 
 // The largest step that is chosen: a part of the dominant period, and at least so many samples.
 constexpr double StepPerPeriod = 0.3;
@@ -78,6 +85,9 @@ public:
     BestFirstJoining joining(picks, sets);
     joining.Run(*links, rules, monitor.Step(0.3, 0.7));
     links.reset();
+    rules.SmallestWideCorrelation = std::max(SmallestWideCorrelation, WidePart * medianCorrelation);
+    rules.Correlate = [contact = ContactWaveforms(this->Cube, picks, sets, this->Link.HalfWidth)](
+                        std::vector<Edge> pairs) mutable { return contact.Correlate(std::move(pairs)); };
     this->Fill(picks, rules, joining, monitor.Step(0.7, 1.0));
     return sets.TakeLabels();
   }
@@ -116,7 +126,7 @@ void CheckOptions(const ExtractionOptions& options)
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);
-  const CubeReflections reflections = FindReflections(cube, options.Reflections, monitor.Step(0.0, 0.3));
+  CubeReflections reflections = FindReflections(cube, options.Reflections, monitor.Step(0.0, 0.3));
   Extraction result;
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
@@ -131,10 +141,11 @@ Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& op
     const double begin = sign == 0 ? 0.3 : 0.6;
     surfaces[sign] =
       Joiner(cube, options, result).Join(reflections.BySign[sign], medians[sign], monitor.Step(begin, begin + 0.3));
+    reflections.BySign[sign].FreePicks();
   }
   result.MedianCorrelation = std::max(medians[0], medians[1]);
-  monitor.Progress(0.9);
-  WriteSurfaces(reflections.BySign, surfaces, options.SmallestSize, options.LargestNumber, result);
+  WriteSurfaces(
+    cube, reflections, surfaces, options.SmallestSize, options.LargestNumber, result, monitor.Step(0.9, 1.0));
   return result;
 }
 }

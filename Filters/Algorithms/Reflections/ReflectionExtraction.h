@@ -60,7 +60,7 @@ struct Extraction
 void CheckOptions(const ExtractionOptions& options);
 
 /// Gives the same on any number of threads. Throws InputError on options out of range, and when FindReflections does.
-/// Takes about 60 bytes per pick beside the result.
+/// Takes about 30 bytes per pick beside the result.
 Extraction ExtractReflections(
   const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(), const Monitor& monitor = Monitor());
 }

@@ -10,7 +10,6 @@
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "MagnitudeSelection.h"
-#include "ReflectionRuns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include <mutex>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -26,9 +26,17 @@ namespace
 // Of one sign: links between them are counted by 32 bits.
 constexpr std::int64_t MostPicks = std::int64_t(1) << 30;
 
+/// What is known of a reflection until the threshold is.
+struct Found
+{
+  Depth Place = 0;
+  std::int32_t Thickness = 0;
+  float Strength = 0.0F; // with the sign of the reflection
+};
+
 struct RowReflections
 {
-  std::vector<Reflection> Found;
+  RawVector<Found> All;
   std::vector<std::int32_t> Ends; // of each column in that list
   std::int64_t Samples = 0;
 };
@@ -54,23 +62,6 @@ void CheckSize(const std::array<int, 3>& size)
   }
 }
 
-/// Calls work(i, trace) for each trace of a row.
-template <typename Work>
-void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&& work)
-{
-  const int samples = cube.Size[2];
-  block.resize(std::size_t(std::min(TracesPerBlock, cube.Size[0])) * std::size_t(samples));
-  for (int first = 0; first < cube.Size[0]; first += TracesPerBlock)
-  {
-    const int count = std::min(TracesPerBlock, cube.Size[0] - first);
-    cube.Read(j, first, count, block.data());
-    for (int n = 0; n < count; ++n)
-    {
-      work(first + n, block.data() + std::size_t(n) * std::size_t(samples));
-    }
-  }
-}
-
 class Finder
 {
 public:
@@ -84,6 +75,12 @@ public:
   CubeReflections Find(const Monitor& monitor)
   {
     CubeReflections result;
+    for (ReflectionPicks& picks : result.BySign)
+    {
+      picks.Columns = { this->Cube.Size[0], this->Cube.Size[1] };
+      // Now, as memory of the rows goes back to the system only where nothing lies behind it.
+      picks.Starts.assign(std::size_t(picks.Columns[0]) * std::size_t(picks.Columns[1]) + 1, 0);
+    }
     const bool isMiddle = this->Options.Position == ReflectionPosition::Middle;
     result.Threshold = float(this->Options.AmplitudeThreshold);
     const bool isPercentile = this->Options.Threshold == ThresholdKind::Percentile;
@@ -91,7 +88,8 @@ public:
     {
       result.Threshold = this->SelectSample(monitor.Step(0.0, 0.5));
     }
-    this->FindRows(isMiddle ? result.Threshold : 0.0F, monitor.Step(isPercentile && isMiddle ? 0.5 : 0.0, 0.9));
+    result.Rules = { this->Options.Polarity, this->Options.Position, isMiddle ? result.Threshold : 0.0F };
+    this->FindRows(result.Rules, monitor.Step(isPercentile && isMiddle ? 0.5 : 0.0, 0.9));
     for (const RowReflections& row : this->Rows)
     {
       result.Samples += row.Samples;
@@ -105,11 +103,13 @@ public:
       result.Threshold = SelectPercentile(
         this->Options.AmplitudePercentile, [this](MagnitudeCounts& counts) { this->CountStrengths(counts); });
     }
+    std::vector<double> energies;
     for (const std::size_t sign : { 0, 1 })
     {
-      this->Gather(result.BySign[sign], sign == 1, result.Threshold);
+      this->CountPicks(result.BySign[sign], sign == 1, result.Threshold, energies);
     }
-    result.Period = FindPeriod(result);
+    result.Period = FindPeriod(energies);
+    this->Gather(result);
     return result;
   }
 
@@ -180,43 +180,45 @@ private:
   {
     for (const RowReflections& row : this->Rows)
     {
-      for (const Reflection& reflection : row.Found)
+      for (const Found& found : row.All)
       {
-        counts.Add(reflection.Strength);
+        counts.Add(std::abs(found.Strength));
       }
     }
   }
 
-  void FindRows(float sampleThreshold, const Monitor& monitor)
+  void FindRows(const ReflectionRules& rules, const Monitor& monitor)
   {
-    const ReflectionRules rules{ this->Options.Polarity, this->Options.Position, sampleThreshold };
     const int samples = this->Cube.Size[2];
     this->ForEachRow(monitor,
       [&](int j, std::vector<float>& block)
       {
         RowReflections& row = this->Rows[std::size_t(j)];
         row.Ends.reserve(std::size_t(this->Cube.Size[0]));
+        std::vector<Reflection> reflections;
         ForEachTrace(this->Cube, j, block,
           [&](int, const float* trace)
           {
             row.Samples += std::count_if(trace, trace + samples, [](float value) { return value == value; });
-            FindReflections(trace, samples, rules, row.Found);
-            row.Ends.push_back(std::int32_t(row.Found.size()));
+            FindReflections(trace, samples, rules, reflections);
+            row.Ends.push_back(std::int32_t(reflections.size()));
+          });
+        row.All.resize(reflections.size());
+        std::transform(reflections.begin(), reflections.end(), row.All.begin(),
+          [](const Reflection& reflection) -> Found {
+            return { reflection.Place, reflection.Thickness, std::copysign(reflection.Strength, reflection.Amplitude) };
           });
       });
   }
 
-  static bool IsWanted(const Reflection& reflection, bool isNegative, float threshold)
+  static bool IsWanted(const Found& found, bool isNegative, float threshold)
   {
-    return std::signbit(reflection.Amplitude) == isNegative && reflection.Strength >= threshold;
+    return std::signbit(found.Strength) == isNegative && std::abs(found.Strength) >= threshold;
   }
 
-  /// Puts the picks of one sign that reach the threshold together.
-  void Gather(ReflectionPicks& picks, bool isNegative, float threshold) const
+  /// Finds where the picks of one sign that reach the threshold begin, and adds their energies by thickness.
+  void CountPicks(ReflectionPicks& picks, bool isNegative, float threshold, std::vector<double>& energies) const
   {
-    picks.Columns = { this->Cube.Size[0], this->Cube.Size[1] };
-    const std::size_t columns = std::size_t(picks.Columns[0]) * std::size_t(picks.Columns[1]);
-    picks.Starts.assign(columns + 1, 0);
     std::int64_t total = 0;
     std::size_t column = 0;
     for (const RowReflections& row : this->Rows)
@@ -227,7 +229,12 @@ private:
         picks.Starts[column++] = PointId(total);
         for (; next < end; ++next)
         {
-          total += IsWanted(row.Found[std::size_t(next)], isNegative, threshold) ? 1 : 0;
+          const Found& found = row.All[std::size_t(next)];
+          if (IsWanted(found, isNegative, threshold))
+          {
+            ++total;
+            AddEnergy(found, energies);
+          }
         }
       }
       if (total > MostPicks)
@@ -236,35 +243,51 @@ private:
           "more than 2^30 reflections of one sign, expected fewer: a higher threshold, or a part of the cube");
       }
     }
-    picks.Starts[columns] = PointId(total);
-    picks.Picks.resize(std::size_t(total));
+    picks.Starts[column] = PointId(total);
+    picks.Places.resize(std::size_t(total));
+    picks.Strengths.resize(std::size_t(total));
+  }
+
+  /// Puts the picks of both signs together, and frees the rows.
+  void Gather(CubeReflections& result)
+  {
     ParallelFor(std::int64_t(this->Rows.size()), this->Grain(),
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t j = first; j < last; ++j)
         {
-          const std::vector<Reflection>& found = this->Rows[std::size_t(j)].Found;
-          std::copy_if(found.begin(), found.end(), picks.Picks.begin() + picks.Begin(picks.ColumnAt(0, int(j))),
-            [&](const Reflection& reflection) { return IsWanted(reflection, isNegative, threshold); });
+          const RowReflections row = std::exchange(this->Rows[std::size_t(j)], RowReflections());
+          std::array<PointId, 2> next;
+          for (const std::size_t sign : { 0, 1 })
+          {
+            next[sign] = result.BySign[sign].Begin(result.BySign[sign].ColumnAt(0, int(j)));
+          }
+          for (const Found& found : row.All)
+          {
+            const std::size_t sign = std::signbit(found.Strength) ? 1 : 0;
+            if (IsWanted(found, sign == 1, result.Threshold))
+            {
+              const auto pick = std::size_t(next[sign]++);
+              result.BySign[sign].Places[pick] = found.Place;
+              result.BySign[sign].Strengths[pick] = CoarseStrength(std::abs(found.Strength));
+            }
+          }
         }
       });
   }
 
-  /// Half of the energy is in runs of at most half the period.
-  static double FindPeriod(const CubeReflections& reflections)
+  static void AddEnergy(const Found& found, std::vector<double>& energies)
   {
-    std::vector<double> energies; // by thickness
-    for (const ReflectionPicks& picks : reflections.BySign)
+    if (std::size_t(found.Thickness) >= energies.size())
     {
-      for (const Reflection& pick : picks.Picks)
-      {
-        if (std::size_t(pick.Thickness) >= energies.size())
-        {
-          energies.resize(std::size_t(pick.Thickness) + 1, 0.0);
-        }
-        energies[std::size_t(pick.Thickness)] += double(pick.Strength) * double(pick.Strength);
-      }
+      energies.resize(std::size_t(found.Thickness) + 1, 0.0);
     }
+    energies[std::size_t(found.Thickness)] += double(found.Strength) * double(found.Strength);
+  }
+
+  /// Half of the energy is in runs of at most half the period.
+  static double FindPeriod(const std::vector<double>& energies)
+  {
     const double half = 0.5 * std::accumulate(energies.begin(), energies.end(), 0.0);
     double before = 0.0;
     for (std::size_t thickness = 0; thickness < energies.size(); ++thickness)

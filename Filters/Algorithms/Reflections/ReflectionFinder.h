@@ -8,9 +8,11 @@
 
 #include "Common/Monitor.h"
 #include "Reflection.h"
+#include "ReflectionRuns.h"
 #include "TraceCube.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace SeismicHorizons
@@ -44,12 +46,20 @@ struct CubeReflections
   /// tails of wavelets are long runs of next to nothing. 0 without picks.
   double Period = 0.0;
 
+  ReflectionRules Rules; // by which they were found on each trace
+
+  /// Which of the signs a reflection belongs to: 0 or 1; -1 when it does not reach the threshold.
+  int SignOf(const Reflection& reflection) const
+  {
+    return reflection.Strength < this->Threshold ? -1 : int(std::signbit(reflection.Amplitude));
+  }
+
   std::int64_t CountPicks() const { return std::int64_t(this->BySign[0].Size()) + this->BySign[1].Size(); }
 };
 
 /// Rows are worked on by all threads. Throws InputError on options out of range, on a cube with a side below 1 or of
-/// too many columns, samples or picks, and on one without a sample that is not missing. Takes about 16 bytes per pick,
-/// twice that for a moment.
+/// too many columns, samples or picks, and on one without a sample that is not missing. Takes 6 bytes per pick,
+/// and 12 more per reflection, weak ones included, until they are told apart.
 CubeReflections FindReflections(
   const TraceCube& cube, const ReflectionOptions& options = ReflectionOptions(), const Monitor& monitor = Monitor());
 }

@@ -20,6 +20,10 @@ namespace
 {
 constexpr double ScorePerSample = 0.05;
 
+// Of the strengths of two linked picks: the smaller one is at least that part of the other. Beside the end of a strong
+// reflection, as at a fault, there is noise or a weaker one.
+constexpr float SmallestStrengthRatio = 0.35F;
+
 double ScoreOf(double correlation, Depth step)
 {
   return correlation - ScorePerSample * InSamples(step);
@@ -104,15 +108,15 @@ private:
     this->OfB.assign(std::size_t(picks.End(columnB) - beginB), Best());
     for (PointId a = beginA; a < picks.End(columnA); ++a)
     {
-      const Depth place = picks[a].Place;
-      while (low < picks.End(columnB) && picks[low].Place < place - this->LargestStep)
+      const Depth place = picks.PlaceOf(a);
+      while (low < picks.End(columnB) && picks.PlaceOf(low) < place - this->LargestStep)
       {
         ++low;
       }
-      for (PointId b = low; b < picks.End(columnB) && picks[b].Place <= place + this->LargestStep; ++b)
+      for (PointId b = low; b < picks.End(columnB) && picks.PlaceOf(b) <= place + this->LargestStep; ++b)
       {
         const std::int32_t correlation = RowWaveforms::Correlate(this->Row, a, other, b);
-        const double score = ScoreOf(double(correlation) / RowWaveforms::One, std::abs(picks[b].Place - place));
+        const double score = ScoreOf(double(correlation) / RowWaveforms::One, std::abs(picks.PlaceOf(b) - place));
         Consider(this->OfA[std::size_t(a - beginA)], b, score, correlation);
         Consider(this->OfB[std::size_t(b - beginB)], a, score, correlation);
       }
@@ -153,7 +157,7 @@ ReflectionLinks::ReflectionLinks(
   : Picks(picks)
 {
   const std::size_t directions = std::size_t(options.Connectivity) / 2;
-  const std::size_t size = picks.Picks.size();
+  const std::size_t size = picks.Places.size();
   this->Partners.assign(2 * directions * size, NoPoint);
   this->Correlations.resize(directions);
   for (RawVector<std::int16_t>& correlations : this->Correlations)
@@ -168,7 +172,7 @@ ReflectionLinks::ReflectionLinks(
 //----------------------------------------------------------------------------------------------------------------------
 double ReflectionLinks::Score(PointId pick, int direction) const
 {
-  const Depth step = this->Picks[this->Next(pick, direction)].Place - this->Picks[pick].Place;
+  const Depth step = this->Picks.PlaceOf(this->Next(pick, direction)) - this->Picks.PlaceOf(pick);
   return ScoreOf(this->Correlation(pick, direction), std::abs(step));
 }
 
@@ -216,6 +220,14 @@ double ReflectionLinks::MedianCorrelation() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool ReflectionLinks::AreOfLikeStrength(PointId a, PointId b) const
+{
+  const float strengthA = StrengthOf(this->Picks.CoarseStrengthOf(a));
+  const float strengthB = StrengthOf(this->Picks.CoarseStrengthOf(b));
+  return std::min(strengthA, strengthB) >= SmallestStrengthRatio * std::max(strengthA, strengthB);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void ReflectionLinks::Drop(double smallestCorrelation)
 {
   const auto smallest = std::int32_t(std::ceil(smallestCorrelation * LargestRounded));
@@ -224,7 +236,7 @@ void ReflectionLinks::Drop(double smallestCorrelation)
     for (int direction = 0; direction < this->Directions(); ++direction)
     {
       PointId& next = this->Partners[this->PlaceOf(pick, direction)];
-      if (next != NoPoint && this->Rounded(pick, direction) < smallest)
+      if (next != NoPoint && (this->Rounded(pick, direction) < smallest || !this->AreOfLikeStrength(pick, next)))
       {
         this->Partners[this->PlaceOf(next, direction) + 1] = NoPoint;
         next = NoPoint;

@@ -76,7 +76,7 @@ public:
   std::int64_t Size() const;
   /// Of the correlations of all links; 0 without any.
   double MedianCorrelation() const;
-  /// Drops links of less correlation.
+  /// Drops links of less correlation, and those of picks of which one is much stronger.
   void Drop(double smallestCorrelation);
 
 private:
@@ -86,6 +86,8 @@ private:
   {
     return this->Correlations[std::size_t(direction)][std::size_t(pick)];
   }
+
+  bool AreOfLikeStrength(PointId a, PointId b) const;
 
   std::size_t PlaceOf(PointId pick, int direction) const
   {

@@ -3,7 +3,6 @@
 
 #include "SurfaceSets.h"
 
-#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -11,11 +10,9 @@ namespace SeismicHorizons
 //----------------------------------------------------------------------------------------------------------------------
 SurfaceSets::SurfaceSets(const ReflectionPicks& picks)
   : Picks(picks)
-  , Labels(picks.Picks.size())
-  , Members(picks.Picks.size())
-  , Sizes(picks.Picks.size(), 1)
+  , Labels(picks.Places.size(), NoPoint - 1)
+  , Members(picks.Places.size())
 {
-  std::iota(this->Labels.begin(), this->Labels.end(), 0);
   for (std::size_t column = 0; column + 1 < picks.Starts.size(); ++column)
   {
     for (PointId pick = picks.Starts[column]; pick < picks.Starts[column + 1]; ++pick)
@@ -35,7 +32,7 @@ void SurfaceSets::SortMembers(const ColumnWindow& window)
       const PointId end = this->Picks.Begin(this->Picks.ColumnAt(window.EndI, j));
       for (PointId pick = end; pick-- > this->Picks.Begin(this->Picks.ColumnAt(window.FirstI, j));)
       {
-        visit(pick, this->Labels[std::size_t(pick)]);
+        visit(pick, this->SetOf(pick));
       }
     }
   };
@@ -60,6 +57,7 @@ void SurfaceSets::SortMembers(const ColumnWindow& window)
 //----------------------------------------------------------------------------------------------------------------------
 void SurfaceSets::Absorb(PointId big, PointId small, bool areShared)
 {
+  PointId size = this->SizeOf(big);
   PointId pick = small;
   do
   {
@@ -73,9 +71,20 @@ void SurfaceSets::Absorb(PointId big, PointId small, bool areShared)
     {
       this->Labels[std::size_t(pick)] = big;
       this->Members[std::size_t(pick)].Next = std::exchange(this->Members[std::size_t(big)].Next, pick);
-      ++this->Sizes[std::size_t(big)];
+      ++size;
     }
     pick = next;
   } while (pick != small);
+  this->Labels[std::size_t(big)] = NoPoint - size;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<PointId> SurfaceSets::TakeLabels()
+{
+  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
+  {
+    this->Labels[std::size_t(pick)] = this->SetOf(pick);
+  }
+  return std::move(this->Labels);
 }
 }

@@ -10,9 +10,6 @@
 #include "Reflection.h"
 
 #include <cstdint>
-#include <cstdlib>
-#include <utility>
-#include <vector>
 
 namespace SeismicHorizons
 {
@@ -35,22 +32,25 @@ public:
   explicit SurfaceSets(const ReflectionPicks& picks);
 
   /// The set of a pick; NoPoint when it was dropped.
-  PointId SetOf(PointId pick) const { return this->Labels[std::size_t(pick)]; }
-  PointId SizeOf(PointId set) const { return this->Sizes[std::size_t(set)]; }
+  PointId SetOf(PointId pick) const
+  {
+    const PointId label = this->Labels[std::size_t(pick)];
+    return label < NoPoint ? pick : label;
+  }
+  PointId SizeOf(PointId set) const { return (NoPoint - this->Labels[std::size_t(set)]) & ~WaitBit; }
   std::int32_t ColumnOf(PointId pick) const { return this->Members[std::size_t(pick)].Column; }
 
-  /// Whether a set waits. One that does has no size to ask for, and does not grow.
-  bool Waits(PointId set) const { return this->Sizes[std::size_t(set)] < 0; }
+  /// Whether a set waits.
+  bool Waits(PointId set) const { return ((NoPoint - this->Labels[std::size_t(set)]) & WaitBit) != 0; }
   void SetWaits(PointId set, bool waits)
   {
-    PointId& size = this->Sizes[std::size_t(set)];
-    size = waits ? -std::abs(size) : std::abs(size);
+    this->Labels[std::size_t(set)] = NoPoint - (this->SizeOf(set) | (waits ? WaitBit : 0));
   }
 
   /// Whether a set has a pick in a column.
   bool HasColumn(PointId set, std::int64_t column) const
   {
-    int found = 0;
+    int found = int(this->ColumnOf(set) == column);
     const PointId end = this->Picks.End(column);
     for (PointId pick = this->Picks.Begin(column); pick < end; ++pick)
     {
@@ -81,7 +81,7 @@ public:
   void Absorb(PointId big, PointId small, bool areShared);
 
   /// The set of each pick; NoPoint for picks that were dropped.
-  RawVector<PointId> TakeLabels() { return std::move(this->Labels); }
+  RawVector<PointId> TakeLabels();
 
 private:
   struct Member
@@ -91,9 +91,11 @@ private:
   };
 
   const ReflectionPicks& Picks;
+  // Of each pick its set. Of the pick that a set is named by, a number below NoPoint, by as much as the set has
+  // members; picks are fewer than 2^30, which leaves a bit for sets that wait.
+  static constexpr PointId WaitBit = PointId(1) << 30;
   RawVector<PointId> Labels;
   RawVector<Member> Members;
-  RawVector<PointId> Sizes;
 };
 }
 

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -27,6 +28,23 @@ struct TraceCube
   /// infinite. Several threads may call it at a time.
   std::function<void(int j, int first, int count, float* traces)> Read;
 };
+
+/// Calls work(i, trace) for each trace of a row.
+template <typename Work>
+void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&& work)
+{
+  const int samples = cube.Size[2];
+  block.resize(std::size_t(std::min(TracesPerBlock, cube.Size[0])) * std::size_t(samples));
+  for (int first = 0; first < cube.Size[0]; first += TracesPerBlock)
+  {
+    const int count = std::min(TracesPerBlock, cube.Size[0] - first);
+    cube.Read(j, first, count, block.data());
+    for (int n = 0; n < count; ++n)
+    {
+      work(first + n, block.data() + std::size_t(n) * std::size_t(samples));
+    }
+  }
+}
 
 /// Samples in memory, by the strides from one to the next along i, j and k.
 template <typename Sample>

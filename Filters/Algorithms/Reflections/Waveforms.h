@@ -16,14 +16,39 @@
 
 namespace SeismicHorizons
 {
+/// Cuts waveforms out of a trace.
+class WaveformCutter
+{
+public:
+  /// `halfWidth`: how many samples a waveform has before and behind its pick.
+  explicit WaveformCutter(int halfWidth);
+
+  /// How many values a waveform has in memory: a multiple of 8, the last ones are 0.
+  int Width() const { return this->ValuesPerWaveform; }
+
+  /// Samples that are missing, or beyond the ends of the trace, are 0.
+  void SetTrace(const float* trace, int samples);
+  void CutOut(Depth place, std::int16_t* waveform);
+
+  static constexpr std::int32_t Length = 32000; // of a waveform as a vector
+
+private:
+  int HalfWidth;
+  int ValuesPerWaveform;
+  std::vector<float> Padded; // a trace between zeros
+  std::vector<float> Shape;
+};
+
 /// The waveforms of the picks of a row.
 class RowWaveforms
 {
 public:
-  /// `halfWidth`: how many samples a waveform has before and behind its pick.
-  explicit RowWaveforms(int halfWidth);
+  explicit RowWaveforms(int halfWidth)
+    : Cutter(halfWidth)
+  {
+  }
 
-  /// Reads a row of the cube. Samples that are missing, or beyond the ends of a trace, are 0.
+  /// Reads a row of the cube.
   void Load(const TraceCube& cube, const ReflectionPicks& picks, int j);
 
   /// The correlation of two picks, each of its row, from -1 to 1, times One.
@@ -32,31 +57,26 @@ public:
     const std::int16_t* const first = rowA.WaveformOf(a);
     const std::int16_t* const second = rowB.WaveformOf(b);
     std::int32_t sum = 0;
-    for (int n = 0; n < rowA.Width; ++n)
+    const int width = rowA.Cutter.Width();
+    for (int n = 0; n < width; ++n)
     {
       sum += std::int32_t(first[n]) * std::int32_t(second[n]);
     }
     return sum;
   }
 
-  static constexpr std::int32_t Length = 32000; // of a waveform as a vector
-  static constexpr std::int32_t One = Length * Length;
+  static constexpr std::int32_t One = WaveformCutter::Length * WaveformCutter::Length;
 
 private:
   const std::int16_t* WaveformOf(PointId pick) const
   {
-    return this->Values.data() + std::size_t(pick - this->First) * std::size_t(this->Width);
+    return this->Values.data() + std::size_t(pick - this->First) * std::size_t(this->Cutter.Width());
   }
 
-  void CutOut(Depth place, std::int16_t* waveform);
-
-  int HalfWidth;
-  int Width; // of a waveform in memory: a multiple of 8, the last values are 0
+  WaveformCutter Cutter;
   PointId First = 0; // pick of the row
   std::vector<std::int16_t> Values;
   std::vector<float> Block;
-  std::vector<float> Padded; // a trace between zeros
-  std::vector<float> Shape;
 };
 }
 

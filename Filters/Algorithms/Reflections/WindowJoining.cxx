@@ -86,10 +86,11 @@ private:
           for (int direction = 0; direction < this->Links.Directions(); ++direction)
           {
             const PointId next = this->Links.Next(pick, direction);
-            if (next != NoPoint && this->Sets.SetOf(pick) != this->Sets.SetOf(next))
+            const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
+            const bool isWithin = this->Here.Has(i + step.I, j + step.J);
+            if (next != NoPoint && !(isWithin && this->Sets.SetOf(pick) == this->Sets.SetOf(next)))
             {
-              const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
-              this->Add(links, pick, direction, this->Here.Has(i + step.I, j + step.J) ? Lead::Within : Lead::Out);
+              this->Add(links, pick, direction, isWithin ? Lead::Within : Lead::Out);
             }
           }
         });
@@ -108,13 +109,13 @@ private:
       const LinkId link = ranked.Link();
       const PointId from = this->Links.PickOf(link);
       const int direction = this->Links.DirectionOf(link);
-      const PointId to = this->Links.Next(from, direction);
-      if (this->Sets.SetOf(from) != this->Sets.SetOf(to) && this->Sets.SetOf(from) != NoPoint &&
-        this->Sets.SetOf(to) != NoPoint)
+      const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
+      const std::int32_t column = this->Sets.ColumnOf(from);
+      const bool isWithin = this->Here.Has(column % width + step.I, column / width + step.J);
+      const PointId set = this->Sets.SetOf(from);
+      const PointId other = isWithin ? this->Sets.SetOf(this->Links.Next(from, direction)) : NoPoint;
+      if (set != NoPoint && set != other && (!isWithin || other != NoPoint))
       {
-        const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
-        const std::int32_t column = this->Sets.ColumnOf(from);
-        const bool isWithin = this->Here.Has(column % width + step.I, column / width + step.J);
         links[size] = ranked;
         links[size++].SetLead(isWithin ? Lead::Within : Lead::Out);
       }
@@ -167,7 +168,6 @@ private:
     constexpr std::size_t blocksPerCall = 1024; // of the monitor
     std::array<Edge, block> picks;
     std::array<bool, block> areOne;
-    std::array<Edge, block> sets;
     for (std::size_t first = 0; first < links.size(); first += block)
     {
       if (first % (block * blocksPerCall) == 0)
@@ -183,32 +183,35 @@ private:
       }
       for (std::size_t n = 0; n < size; ++n)
       {
-        sets[n] = { this->Sets.SetOf(picks[n].From), this->Sets.SetOf(picks[n].To) };
-        areOne[n] = sets[n].From == sets[n].To;
+        // Sets outside are those of other threads.
+        const Lead lead = links[first + n].Leads();
+        const PointId from = lead == Lead::In ? NoPoint : this->Sets.SetOf(picks[n].From);
+        const PointId to = lead == Lead::Out ? NoPoint : this->Sets.SetOf(picks[n].To);
+        areOne[n] = from == to;
       }
       for (std::size_t n = 0; n < size; ++n)
       {
         if (!areOne[n]) // sets that are one stay one
         {
-          this->Look(links[first + n], this->Sets.SetOf(picks[n].From), this->Sets.SetOf(picks[n].To));
+          this->Look(links[first + n], picks[n]);
         }
       }
     }
   }
 
-  void Look(RankedLink link, PointId from, PointId to)
+  void Look(const RankedLink& link, const Edge& picks)
   {
     switch (link.Leads())
     {
       case Lead::Within:
-        this->TryWithin(link, from, to);
+        this->TryWithin(link, this->Sets.SetOf(picks.From), this->Sets.SetOf(picks.To));
         break;
       case Lead::Out:
-        this->Wait(from);
+        this->Wait(this->Sets.SetOf(picks.From));
         this->Here.Left.push_back(link);
         break;
       case Lead::In:
-        this->Wait(to);
+        this->Wait(this->Sets.SetOf(picks.To));
         break;
     }
   }
@@ -256,7 +259,7 @@ private:
     }
     ColumnSet* const columns = this->ColumnsOf(big);
     std::int64_t shared = 0;
-    if (!this->Fit.MayJoin(big, columns, small, shared))
+    if (!this->Fit.MayJoin(big, columns, small, this->Here, shared))
     {
       this->Here.Refusals[key] = size;
       return false;

@@ -189,6 +189,7 @@ private:
       return;
     }
     parameters.SmallestHoleSize = options.SmallestHoleSize;
+    options.Cuts = this->Options.Cuts;
     options.Seams = this->Options.Seams;
     options.Seams.LongestEdge = ChooseLongestSeamEdge(options.SmallestHoleSize);
     this->BoundaryParameters = options;

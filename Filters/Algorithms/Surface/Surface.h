@@ -49,6 +49,8 @@ struct SurfaceOptions : DecimationQuality
   /// For a part of a horizon, to be joined to others (SurfaceJoin.h). The longest edge is chosen. The parameters above
   /// then suit a seam (BoundaryOptions), and an error is the target.
   SeamRows Seams;
+  /// Where the horizon is cut, or null (BoundaryOptions). Cracks stay open, whatever their size.
+  const LinkCuts* Cuts = nullptr;
 };
 
 /// What the three methods were run with.

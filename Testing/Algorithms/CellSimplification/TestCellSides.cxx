@@ -125,6 +125,43 @@ void TestNoPointsAreMergedAcross()
   }
 }
 
+/// A side around a corner has its barycentre beyond both lips, in the patch all the same: another point stands for it.
+void TestBarycentreBeyondCrack()
+{
+  constexpr std::int32_t size = 20; // of the cell; the crack ends outside
+  const Patches::Columns columns = Patches::FromPicture(std::vector<std::string>(28, std::string(28, '#')));
+  const auto isWithin = [](const PlanePoint& column) { return column.X >= 4 && column.Y >= 4; };
+  LinkCuts cuts{ PlaneBox(columns) };
+  std::vector<double> heights;
+  for (const PlanePoint& column : columns)
+  {
+    heights.push_back(isWithin(column) ? Throw : 0.0);
+    if (column.X < size + 3 && !isWithin(column) && isWithin({ column.X, column.Y + 1 }))
+    {
+      cuts.CutNorth(column);
+    }
+    if (column.Y < size + 3 && !isWithin(column) && isWithin({ column.X + 1, column.Y }))
+    {
+      cuts.CutEast(column);
+    }
+  }
+  BoundaryOptions boundary;
+  boundary.Cuts = &cuts;
+  BoundedHorizon horizon = MakeHorizon(columns, heights, boundary);
+  horizon.Cuts = std::make_shared<const LinkCuts>(cuts);
+  ElaborateOptions options(size);
+  options.BoundaryDensityThreshold = 0.0;
+  const Reduction result = SimplifyElaborate(horizon, options);
+  for (std::size_t point = 0; point < result.Plane.size(); ++point)
+  {
+    const PlanePoint column{ result.Plane[point].X / SubVoxelsPerColumn, result.Plane[point].Y / SubVoxelsPerColumn };
+    if (std::max(column.X, column.Y) < size)
+    {
+      CHECK_EQUAL(result.Height[point], isWithin(column) ? Throw : 0.0);
+    }
+  }
+}
+
 void TestTooManySides()
 {
   BoundedHorizon horizon = MakeStep();
@@ -139,6 +176,7 @@ int TestCellSides(int, char*[])
   TestTipsAreCarriedOn();
   TestTurnsAndBranches();
   TestNoPointsAreMergedAcross();
+  TestBarycentreBeyondCrack();
   TestTooManySides();
   return Check::Result();
 }

@@ -10,11 +10,14 @@
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"
 #include "Tools/CutChecker.h"
+#include "Tools/ReductionChecker.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
+#include <set>
+#include <vector>
 
 using namespace TestHorizons;
 using CrackedPatches::CrackedPatch;
@@ -57,6 +60,57 @@ std::string CheckMesh(const std::string& stage, const CrackedPatch& patch, const
   return wrong.empty() ? wrong : stage + ": " + wrong;
 }
 
+/// Whether links that are not cut connect two columns within a square cell.
+bool AreJoined(const LinkCuts& cuts, const PlaneBox& cell, const PlanePoint& from, const PlanePoint& to)
+{
+  std::set<PlanePoint> reached = { from };
+  std::vector<PlanePoint> open = { from };
+  const auto reach = [&](bool isCut, const PlanePoint& column)
+  {
+    const bool isInCell = column.X >= cell.Least.X && column.Y >= cell.Least.Y && column.X <= cell.Greatest.X &&
+      column.Y <= cell.Greatest.Y;
+    if (!isCut && isInCell && reached.insert(column).second)
+    {
+      open.push_back(column);
+    }
+  };
+  while (!open.empty())
+  {
+    const PlanePoint at = open.back();
+    open.pop_back();
+    reach(cuts.IsCutEast(at), { at.X + 1, at.Y });
+    reach(cuts.IsCutNorth(at), { at.X, at.Y + 1 });
+    reach(cuts.IsCutEast({ at.X - 1, at.Y }), { at.X - 1, at.Y });
+    reach(cuts.IsCutNorth({ at.X, at.Y - 1 }), { at.X, at.Y - 1 });
+  }
+  return reached.count(to) != 0;
+}
+
+/// Points are merged on their side of the cuts in a cell, and none is lost.
+std::string CheckMerging(
+  const CrackedPatch& patch, const BoundedHorizon& horizon, const Reduction& reduction, std::int32_t size)
+{
+  const PlanePoint least = PlaneBox(horizon.Plane).Least;
+  const auto columnOf = [&](std::size_t point)
+  {
+    const PlanePoint& place = horizon.Plane[point];
+    return PlanePoint{ place.X / SubVoxelsPerColumn, place.Y / SubVoxelsPerColumn };
+  };
+  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
+  {
+    const std::size_t target = std::size_t(reduction.Source[std::size_t(reduction.Target[point])]);
+    const PlanePoint column = columnOf(point);
+    const PlanePoint origin{ least.X / SubVoxelsPerColumn, least.Y / SubVoxelsPerColumn };
+    const PlanePoint corner{ column.X - (column.X - origin.X) % size, column.Y - (column.Y - origin.Y) % size };
+    const PlaneBox cell({ corner, { corner.X + size - 1, corner.Y + size - 1 } });
+    if (!AreJoined(patch.Cuts, cell, column, columnOf(target)))
+    {
+      return "point " + std::to_string(point) + " merged across a cut";
+    }
+  }
+  return ReductionChecker::CheckPoints(horizon, reduction);
+}
+
 std::string CheckSimplifications(const CrackedPatch& patch, const BoundedHorizon& horizon, bool isExact)
 {
   std::string wrong = CheckMesh("full mesh", patch, horizon, isExact);
@@ -64,8 +118,10 @@ std::string CheckSimplifications(const CrackedPatch& patch, const BoundedHorizon
   {
     const Reduction rough = SimplifyRough(horizon, size);
     wrong = wrong.empty() ? CheckMesh("rough", patch, Reduce(horizon, rough), isExact) : wrong;
+    wrong = wrong.empty() ? CheckMerging(patch, horizon, rough, size) : wrong;
     const Reduction elaborate = SimplifyElaborate(horizon, size);
     wrong = wrong.empty() ? CheckMesh("elaborate", patch, Reduce(horizon, elaborate), isExact) : wrong;
+    wrong = wrong.empty() ? CheckMerging(patch, horizon, elaborate, size) : wrong;
   }
   return wrong;
 }

@@ -76,9 +76,10 @@ inline ReflectionPicks MakePicks(const std::array<int, 2>& columns, const std::v
   {
     for (const double place : column)
     {
-      picks.Picks.push_back({ Depth(place * DepthsPerSample), 3, 1.0F, 1.0F });
+      picks.Places.push_back(Depth(place * DepthsPerSample));
+      picks.Strengths.push_back(CoarseStrength(1.0F));
     }
-    picks.Starts.push_back(PointId(picks.Picks.size()));
+    picks.Starts.push_back(PointId(picks.Places.size()));
   }
   return picks;
 }

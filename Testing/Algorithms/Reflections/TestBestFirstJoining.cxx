@@ -112,7 +112,7 @@ private:
   {
     double shared = 0.0;
     double facing = 0.0;
-    double linked = 0.0;
+    std::vector<Edge> pairs;
     for (const auto& [column, pick] : small)
     {
       shared += double(big.count(column));
@@ -121,7 +121,10 @@ private:
         if (this->AreNeighbours(column, otherColumn))
         {
           facing += 1.0;
-          linked += this->AreLinked(pick, other) ? 1.0 : 0.0;
+          if (this->AreLinked(pick, other))
+          {
+            pairs.push_back({ pick, other });
+          }
         }
       }
     }
@@ -130,11 +133,17 @@ private:
     {
       return false;
     }
-    if (size >= this->Rules.LargestFilled && size > this->Rules.LargestFilledWidth * facing)
+    if (size < this->Rules.ContactSize)
     {
-      return false;
+      return true;
     }
-    return size < this->Rules.ContactSize || linked >= this->Rules.SmallestContact * facing;
+    const double linked = double(pairs.size());
+    const bool isWide = size >= this->Rules.LargestFilled && size > this->Rules.LargestFilledWidth * facing;
+    const bool isAlike = !isWide ||
+      (this->Rules.Correlate && linked >= double(this->Rules.FewestWidePairs) &&
+        linked >= this->Rules.SmallestWideContact * facing &&
+        this->Rules.Correlate(pairs) >= this->Rules.SmallestWideCorrelation);
+    return linked >= this->Rules.SmallestContact * facing && isAlike;
   }
 
   bool AreNeighbours(std::int32_t a, std::int32_t b) const
@@ -209,9 +218,21 @@ void TestOracle()
   JoiningRules fill = contact;
   fill.LargestFilled = 8;
   fill.LargestFilledWidth = 1.5;
+  JoiningRules wide = fill;
+  wide.FewestWidePairs = 2;
+  wide.SmallestWideContact = 0.6;
+  wide.Correlate = [](const std::vector<Edge>& pairs)
+  {
+    PointId sum = 0;
+    for (const Edge& pair : pairs)
+    {
+      sum += pair.From + 3 * pair.To;
+    }
+    return sum % 3 == 0 ? 0.8 : 0.95;
+  };
   std::vector<std::vector<PointId>> results; // by rules, then by cube
   constexpr std::size_t cubes = 4;
-  for (const JoiningRules& rules : { columns, trim, contact, fill })
+  for (const JoiningRules& rules : { columns, trim, contact, fill, wide })
   {
     for (unsigned seed = 1; seed <= cubes; ++seed)
     {

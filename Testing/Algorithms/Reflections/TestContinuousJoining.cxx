@@ -21,7 +21,7 @@ public:
     : Picks(picks)
     , Links(links)
     , Columns(picks.ListColumns())
-    , Surfaces(picks.Picks.size(), NoPoint)
+    , Surfaces(picks.Places.size(), NoPoint)
   {
   }
 
@@ -46,7 +46,7 @@ private:
     for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
     {
       if (this->Surfaces[std::size_t(pick)] == NoPoint &&
-        (best == NoPoint || this->Picks[pick].Strength > this->Picks[best].Strength))
+        (best == NoPoint || this->Picks.CoarseStrengthOf(pick) > this->Picks.CoarseStrengthOf(best)))
       {
         best = pick;
       }
@@ -99,7 +99,7 @@ void TestOracle()
     // Strengths that the filter tells apart.
     for (PointId pick = 0; pick < picks.Size(); ++pick)
     {
-      picks.Picks[std::size_t(pick)].Strength = std::ldexp(1.0F, pick * 37 % 16);
+      picks.Strengths[std::size_t(pick)] = CoarseStrength(std::ldexp(1.0F, pick * 37 % 16));
     }
     LinkOptions options;
     options.LargestStep = 3 * DepthsPerSample;

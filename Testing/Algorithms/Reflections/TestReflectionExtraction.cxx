@@ -96,6 +96,21 @@ void TestEasyCube()
   }
 }
 
+/// With noise of half the signal nearly all is found, also of the weakest layer.
+void TestNoise()
+{
+  CubeGeneratorOptions cube;
+  cube.NoiseFraction = 0.5;
+  cube.Seed = 4;
+  const CubeGenerator generator(cube);
+  const Traces traces = Generate(cube);
+  const ExtractionScore score =
+    ScoreExtraction(generator, ExtractReflections(traces.View(), With(SurfaceJoining::BestFirst)));
+  CHECK(score.Found() > 0.97);
+  CHECK(score.WeakestFound > 0.9);
+  CHECK(score.Wrong() < 0.005);
+}
+
 /// Which sides of the fault a surface is on, 1.5 columns from it or more.
 std::set<bool> SidesOf(const CubeGenerator& cube, const HorizonVoxels& surface)
 {
@@ -146,7 +161,7 @@ void TestHardCube()
     scores[joining] = ScoreExtraction(generator, ExtractReflections(traces.View(), With(joining)));
   }
   CHECK(scores[SurfaceJoining::BestFirst].Found() > 0.8);
-  CHECK(scores[SurfaceJoining::BestFirst].Wrong() < 0.05);
+  CHECK(scores[SurfaceJoining::BestFirst].Wrong() < 0.08);
   CHECK(scores[SurfaceJoining::Components].Wrong() > 2.0 * scores[SurfaceJoining::BestFirst].Wrong());
   CHECK(scores[SurfaceJoining::Components].DroppedDuplicates > 0);
   CHECK_EQUAL(scores[SurfaceJoining::BestFirst].DroppedDuplicates, 0);
@@ -163,7 +178,7 @@ Traces TwoLevels()
     std::fill_n(trace + 9, 3, -1.0F);
     if (n < 12)
     {
-      std::fill_n(trace + 20, 3, n == 7 ? 8.0F : 2.0F);
+      std::fill_n(trace + 20, 3, n == 7 ? 5.0F : 2.0F);
     }
   }
   return traces;
@@ -182,7 +197,7 @@ void TestSelection()
     CHECK_EQUAL(both.Surfaces[0].I.size(), 20u);
     CHECK_EQUAL(both.Surfaces[0].K[0], 10);
     CHECK_EQUAL(both.Surfaces[0].Amplitude[0], -1.0);
-    CHECK_EQUAL(both.Surfaces[1].Amplitude[7], 8.0);
+    CHECK_EQUAL(both.Surfaces[1].Amplitude[7], 5.0);
     CHECK_EQUAL(both.Surfaces[1].Thickness[7], 3.0);
     CHECK_EQUAL(both.Picks, 32);
     options.LargestNumber = 1;
@@ -272,6 +287,7 @@ int TestReflectionExtraction(int, char*[])
 {
   TestThreads();
   TestEasyCube();
+  TestNoise();
   TestFault();
   TestHardCube();
   TestSelection();

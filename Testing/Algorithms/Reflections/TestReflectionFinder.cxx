@@ -97,8 +97,7 @@ void TestThresholds()
   const CubeReflections middle = FindReflections(traces.View(), Percentile(60.0, ReflectionPosition::Middle));
   CHECK_EQUAL(middle.Threshold, 4.0F);
   CHECK_EQUAL(middle.CountPicks(), 7);
-  CHECK_EQUAL(middle.BySign[1].Picks.back().Thickness, 3); // of the trace with 10
-  CHECK_EQUAL(middle.BySign[0][0].Thickness, 1);
+  CHECK_EQUAL(middle.Rules.SampleThreshold, 4.0F); // what belongs to a run
   positive.Position = ReflectionPosition::Middle;
   CHECK_EQUAL(FindReflections(traces.View(), positive).Threshold, 2.5F);
 }
@@ -113,8 +112,8 @@ void TestOrder()
   const CubeReflections found = FindReflections(traces.View(), Amplitude(0.0));
   CHECK((found.BySign[0].Starts == std::vector<PointId>{ 0, 0, 2, 3, 3 }));
   CHECK((found.BySign[1].Starts == std::vector<PointId>{ 0, 0, 1, 1, 1 }));
-  CHECK_EQUAL(found.BySign[0][1].Place, 5 * DepthsPerSample);
-  CHECK_EQUAL(found.BySign[0][2].Strength, 4.0F);
+  CHECK_EQUAL(found.BySign[0].PlaceOf(1), 5 * DepthsPerSample);
+  CHECK_EQUAL(StrengthOf(found.BySign[0].CoarseStrengthOf(2)), 4.0F);
   CHECK_EQUAL(found.BySign[0].ListColumns()[2], 2);
   CHECK_EQUAL(found.Samples, 32);
 }
@@ -170,13 +169,8 @@ void TestStrides()
   for (const std::size_t sign : { 0, 1 })
   {
     CHECK(found.BySign[sign].Starts == expected.BySign[sign].Starts);
-    CHECK(
-      std::equal(found.BySign[sign].Picks.begin(), found.BySign[sign].Picks.end(), expected.BySign[sign].Picks.begin(),
-        [](const Reflection& a, const Reflection& b)
-        {
-          return a.Place == b.Place && a.Thickness == b.Thickness && a.Amplitude == b.Amplitude &&
-            a.Strength == b.Strength;
-        }));
+    CHECK(found.BySign[sign].Places == expected.BySign[sign].Places);
+    CHECK(found.BySign[sign].Strengths == expected.BySign[sign].Strengths);
   }
 }
 

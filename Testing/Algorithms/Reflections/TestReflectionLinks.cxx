@@ -51,7 +51,7 @@ struct Case
     const int i = column % this->Cube.Size[0];
     const int j = column / this->Cube.Size[0];
     return Waveform(
-      this->Cube.Trace(i, j), this->Cube.Size[2], InSamples(this->Picks[pick].Place), this->Options.HalfWidth);
+      this->Cube.Trace(i, j), this->Cube.Size[2], InSamples(this->Picks.PlaceOf(pick)), this->Options.HalfWidth);
   }
 
   double Correlation(PointId a, PointId b)
@@ -63,7 +63,7 @@ struct Case
 
   double Score(PointId a, PointId b)
   {
-    return this->Correlation(a, b) - 0.05 * std::abs(InSamples(this->Picks[a].Place - this->Picks[b].Place));
+    return this->Correlation(a, b) - 0.05 * std::abs(InSamples(this->Picks.PlaceOf(a) - this->Picks.PlaceOf(b)));
   }
 
   /// The best pick of a column for a pick, and by how much it is better than the next.
@@ -74,7 +74,7 @@ struct Case
     double next = -9.0;
     for (PointId other = this->Picks.Begin(column); other < this->Picks.End(column); ++other)
     {
-      if (std::abs(this->Picks[other].Place - this->Picks[pick].Place) <= this->Options.LargestStep)
+      if (std::abs(this->Picks.PlaceOf(other) - this->Picks.PlaceOf(pick)) <= this->Options.LargestStep)
       {
         const double candidate = this->Score(pick, other);
         next = std::max(next, std::min(score, candidate));
@@ -198,6 +198,27 @@ void TestShapes()
   CHECK_EQUAL(ReflectionLinks(traces.View(), MakePicks({ 2, 1 }, { {}, {} }), options).Size(), 0);
   CHECK_EQUAL(ReflectionLinks(traces.View(), MakePicks({ 2, 1 }, { {}, {} }), options).MedianCorrelation(), 0.0);
 }
+
+/// Links of picks of which one is three times as strong as the other are dropped.
+void TestStrengths()
+{
+  Traces traces = Empty({ 4, 1, 9 });
+  const std::array<float, 4> strengths = { 1.0F, 2.5F, 8.0F, 3.0F };
+  for (int i = 0; i < 4; ++i)
+  {
+    traces.Trace(i, 0)[4] = strengths[std::size_t(i)];
+  }
+  ReflectionOptions all;
+  all.AmplitudePercentile = 0.0;
+  const ReflectionPicks picks = FindReflections(traces.View(), all).BySign[0];
+  ReflectionLinks links(traces.View(), picks, LinkOptions());
+  CHECK_EQUAL(links.Size(), 3);
+  links.Drop(0.0);
+  CHECK_EQUAL(links.Next(0, 0), 1);
+  CHECK_EQUAL(links.Next(1, 0), NoPoint);
+  CHECK_EQUAL(links.Previous(2, 0), NoPoint);
+  CHECK_EQUAL(links.Next(2, 0), 3);
+}
 }
 
 int TestReflectionLinks(int, char*[])
@@ -207,5 +228,6 @@ int TestReflectionLinks(int, char*[])
   TestSortedAndDropped();
   TestThreads();
   TestShapes();
+  TestStrengths();
   return Check::Result();
 }

@@ -108,13 +108,31 @@ private:
   std::vector<PlanePoint> Blocks; // that cracks reached
 };
 
-/// Takes columns away: anywhere, and at the corners of blocks that cracks reach.
+/// A ring of columns around an island. Its right side is where the last crack ends.
+void AddMoat(const PlanePoint& end, Patches::Random& random, std::set<PlanePoint>& gone)
+{
+  const int width = 2 + random.Below(5);
+  const int height = 2 + random.Below(5);
+  const PlanePoint corner{ end.X + 1 - width, end.Y - random.Below(height) };
+  for (int x = 0; x <= width; ++x)
+  {
+    for (int y = 0; y <= height; ++y)
+    {
+      if (x % width == 0 || y % height == 0)
+      {
+        gone.insert({ corner.X + x, corner.Y + y });
+      }
+    }
+  }
+}
+
+/// Takes columns away: anywhere, at the corners of blocks that cracks reach, and around islands.
 void MakeGaps(Patches::Columns& columns, const std::vector<PlanePoint>& blocks, Patches::Random& random)
 {
   std::set<PlanePoint> gone;
   for (int n = random.Below(6); n > 0; --n)
   {
-    const bool isBesideCrack = !blocks.empty() && random.Chance(0.7);
+    const bool isBesideCrack = random.Chance(0.7);
     const PlanePoint corner = isBesideCrack ? blocks[std::size_t(random.Below(int(blocks.size())))]
                                             : columns[std::size_t(random.Below(int(columns.size())))];
     const int width = 1 + random.Below(3);
@@ -126,6 +144,10 @@ void MakeGaps(Patches::Columns& columns, const std::vector<PlanePoint>& blocks, 
         gone.insert({ corner.X + x, corner.Y + y });
       }
     }
+  }
+  if (random.Chance(0.3))
+  {
+    AddMoat(blocks.back(), random, gone);
   }
   Patches::Columns left;
   std::copy_if(columns.begin(), columns.end(), std::back_inserter(left),

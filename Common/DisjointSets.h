@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsDisjointSets_h
+#define SeismicHorizonsDisjointSets_h
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Sets of numbers that are joined one after the other. A set is named by the least of its numbers.
+class DisjointSets
+{
+public:
+  /// The numbers from 0 on, each a set of its own.
+  explicit DisjointSets(std::size_t size)
+    : Parents(size)
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+
+  std::int32_t Find(std::int32_t item)
+  {
+    while (this->Parents[std::size_t(item)] != item)
+    {
+      std::int32_t& parent = this->Parents[std::size_t(item)];
+      parent = this->Parents[std::size_t(parent)]; // halves the way for the next one
+      item = parent;
+    }
+    return item;
+  }
+
+  /// Whether they were apart.
+  bool Join(std::int32_t a, std::int32_t b)
+  {
+    const std::int32_t first = this->Find(a);
+    const std::int32_t second = this->Find(b);
+    this->Parents[std::size_t(std::max(first, second))] = std::min(first, second);
+    return first != second;
+  }
+
+private:
+  std::vector<std::int32_t> Parents;
+};
+}
+
+#endif

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultPolyData.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// A text without its last word.
+std::string WithoutLastWord(const std::string& text)
+{
+  const std::size_t blank = text.find_last_of(' ');
+  return blank == std::string::npos ? text : text.substr(0, blank);
+}
+
+/// Appends the polylines of some cells, the first of which has the number `first` among those of the dataset.
+void AppendCells(
+  vtkPolyData* data, vtkCellArray* cells, vtkIdType first, const Lattice& grid, std::vector<FaultStick>& polylines)
+{
+  const bool arePolygons = cells == data->GetPolys();
+  auto* const names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray(CellArray::FaultName));
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCellAtId(cell, size, points);
+    FaultStick polyline;
+    for (vtkIdType n = 0; n < size; ++n)
+    {
+      Eigen::Vector3d world;
+      data->GetPoint(points[n], world.data());
+      const Eigen::Vector3d place = grid.ToLattice(world);
+      polyline.Places.push_back({ place.x(), place.y(), place.z() });
+    }
+    if (arePolygons && !polyline.Places.empty())
+    {
+      polyline.Places.push_back(polyline.Places.front());
+    }
+    if (names && first + cell < names->GetNumberOfTuples())
+    {
+      polyline.Fault = WithoutLastWord(names->GetValue(first + cell));
+    }
+    polylines.push_back(polyline);
+  }
+}
+
+void AppendDataSet(vtkDataObject* object, const Lattice& grid, std::vector<FaultStick>& polylines)
+{
+  auto* const data = vtkPolyData::SafeDownCast(object);
+  if (!data)
+  {
+    throw InputError(
+      "fault polylines in a " + std::string(object->GetClassName()) + ", expected lines or polygons of a vtkPolyData");
+  }
+  AppendCells(data, data->GetLines(), data->GetNumberOfVerts(), grid, polylines);
+  AppendCells(data, data->GetPolys(), data->GetNumberOfVerts() + data->GetNumberOfLines(), grid, polylines);
+}
+
+/// What takes the points of a polyline.
+class PolylineWriter
+{
+public:
+  PolylineWriter(const Lattice& grid, double height)
+    : Grid(grid)
+    , Height(height)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Throws->SetName(PointArray::Throw);
+    this->Numbers->SetName(CellArray::FaultLine);
+  }
+
+  void Append(const FaultLines& lines, std::size_t line)
+  {
+    const std::size_t start = lines.Start(line);
+    const std::size_t end = lines.End(line);
+    this->FindHeights(lines, start, end);
+    this->Cells->InsertNextCell(int(end - start + 2));
+    this->AppendPoint(EndOf(lines[start], false), this->Heights.front(), lines[start].LeftThrow());
+    for (std::size_t n = start; n < end; ++n)
+    {
+      const PlanePoint before = lines[n].Place.Column;
+      const PlanePoint beyond = lines[n].Place.Beyond();
+      this->AppendPoint(
+        { 0.5 * (before.X + beyond.X), 0.5 * (before.Y + beyond.Y) }, this->Heights[n - start], lines[n].LeftThrow());
+    }
+    this->AppendPoint(EndOf(lines[end - 1], true), this->Heights.back(), lines[end - 1].LeftThrow());
+    this->Numbers->InsertNextValue(int(line));
+  }
+
+  void Finish(vtkPolyData* output) const
+  {
+    output->SetPoints(this->Points);
+    output->SetLines(this->Cells);
+    output->GetPointData()->AddArray(this->Throws);
+    output->GetPointData()->SetActiveScalars(PointArray::Throw);
+    output->GetCellData()->AddArray(this->Numbers);
+  }
+
+private:
+  /// The corner where the cut of a link ends, or begins.
+  static MapPlace EndOf(const CutLink& cut, bool isLast)
+  {
+    const double shift = cut.IsForward == isLast ? 0.5 : -0.5;
+    const PlanePoint column = cut.Place.Column;
+    return cut.Place.Side == LinkSide::East ? MapPlace{ column.X + 0.5, column.Y + shift }
+                                            : MapPlace{ column.X + shift, column.Y + 0.5 };
+  }
+
+  /// Those of the links; where one is not known that of the link before it, or else of the first that has one. A height
+  /// of one side alone, as beside a gap, counts only where no link of the line has two.
+  void FindHeights(const FaultLines& lines, std::size_t start, std::size_t end)
+  {
+    bool hasBoth = false;
+    for (std::size_t n = start; n < end; ++n)
+    {
+      hasBoth = hasBoth || !std::isnan(lines[n].Throw);
+    }
+    const auto isKnown = [&lines, hasBoth](std::size_t n)
+    { return !std::isnan(hasBoth ? lines[n].Throw : lines[n].Middle); };
+    double last = this->Height;
+    for (std::size_t n = end; n-- > start;)
+    {
+      last = isKnown(n) ? lines[n].Middle : last;
+    }
+    this->Heights.clear();
+    for (std::size_t n = start; n < end; ++n)
+    {
+      last = isKnown(n) ? lines[n].Middle : last;
+      this->Heights.push_back(last);
+    }
+  }
+
+  void AppendPoint(const MapPlace& place, double height, double leftThrow)
+  {
+    const Eigen::Vector3d world = this->Grid.ToWorld(Eigen::Vector3d(place.X, place.Y, height));
+    this->Cells->InsertCellPoint(this->Points->InsertNextPoint(world.data()));
+    this->Throws->InsertNextValue(leftThrow);
+  }
+
+  const Lattice& Grid;
+  const double Height;
+  std::vector<double> Heights;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkDoubleArray> Throws;
+  vtkNew<vtkIntArray> Numbers;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultStick> ReadPolylines(vtkDataObject* lines, const Lattice& grid)
+{
+  std::vector<FaultStick> polylines;
+  auto* const composite = vtkCompositeDataSet::SafeDownCast(lines);
+  if (!composite)
+  {
+    AppendDataSet(lines, grid, polylines);
+    return polylines;
+  }
+  const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    const std::size_t first = polylines.size();
+    AppendDataSet(leaves->GetCurrentDataObject(), grid, polylines);
+    // Sticks of two datasets are of two faults.
+    const std::string number = std::to_string(leaves->GetCurrentFlatIndex());
+    std::for_each(polylines.begin() + std::ptrdiff_t(first), polylines.end(),
+      [&number](FaultStick& polyline) { polyline.Fault += ' ' + number; });
+  }
+  return polylines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines)
+{
+  std::vector<FaultPolyline> polylines;
+  for (const FaultStick& line : lines)
+  {
+    polylines.emplace_back();
+    for (const SpacePoint& place : line.Places)
+    {
+      polylines.back().push_back({ place.X, place.Y });
+    }
+  }
+  return polylines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteFaultLines(const FaultLines& lines, const Lattice& grid, double height, vtkPolyData* output)
+{
+  PolylineWriter writer(grid, height);
+  for (std::size_t line = 0; line < lines.Size(); ++line)
+  {
+    writer.Append(lines, line);
+  }
+  writer.Finish(output);
+}
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fault lines as polylines of VTK: those that are given, and those that are shown.
+
+#ifndef SeismicHorizonsFaultPolyData_h
+#define SeismicHorizonsFaultPolyData_h
+
+#include "Common/Lattice.h"
+#include "Faults/FaultLines.h"
+#include "Faults/FaultPolylines.h"
+#include "Faults/FaultSticks.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace SeismicHorizons
+{
+/// The polylines of a vtkPolyData, or of all of them in a composite dataset, on a lattice; polygons are closed. What
+/// sticks of one fault have in common is the text in the cell array FaultName but for its last word, which is the
+/// number of the stick, and the dataset. Throws InputError on datasets of another kind.
+std::vector<FaultStick> ReadPolylines(vtkDataObject* lines, const Lattice& grid);
+
+/// The same seen from above.
+std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines);
+
+/// Makes `output` a polyline for each fault line: from its first corner through the middles of the links that it cuts
+/// to its last corner. Point data: Throw, how much higher the left of the line is than its right; cell data: FaultLine,
+/// its number. Where no height is known near a link, the next one along the line counts, or else `height`.
+void WriteFaultLines(const FaultLines& lines, const Lattice& grid, double height, vtkPolyData* output);
+}
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonFaults.h"
+
+#include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
+#include "Faults/FaultDetection.h"
+#include "Faults/FaultPolylines.h"
+#include "Faults/FaultSticks.h"
+#include "Marshalling/CutData.h"
+#include "Marshalling/FaultPolyData.h"
+#include "Marshalling/HorizonPoints.h"
+#include "Marshalling/LatticePoints.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+constexpr int LinesPort = 1;
+}
+
+vtkStandardNewMacro(vtkHorizonFaults);
+
+//------------------------------------------------------------------------------
+vtkHorizonFaults::vtkHorizonFaults()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LineType: " << (this->LineType == Sticks ? "Sticks" : "Traces") << "\n";
+  os << indent << "Detect: " << (this->Detect ? "on" : "off") << "\n";
+  os << indent << "SmallestThrow: " << this->SmallestThrow << "\n";
+  os << indent << "Noise: " << this->Noise << "\n";
+  os << indent << "SmallestExtent: " << this->SmallestExtent << "\n";
+  os << indent << "SmallestBranch: " << this->SmallestBranch << "\n";
+  os << indent << "LargestGap: " << this->LargestGap << "\n";
+  os << indent << "MeasuredNoise: " << this->MeasuredNoise << "\n";
+  os << indent << "NumberOfFaultLines: " << this->NumberOfFaultLines << "\n";
+  os << indent << "NumberOfCutLinks: " << this->NumberOfCutLinks << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonFaults::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == LinesPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+// Each process needs all lines, whichever horizons it has.
+int vtkHorizonFaults::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  if (vtkInformation* const lines = inputVector[LinesPort]->GetInformationObject(0))
+  {
+    lines->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    lines->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+FaultDetectionOptions vtkHorizonFaults::MakeOptions() const
+{
+  FaultDetectionOptions options;
+  options.SmallestThrow = this->SmallestThrow;
+  options.Noise = this->Noise;
+  options.SmallestExtent = this->SmallestExtent;
+  options.SmallestBranch = this->SmallestBranch;
+  options.LargestGap = this->LargestGap;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonFaults::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->MeasuredNoise = 0.0;
+  this->NumberOfFaultLines = 0;
+  this->NumberOfCutLinks = 0;
+  this->NumberOfGivenLines = 0;
+  this->DoesGivenLineCut = false;
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (this->NumberOfGivenLines > 0 && !this->DoesGivenLineCut)
+  {
+    vtkWarningMacro("none of " << this->NumberOfGivenLines
+                               << " fault polylines passes between columns of a horizon, expected lines in the "
+                                  "coordinates of its points");
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
+{
+  const FaultDetectionOptions options = this->MakeOptions();
+  CheckOptions(options);
+  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
+  LatticePoints points = ReadPoints(input);
+  const ColumnHeights heights(ToColumns(std::move(points.Plane), points.Grid), points.Height);
+  monitor.Progress(0.2);
+  FaultLines lines;
+  if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
+  {
+    const std::vector<FaultStick> polylines = ReadPolylines(given, points.Grid);
+    lines = CutAlong(heights, this->LineType == Sticks ? FindTraces(heights, polylines) : ToMap(polylines));
+    this->NumberOfGivenLines = vtkIdType(polylines.size());
+    this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
+  }
+  vtkPolyData* const output = outputs[0];
+  output->ShallowCopy(input);
+  if (this->Detect)
+  {
+    const FaultDetection detection = DetectFaults(heights, options, monitor.Step(0.2, 0.95));
+    lines.Append(detection.Lines);
+    this->MeasuredNoise = std::max(this->MeasuredNoise, detection.Noise);
+    AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::FaultNoise, detection.Noise);
+  }
+  WriteCuts(lines, output->GetFieldData());
+  const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
+  WriteFaultLines(lines, points.Grid, sum / double(points.Height.size()), outputs[1]);
+  this->NumberOfFaultLines += vtkIdType(lines.Size());
+  this->NumberOfCutLinks += output->GetFieldData()->GetAbstractArray(FieldArray::CutLinks)->GetNumberOfTuples();
+}

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// GOCAD PLine: objects of ILINE, vertices and SEG lines that join two of them. Objects of other types are passed over.
+
+#include "FaultLineFormats.h"
+
+#include "Common/Types.h"
+#include "GOCADTSurf/VertexIds.h"
+
+#include <array>
+#include <charconv>
+
+namespace SeismicHorizons
+{
+namespace
+{
+std::vector<std::string_view> ListWords(std::string_view line)
+{
+  std::vector<std::string_view> words;
+  FieldCursor cursor(line, FieldSeparator::Blanks);
+  std::string_view word;
+  while (cursor.Next(word))
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+class PLineParser
+{
+public:
+  FaultLineFile File;
+
+  void Take(const NumberedLine& line)
+  {
+    const std::vector<std::string_view> words = ListWords(line.Text);
+    this->Line = line.Number;
+    if (words.empty() || StartsWith(words[0], "#"))
+    {
+      return;
+    }
+    if (this->IsInBlock)
+    {
+      this->TakeOfBlock(Trim(line.Text));
+    }
+    else if (words[0] == "GOCAD")
+    {
+      this->StartObject(words);
+    }
+    else if (words[0] == "END")
+    {
+      this->EndLine();
+      this->IsPLine = false;
+    }
+    else
+    {
+      this->TakeOfObject(words, Trim(line.Text));
+    }
+  }
+
+  void Finish()
+  {
+    if (this->IsPLine)
+    {
+      throw ErrorAt(this->Line, "end of file, expected END of the GOCAD object");
+    }
+  }
+
+private:
+  void StartObject(const std::vector<std::string_view>& words)
+  {
+    this->IsPLine = words.size() > 1 && ToLower(words[1]) == "pline";
+    this->IsDepth = false;
+    this->Name.clear();
+    this->Ids = VertexIds();
+    this->Vertices.clear();
+  }
+
+  void TakeOfBlock(std::string_view text)
+  {
+    this->TakeName(text);
+    this->IsInBlock = text.back() != '}';
+  }
+
+  void TakeName(std::string_view text)
+  {
+    if (StartsWith(text, "name:"))
+    {
+      text.remove_prefix(5);
+      this->Name = std::string(Trim(text.substr(0, text.find('}'))));
+    }
+  }
+
+  void TakeOfObject(const std::vector<std::string_view>& words, std::string_view text)
+  {
+    const std::string_view keyword = words[0];
+    if (text.find('{') != std::string_view::npos)
+    {
+      if (StartsWith(keyword, "HEADER"))
+      {
+        this->TakeName(Trim(text.substr(text.find('{') + 1)));
+      }
+      this->IsInBlock = text.back() != '}';
+    }
+    else if (keyword == "ZPOSITIVE")
+    {
+      this->IsDepth = words.size() > 1 && ToLower(words[1]) == "depth";
+    }
+    else if (this->IsPLine)
+    {
+      this->TakeGeometry(words);
+    }
+  }
+
+  void TakeGeometry(const std::vector<std::string_view>& words)
+  {
+    if (words[0] == "ILINE")
+    {
+      this->EndLine();
+    }
+    else if (words[0] == "VRTX" || words[0] == "PVRTX")
+    {
+      this->TakeVertex(words);
+    }
+    else if (words[0] == "SEG")
+    {
+      this->TakeSegment(words);
+    }
+  }
+
+  void TakeVertex(const std::vector<std::string_view>& words)
+  {
+    if (words.size() < 5)
+    {
+      throw ErrorAt(this->Line, std::to_string(words.size()) + " words, expected a vertex: id, x, y and z");
+    }
+    const double z = ReadFinite(words[4], this->Line, "z");
+    this->Vertices.push_back(
+      { ReadFinite(words[2], this->Line, "x"), ReadFinite(words[3], this->Line, "y"), this->IsDepth ? -z : z });
+    if (!this->Ids.Add(this->ReadId(words[1])))
+    {
+      throw ErrorAt(this->Line, "vertex " + Excerpt(words[1]) + " for the second time, expected another id");
+    }
+  }
+
+  /// One that goes on from the last one belongs to the same polyline.
+  void TakeSegment(const std::vector<std::string_view>& words)
+  {
+    if (words.size() < 3)
+    {
+      throw ErrorAt(this->Line, std::to_string(words.size()) + " words, expected SEG and two ids of vertices");
+    }
+    const PointId from = this->FindVertex(words[1]);
+    const PointId to = this->FindVertex(words[2]);
+    if (from != this->End)
+    {
+      this->EndLine();
+      this->File.Append(this->Vertices[std::size_t(from)]);
+    }
+    this->File.Append(this->Vertices[std::size_t(to)]);
+    this->End = to;
+  }
+
+  std::int64_t ReadId(std::string_view word) const
+  {
+    std::int64_t id = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (error != std::errc() || end != word.data() + word.size())
+    {
+      throw ErrorAt(this->Line, Quote(word) + ", expected the id of a vertex");
+    }
+    return id;
+  }
+
+  PointId FindVertex(std::string_view word) const
+  {
+    const PointId vertex = this->Ids.Find(this->ReadId(word));
+    if (vertex == NoPoint)
+    {
+      throw ErrorAt(this->Line, "vertex " + Excerpt(word) + ", expected the id of a vertex above");
+    }
+    return vertex;
+  }
+
+  void EndLine()
+  {
+    this->File.Close(this->Name);
+    this->End = NoPoint;
+  }
+
+  std::int64_t Line = 0; // that is read
+  bool IsPLine = false; // the object that is read
+  bool IsInBlock = false; // between braces
+  bool IsDepth = false; // z counts downwards
+  std::string Name; // of the object
+  VertexIds Ids;
+  std::vector<SpacePoint> Vertices;
+  PointId End = NoPoint; // the vertex where the polyline that is read ends
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultLineFile ReadPLines(const std::vector<NumberedLine>& lines)
+{
+  PLineParser parser;
+  parser.File.IsUpright = true;
+  for (const NumberedLine& line : lines)
+  {
+    parser.Take(line);
+  }
+  parser.Finish();
+  return parser.File;
+}
+}

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lines of x y z: an empty line, 999.0 three times (IRAP, RMS), a line ->name (CPS-3), or a change in what stands
+// behind the z ends a polyline. Charisma's sticks have words before and behind.
+
+#include "FaultLineFormats.h"
+
+#include <array>
+#include <cstddef>
+
+namespace SeismicHorizons
+{
+namespace
+{
+std::vector<std::string_view> ListFields(std::string_view line)
+{
+  const FieldSeparator separator = line.find(',') != std::string_view::npos ? FieldSeparator::Comma
+    : line.find(';') != std::string_view::npos                              ? FieldSeparator::Semicolon
+                                                                            : FieldSeparator::Blanks;
+  std::vector<std::string_view> fields;
+  FieldCursor cursor(line, separator);
+  std::string_view field;
+  while (cursor.Next(field))
+  {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+bool IsNumber(std::string_view field)
+{
+  double value = 0.0;
+  return ReadNumber(field, value) != NumberKind::NotANumber;
+}
+
+class PlainLineParser
+{
+public:
+  FaultLineFile File;
+
+  void Take(const NumberedLine& line)
+  {
+    const std::string_view text = Trim(line.Text);
+    if (text.empty() || IsEndMark(text))
+    {
+      this->EndLine();
+    }
+    else if (StartsWith(text, "->"))
+    {
+      this->EndLine();
+      this->Name = std::string(Trim(text.substr(2)));
+    }
+    else if (!IsSkipped(text))
+    {
+      this->TakeFields(ListFields(text), line.Number);
+    }
+  }
+
+  void EndLine()
+  {
+    this->File.Close(this->Name.empty() ? this->Key : this->Name);
+    this->HasPlace = false;
+  }
+
+private:
+  void TakeFields(const std::vector<std::string_view>& fields, std::int64_t line)
+  {
+    if (StartsWith(fields.front(), "INLINE") || StartsWith(fields.front(), "CROSSLINE"))
+    {
+      this->TakeStick(fields, line);
+    }
+    else if (this->HasPlace || this->File.Places.size() > 0 || IsNumber(fields.front()))
+    {
+      this->TakePlace(fields, 0, 3, line);
+    }
+    // Otherwise a heading, before the first place.
+  }
+
+  /// INLINE- inline crossline x y z name stick; names may have blanks in them.
+  void TakeStick(const std::vector<std::string_view>& fields, std::int64_t line)
+  {
+    constexpr std::size_t FewestFields = 8;
+    if (fields.size() < FewestFields)
+    {
+      throw ErrorAt(line,
+        std::to_string(fields.size()) +
+          " fields of a fault stick, expected 8: INLINE-, inline, crossline, x, y, z, "
+          "name and number");
+    }
+    this->TakePlace(fields, 3, 6, line);
+  }
+
+  /// The numbers from field `first` on, and the fields from `rest` on, which tell polylines apart.
+  void TakePlace(const std::vector<std::string_view>& fields, std::size_t first, std::size_t rest, std::int64_t line)
+  {
+    if (fields.size() < rest)
+    {
+      throw ErrorAt(line, std::to_string(fields.size()) + " fields, expected x, y and z");
+    }
+    const SpacePoint place = { ReadFinite(fields[first], line, "x"), ReadFinite(fields[first + 1], line, "y"),
+      ReadFinite(fields[first + 2], line, "z") };
+    constexpr double EndOfPart = 999.0;
+    if (place.X == EndOfPart && place.Y == EndOfPart && place.Z == EndOfPart)
+    {
+      this->EndLine();
+      return;
+    }
+    std::string key;
+    for (std::size_t n = rest; n < fields.size(); ++n)
+    {
+      key += (n > rest ? " " : "") + std::string(fields[n]);
+    }
+    if (this->HasPlace && key != this->Key)
+    {
+      this->EndLine();
+    }
+    this->Key = key;
+    this->HasPlace = true;
+    this->File.Append(place);
+  }
+
+  std::string Name; // in a line of its own
+  std::string Key; // behind the coordinates
+  bool HasPlace = false; // in the polyline that is read
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultLineFile ReadPlainLines(const std::vector<NumberedLine>& lines)
+{
+  PlainLineParser parser;
+  for (const NumberedLine& line : lines)
+  {
+    parser.Take(line);
+  }
+  parser.EndLine();
+  return parser.File;
+}
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// ZMAP+ points and polygons: a header that tells which characters of a line hold what, then a line for each point. A
+// new number of the segment begins a polyline.
+
+#include "FaultLineFormats.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Where a field is, by characters from 0.
+struct ZmapField
+{
+  std::size_t First = 0;
+  std::size_t Size = 0;
+};
+
+struct ZmapFields
+{
+  std::optional<ZmapField> X, Y, Z, Segment;
+
+  /// That of a type; null for others, which are not read.
+  std::optional<ZmapField>* Find(int type)
+  {
+    switch (type)
+    {
+      case 1:
+        return &this->X;
+      case 2:
+        return &this->Y;
+      case 3:
+        return &this->Z;
+      case 35:
+        return &this->Segment;
+      default:
+        return nullptr;
+    }
+  }
+};
+
+/// NAME, number, type, ?, first character, last character,, null, ...
+void TakeField(const NumberedLine& line, ZmapFields& fields)
+{
+  FieldCursor cursor(line.Text, FieldSeparator::Comma);
+  std::array<std::string_view, 6> parts;
+  const bool isWhole =
+    std::all_of(parts.begin(), parts.end(), [&cursor](std::string_view& part) { return cursor.Next(part); });
+  const int type = isWhole ? ReadPositiveInteger(parts[2]) : 0;
+  const int first = isWhole ? ReadPositiveInteger(parts[4]) : 0;
+  const int last = isWhole ? ReadPositiveInteger(parts[5]) : 0;
+  if (type == 0 || first == 0 || last < first)
+  {
+    throw ErrorAt(line.Number,
+      Quote(Trim(line.Text)) + ", expected a field of ZMAP+: name, number, type, flag, first and last character");
+  }
+  if (std::optional<ZmapField>* const place = fields.Find(type))
+  {
+    *place = ZmapField{ std::size_t(first - 1), std::size_t(last - first + 1) };
+  }
+}
+
+std::string_view Cut(std::string_view text, const ZmapField& field)
+{
+  return field.First < text.size() ? Trim(text.substr(field.First, field.Size)) : std::string_view();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultLineFile ReadZmapLines(const std::vector<NumberedLine>& lines)
+{
+  FaultLineFile file;
+  ZmapFields fields;
+  std::string segment;
+  int marks = 0; // lines that begin with @: the header is between two
+  for (const NumberedLine& line : lines)
+  {
+    const std::string_view text = Trim(line.Text);
+    if (StartsWith(text, "@"))
+    {
+      ++marks;
+      if (marks == 2 && !(fields.X && fields.Y))
+      {
+        throw ErrorAt(line.Number, "end of the ZMAP+ header, expected fields of the types 1 and 2, x and y");
+      }
+    }
+    else if (IsSkipped(line.Text) || IsEndMark(text))
+    {
+      continue;
+    }
+    else if (marks < 2)
+    {
+      TakeField(line, fields);
+    }
+    else
+    {
+      const std::string_view own = fields.Segment ? Cut(line.Text, *fields.Segment) : std::string_view();
+      if (own != segment)
+      {
+        file.Close(segment);
+        segment = std::string(own);
+      }
+      file.Append({ ReadFinite(Cut(line.Text, *fields.X), line.Number, "x"),
+        ReadFinite(Cut(line.Text, *fields.Y), line.Number, "y"),
+        fields.Z ? ReadFinite(Cut(line.Text, *fields.Z), line.Number, "z") : 0.0 });
+    }
+  }
+  file.Close(segment);
+  return file;
+}
+}

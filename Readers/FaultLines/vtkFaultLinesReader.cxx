@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkFaultLinesReader.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "FaultLineFile.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <istream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+void WriteLines(const FaultLineFile& file, double upwards, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const SpacePoint& place : file.Places)
+  {
+    points->InsertNextPoint(place.X, place.Y, file.IsUpright ? place.Z : upwards * place.Z);
+  }
+  vtkNew<vtkCellArray> cells;
+  std::size_t start = 0;
+  for (const std::size_t end : file.Ends)
+  {
+    cells->InsertNextCell(int(end - start));
+    for (; start < end; ++start)
+    {
+      cells->InsertCellPoint(vtkIdType(start));
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(cells);
+  if (std::any_of(file.Names.begin(), file.Names.end(), [](const std::string& name) { return !name.empty(); }))
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName(CellArray::FaultName);
+    for (const std::string& name : file.Names)
+    {
+      names->InsertNextValue(name);
+    }
+    output->GetCellData()->AddArray(names);
+  }
+}
+}
+
+vtkStandardNewMacro(vtkFaultLinesReader);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkFaultLinesReader::vtkFaultLinesReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkFaultLinesReader::~vtkFaultLinesReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+  return RunRequest(this, { output }, FilePrefix(this->FileName) + ": more data than memory, expected a smaller file",
+    [&](std::string&, const Monitor&)
+    {
+      RequireFileName(this->FileName);
+      PrefixErrors(this->FileName,
+        [&]()
+        {
+          MakeFileStamp(this->FileName); // refuses what is no regular file
+          const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+          WriteLines(
+            ReadFaultLines(std::string(std::istreambuf_iterator<char>(*stream), std::istreambuf_iterator<char>())),
+            this->VerticalDirection == Up ? 1.0 : -1.0, output);
+        });
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkFaultLinesReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
+}

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Horizons that lie above themselves: which voxels are on which sheet.
+
+#include "Tools/Check.h"
+#include "VerneySparseMatrix/HorizonSheets.h"
+#include "VerneySparseMatrix/SparseMatrixParser.h"
+
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// A horizon of width times length columns, with a voxel at each of ks(i, j).
+template <typename Ks>
+HorizonVoxels Make(int width, int length, Ks&& ks)
+{
+  HorizonVoxels voxels;
+  voxels.SurfaceId = 7;
+  for (int j = 0; j < length; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      for (const int k : ks(i, j))
+      {
+        voxels.I.push_back(i);
+        voxels.J.push_back(j);
+        voxels.K.push_back(k);
+        voxels.Thickness.push_back(1.0);
+        voxels.Amplitude.push_back(double(k));
+        voxels.RealZ.push_back(4.0 * k);
+      }
+    }
+  }
+  return voxels;
+}
+
+/// All voxels are there once, no column of a sheet has two, and they are in their order.
+std::vector<HorizonVoxels> Split(const HorizonVoxels& voxels)
+{
+  std::vector<HorizonVoxels> sheets = SplitIntoSheets(voxels);
+  std::size_t total = 0;
+  std::set<std::vector<int>> all;
+  for (const HorizonVoxels& sheet : sheets)
+  {
+    CHECK_EQUAL(sheet.SurfaceId, 7);
+    total += sheet.I.size() + std::size_t(sheet.DroppedDuplicates);
+    for (std::size_t n = 0; n < sheet.I.size(); ++n)
+    {
+      CHECK(n == 0 || std::make_pair(sheet.J[n - 1], sheet.I[n - 1]) < std::make_pair(sheet.J[n], sheet.I[n]));
+      CHECK_EQUAL(sheet.RealZ[n], 4.0 * sheet.K[n]);
+      all.insert({ sheet.I[n], sheet.J[n], sheet.K[n] });
+    }
+  }
+  CHECK_EQUAL(total, voxels.I.size());
+  return sheets;
+}
+
+void SingleHorizonsStayWhole()
+{
+  const std::vector<HorizonVoxels> sheets =
+    Split(Make(5, 4, [](int i, int j) { return std::vector<int>{ 9 * i + j }; }));
+  CHECK_EQUAL(sheets.size(), 1U);
+  CHECK_EQUAL(sheets.front().I.size(), 20U);
+  CHECK_EQUAL(Split(HorizonVoxels(Make(0, 0, [](int, int) { return std::vector<int>(); }))).size(), 1U);
+}
+
+void FaultsThatRunThroughGiveTwoBlocks()
+{
+  // The left block at 5 reaches over the right one at 15 for three columns. Voxels come in any order.
+  const std::vector<HorizonVoxels> sheets = Split(Make(17, 10,
+    [](int i, int) {
+      return i < 7 ? std::vector<int>{ 5 } : i < 10 ? std::vector<int>{ 15, 5 } : std::vector<int>{ 15 };
+    }));
+  CHECK_EQUAL(sheets.size(), 2U);
+  for (std::size_t n = 0; n < 100U; ++n)
+  {
+    CHECK_EQUAL(sheets[0].K[n], 5);
+    CHECK_EQUAL(sheets[1].K[n], 15);
+  }
+}
+
+void FaultsThatEndLeaveOneLayer()
+{
+  // Above itself in the rows 0 to 4 only: the layer above has more contacts, as it reaches one column further.
+  const auto sheets = Split(Make(17, 10,
+    [](int i, int j)
+    {
+      const int k = i < 8 ? 5 : 15;
+      return j < 5 && i >= 6 && i < 10 ? std::vector<int>{ 5, 15 } : std::vector<int>{ j < 5 ? k : 10 };
+    }));
+  CHECK_EQUAL(sheets.size(), 2U);
+  CHECK_EQUAL(sheets[0].I.size(), 170U);
+  CHECK_EQUAL(sheets[1].I.size(), 20U);
+  const int layer = sheets[1].K[0];
+  for (std::size_t n = 0; n < sheets[1].I.size(); ++n)
+  {
+    CHECK_EQUAL(sheets[1].K[n], layer); // one layer whole, and not parts of both
+  }
+}
+
+void PartsThatAreApartShareASheet()
+{
+  const auto sheets = Split(Make(20, 3,
+    [](int i, int) {
+      return i == 4 || i == 12 ? std::vector<int>{ 9, 5 } : std::vector<int>{ 5 };
+    }));
+  CHECK_EQUAL(sheets.size(), 2U);
+  CHECK_EQUAL(sheets[0].I.size(), 60U);
+  CHECK_EQUAL(sheets[1].I.size(), 6U);
+}
+
+void DropsWhatTakesTooManySheets()
+{
+  std::vector<int> pile;
+  for (int k = 0; k < 70; ++k)
+  {
+    pile.push_back(2 * k);
+  }
+  const auto sheets = Split(Make(1, 1, [&pile](int, int) { return pile; }));
+  CHECK_EQUAL(sheets.size(), 64U);
+  CHECK_EQUAL(sheets.front().DroppedDuplicates, 6);
+}
+
+void TheParserSplits()
+{
+  // Two columns with two voxels of horizon 3, and one with one.
+  std::istringstream stream("3 1 20\n5 3 1 1 5 15 3 1 9 15\n5 3 1 1 5 15 3 1 9 15\n5 3 1 1 5\n");
+  SparseMatrixOptions options;
+  options.Policy = DuplicatePolicy::Sheets;
+  const SparseMatrix matrix = ReadSparseMatrix(stream, options);
+  CHECK_EQUAL(matrix.Horizons.size(), 2U);
+  CHECK_EQUAL(matrix.Horizons[0].I.size(), 3U);
+  CHECK_EQUAL(matrix.Horizons[1].I.size(), 2U);
+  CHECK_EQUAL(matrix.Horizons[1].K[1], 15);
+  CHECK_EQUAL(matrix.Horizons[1].DroppedDuplicates, 0);
+  stream.clear();
+  stream.seekg(0);
+  options.SmallestSize = 3; // of each sheet
+  CHECK_EQUAL(ReadSparseMatrix(stream, options).Horizons.size(), 1U);
+}
+}
+
+int TestHorizonSheets(int, char*[])
+{
+  SingleHorizonsStayWhole();
+  FaultsThatRunThroughGiveTwoBlocks();
+  FaultsThatEndLeaveOneLayer();
+  PartsThatAreApartShareASheet();
+  DropsWhatTakesTooManySheets();
+  TheParserSplits();
+  return Check::Result();
+}

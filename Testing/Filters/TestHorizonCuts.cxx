@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Horizons with cut links through the stages.
+
+#include "HorizonFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkCellArray.h"
+#include "vtkHorizonBoundarySimplification.h"
+#include "vtkHorizonDecimation.h"
+#include "vtkHorizonElaborateSimplification.h"
+#include "vtkHorizonExteriorBoundary.h"
+#include "vtkHorizonRoughSimplification.h"
+#include "vtkHorizonSurface.h"
+#include "vtkHorizonTriangulation.h"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+constexpr double Throw = 15.0;
+constexpr int LastRowBelow = 11; // of the fault
+constexpr int FirstColumn = 2; // of its links
+constexpr int LastColumn = 20;
+
+double FaultedHeight(int i, int j)
+{
+  const bool isThrown = j > LastRowBelow && i >= FirstColumn && i <= LastColumn;
+  return 10.0 + (isThrown ? Throw : 0.0);
+}
+
+void AddLinks(vtkPolyData* horizon, const std::vector<std::array<int, 3>>& links)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName("CutLinks");
+  array->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> throws;
+  throws->SetName("CutThrow");
+  for (const std::array<int, 3>& link : links)
+  {
+    array->InsertNextTypedTuple(link.data());
+    throws->InsertNextValue(Throw);
+  }
+  horizon->GetFieldData()->AddArray(array);
+  horizon->GetFieldData()->AddArray(throws);
+}
+
+vtkSmartPointer<vtkPolyData> MakeFaulted(vtkMatrix4x4* survey)
+{
+  auto horizon = HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(32, 32), 3, survey, FaultedHeight);
+  std::vector<std::array<int, 3>> links;
+  for (int i = FirstColumn; i <= LastColumn; ++i)
+  {
+    links.push_back({ i, LastRowBelow, 1 });
+  }
+  AddLinks(horizon, links);
+  return horizon;
+}
+
+double Figure(vtkPolyData* horizon, const char* name)
+{
+  vtkDataArray* const array = horizon->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(0, 0) : -1.0;
+}
+
+/// How many triangles lead from one lip to the other; on a survey of unit steps.
+int CountAcross(vtkPolyData* mesh)
+{
+  int across = 0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    mesh->GetPolys()->GetCellAtId(cell, size, corners);
+    bool isBelow = false;
+    bool isAbove = false;
+    for (vtkIdType n = 0; n < size; ++n)
+    {
+      const double* const place = mesh->GetPoint(corners[n]);
+      const bool isBeside = place[0] >= FirstColumn && place[0] <= LastColumn;
+      isBelow = isBelow || (isBeside && place[1] <= LastRowBelow);
+      isAbove = isAbove || (isBeside && place[1] > LastRowBelow);
+    }
+    across += isBelow && isAbove ? 1 : 0;
+  }
+  return across;
+}
+
+vtkPolyData* Update(vtkHorizonAlgorithm* stage)
+{
+  stage->Update();
+  return stage->GetPolyDataOutput();
+}
+
+void TestBoundary()
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::RotatedSurvey()));
+  boundary->SetSmallestHoleSize(1000);
+  CHECK(boundary->GetUseCuts());
+  vtkPolyData* const output = Update(boundary);
+  CHECK_EQUAL(Figure(output, "NumberOfPatches"), 1.0);
+  CHECK_EQUAL(Figure(output, "NumberOfHoles"), 1.0);
+  CHECK_EQUAL(output->GetLines()->GetCellSize(1), 2 * (LastColumn - FirstColumn + 3) + 1);
+  CHECK(output->GetFieldData()->HasArray("CutLinks") && output->GetFieldData()->HasArray("CutThrow"));
+  boundary->UseCutsOff();
+  boundary->Update();
+  CHECK_EQUAL(Figure(output, "NumberOfHoles"), 0.0);
+  CHECK(!output->GetFieldData()->HasArray("CutLinks") && !output->GetFieldData()->HasArray("CutThrow"));
+  CHECK(vtkPolyData::SafeDownCast(boundary->GetInputDataObject(0, 0))->GetFieldData()->HasArray("CutLinks"));
+  std::ostringstream text;
+  boundary->Print(text);
+  CHECK(text.str().find("UseCuts: off") != std::string::npos);
+}
+
+/// No stage joins the lips, and cuts go on to the last one.
+void TestStages()
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
+  vtkNew<vtkHorizonBoundarySimplification> outlines;
+  outlines->SetInputConnection(boundary->GetOutputPort());
+  vtkNew<vtkHorizonRoughSimplification> rough;
+  rough->SetInputConnection(outlines->GetOutputPort());
+  rough->SetCellSize(4);
+  vtkNew<vtkHorizonElaborateSimplification> elaborate;
+  elaborate->SetInputConnection(outlines->GetOutputPort());
+  vtkNew<vtkHorizonTriangulation> mesh;
+  const std::array<vtkAlgorithm*, 3> stages = { outlines.Get(), rough.Get(), elaborate.Get() };
+  for (vtkAlgorithm* const stage : stages)
+  {
+    mesh->SetInputConnection(stage->GetOutputPort());
+    vtkPolyData* const output = Update(mesh);
+    CHECK(output->GetNumberOfPolys() > 0);
+    CHECK_EQUAL(CountAcross(output), 0);
+    CHECK(output->GetFieldData()->HasArray("CutLinks"));
+  }
+  vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetInputConnection(outlines->GetOutputPort());
+  CHECK_EQUAL(CountAcross(Update(decimation)), 0);
+  boundary->UseCutsOff();
+  CHECK(CountAcross(Update(decimation)) > 0);
+}
+
+/// In the cells that the crack leads through from side to side, points have one height or the other.
+void TestCells()
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
+  vtkNew<vtkHorizonRoughSimplification> rough;
+  rough->SetInputConnection(boundary->GetOutputPort());
+  rough->SetCellSize(8);
+  const auto countBetween = [&rough]()
+  {
+    vtkPolyData* const output = Update(rough);
+    int between = 0;
+    for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+    {
+      const double* const place = output->GetPoint(point);
+      between += place[0] > 7.0 && place[0] < 16.0 && place[2] > 10.0 && place[2] < 10.0 + Throw;
+    }
+    return between;
+  };
+  CHECK_EQUAL(countBetween(), 0);
+  boundary->UseCutsOff();
+  CHECK(countBetween() > 0);
+}
+
+void TestSurface()
+{
+  vtkNew<vtkHorizonSurface> surface;
+  surface->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
+  surface->SetOutlineTolerance(0.0);
+  surface->AutomaticOutlineToleranceOff();
+  CHECK(surface->GetUseCuts());
+  vtkPolyData* const mesh = Update(surface);
+  CHECK_EQUAL(CountAcross(mesh), 0);
+  CHECK(mesh->GetFieldData()->HasArray("CutLinks"));
+  surface->UseCutsOff();
+  surface->Update();
+  CHECK(CountAcross(mesh) > 0);
+  for (int port = 0; port < 2; ++port)
+  {
+    CHECK(!vtkPolyData::SafeDownCast(surface->GetOutputDataObject(port))->GetFieldData()->HasArray("CutLinks"));
+  }
+  std::ostringstream text;
+  surface->Print(text);
+  CHECK(text.str().find("UseCuts: off") != std::string::npos);
+}
+
+void CheckRefused(vtkPolyData* horizon, int radius, const std::string& message)
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(horizon);
+  boundary->SetRadius(radius);
+  boundary->SetGrowthStrategyToDistance();
+  HorizonFixtures::Errors errors(boundary);
+  boundary->Update();
+  CHECK_EQUAL(errors.Count(), 1u);
+  CHECK(errors.FirstContains(message));
+}
+
+void TestErrors()
+{
+  CheckRefused(MakeFaulted(HorizonFixtures::UnitSurvey()), 2,
+    "cut links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
+  auto beyond = MakeFaulted(HorizonFixtures::UnitSurvey());
+  AddLinks(beyond, { { 32, 0, 0 } });
+  CheckRefused(beyond, 1, "cut link 0 (32, 0, 0), expected a column of the lattice");
+  vtkNew<vtkHorizonSurface> surface;
+  surface->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
+  surface->SetSeamRows(-1, 31);
+  HorizonFixtures::Errors errors(surface);
+  surface->Update();
+  CHECK(errors.FirstContains("cut links and a seam, expected one of them"));
+}
+}
+
+int TestHorizonCuts(int, char*[])
+{
+  TestBoundary();
+  TestStages();
+  TestCells();
+  TestSurface();
+  TestErrors();
+  return Check::Result();
+}

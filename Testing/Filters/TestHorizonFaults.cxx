@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The filter around the detection of faults: what is in its outputs, lines that are given, errors. Which links are cut
+// is checked in TestFaultDetection and TestFaultPolylines.
+
+#include "HorizonFixtures.h"
+#include "Tools/Check.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkHorizonFaults.h"
+#include "vtkHorizonHoleFilling.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+using HorizonFixtures::Errors;
+
+/// A step of 7 downwards between the columns 14 and 15.
+double Torn(int i, int)
+{
+  return i < 15 ? 20.0 : 27.0;
+}
+
+double Level(int, int)
+{
+  return 20.0;
+}
+
+vtkSmartPointer<vtkPolyData> Horizon(double (*height)(int, int), vtkMatrix4x4* survey)
+{
+  return HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(30, 25), 7, survey, height);
+}
+
+/// A polyline through places in columns.
+vtkSmartPointer<vtkPolyData> Line(
+  const std::vector<std::array<double, 2>>& places, vtkMatrix4x4* survey, bool isPolygon)
+{
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(int(places.size()));
+  for (const std::array<double, 2>& place : places)
+  {
+    const double lattice[4] = { place[0], place[1], -500.0, 1.0 };
+    double world[4];
+    survey->MultiplyPoint(lattice, world);
+    cells->InsertCellPoint(points->InsertNextPoint(world));
+  }
+  lines->SetPoints(points);
+  isPolygon ? lines->SetPolys(cells) : lines->SetLines(cells);
+  return lines;
+}
+
+vtkPolyData* Faults(vtkHorizonFaults* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+}
+
+void TestOutputs()
+{
+  const auto survey = HorizonFixtures::RotatedSurvey();
+  const auto input = Horizon(Torn, survey);
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  vtkPolyData* const output = filter->GetPolyDataOutput();
+  CHECK(output->GetPoints() == input->GetPoints());
+  CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays());
+  auto* const links = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutLinks"));
+  auto* const throws = vtkDoubleArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutThrow"));
+  auto* const lines = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutLine"));
+  if (!CHECK(links && throws && lines) || !CHECK_EQUAL(links->GetNumberOfTuples(), 25))
+  {
+    return;
+  }
+  CHECK_EQUAL(links->GetNumberOfComponents(), 3);
+  for (int j = 0; j < 25; ++j)
+  {
+    CHECK_EQUAL(links->GetTypedComponent(j, 0), 14);
+    CHECK_EQUAL(links->GetTypedComponent(j, 1), j);
+    CHECK_EQUAL(links->GetTypedComponent(j, 2), 0);
+    CHECK(std::abs(throws->GetValue(j) - 7.0) < 1e-6);
+    CHECK_EQUAL(lines->GetValue(j), 0);
+  }
+  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 25);
+  CHECK_EQUAL(filter->GetMeasuredNoise(), 0.408);
+  CHECK_EQUAL(output->GetFieldData()->GetArray("FaultNoise")->GetTuple1(0), 0.408);
+  // The line goes from corner to corner, half a column beyond the rows, at half the throw. Its left is the side of the
+  // larger vertical index: south.
+  vtkPolyData* const faults = Faults(filter);
+  CHECK_EQUAL(faults->GetNumberOfLines(), 1);
+  CHECK_EQUAL(faults->GetNumberOfPoints(), 27);
+  const double first[4] = { 14.5, 24.5, 23.5, 1.0 };
+  double world[4];
+  survey->MultiplyPoint(first, world);
+  double found[3];
+  faults->GetPoint(0, found);
+  CHECK(std::abs(found[0] - world[0]) < 1e-5 && std::abs(found[1] - world[1]) < 1e-5);
+  CHECK(std::abs(found[2] - world[2]) < 1e-5);
+  CHECK(std::abs(faults->GetPointData()->GetArray("Throw")->GetTuple1(0) - 7.0) < 1e-6);
+  CHECK_EQUAL(faults->GetCellData()->GetArray("FaultLine")->GetTuple1(0), 0.0);
+}
+
+void TestGivenLines()
+{
+  const auto survey = HorizonFixtures::RotatedSurvey();
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Torn, survey));
+  filter->SetInputData(1, Line({ { 4.5, -3.0 }, { 4.5, 9.5 } }, survey, false));
+  filter->DetectOff();
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 10);
+  CHECK(!filter->GetPolyDataOutput()->GetFieldData()->HasArray("FaultNoise"));
+  filter->DetectOn(); // with what is found
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 35);
+  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 2);
+  // A polygon is cut all around, a composite dataset gives all it has.
+  filter->DetectOff();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Line({ { 4.5, 4.5 }, { 6.5, 4.5 }, { 6.5, 6.5 }, { 4.5, 6.5 } }, survey, true));
+  blocks->SetBlock(2, Line({ { 20.5, 10.5 }, { 20.5, 13.5 } }, survey, false));
+  filter->SetInputData(1, blocks);
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 8 + 3);
+  filter->RemoveFaultLines();
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+  CHECK_EQUAL(Faults(filter)->GetNumberOfPoints(), 0);
+}
+
+/// Two sticks that pass through the horizon between the columns 4 and 5, in the rows 2 and 7, and one of another fault.
+void TestSticks()
+{
+  const auto survey = HorizonFixtures::RotatedSurvey();
+  auto sticks = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkStringArray> names;
+  names->SetName("FaultName");
+  for (const double j : { 2.0, 7.0, 12.0 })
+  {
+    cells->InsertNextCell(2);
+    for (const double k : { 0.0, 40.0 })
+    {
+      const double lattice[4] = { 4.4 + 0.1 * (k - 20.0) / 20.0, j, k, 1.0 };
+      double world[4];
+      survey->MultiplyPoint(lattice, world);
+      cells->InsertCellPoint(points->InsertNextPoint(world));
+    }
+    names->InsertNextValue(j > 10.0 ? "G 1" : "F " + std::to_string(int(j)));
+  }
+  sticks->SetPoints(points);
+  sticks->SetLines(cells);
+  sticks->GetCellData()->AddArray(names);
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Level, survey));
+  filter->SetInputData(1, sticks);
+  filter->DetectOff();
+  filter->SetLineTypeToSticks();
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
+  CHECK(filter->GetNumberOfCutLinks() >= 4 && filter->GetNumberOfCutLinks() <= 6); // ends lie on rows
+  vtkFieldData* const data = filter->GetPolyDataOutput()->GetFieldData();
+  CHECK_EQUAL(data->GetArray("CutLinks")->GetComponent(0, 0), 4.0);
+  sticks->GetCellData()->RemoveArray("FaultName"); // now all are of one fault
+  sticks->Modified();
+  filter->Update();
+  CHECK(filter->GetNumberOfCutLinks() >= 9 && filter->GetNumberOfCutLinks() <= 11);
+}
+
+/// The cuts of an earlier run are replaced, and the stages read what is written.
+void TestInPipeline()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Torn, survey));
+  vtkNew<vtkHorizonFaults> again;
+  again->SetInputConnection(filter->GetOutputPort());
+  again->DetectOff();
+  again->SetInputData(1, Line({ { 4.5, -3.0 }, { 4.5, 9.5 } }, survey, false));
+  again->Update();
+  CHECK_EQUAL(again->GetNumberOfCutLinks(), 10);
+  vtkNew<vtkHorizonHoleFilling> filling;
+  filling->SetInputConnection(again->GetOutputPort());
+  const Errors errors(filling);
+  filling->Update();
+  CHECK_EQUAL(errors.Count(), 0U);
+}
+
+void TestSeveralHorizons()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Horizon(Torn, survey));
+  blocks->SetBlock(1, Horizon(Level, survey));
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(blocks);
+  filter->SetInputData(1, Line({ { 4.5, -3.0 }, { 4.5, 9.5 } }, survey, false));
+  filter->Update();
+  auto* const faults = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
+  CHECK_EQUAL(vtkPolyData::SafeDownCast(faults->GetBlock(0))->GetNumberOfLines(), 2);
+  CHECK_EQUAL(vtkPolyData::SafeDownCast(faults->GetBlock(1))->GetNumberOfLines(), 1);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 45);
+}
+
+void TestLinesBesideTheHorizon()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Level, survey));
+  filter->SetInputData(1, Line({ { 604321.0, 6079543.0 }, { 604400.0, 6079600.0 } }, survey, false));
+  const Errors warnings(filter, vtkCommand::WarningEvent);
+  filter->Update();
+  CHECK(warnings.FirstContains(
+    "none of 1 fault polylines passes between columns of a horizon, expected lines in the coordinates of its points"));
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+  CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 750);
+}
+
+void CheckError(vtkHorizonFaults* filter, const std::string& message)
+{
+  const Errors errors(filter);
+  filter->Modified();
+  filter->Update();
+  CHECK_EQUAL(errors.Count(), 1U);
+  if (!CHECK(errors.FirstContains(message)))
+  {
+    std::cerr << errors.First() << '\n';
+  }
+  CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+}
+
+void TestErrors()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Torn, survey));
+  filter->SetSmallestThrow(std::numeric_limits<double>::infinity());
+  CheckError(filter, "Horizon 7: smallest throw inf, expected a finite number, at least 0 vertical indices");
+  filter->SetSmallestThrow(4.0);
+  filter->SetNoise(std::nan(""));
+  CheckError(filter, "noise nan, expected a finite number, at least 0 vertical indices");
+  filter->SetNoise(0.0);
+  filter->SetInputData(1, Line({ { 1.0, 1.0 }, { std::nan(""), 2.0 } }, survey, false));
+  CheckError(filter, "fault polyline 0 with a point at (nan, ");
+  filter->RemoveFaultLines();
+  const auto twice = Horizon(Torn, survey);
+  twice->GetPoints()->SetPoint(1, twice->GetPoint(0));
+  filter->SetInputData(twice);
+  CheckError(filter, "two points in column (0, 0), expected at most one");
+  const auto single = HorizonFixtures::FromPicture({ "#" }, 7, survey);
+  filter->SetInputData(single);
+  filter->Update();
+  CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 1);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+}
+
+void TestPrintSelf()
+{
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetSmallestThrow(2.5);
+  filter->SetNoise(0.75);
+  filter->SetSmallestExtent(11);
+  filter->SetSmallestBranch(7);
+  filter->SetLargestGap(3);
+  filter->DetectOff();
+  filter->SetLineTypeToSticks();
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* const line :
+    { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "SmallestExtent: 11", "SmallestBranch: 7",
+      "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
+  {
+    CHECK(text.str().find(line) != std::string::npos);
+  }
+}
+}
+
+int TestHorizonFaults(int, char*[])
+{
+  TestOutputs();
+  TestGivenLines();
+  TestSticks();
+  TestInPipeline();
+  TestSeveralHorizons();
+  TestLinesBesideTheHorizon();
+  TestErrors();
+  TestPrintSelf();
+  return Check::Result();
+}

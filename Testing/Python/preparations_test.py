@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the pipeline does before all stages: spikes, faults, holes. Argument: a folder for files."""
+
+import pathlib
+import sys
+import unittest
+
+from seismichorizons import overview, pipeline, tables
+
+FOLDER = pathlib.Path(sys.argv[1]).resolve()
+ROUNDING = 1e-12  # of the meter's real numbers; distances here are 0
+
+
+def write(name, content):
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    path = FOLDER / name
+    path.write_bytes(content)
+    return path
+
+
+def largest_error(figures):
+    return figures.GetValueByName(tables.TWO_SIDED, "LargestDistance").ToDouble()
+
+
+class PreparationsTest(unittest.TestCase):
+    def test_filled(self):
+        """A hole of one column is filled before all stages, and the figures of the error do not count its point."""
+        voxel = b"3 1 1 0.5 4.0\n"
+        points = pipeline.read_first(write("hole.vsm", b"5 4 9\n" + 6 * voxel + b"\n" + 13 * voxel))
+        for settings in (pipeline.Settings(filled={}, rough=None, error={}),
+                         pipeline.Settings(filled={}, surface=pipeline.surface_properties(largest_error=0.5), error={})):
+            result = pipeline.run("hole.vsm", "Horizon 1", points, settings)
+            self.assertEqual((points.GetNumberOfPoints(), result.number_of_points), (19, 19))
+            self.assertEqual(result.data["filled"].GetNumberOfPoints(), 20)
+            self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
+            self.assertLess(largest_error(result.figures), ROUNDING)
+            self.assertIn("filled", tables.table([result])[0].split())
+            self.assertEqual(tables.row(result)[len(tables.COLUMNS)], "1")
+            self.assertEqual(len(tables.row(result)), len(tables.COLUMNS) + len(tables.PREPARATION_COLUMNS["filled"]) +
+                             len(tables.ERROR_COLUMNS) + (len(tables.CHOSEN_COLUMNS) if settings.surface else 0))
+            panel = overview.panels(result)[1]
+            self.assertEqual((panel.title, panel.caption), ("Hole filling", "1 new point"))
+            self.assertFalse(settings.can_cut())
+        self.assertNotIn("filled", pipeline.run("hole.vsm", "Horizon 1", points, pipeline.Settings(rough=None)).data)
+
+    def test_torn(self):
+        """A step across the whole lattice parts the mesh, and is told in the table and in the picture."""
+        rows = b"".join((b"5 1 1 0.5 4.0\n" * 15 + b"25 1 1 0.5 4.0\n" * 15) for _ in range(30))
+        points = pipeline.read_first(write("step.vsm", b"30 30 40\n" + rows))
+        for surface in (None, pipeline.surface_properties(largest_error=0.5)):
+            result = pipeline.run("step.vsm", "Horizon 1", points, pipeline.Settings(despiked={}, torn={}, surface=surface))
+            self.assertEqual(result.data["mesh"].GetNumberOfPolys() if surface else 4, 4)
+            self.assertEqual(result.loops[0], 2)
+            head = len(tables.COLUMNS)
+            self.assertEqual(tables.row(result)[head:head + 4:2], ("0", "30"))
+            self.assertIn("cut links", tables.table([result])[0])
+            captions = [(panel.title, panel.caption) for panel in overview.panels(result)[1:3]]
+            self.assertEqual(captions, [("Despiking", "0 points removed"), ("Faults", "1 line")])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["preparations_test"], verbosity=2)
