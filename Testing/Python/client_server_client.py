@@ -62,6 +62,7 @@ def main():
     assert sorted(found) == sorted(expected), (found.keys(), expected.keys())
     for name, mesh in expected.items():
         pipelines.assert_same(found[name], mesh)
+        pipelines.assert_same_fields(found[name], mesh)
     check_errors(folder)
     print("client: done", flush=True)
     simple.Disconnect()

@@ -25,7 +25,8 @@ SAMPLE = pathlib.Path(sys.argv[1]) / "sample.vsm"
 # The way by single stages, after the reader, and those that take the place of some of them.
 CHAIN = [("HorizonDespiking", {}), ("HorizonHoleFilling", {"LargestHoleSize": 40}), ("HorizonExteriorBoundary", {}),
          ("HorizonBoundarySimplification", {}), ("HorizonRoughSimplification", {}), ("HorizonTriangulation", {})]
-OTHERS = [("HorizonElaborateSimplification", {}, 3), ("HorizonDecimation", {}, 3), ("HorizonSurface", {}, 1)]
+OTHERS = [("HorizonFaults", {}, 1), ("HorizonElaborateSimplification", {}, 3), ("HorizonDecimation", {}, 3),
+          ("HorizonSurface", {}, 1)]
 
 
 def make(name, properties, *inputs):
@@ -147,7 +148,7 @@ def check_broken(horizons):
     broken.DeepCopy(next(iter(horizons.values())))
     broken.GetFieldData().Initialize()
     data = deal(dict(horizons, broken=broken), lambda n: SIZE - 1 if n == len(horizons) else n % SIZE)
-    for first in ("HorizonDespiking", "HorizonHoleFilling", "HorizonExteriorBoundary", "HorizonSurface"):
+    for first in ("HorizonDespiking", "HorizonHoleFilling", "HorizonFaults", "HorizonExteriorBoundary", "HorizonSurface"):
         stages = [make(first, {})]
         stages[0].SetInputDataObject(data)
         stages.append(make("HorizonSurface" if first != "HorizonSurface" else "HorizonTriangulation", {}, stages[0]))

@@ -4,8 +4,7 @@
 
     mpirun -np 4 pvbatch extracts.py survey.vsm results --largest-error 1
 
-Writes meshes.vtpc with the distances at their points, and distances.csv. The plugin has to be in PV_PLUGIN_PATH. The
-extractors also work in a state file or in a script for Catalyst: there the lines between the marks are all it takes.
+Writes meshes.vtpc with the distances at their points, and distances.csv. The plugin has to be in PV_PLUGIN_PATH.
 """
 
 import argparse
@@ -28,7 +27,6 @@ def main():
     arguments = make_parser().parse_args()
     if not pathlib.Path(arguments.file).is_file():
         sys.exit("extracts: %s: nothing there, expected a file" % arguments.file)
-    # ---- For Catalyst, from here ----
     horizons = simple.OpenDataFile(arguments.file)
     surface = simple.HorizonSurface(Input=horizons, MaximumError=arguments.largest_error)
     distance = simple.HorizonSurfaceDistance(Reference=horizons, Mesh=surface)
@@ -37,7 +35,6 @@ def main():
     meshes.Writer.DataMode = "Binary"  # some readers of VTK stumble over appended data
     table = simple.CreateExtractor("CSV", simple.OutputPort(distance, 2), registrationName="distances")
     table.Writer.FileName = "distances.csv"
-    # ---- to here ----
     os.makedirs(arguments.folder, exist_ok=True)
     simple.SaveExtracts(ExtractsOutputDirectory=arguments.folder)
 
