@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// MetricValues of places to a surface, in all metrics at one visit.
+// Distances of places to a surface, in all metrics at one visit.
 
 #ifndef SeismicHorizonsDistanceProbe_h
 #define SeismicHorizonsDistanceProbe_h
