@@ -90,7 +90,7 @@ void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* 
   {
     if (vtkDataArray* const array = FindFigure(figure.Array, input, output))
     {
-      line << ", " << figure.Name << ' ';
+      line << "\n  " << figure.Name << ' ';
       if (array->GetDataType() == VTK_DOUBLE)
       {
         line << array->GetTuple1(0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a stage made of its horizons, as a text to read: a line for each, and one for all.
+// What a stage made of its horizons, as a text to read.
 
 #ifndef SeismicHorizonsStageReport_h
 #define SeismicHorizonsStageReport_h
@@ -19,8 +19,8 @@ public:
   /// Adds a horizon with the figures that the stage put into its field data.
   void Add(const std::string& name, vtkPolyData* input, vtkPolyData* output);
 
-  /// "3 horizons: 900 points in, 100 out", and below it "Horizon 1: 300 points in, 40 out, 60 triangles" and so on. Of
-  /// many horizons the first ones. Empty without any.
+  /// "3 horizons: 900 points in, 100 out", and below it "Horizon 1: 300 points in, 40 out" and so on, each with its
+  /// figures on lines of their own, as panels are narrow. Of many horizons the first ones. Empty without any.
   std::string Text() const;
 
 private:

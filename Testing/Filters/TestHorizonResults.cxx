@@ -39,11 +39,13 @@ void TestTwoStages()
   mesh->Update();
   CHECK_EQUAL(std::string(boundary->GetResults()),
     "2 horizons: 132 points in, 132 out\n"
-    "Top: 120 points in, 120 out, patches 1\n"
-    "Base: 12 points in, 12 out, patches 2\n");
+    "Top: 120 points in, 120 out\n"
+    "  patches 1\n"
+    "Base: 12 points in, 12 out\n"
+    "  patches 2\n");
   // Figures of the stage before are not told again; those that are 0 are not either.
   const std::string results = mesh->GetResults();
-  CHECK(results.find("\nTop: 120 points in, 120 out, triangles 198, smallest angle 45\n") != std::string::npos);
+  CHECK(results.find("\nTop: 120 points in, 120 out\n  triangles 198\n  smallest angle 45\n") != std::string::npos);
   CHECK(results.find("patches") == std::string::npos);
 }
 
@@ -52,7 +54,7 @@ void TestHorizonAlone()
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(FromPicture(Rectangle(3, 2), 4, UnitSurvey()));
   boundary->Update();
-  CHECK_EQUAL(std::string(boundary->GetResults()), "Horizon 4: 6 points in, 6 out, patches 1\n");
+  CHECK_EQUAL(std::string(boundary->GetResults()), "Horizon 4: 6 points in, 6 out\n  patches 1\n");
   boundary->SetRadius(0);
   const Errors errors(boundary);
   boundary->Update();
