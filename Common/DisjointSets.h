@@ -5,6 +5,7 @@
 #define SeismicHorizonsDisjointSets_h
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -15,11 +16,18 @@ namespace SeismicHorizons
 class DisjointSets
 {
 public:
-  /// The numbers from 0 on, each a set of its own.
-  explicit DisjointSets(std::size_t size)
+  /// So many numbers from 0 on, each a set of its own.
+  explicit DisjointSets(std::size_t size = 0)
     : Parents(size)
   {
     std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+
+  /// Adds the next number, a set of its own, and gives it.
+  std::int32_t Add()
+  {
+    this->Parents.push_back(std::int32_t(this->Parents.size()));
+    return this->Parents.back();
   }
 
   std::int32_t Find(std::int32_t item)

@@ -24,13 +24,7 @@ namespace SeismicHorizons
 namespace
 {
 /// A link from a column to its neighbour.
-struct Link
-{
-  PlanePoint Column;
-  bool IsNorth; // else east
-};
-
-Link ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>& dimensions)
+LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>& dimensions)
 {
   const std::array<double, 3> link = { links->GetComponent(n, 0), links->GetComponent(n, 1),
     links->GetComponent(n, 2) };
@@ -47,7 +41,7 @@ Link ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>& dimens
       throw InputError(text.str());
     }
   }
-  return { { std::int32_t(link[0]), std::int32_t(link[1]) }, link[2] == 1.0 };
+  return { { std::int32_t(link[0]), std::int32_t(link[1]) }, link[2] == 1.0 ? LinkSide::North : LinkSide::East };
 }
 }
 
@@ -65,7 +59,7 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon)
       std::to_string(array->GetNumberOfComponents()) + " components, expected 3: i, j and the side");
   }
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
-  std::vector<Link> links;
+  std::vector<LatticeLink> links;
   PlaneBox box;
   for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
@@ -73,9 +67,9 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon)
     box.Add(links.back().Column);
   }
   LinkCuts cuts(box);
-  for (const Link& link : links)
+  for (const LatticeLink& link : links)
   {
-    link.IsNorth ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
+    link.Side == LinkSide::North ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
   }
   return cuts;
 }

@@ -11,12 +11,13 @@ import sys
 
 import seismichorizons as sh
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 import mesh_checks
 import pipelines
+from dealing import deal
 
 RANKS = vtkMultiProcessController.GetGlobalController()
 OWN, SIZE = RANKS.GetLocalProcessId(), RANKS.GetNumberOfProcesses()
@@ -100,17 +101,6 @@ def check_chain(**properties):
         stage.UpdatePiece(OWN, SIZE, 0)
         for data, serial_data in zip(outputs(stage), outputs(serial)):
             check_same(data, serial_data, stage.GetClassName())
-
-
-def deal(horizons, rank_of):
-    """A collection with all names, and those horizons that this rank is to have."""
-    collection = vtkPartitionedDataSetCollection()
-    collection.SetNumberOfPartitionedDataSets(len(horizons))
-    for n, (name, horizon) in enumerate(horizons.items()):
-        collection.GetMetaData(n).Set(vtkCompositeDataSet.NAME(), name)
-        if rank_of(n) == OWN:
-            collection.SetPartition(n, 0, horizon)
-    return collection
 
 
 def check_places(horizons):

@@ -10,13 +10,14 @@ import sys
 
 import seismichorizons as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import mesh_checks
+from dealing import deal
 
 RANKS = vtkMultiProcessController.GetGlobalController()
 OWN = RANKS.GetLocalProcessId()
@@ -43,17 +44,6 @@ def run(name, *inputs, port=0, **properties):
         stage.AddObserver(event, lambda *_, found=found: found.append(event))
     stage.UpdatePiece(OWN, RANKS.GetNumberOfProcesses(), 0)
     return stage.GetOutputDataObject(port), len(texts["ErrorEvent"]), len(texts["WarningEvent"])
-
-
-def deal(horizons, rank_of):
-    """A collection with all names, and those horizons that this rank is to have."""
-    collection = vtkPartitionedDataSetCollection()
-    collection.SetNumberOfPartitionedDataSets(len(horizons))
-    for n, (name, horizon) in enumerate(horizons.items()):
-        collection.GetMetaData(n).Set(vtkCompositeDataSet.NAME(), name)
-        if rank_of(n) == OWN:
-            collection.SetPartition(n, 0, horizon)
-    return collection
 
 
 def rows(table):

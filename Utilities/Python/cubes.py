@@ -4,7 +4,7 @@
 
 import pathlib
 
-from . import memory
+from .memory import size_text
 from .stage import HorizonError, configure, make, update, watched
 
 READER = "vtkSEGYCubeReader"
@@ -56,8 +56,5 @@ def read(extraction, path):
 def require(extraction, budget, path):
     """Raises HorizonError where the cube and its picks do not fit in memory."""
     size = WORKED * count_samples(extraction)
-    if budget.left is not None and size > budget.left:
-        raise HorizonError(
-            "%s: a cube that takes %s with its picks, expected at most the %s that are left of %s; --inlines and "
-            "--crosslines read a part" % (path, memory.size_text(size), memory.size_text(max(budget.left, 0)),
-                                          budget.limit_text()))
+    budget.require_bytes(size, "%s: a cube that takes %s with its picks" % (path, size_text(size)),
+                         "; --inlines and --crosslines read a part")

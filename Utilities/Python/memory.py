@@ -64,9 +64,13 @@ class Budget:
 
     def require(self, worked, what):
         """Raises HorizonError where so many points do not fit."""
-        if not self.fits(worked):
-            raise HorizonError("%s: %d points take %s, expected at most the %s that are left of %s" % (
-                what, worked, size_text(WORKED * worked), size_text(max(self.left, 0)), self.limit_text()))
+        self.require_bytes(WORKED * worked, "%s: %d points take %s" % (what, worked, size_text(WORKED * worked)))
+
+    def require_bytes(self, size, taking, advice=""):
+        """Raises HorizonError where so many bytes do not fit; the message begins with what takes them."""
+        if self.left is not None and size > self.left:
+            raise HorizonError("%s, expected at most the %s that are left of %s%s" % (
+                taking, size_text(max(self.left, 0)), self.limit_text(), advice))
 
     def limit_text(self):
         return "--memory %s" % size_text(self.limit) if self.is_given else "the memory of this machine"

@@ -56,7 +56,11 @@ def read(path, horizons=None, **properties):
     there is nothing to read.
     """
     path = pathlib.Path(path)
-    source = open_file(path, **properties)
+    return read_source(open_file(path, **properties), path, horizons)
+
+
+def read_source(source, path, horizons=None):
+    """The same of what open_file gave."""
     seconds = 0.0
     if cubes.is_extraction(source):
         seconds += cubes.read(source, path)

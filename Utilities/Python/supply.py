@@ -32,7 +32,7 @@ class Supply:
         if hasattr(reader, "SetLeastMemory") and (budget.is_given or not budget.fits_file(self._path)):
             self._list(reader, horizons)
         else:
-            self._found, self.seconds = reading.read(self._path, horizons, **properties)
+            self._found, self.seconds = reading.read_source(reader, self._path, horizons)
             self.names = [name for name, _ in self._found]
             self._sizes = [points.GetNumberOfPoints() for _, points in self._found]
             self._groups = [list(range(len(self._found)))]

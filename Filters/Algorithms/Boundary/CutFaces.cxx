@@ -3,6 +3,7 @@
 
 #include "CutFaces.h"
 
+#include "Common/DisjointSets.h"
 #include "Islands.h"
 
 #include <algorithm>
@@ -13,8 +14,7 @@ namespace SeismicHorizons
 PatchComponents FindHopComponents(
   const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const PlanarHops& graph)
 {
-  DisjointSets sets;
-  std::for_each(columns.begin(), columns.end(), [&sets](const PlanePoint&) { sets.Add(); });
+  DisjointSets sets(columns.size());
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
     const std::int64_t place = raster.Place(columns[point]);

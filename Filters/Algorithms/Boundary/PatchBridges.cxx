@@ -3,8 +3,8 @@
 
 #include "PatchBridges.h"
 
+#include "Common/DisjointSets.h"
 #include "LongHops.h"
-#include "PatchComponents.h"
 
 #include <algorithm>
 
@@ -73,11 +73,7 @@ PatchBridges::PatchBridges(const std::vector<PlanePoint>& columns, const ColumnR
 void PatchBridges::Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
 {
   const auto part = [&](std::int64_t place) { return parts.Patch[std::size_t(this->Raster[place])]; };
-  DisjointSets joined;
-  for (std::size_t n = 0; n < parts.NumberOfPatches; ++n)
-  {
-    joined.Add();
-  }
+  DisjointSets joined(parts.NumberOfPatches);
   for (const HopId hop : FindLongHops(this->Hops))
   {
     for (const std::int64_t place : onLoops)

@@ -7,6 +7,8 @@
 
 #include "PatchComponents.h"
 
+#include "Common/DisjointSets.h"
+
 #include <algorithm>
 
 namespace SeismicHorizons

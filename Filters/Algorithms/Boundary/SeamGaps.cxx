@@ -3,6 +3,7 @@
 
 #include "SeamGaps.h"
 
+#include "Common/DisjointSets.h"
 #include "Common/PlaneGeometry.h"
 
 #include <algorithm>
@@ -137,8 +138,7 @@ void SeamGaps::Join(const ColumnRaster& raster, PatchComponents& parts) const
   {
     return;
   }
-  DisjointSets sets;
-  std::for_each(parts.First.begin(), parts.First.end(), [&sets](std::int64_t) { sets.Add(); });
+  DisjointSets sets(parts.First.size());
   const auto component = [&](std::int64_t place) { return parts.Component[std::size_t(raster[place])]; };
   for (const std::array<std::int64_t, 2>& sides : this->Sides)
   {

@@ -3,7 +3,7 @@
 
 #include "GapParts.h"
 
-#include "Boundary/PatchComponents.h"
+#include "Common/DisjointSets.h"
 
 #include <algorithm>
 
@@ -13,10 +13,9 @@ namespace SeismicHorizons
 std::vector<std::vector<std::int64_t>> SplitGap(
   const ColumnRaster& raster, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
 {
-  DisjointSets sets;
+  DisjointSets sets(gap.size());
   for (std::size_t n = 0; n < gap.size(); ++n)
   {
-    sets.Add();
     const auto join = [&](std::int64_t place)
     {
       const auto found = std::lower_bound(gap.begin(), gap.begin() + std::ptrdiff_t(n), place);

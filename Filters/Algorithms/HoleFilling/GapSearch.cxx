@@ -3,7 +3,7 @@
 
 #include "GapSearch.h"
 
-#include "Boundary/PatchComponents.h"
+#include "Common/DisjointSets.h"
 
 namespace SeismicHorizons
 {

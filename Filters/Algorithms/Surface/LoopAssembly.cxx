@@ -3,7 +3,7 @@
 
 #include "LoopAssembly.h"
 
-#include "Boundary/PatchComponents.h"
+#include "Common/DisjointSets.h"
 #include "Common/Errors.h"
 #include "Common/Predicates.h"
 
@@ -34,13 +34,10 @@ public:
     , Edges(edges)
     , IsWalked(edges.size(), false)
     , IsUsed(vertices.size(), false)
+    , Connected(vertices.size())
   {
     std::sort(this->Edges.begin(), this->Edges.end(),
       [](const Edge& a, const Edge& b) { return std::tie(a.From, a.To) < std::tie(b.From, b.To); });
-    for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex)
-    {
-      this->Connected.Add();
-    }
     for (const Edge& edge : this->Edges)
     {
       this->Connect(edge.From, edge.To);
