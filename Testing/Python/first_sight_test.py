@@ -57,7 +57,16 @@ class FirstSightTest(unittest.TestCase):
         return display
 
     def test_points(self):
-        self.assertEqual(colored_by(self.show(self.horizons)), ("POINTS", "VerticalIndex"))
+        display = self.show(self.horizons)
+        self.assertEqual((display.PointSize, colored_by(display)), (3, ("POINTS", "VerticalIndex")))
+
+    def test_volumes_are_shown_as_before(self):
+        volume = simple.VerneySparseMatrixReader(FileName=self.horizons.FileName, OutputType="Volume")
+        self.assertIn("Volume", self.show(volume).GetProperty("Representation").Available)
+
+    def test_sizes_of_horizons(self):
+        self.horizons.UpdatePipelineInformation()
+        self.assertEqual(list(self.horizons.GetProperty("HorizonSizes")), [SIDE * (SIDE - 1) - 9])
 
     def test_outlines_are_thick_and_in_the_colours_of_their_patches(self):
         outlines = simple.HorizonExteriorBoundary(Input=self.horizons)
