@@ -3,6 +3,7 @@
 
 #include "pqHorizonToolBar.h"
 
+#include "SurveyAxes.h"
 #include "VerticalExaggeration.h"
 
 #include <QAction>
@@ -53,6 +54,11 @@ pqHorizonToolBar::pqHorizonToolBar(QWidget* parentObject)
   fit->setObjectName("FitHeights");
   fit->setToolTip(tr("Exaggerate heights so that what is shown is about a quarter as high as it is wide; not where it "
                      "is not flat."));
+  this->Axes = this->addAction(tr("Survey Axes"));
+  this->Axes->setObjectName("SurveyAxes");
+  this->Axes->setCheckable(true);
+  this->Axes->setToolTip(
+    tr("Axes that count inlines and crosslines, or columns and rows where their numbers are not known."));
 
   const auto setText = [this]() { this->setFactor(this->Factor->currentText().toDouble()); };
   this->connect(this->Factor, QOverload<int>::of(&QComboBox::activated), this, setText);
@@ -67,14 +73,16 @@ pqHorizonToolBar::pqHorizonToolBar(QWidget* parentObject)
       }
     });
 
+  this->connect(this->Axes, SIGNAL(triggered(bool)), SLOT(showAxes(bool)));
+
   auto* const model = pqApplicationCore::instance()->getServerManagerModel();
   this->connect(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
-  this->connect(&pqActiveObjects::instance(), SIGNAL(viewChanged(pqView*)), SLOT(showFactor()));
+  this->connect(&pqActiveObjects::instance(), SIGNAL(viewChanged(pqView*)), SLOT(showState()));
   for (pqView* const view : model->findItems<pqView*>())
   {
     this->watch(view);
   }
-  this->showFactor();
+  this->showState();
 
   // ParaView adds toolbars of plugins in the row above that of the filters, where they have no room.
   QTimer::singleShot(0, this,
@@ -99,11 +107,12 @@ void pqHorizonToolBar::watch(pqView* view)
 }
 
 //------------------------------------------------------------------------------
-void pqHorizonToolBar::showFactor()
+void pqHorizonToolBar::showState()
 {
   pqView* const view = ActiveView();
   this->setEnabled(view != nullptr);
   this->Factor->setEditText(QString::number(view ? GetVerticalExaggeration(view->getProxy()) : 1.0));
+  this->Axes->setChecked(view && HasSurveyAxes(view->getProxy()));
 }
 
 //------------------------------------------------------------------------------
@@ -117,5 +126,24 @@ void pqHorizonToolBar::setFactor(double factor)
     view->resetDisplay();
     view->render();
   }
-  this->showFactor();
+  this->showState();
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::showAxes(bool areShown)
+{
+  if (pqView* const view = ActiveView())
+  {
+    SCOPED_UNDO_SET(tr("Survey Axes"));
+    if (!areShown)
+    {
+      HideSurveyAxes(view->getProxy());
+    }
+    else if (const std::string reason = ShowSurveyAxes(view->getProxy()); !reason.empty())
+    {
+      qWarning("No survey axes: %s.", reason.c_str());
+    }
+    view->render();
+  }
+  this->showState();
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   pqHorizonToolBar
- * @brief   how a view shows horizons: by how much heights are exaggerated
+ * @brief   how a view shows horizons: by how much heights are exaggerated, and what its axes count
  *
- * Display/VerticalExaggeration.h has what it does to the view. What is shown in the view later gets its factor, too.
+ * Display/VerticalExaggeration.h and Display/SurveyAxes.h have what it does to the view. What is shown in the view
+ * later gets its factor, too.
  */
 
 #ifndef pqHorizonToolBar_h
@@ -12,6 +13,7 @@
 
 #include <QToolBar>
 
+class QAction;
 class QComboBox;
 class pqView;
 
@@ -27,13 +29,15 @@ public:
 private Q_SLOTS:
   /// Watches what comes into a view.
   void watch(pqView* view);
-  /// Shows the factor of the active view.
-  void showFactor();
+  /// Shows the factor of the active view, and whether its axes count lines.
+  void showState();
+  void showAxes(bool areShown);
 
 private:
   void setFactor(double factor);
 
   QComboBox* Factor;
+  QAction* Axes;
 };
 
 #endif

@@ -143,6 +143,18 @@ class FirstSightTest(unittest.TestCase):
         self.assertIsNone(labels(display))
         self.assertEqual(list(table.RGBPoints), [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0])
 
+    def test_state_files_keep_what_was_changed(self):
+        display = self.show(simple.HorizonExteriorBoundary(Input=self.horizons))
+        display.LineWidth = 7
+        display.LookupTable.Annotations = ["0", "large", "1", "small"]
+        file = str(FOLDER / "sight.pvsm")
+        simple.SaveState(file)
+        simple.ResetSession()
+        simple.LoadState(file)
+        self.view = simple.GetActiveView()
+        display, = self.view.Representations
+        self.assertEqual((display.LineWidth, labels(display)), (7, {"0": "large", "1": "small"}))
+
     def test_nothing_to_show(self):
         display = self.show(simple.HorizonHoleFilling(Input=simple.VerneySparseMatrixReader(FileName=self.empty())))
         self.assertEqual(display.LineWidth, 1)

@@ -33,6 +33,13 @@ def write_flat(path):
     path.write_text("59 30 9\n" + "".join("%d 1 1 0 0\n" % (2 + n % 59 // 20) for n in range(59 * 30)))
 
 
+def write_picks(path):
+    """A survey whose inline numbers grow southwards."""
+    lines = ["%d %d %d %d %d" % (100 + row, 300 + column, 1000 + 25 * column, 2000 - 25 * row, 500 + (row + column) % 5)
+             for row in range(12) for column in range(15)]
+    path.write_text("Inline Crossline X Y Z\n" + "\n".join(lines) + "\n")
+
+
 def press(name):
     return ((LIST + "Buttons/" + name, "activate", ""),)
 
@@ -90,6 +97,16 @@ class WindowTest(unittest.TestCase):
         both = [factors(state) for state in states if "HorizonSurface1" in state]
         self.assertIn([[1, 1, 2]] * 3, both)
         self.assertEqual(both[-1], [[1, 1, 5]] * 3)
+
+    def test_axes_count_lines(self):
+        picks = FOLDER.with_suffix(".ijz")
+        write_picks(picks)
+        states = play(choose_file(picks), APPLY, ((TOOLBAR + "SurveyAxes", "set_boolean", "true"),))
+        self.assertEqual((states[-1]["XTitle"], states[-1]["YTitle"]), ("Crossline", "Inline"))
+        # Crossline 300 is at x = 1000 and the next one at 1025, inline 100 at y = 2000 and 102 at 1950.
+        position, scale = states[-1]["DataPosition"], states[-1]["DataScale"]
+        self.assertEqual([(1000 - position[0]) / scale[0], (1025 - position[0]) / scale[0],
+                          (2000 - position[1]) / scale[1], (1950 - position[1]) / scale[1]], [300, 301, 100, 102])
 
 
 if __name__ == "__main__":

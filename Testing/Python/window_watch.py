@@ -14,7 +14,9 @@ view = simple.GetActiveViewOrCreate("RenderView")
 
 
 def write(*_):
-    state = {"DataScale": list(view.AxesGrid.DataScale)}
+    axes = view.AxesGrid
+    state = {"DataScale": list(axes.DataScale), "DataPosition": list(axes.DataPosition), "XTitle": axes.XTitle,
+             "YTitle": axes.YTitle}
     for (name, _), source in simple.GetSources().items():
         display = simple.GetRepresentation(source, view) if source.SMProxy.GetNumberOfOutputPorts() else None
         status = source.GetProperty("HorizonStatus")

@@ -20,7 +20,7 @@ import fault_pictures
 
 HERE = pathlib.Path(__file__).resolve().parent
 SAMPLE = HERE.parents[1] / "Data" / "sample.vsm"
-SCENES = ("points reflections despiking faults hole_filling boundary boundary_simplification rough elaborate "
+SCENES = ("points seismic_cube reflections despiking faults hole_filling boundary boundary_simplification rough elaborate "
           "triangulation decimation surface distance exaggeration").split()
 SIZE = (1400, 900)
 DOCK = (296, 380)  # the right edge of the panel, as it is and as it is to be

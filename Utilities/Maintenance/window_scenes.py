@@ -23,6 +23,7 @@ def show(source, port=0, toward=None, beside=()):
         simple.Show(other, view)
     display = simple.Show(simple.OutputPort(source, port), view)
     display.SetScalarBarVisibility(view, True)
+    source.UpdatePropertyInformation()
     simple.SetActiveSource(source)
     if toward:
         view.CameraFocalPoint = (0.0, 0.0, 0.0)
@@ -47,8 +48,13 @@ def points():
     show(open_file("SAMPLE"))
 
 
+def seismic_cube():
+    show(open_file("CUBE"), toward=OBLIQUE).SliceMode = "XZ Plane"
+
+
 def reflections():
     cube = open_file("CUBE")
+    cube.UpdatePipeline()
     show(simple.SeismicReflectionExtraction(Input=cube), toward=OBLIQUE)
 
 
