@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Makes everything ready on Debian 12: installs the packages that are missing, configures, and builds into
-# build/release. What is done already is skipped. Needs to be root, or sudo, only when a package is missing.
+# build/release; with --only-packages, builds nothing. What is done already is skipped. Needs to be root, or sudo, only
+# when a package is missing.
 set -eu
 
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
@@ -109,5 +110,6 @@ build() {
 }
 
 install_packages
+[ "${1:-}" != --only-packages ] || exit 0
 build
 echo "setup: ready"
