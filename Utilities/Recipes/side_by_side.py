@@ -16,7 +16,7 @@ from paraview import simple
 SIZE = (520, 440)
 TEXT = (0.13, 0.16, 0.20)
 HEIGHT_SHARE = 0.25  # height of a horizon on show, in parts of its width
-TOWARD = (-0.45, -0.75, 0.62)  # from the horizon to the eye
+TOWARD = {False: (-0.45, -0.75, 0.62), True: (0.0, 0.0, 1.0)}  # from the horizon to the eye; from above
 
 
 def make_surface(horizons, name, value):
@@ -44,16 +44,16 @@ def draw(mesh, title, view):
     label.Color, label.FontSize, label.WindowLocation = TEXT, 16, "Upper Center"
 
 
-def look_at(mesh, view, scale):
+def look_at(mesh, view, scale, from_above):
     bounds = mesh.GetDataInformation().GetBounds()
     middle = [(bounds[n] + bounds[n + 1]) / 2 for n in (0, 2, 4)]
     middle[2] *= scale
     view.CameraFocalPoint = middle
-    view.CameraPosition = [at + toward for at, toward in zip(middle, TOWARD)]
-    view.CameraViewUp = (0.0, 0.0, 1.0)
+    view.CameraPosition = [at + toward for at, toward in zip(middle, TOWARD[from_above])]
+    view.CameraViewUp = (0.0, 1.0, 0.0) if from_above else (0.0, 0.0, 1.0)
     simple.ResetCamera(view)
     view.CameraParallelProjection = 1
-    simple.GetActiveCamera().Zoom(1.35)
+    simple.GetActiveCamera().Zoom(1.25 if from_above else 1.35)
 
 
 def main():
@@ -61,6 +61,7 @@ def main():
     parser.add_argument("file", metavar="FILE", help="the horizons, in any format that is read")
     parser.add_argument("picture", metavar="PICTURE.png", help="the picture to write")
     parser.add_argument("--horizon", metavar="NAME", help="this horizon of the file (default: all)")
+    parser.add_argument("--from-above", action="store_true", help="look down on the map")
     parser.add_argument("property", metavar="PROPERTY", help="a property of Horizon Surface")
     parser.add_argument("values", metavar="VALUE", type=float, nargs="+", help="its values, one panel each")
     arguments = parser.parse_args()
@@ -76,7 +77,7 @@ def main():
         view.OrientationAxesVisibility, view.UseColorPaletteForBackground, view.Background = 0, 0, (1.0, 1.0, 1.0)
         cells = surface.GetDataInformation().GetNumberOfCells()
         draw(surface, "%s %g: %d triangles" % (arguments.property, value, cells), view)
-        look_at(surface, view, simple.GetDisplayProperties(surface, view).Scale[2])
+        look_at(surface, view, simple.GetDisplayProperties(surface, view).Scale[2], arguments.from_above)
         simple.AssignViewToLayout(view, layout, 0)
         if number + 1 < len(arguments.values):
             layout.SplitHorizontal(layout.GetViewLocation(view), 1.0 / (len(arguments.values) - number))

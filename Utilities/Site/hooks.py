@@ -9,12 +9,17 @@ from mkdocs.structure.files import File
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 TOP_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
+QUICK_START = "QuickStart"  # README.md, as the first page of a site of its own is index.md
 PICTURES = "Data/Baseline/*.png"
 MESSAGES = "Messages.md"
 
 
 def add(files, path, config):
-    files.append(File(path, str(TREE), config["site_dir"], config["use_directory_urls"]))
+    file = File(path, str(TREE), config["site_dir"], config["use_directory_urls"])
+    if path == "README.md":
+        file.name, file.dest_path, file.url = QUICK_START, QUICK_START + ".html", QUICK_START + ".html"
+        file.abs_dest_path = str(pathlib.Path(config["site_dir"]) / file.dest_path)
+    files.append(file)
 
 
 def on_files(files, config):
