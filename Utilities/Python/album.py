@@ -59,6 +59,7 @@ class Album:
     def __init__(self, with_pictures):
         self.with_pictures = with_pictures
         self.entries = []
+        self._studio = None
 
     def add(self, result, rank):
         """Another horizon; `rank` is its place among those of its file by the number of points, from 0."""
@@ -80,18 +81,19 @@ class Album:
         # Loads the libraries that draw, which are not needed otherwise.
         from . import overview, pictures
 
+        self._studio = self._studio or pictures.Studio()
         if rank < MOST_PICTURED:
             panels = overview.panels(result)
             measured = result.data.get("measured")
             if measured is not None and measured.GetNumberOfPoints():
                 panels.append(pictures.Panel("Error", "distance of each point from the mesh", measured, pictures.DISTANCE))
-            images, entry.exaggeration, farthest = pictures.draw_each(panels, PICTURE_SIZE)
+            images, entry.exaggeration, farthest = pictures.draw_each(panels, PICTURE_SIZE, self._studio)
             entry.pictures = [Picture(panel.title if number else "Points", panel.caption, pictures.as_jpeg(image),
                                       farthest if panel.style == pictures.DISTANCE else None)
                               for number, (panel, image) in enumerate(zip(panels, images))]
         if sum(e.thumbnail is not None for e in self.entries) < MOST_THUMBNAILS:
             panel = pictures.Panel(result.name, "", result.data["mesh"], pictures.MESH)
-            (image,), exaggeration, _ = pictures.draw_each([panel], THUMBNAIL_SIZE)
+            (image,), exaggeration, _ = pictures.draw_each([panel], THUMBNAIL_SIZE, self._studio)
             entry.thumbnail = pictures.as_jpeg(image, 80)
             entry.exaggeration = entry.exaggeration if entry.pictures else exaggeration
 

@@ -48,14 +48,14 @@ def draw(rows, text=True, panel_size=PANEL_SIZE):
     return render(renderers, (columns * panel_size[0], len(rows) * panel_size[1]))
 
 
-def draw_each(row, panel_size):
+def draw_each(row, panel_size, studio):
     """Draws panels of a row without text, and returns a picture of each, as vtkImageData, and what they have in common: by
     how much heights are exaggerated, and the distance that has the last colour."""
     frame = _Frame(row, panel_size)
     renderers = [_renderer(frame, panel, text=False) for panel in row]
     for column, renderer in enumerate(renderers):
         renderer.SetViewport(column / len(row), 0.0, (column + 1) / len(row), 1.0)
-    image = render(renderers, (len(row) * panel_size[0], panel_size[1]))
+    image = studio.render(renderers, (len(row) * panel_size[0], panel_size[1]))
     images = []
     for column in range(len(row)):
         cut = vtkExtractVOI()
@@ -68,20 +68,37 @@ def draw_each(row, panel_size):
 
 def render(renderers, size):
     """Draws renderers, each in its viewport, and returns the picture as vtkImageData."""
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*size)
-    for renderer in renderers:
-        window.AddRenderer(renderer)
-    window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    grabber.Update()
-    image = grabber.GetOutput()
-    window.Finalize()
-    return image
+    with Studio() as studio:
+        return studio.render(renderers, size)
+
+
+class Studio:
+    """A window that nobody sees, for one picture after the other: to open one takes longer than to draw most of them."""
+
+    def __init__(self):
+        self._window = vtkRenderWindow()
+        self._window.SetOffScreenRendering(1)
+        self._window.SetMultiSamples(0)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._window.Finalize()
+
+    def render(self, renderers, size):
+        self._window.SetSize(*size)
+        for renderer in renderers:
+            self._window.AddRenderer(renderer)
+        self._window.Render()
+        grabber = vtkWindowToImageFilter()
+        grabber.SetInput(self._window)
+        grabber.ReadFrontBufferOff()
+        grabber.Update()
+        for renderer in renderers:
+            renderer.ReleaseGraphicsResources(self._window)
+            self._window.RemoveRenderer(renderer)
+        return grabber.GetOutput()
 
 
 def write(image, path):

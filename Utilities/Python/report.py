@@ -87,6 +87,7 @@ def make(run, album, three):
         "page", hashes=join((Markup(script_hash("\n" + code + "\n")) for code in codes), " "),
         version=run["versions"]["SeismicHorizons"], title="%s: report" % heading, heading=heading,
         style=Markup(read("page.css") + _ramps()), when=_when(run, len(pairs)), tiles=sections.tiles(run),
+        links=sections.links(bool(pairs), bool(viewer)),
         problems=sections.problems(run), files=join(sections.file_card(file) for file in run["files"]),
         horizons=sections.horizon_table(run, album), viewer=viewer, details=sections.details(run, album),
         parameters=sections.parameters(run), folder=run["command"]["folder"],

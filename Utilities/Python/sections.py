@@ -5,7 +5,7 @@
 from . import album as albums
 from .charts import histogram
 from .markup import Markup, data_uri, fill, join
-from .memory import size_text
+from .progress import amount_text
 
 # The columns of the table: head, what it means, the value of a horizon (None where there is none), its form.
 COLUMNS = (
@@ -52,6 +52,14 @@ def tiles(run):
     return join(fill("tile", name=name, value=value) for name, value in shown)
 
 
+def links(has_horizons, has_meshes):
+    """To the sections that there are."""
+    shown = [("files", "What was read", True), ("horizons", "Horizons", has_horizons), ("meshes", "Meshes", has_meshes),
+             ("details", "Horizon by horizon", has_horizons), ("parameters", "Parameters", True),
+             ("again", "To do it again", True)]
+    return join(fill("link", id=place, text=text) for place, text, is_there in shown if is_there)
+
+
 def problems(run):
     """Errors and warnings; nothing where there are none."""
     found = [("error", "Not done.", run["error"])] if run["error"] else []
@@ -81,7 +89,7 @@ def file_card(file):
 
 
 def _bytes(size):
-    return "{:,} bytes".format(size) + (" (%sB)" % size_text(size) if size >= 1 << 20 else "")
+    return "{:,} bytes".format(size) + (" (%s)" % amount_text(size, "B") if size >= 1e6 else "")
 
 
 def _horizons_read(file):
