@@ -30,16 +30,17 @@ struct Cracked
 inline Cracked Make(const CrackedPatch& patch, const BoundaryOptions& options, const std::vector<double>& heights)
 {
   ExteriorBoundary boundary = FindExteriorBoundary(patch.Columns, options);
+  const KeptPoints kept = DropPointsWithoutPatch(boundary);
   Cracked cracked;
   cracked.Open = std::move(boundary.OpenCracks);
   BoundedHorizon& horizon = cracked.Horizon;
-  for (const PlanePoint& column : patch.Columns)
+  for (const PlanePoint& column : kept.Select(patch.Columns))
   {
     horizon.Plane.push_back({ column.X * SubVoxelsPerColumn, column.Y * SubVoxelsPerColumn });
   }
-  horizon.Height = heights;
+  horizon.Height = kept.Select(heights);
   horizon.Patch = std::move(boundary.Patch);
-  horizon.Count.assign(patch.Columns.size(), 1);
+  horizon.Count.assign(kept.size(), 1);
   horizon.Boundary = std::move(boundary.Boundary);
   horizon.SubVoxelsPerColumn = SubVoxelsPerColumn;
   horizon.Cuts = std::make_shared<const LinkCuts>(patch.Cuts);

@@ -17,13 +17,14 @@ using ClosingChecker::Outline;
 
 namespace
 {
-/// With radius 1 to 3, and with loops for all holes, for large ones, or for those with cuts alone.
+/// With radius 1 to 3, with loops for all holes, for large ones, or for those with cuts alone, and some without specks.
 BoundaryOptions MakeOptions(const CrackedPatch& patch, int n)
 {
   BoundaryOptions options;
   options.Radius = 1 + n % 3;
   options.HoleBoundaries = n / 3 % 3 != 0;
   options.SmallestHoleSize = n / 3 % 3 == 1 ? 1 : 5;
+  options.MinimumPatchSize = n / 9 % 4 == 3 ? 3 : 1;
   options.Cuts = &patch.Cuts;
   return options;
 }
@@ -58,21 +59,27 @@ std::string CheckMeshes(const Cracked& cracked, const BoundedHorizon& horizon, c
   return wrong;
 }
 
-/// What a lattice with all its points has between its lips: block by block with a radius of 1.
-std::string CheckFull(const CrackedPatch& patch, const Cracked& cracked, int radius, Outline& outline)
+/// What a lattice with all its points has between its lips: with a radius of 1 it is known block by block.
+std::string CheckFull(
+  const CrackedPatch& patch, const Cracked& cracked, const BoundaryOptions& options, Outline& outline)
 {
   const RawVector<PointId> closing = Close(cracked, cracked.Horizon);
-  outline = radius == 1 ? ClosingChecker::FindOutlineOfBlocks(patch, cracked.Horizon)
-                        : ClosingChecker::FindOutline(cracked.Horizon, closing);
-  return radius == 1 ? ClosingChecker::CheckBlocks(patch, cracked.Horizon, closing) : std::string();
+  const bool isKnown = options.Radius == 1 && options.MinimumPatchSize == 1;
+  outline = isKnown ? ClosingChecker::FindOutlineOfBlocks(patch, cracked.Horizon)
+                    : ClosingChecker::FindOutline(cracked.Horizon, closing);
+  return isKnown ? ClosingChecker::CheckBlocks(patch, cracked.Horizon, closing) : std::string();
 }
 
 std::string CheckLattice(const CrackedPatch& patch, int n, Patches::Random& random)
 {
   const BoundaryOptions options = MakeOptions(patch, n);
   const Cracked cracked = Make(patch, options, MakeHeights(patch.Columns, random));
+  if (cracked.Horizon.Plane.empty())
+  {
+    return {};
+  }
   Outline outline;
-  std::string wrong = CheckFull(patch, cracked, options.Radius, outline);
+  std::string wrong = CheckFull(patch, cracked, options, outline);
   wrong = wrong.empty() ? CheckMeshes(cracked, cracked.Horizon, outline) : wrong;
   BoundarySimplificationOptions inPlan;
   inPlan.OutlineTolerance = 1.5;
