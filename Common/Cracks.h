@@ -27,6 +27,16 @@ struct Cracks
   std::vector<Edge> Mouths;
   /// The numbers of the loops that are lips all along, ascending: those of a crack without a mouth are among them.
   std::vector<std::size_t> Loops;
+
+  std::vector<PointId> EndsOfMouths() const
+  {
+    std::vector<PointId> ends;
+    for (const Edge& mouth : this->Mouths)
+    {
+      ends.insert(ends.end(), { mouth.From, mouth.To });
+    }
+    return ends;
+  }
 };
 }
 

@@ -100,13 +100,11 @@ private:
   /// Those that leave the ends of mouths.
   void FindLeavingEdges()
   {
-    std::vector<PointId> ends;
     for (std::size_t mouth = 0; mouth < this->Open.Mouths.size(); ++mouth)
     {
-      const Edge& edge = this->Open.Mouths[mouth];
-      ends.insert(ends.end(), { edge.From, edge.To });
-      this->Leaving.push_back({ edge.From, { true, mouth } });
+      this->Leaving.push_back({ this->Open.Mouths[mouth].From, { true, mouth } });
     }
+    std::vector<PointId> ends = this->Open.EndsOfMouths();
     std::sort(ends.begin(), ends.end());
     for (std::size_t loop = 0; loop < this->Boundary.Size() && !ends.empty(); ++loop)
     {

@@ -67,10 +67,7 @@ inline Cracks FindAgain(const Cracked& cracked, const BoundedHorizon& horizon)
 /// With the ends of mouths kept.
 inline BoundedHorizon Simplify(const Cracked& cracked, BoundarySimplificationOptions options)
 {
-  for (const Edge& mouth : cracked.Open.Mouths)
-  {
-    options.Fixed.insert(options.Fixed.end(), { mouth.From, mouth.To });
-  }
+  options.Fixed = cracked.Open.EndsOfMouths();
   BoundedHorizon result = Drop(cracked.Horizon, SimplifyBoundary(cracked.Horizon, cracked.Horizon.Boundary, options));
   result.Cuts = cracked.Horizon.Cuts;
   return result;
