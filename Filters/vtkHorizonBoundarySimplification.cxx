@@ -42,7 +42,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;
   const Loops boundary = ReadBoundary(input);
-  options.Fixed = ReadCracks(input, points.Plane, points.Grid, boundary).EndsOfMouths();
+  options.Fixed = ReadEndsOfMouths(input, points.Plane, points.Grid, boundary);
   const BoundarySimplification simplified =
     SimplifyBoundary(SpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), boundary, options,
       monitor.Step(0.2, 0.7));

@@ -24,7 +24,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -54,8 +56,9 @@ int ReadNumber(vtkDataArray* array, vtkIdType tuple, int component)
   const double value = array->GetComponent(tuple, component);
   if (!(value >= 0.0 && value <= MostColumnsPerSide && value == std::floor(value)))
   {
-    throw InputError(std::string(array->GetName()) + " " + std::to_string(value) + " in tuple " +
-      std::to_string(tuple) + ", expected a whole number, at least 0");
+    std::ostringstream text;
+    text << array->GetName() << ' ' << value << " in tuple " << tuple << ", expected a whole number, at least 0";
+    throw InputError(text.str());
   }
   return int(value);
 }
@@ -98,6 +101,10 @@ public:
     }
     std::sort(this->Columns.begin(), this->Columns.end());
     this->Points.assign(this->Columns.size(), NoPoint);
+    if (mouths.empty())
+    {
+      return;
+    }
     boundary.ForEachPoint(
       [&](PointId point)
       {
@@ -111,16 +118,15 @@ public:
       });
   }
 
-  PointId At(const PlanePoint& column) const
+  /// NoPoint where there is none.
+  PointId At(const PlanePoint& column) const { return this->Points[this->SlotOf(column)]; }
+
+  std::vector<PointId> All() const
   {
-    const PointId point = this->Points[this->SlotOf(column)];
-    if (point == NoPoint)
-    {
-      throw InputError("a mouth of a crack at column (" + std::to_string(column.X) + ", " + std::to_string(column.Y) +
-        "), expected a point of a boundary loop: simplify the boundary with the field data array " +
-        FieldArray::CutMouths);
-    }
-    return point;
+    std::vector<PointId> points;
+    std::copy_if(this->Points.begin(), this->Points.end(), std::back_inserter(points),
+      [](PointId point) { return point != NoPoint; });
+    return points;
   }
 
 private:
@@ -135,7 +141,51 @@ private:
   std::vector<PointId> Points;
 };
 
-/// Adds the values of new triangles to the cell data of a mesh that has no cells of them yet: nan unless they are known.
+/// Loops are named by numbers: none may be gone.
+void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
+{
+  vtkDataArray* const patches = FindTuples(data, FieldArray::NumberOfPatches, 1);
+  vtkDataArray* const holes = FindTuples(data, FieldArray::NumberOfHoles, 1);
+  if (!patches || !holes || FieldValue(patches, 0) + FieldValue(holes, 0) != double(boundary.Size()))
+  {
+    throw InputError(std::to_string(boundary.Size()) + " boundary loops with the field data array " +
+      FieldArray::CrackLoops + ", expected as many as " + FieldArray::NumberOfPatches + " and " +
+      FieldArray::NumberOfHoles + " say: close faults of whole horizons");
+  }
+}
+
+Cracks ReadCracks(
+  vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary)
+{
+  Cracks cracks;
+  const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
+  const MouthPoints points(mouths, plane, grid.SubVoxelsPerColumn(), boundary);
+  for (const std::array<PlanePoint, 2>& mouth : mouths)
+  {
+    cracks.Mouths.push_back({ points.At(mouth[0]), points.At(mouth[1]) });
+    for (const PlanePoint& end : mouth)
+    {
+      if (points.At(end) == NoPoint)
+      {
+        throw InputError("a mouth of a crack at column (" + std::to_string(end.X) + ", " + std::to_string(end.Y) +
+          "), expected a point of a boundary loop");
+      }
+    }
+  }
+  vtkDataArray* const loops = FindTuples(horizon->GetFieldData(), FieldArray::CrackLoops, 1);
+  for (vtkIdType n = 0; loops && n < loops->GetNumberOfTuples(); ++n)
+  {
+    cracks.Loops.push_back(std::size_t(ReadNumber(loops, n, 0)));
+  }
+  if (!cracks.Loops.empty())
+  {
+    CheckNumberOfLoops(horizon->GetFieldData(), boundary);
+  }
+  return cracks;
+}
+
+/// Adds the values of new triangles to the cell data of a mesh that has no cells of them yet: nan unless they are
+/// known.
 void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, vtkCellData* data)
 {
   const std::vector<std::pair<const char*, const RawVector<float>*>> known = {
@@ -166,38 +216,29 @@ void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
     return;
   }
   const Lattice grid = ReadLattice(horizon);
-  auto mouths = NewArray<vtkIntArray>(FieldArray::CutMouths, vtkIdType(cracks.Mouths.size()), MouthComponents);
-  for (std::size_t n = 0; n < cracks.Mouths.size(); ++n)
+  std::vector<std::array<int, MouthComponents>> tuples;
+  for (const Edge& mouth : cracks.Mouths)
   {
-    const std::array<int, 2> from = ColumnOf(horizon, grid, cracks.Mouths[n].From);
-    const std::array<int, 2> to = ColumnOf(horizon, grid, cracks.Mouths[n].To);
-    const std::array<int, MouthComponents> tuple = { from[0], from[1], to[0], to[1] };
-    mouths->SetTypedTuple(vtkIdType(n), tuple.data());
+    const std::array<int, 2> from = ColumnOf(horizon, grid, mouth.From);
+    const std::array<int, 2> to = ColumnOf(horizon, grid, mouth.To);
+    tuples.push_back({ from[0], from[1], to[0], to[1] });
+  }
+  std::sort(tuples.begin(), tuples.end()); // whatever the order of the points
+  auto mouths = NewArray<vtkIntArray>(FieldArray::CutMouths, vtkIdType(tuples.size()), MouthComponents);
+  for (std::size_t n = 0; n < tuples.size(); ++n)
+  {
+    mouths->SetTypedTuple(vtkIdType(n), tuples[n].data());
   }
   data->AddArray(mouths);
   AddArray<vtkIdTypeArray>(data, FieldArray::CrackLoops, cracks.Loops);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Cracks ReadCracks(
+std::vector<PointId> ReadEndsOfMouths(
   vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary)
 {
-  Cracks cracks;
   const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
-  if (!mouths.empty())
-  {
-    const MouthPoints points(mouths, plane, grid.SubVoxelsPerColumn(), boundary);
-    for (const std::array<PlanePoint, 2>& mouth : mouths)
-    {
-      cracks.Mouths.push_back({ points.At(mouth[0]), points.At(mouth[1]) });
-    }
-  }
-  vtkDataArray* const loops = FindTuples(horizon->GetFieldData(), FieldArray::CrackLoops, 1);
-  for (vtkIdType n = 0; loops && n < loops->GetNumberOfTuples(); ++n)
-  {
-    cracks.Loops.push_back(std::size_t(ReadNumber(loops, n, 0)));
-  }
-  return cracks;
+  return MouthPoints(mouths, plane, grid.SubVoxelsPerColumn(), boundary).All();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

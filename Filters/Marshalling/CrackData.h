@@ -22,14 +22,15 @@ namespace SeismicHorizons
 /// and loses those that it has.
 void WriteCracks(const Cracks& cracks, vtkPolyData* horizon);
 
-/// The cracks between the loops of a horizon; none where it does not tell. `plane` holds the places of its points.
-/// Throws InputError on arrays of another form, and on mouths that do not end in points of loops.
-Cracks ReadCracks(
+/// The points of loops in which mouths of cracks end, to be kept: those that are there. `plane` holds the places of the
+/// points. Throws InputError on an array of another form.
+std::vector<PointId> ReadEndsOfMouths(
   vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary);
 
 /// Adds the triangles that close its cracks to a mesh that has all else: loops, triangles with their cell data, and
 /// field data. They have Compactness and Quality, nan in other arrays, and 1 in the new one, Fault, where all other
-/// cells have 0. Their number is the figure FaultTriangleCount.
+/// cells have 0. Their number is the figure FaultTriangleCount. Throws InputError on arrays of another form, and where
+/// they do not fit the loops, as when some are gone.
 void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor);
 }

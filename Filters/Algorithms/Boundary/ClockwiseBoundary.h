@@ -16,8 +16,8 @@ namespace SeismicHorizons
 {
 struct SeamPresence;
 
-/// As FindExteriorBoundary, but for MinimumPatchSize and for checks of the options. Its cracks are given by the sides of
-/// their faces, for FindCracks.
+/// As FindExteriorBoundary, but for MinimumPatchSize and for checks of the options. Its cracks are given by the sides
+/// of their faces, for FindCracks.
 ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
   const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor);
 }

@@ -4,6 +4,8 @@
 #include "CrackFaces.h"
 
 #include "Common/DisjointSets.h"
+#include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
 #include "ExteriorBoundary.h"
 #include "FaceWalk.h"
 
@@ -64,6 +66,58 @@ private:
   const std::vector<HopAcrossCut>& Across;
 };
 
+/// Whether a place is inside a face that is walked counter-clockwise, and on no side of it.
+bool IsInside(const std::vector<PlanePoint>& columns, const std::vector<FaceStep>& steps, const PlanePoint& place)
+{
+  bool isInside = false;
+  for (std::size_t n = 0; n < steps.size(); ++n)
+  {
+    const PlanePoint& from = columns[std::size_t(steps[n].Point)];
+    const PlanePoint& to = columns[std::size_t(steps[(n + 1) % steps.size()].Point)];
+    if ((from.Y > place.Y) != (to.Y > place.Y) && (SignedArea(from, to, place) > 0) == (to.Y > from.Y))
+    {
+      isInside = !isInside;
+    }
+  }
+  return isInside;
+}
+
+/// Whether a face holds points that no hop connects with those around it.
+bool HoldsIsland(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const std::vector<FaceStep>& steps)
+{
+  PlaneBox box;
+  std::vector<PointId> around;
+  for (const FaceStep& step : steps)
+  {
+    box.Add(columns[std::size_t(step.Point)]);
+    around.push_back(step.Point);
+  }
+  std::sort(around.begin(), around.end());
+  for (std::int32_t y = box.Least.Y + 1; y < box.Greatest.Y; ++y)
+  {
+    for (std::int32_t x = box.Least.X + 1; x < box.Greatest.X; ++x)
+    {
+      const PointId point = raster[raster.Place({ x, y })];
+      if (point != NoPoint && !std::binary_search(around.begin(), around.end(), point) &&
+        IsInside(columns, steps, { x, y }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether a face has no more columns inside than a square of hops, and none of them has a point.
+bool IsCrack(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
+  const std::vector<FaceStep>& steps)
+{
+  const std::int64_t most = std::int64_t(hops.Radius() - 1) * (hops.Radius() - 1);
+  const std::int64_t inside = ColumnsInside(hops, steps);
+  return MeasureFace(hops, steps).TwiceArea > 0 && inside <= most &&
+    (inside == 0 || !HoldsIsland(columns, raster, steps));
+}
+
 bool IsBefore(const CrackSide& a, const CrackSide& b)
 {
   return std::tie(a.From, a.To) < std::tie(b.From, b.To);
@@ -82,8 +136,8 @@ public:
   /// Null when there is none.
   const CrackSide* Find(PointId from, PointId to) const
   {
-    const auto found =
-      std::lower_bound(this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Lip }, IsBefore);
+    const auto found = std::lower_bound(
+      this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Lip }, IsBefore);
     return found != this->Sides.end() && found->From == from && found->To == to ? &*found : nullptr;
   }
 
@@ -98,9 +152,8 @@ public:
   template <typename Condition>
   void KeepIf(Condition&& condition)
   {
-    this->Sides.erase(
-      std::remove_if(
-        this->Sides.begin(), this->Sides.end(), [&](const CrackSide& side) { return !condition(side.Face); }),
+    this->Sides.erase(std::remove_if(this->Sides.begin(), this->Sides.end(),
+                        [&](const CrackSide& side) { return !condition(side.Face); }),
       this->Sides.end());
   }
 
@@ -173,7 +226,7 @@ std::vector<CrackSide> FindCrackFaces(
       continue;
     }
     WalkFace(raster, hops, across[first].Place, across[first].Hop, next, steps);
-    const bool isCrack = MeasureFace(hops, steps).TwiceArea > 0 && ColumnsInside(hops, steps) == 0;
+    const bool isCrack = IsCrack(columns, raster, hops, steps);
     for (std::size_t n = 0; n < steps.size(); ++n)
     {
       const FaceStep& step = steps[n];
@@ -201,8 +254,7 @@ Cracks FindCracks(std::vector<CrackSide> sides, const Loops& boundary, const std
   std::vector<bool> isWhole(std::size_t(faces), true);
   for (const CrackSide& side : sides)
   {
-    isWhole[std::size_t(side.Face)] =
-      isWhole[std::size_t(side.Face)] && patches[std::size_t(side.From)] != NoPatch;
+    isWhole[std::size_t(side.Face)] = isWhole[std::size_t(side.Face)] && patches[std::size_t(side.From)] != NoPatch;
   }
   SideTable table(std::move(sides));
   table.KeepIf([&isWhole](std::int32_t face) { return isWhole[std::size_t(face)]; });

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The cracks between the loops of a horizon with cuts. Hops across cuts (PlanarHops.h) part what the admissible hops
-// leave open there into faces. Those without a column inside are cracks; the others are gaps of missing points, or the
-// outside. With a radius of 1 faces of cracks are blocks of four points and halves of blocks of three.
+// leave open there into faces. Those with no more columns inside than a square of hops are cracks; the others are gaps
+// of missing points, or the outside. With a radius of 1 no column may be inside: faces of cracks are blocks of four
+// points and halves of blocks of three.
 //
-//     o---o---o---o       o    points
-//     |   :   :   |       -, | admissible hops
-//     o---o   o...o       :, . hops across cuts
-//     |   :.   .  |            The face in the middle has a missing point at a corner, and is open. Of the hops across
-//     o---o---o---o            cuts those beside it are mouths; all others are inside the crack.
+//     o---o---o---o---o---o       o       points
+//     |   :   :   :  /            -, |    admissible hops
+//     |   :   :   : /             :, /    hops across cuts: the slanted one is a mouth, as a point is missing beside it
+//     o---o---o---o
 
 #ifndef SeismicHorizonsCrackFaces_h
 #define SeismicHorizonsCrackFaces_h
@@ -41,7 +41,7 @@ struct CrackSide
   Kind What;
 };
 
-/// The sides of all faces without a column inside that have a hop across a cut, face by face. Takes time for the faces
+/// The sides of all faces of cracks, face by face. Takes time for the faces
 /// beside these hops.
 std::vector<CrackSide> FindCrackFaces(
   const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const PlanarHops& graph);

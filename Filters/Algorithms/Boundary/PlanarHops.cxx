@@ -311,8 +311,8 @@ std::vector<HopAcrossCut> PlanarHops::ListAcross(std::size_t admissible) const
 // Of the diagonals between four points none is taken, as those of open blocks cross.
 bool PlanarHops::IsShortAcross(std::int64_t place, const PlanePoint& step) const
 {
-  const bool isOfFour = step.X * step.Y != 0 && this->Has(place + step.X) &&
-    this->Has(place + this->Hops.OffsetOf({ 0, step.Y }));
+  const bool isOfFour =
+    step.X * step.Y != 0 && this->Has(place + step.X) && this->Has(place + this->Hops.OffsetOf({ 0, step.Y }));
   return this->Cuts && this->Cuts->IsBesideOpen(place) && !isOfFour && this->Cuts->IsBarred(place, step);
 }
 

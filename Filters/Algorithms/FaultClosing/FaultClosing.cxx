@@ -33,8 +33,8 @@ struct LeavingEdge
   friend bool operator<(const LeavingEdge& a, const LeavingEdge& b) { return a.From < b.From; }
 };
 
-/// Which part of a clockwise turn it is from one vector to another: 0 where they have the same direction, 1 up to a half
-/// turn, 2 beyond.
+/// Which part of a clockwise turn it is from one vector to another: 0 where they have the same direction, 1 up to a
+/// half turn, 2 beyond.
 int HalfTurn(const PlanePoint& from, const PlanePoint& to)
 {
   const std::int64_t left = SignedArea({ 0, 0 }, from, to);
@@ -191,8 +191,8 @@ private:
     }
     const PlanePoint back = this->Vector(point, this->FromOf(edge));
     const auto toEnd = [&](const LeavingEdge& leaving) { return this->Vector(point, this->ToOf(leaving.Edge)); };
-    return std::min_element(first, last,
-      [&](const LeavingEdge& a, const LeavingEdge& b) { return IsMetBefore(back, toEnd(a), toEnd(b)); })
+    return std::min_element(
+      first, last, [&](const LeavingEdge& a, const LeavingEdge& b) { return IsMetBefore(back, toEnd(a), toEnd(b)); })
       ->Edge;
   }
 

@@ -129,7 +129,8 @@ bool IsCrackToTheLeft(const CutLattice& lattice, const PlanePoint& from, const P
   const PlanePoint step{ to.X - from.X, to.Y - from.Y };
   const PlanePoint left{ -step.Y, step.X };
   // The middle of the block to the left, in halves of columns, is half a step ahead and to the left.
-  const PlanePoint ahead = std::abs(step.X) + std::abs(step.Y) == 2 ? step : PlanePoint{ step.X + left.X, step.Y + left.Y };
+  const PlanePoint ahead =
+    std::abs(step.X) + std::abs(step.Y) == 2 ? step : PlanePoint{ step.X + left.X, step.Y + left.Y };
   const PlanePoint block{ (2 * from.X + ahead.X - 1) / 2, (2 * from.Y + ahead.Y - 1) / 2 };
   const int points = lattice.NumberOfPoints(block);
   const int lost = std::max(points - 2, 0) - lattice.TwiceArea(block);
@@ -185,7 +186,9 @@ Outline FindOutline(const BoundedHorizon& horizon, const RawVector<PointId>& clo
   const std::set<HalfEdge> edges = EdgesOf(horizon.Boundary);
   Outline outline;
   horizon.Boundary.ForEachEdge(
-    [&](PointId from, PointId to) { outline.IsLip.push_back(sides.count({ from, to }) != 0); });
+    [&](PointId from, PointId to) {
+      outline.IsLip.push_back(sides.count({ from, to }) != 0);
+    });
   for (const HalfEdge& side : sides)
   {
     if (sides.count({ side.second, side.first }) == 0 && edges.count(side) == 0)
@@ -201,8 +204,7 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
 {
   const CutLattice lattice(patch);
   Outline outline;
-  horizon.Boundary.ForEachEdge(
-    [&](PointId from, PointId to)
+  horizon.Boundary.ForEachEdge([&](PointId from, PointId to)
     { outline.IsLip.push_back(IsCrackToTheLeft(lattice, ColumnOf(horizon, from), ColumnOf(horizon, to))); });
   const std::set<HalfEdge> edges = EdgesOf(horizon.Boundary);
   for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
@@ -263,8 +265,7 @@ std::string CheckClosing(const BoundedHorizon& horizon, const RawVector<PointId>
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string CheckBlocks(
-  const CrackedPatch& patch, const BoundedHorizon& horizon, const RawVector<PointId>& closing)
+std::string CheckBlocks(const CrackedPatch& patch, const BoundedHorizon& horizon, const RawVector<PointId>& closing)
 {
   const CutLattice lattice(patch);
   const std::vector<Corners> triangles = PlacesOf(horizon, closing);

@@ -39,16 +39,15 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
 /// The outline of a horizon whose loops are those of another one without some points.
 Outline SimplifyOutline(const BoundedHorizon& full, const Outline& outline, const BoundedHorizon& simplified);
 
-/// Closing triangles turn counter-clockwise and overlap none of the mesh or of their own; every edge has one triangle on
-/// each side at most; and what has a triangle on one side alone is a lip, which is closed from its left, or a mouth.
+/// Closing triangles turn counter-clockwise and overlap none of the mesh or of their own; every edge has one triangle
+/// on each side at most; and what has a triangle on one side alone is a lip, which is closed from its left, or a mouth.
 /// Empty when all is well, else what is wrong first.
 std::string CheckClosing(const BoundedHorizon& horizon, const RawVector<PointId>& mesh,
   const RawVector<PointId>& closing, const Outline& outline);
 
 /// With a radius of 1 and all points, closing triangles have the area of the blocks that cuts opened, and pass no
 /// missing column.
-std::string CheckBlocks(
-  const CrackedPatch& patch, const BoundedHorizon& horizon, const RawVector<PointId>& closing);
+std::string CheckBlocks(const CrackedPatch& patch, const BoundedHorizon& horizon, const RawVector<PointId>& closing);
 }
 
 #endif

@@ -86,8 +86,8 @@ public:
   int NumberOfPoints(const PlanePoint& block) const
   {
     const std::array<PlanePoint, 4> corners = Corners(block);
-    return int(std::count_if(
-      corners.begin(), corners.end(), [this](const PlanePoint& corner) { return this->Has(corner); }));
+    return int(
+      std::count_if(corners.begin(), corners.end(), [this](const PlanePoint& corner) { return this->Has(corner); }));
   }
 
   /// Twice the area of the surface in a block.
