@@ -288,12 +288,12 @@ std::vector<HopAcrossCut> PlanarHops::ListAcross(std::size_t admissible) const
   std::vector<HopAcrossCut> across;
   for (const std::int64_t place : this->Border)
   {
-    for (const HopId hop : this->Short)
+    if (this->Cuts && this->Cuts->IsBesideOpen(place))
     {
-      if (this->Has(place + this->Hops.Offset(hop)) && this->IsShortAcross(place, this->Hops.Vector(hop)))
-      {
-        across.push_back({ place, hop });
-      }
+      std::for_each(this->Short.begin(), this->Short.end(),
+        [&](HopId hop) {
+          this->IsShortAcross(place, this->Hops.Vector(hop)) ? across.push_back({ place, hop }) : void();
+        });
     }
   }
   for (std::size_t n = admissible; n < this->Placed.size(); ++n)
@@ -308,12 +308,12 @@ std::vector<HopAcrossCut> PlanarHops::ListAcross(std::size_t admissible) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Of the diagonals between four points none is taken, as those of open blocks cross.
+// For a place beside an open block. Of the diagonals between four points none is taken, as those of open blocks cross.
 bool PlanarHops::IsShortAcross(std::int64_t place, const PlanePoint& step) const
 {
   const bool isOfFour =
     step.X * step.Y != 0 && this->Has(place + step.X) && this->Has(place + this->Hops.OffsetOf({ 0, step.Y }));
-  return this->Cuts && this->Cuts->IsBesideOpen(place) && !isOfFour && this->Cuts->IsBarred(place, step);
+  return this->Has(place + this->Hops.OffsetOf(step)) && !isOfFour && this->Cuts->IsBarred(place, step);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
