@@ -182,9 +182,9 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   if (!this->UseCuts)
   {
     RemoveCuts(outlines);
-    RemoveCuts(outputs[MeshPort]);
   }
   vtkPolyData* const mesh = outputs[MeshPort];
+  RemoveCuts(mesh); // those of the outlines are right
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
   if (surface.Kept.empty())
   {

@@ -169,6 +169,16 @@ void TestMeshers()
   }
 }
 
+/// Where the lattice is mirrored in the world, triangles face up as well.
+void TestMirrored()
+{
+  auto mirrored = HorizonFixtures::UnitSurvey();
+  mirrored->SetElement(0, 0, -1.0);
+  vtkNew<vtkHorizonSurface> surface;
+  surface->SetInputDataObject(MakeFaulted(mirrored, 0, 12));
+  CheckClosed(surface.Get(), 1.0);
+}
+
 /// The surface is that of the stages.
 void TestSurface()
 {
@@ -214,6 +224,10 @@ void TestFieldData()
   Update(boundary);
   CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CutMouths"));
   CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackLoops"));
+  vtkNew<vtkHorizonSurface> surface;
+  surface->SetInputDataObject(cracked);
+  surface->CloseFaultsOn();
+  CHECK_EQUAL(Figure(Update(surface), "FaultTriangleCount"), 0.0);
   boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::RotatedSurvey()));
   vtkFieldData* const inner = Update(boundary)->GetFieldData();
   CHECK_EQUAL(inner->GetArray("CutMouths")->GetNumberOfTuples(), 0);
@@ -278,6 +292,7 @@ void TestErrors()
 int TestHorizonFaultClosing(int, char*[])
 {
   TestMeshers();
+  TestMirrored();
   TestSurface();
   TestFieldData();
   TestDistances();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 using namespace ClosedFaults;
 
@@ -211,6 +212,41 @@ void TestLongMouths()
   CheckClosed(Close(sparse, false, 3), 6, "9,3-9,6 0,6-0,3", 0);
 }
 
+/// What checks these lattices sees what is wrong.
+void TestChecker()
+{
+  CrackedPatch patch = Full(6, 5);
+  CutRow(patch, 0, 2, 1);
+  BoundaryOptions options;
+  options.Cuts = &patch.Cuts;
+  const Cracked cracked = Make(patch, options, std::vector<double>(patch.Columns.size(), 0.0));
+  const RawVector<PointId> mesh = Triangulate(cracked.Horizon).Triangles;
+  const RawVector<PointId> closing = ClosedFaults::Close(cracked, cracked.Horizon);
+  ClosingChecker::Outline outline = ClosingChecker::FindOutlineOfBlocks(patch, cracked.Horizon);
+  const auto check = [&](const RawVector<PointId>& triangles)
+  { return ClosingChecker::CheckClosing(cracked.Horizon, mesh, triangles, outline); };
+  CHECK_EQUAL(check(closing), std::string());
+  RawVector<PointId> wrong(closing.begin() + 3, closing.end());
+  CHECK(!check(wrong).empty());
+  CHECK_EQUAL(ClosingChecker::CheckBlocks(patch, cracked.Horizon, wrong), "area of the cracks");
+  wrong.insert(wrong.end(), closing.begin(), closing.begin() + 3);
+  CHECK_EQUAL(check(wrong), std::string());
+  std::swap(wrong[0], wrong[1]);
+  CHECK_EQUAL(check(wrong), "closing triangle 0 does not turn counter-clockwise");
+  wrong = closing;
+  wrong.insert(wrong.end(), closing.begin(), closing.begin() + 3);
+  CHECK_EQUAL(check(wrong), "closing triangle 0 overlaps another one");
+  wrong = closing;
+  wrong.insert(wrong.end(), mesh.begin(), mesh.begin() + 3);
+  CHECK(check(wrong).find("overlaps the mesh") != std::string::npos);
+  outline.Mouths.clear();
+  CHECK_EQUAL(check(closing), "mouths of cracks");
+  outline.IsLip.flip();
+  CHECK_EQUAL(check(closing), "lips that are closed");
+  const CrackedPatch less{ Patches::Columns(patch.Columns.begin() + 12, patch.Columns.end()), patch.Cuts };
+  CHECK_EQUAL(ClosingChecker::CheckBlocks(less, cracked.Horizon, closing), "closed over a missing column");
+}
+
 /// Without its cut a crack is part of the mesh, and a horizon that is not cut has none.
 void TestWithoutCuts()
 {
@@ -251,6 +287,7 @@ int TestFaultClosing(int, char*[])
   TestGaps();
   TestSpecks();
   TestLongMouths();
+  TestChecker();
   TestWithoutCuts();
   TestErrors();
   return Check::Result();
