@@ -45,6 +45,7 @@ public:
   vtkTypeMacro(vtkHorizonExteriorBoundary, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Which boundary is looked for.
   enum BoundaryTypes
   {
     Exterior = 0,
@@ -52,6 +53,7 @@ public:
     Topological8 = 2
   };
 
+  /// How an outline of a radius above 1 grows.
   enum GrowthStrategies
   {
     Distance = 0,

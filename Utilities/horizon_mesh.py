@@ -21,7 +21,7 @@ REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj")
-DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest")
+DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS = ("BestFirst", "Continuous", "Components")
 POLARITIES = ("Both", "Positive", "Negative")
 
@@ -145,8 +145,8 @@ def _add_reader_options(group):
     group.add_argument("--elevation", choices=ELEVATIONS, default=argparse.SUPPRESS,
                        help="what the world z of a point of sparse voxel files is made from (default: VerticalIndex)")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=argparse.SUPPRESS,
-                       help="which voxel or pick stays where a horizon has several in a column (default: "
-                       "StrongestAmplitude)")
+                       help="which voxel or pick stays where a horizon has several in a column, or all on sheets that are "
+                       "horizons of their own (default: StrongestAmplitude)")
     group.add_argument("--columns", default=argparse.SUPPRESS, metavar="LIST",
                        help='what the columns of a text file hold, as "X,Y,-,Z,My attribute" or "Inline,Crossline,Z" '
                        "(default: what its header says, or its values are like)")

@@ -55,6 +55,7 @@ public:
   void DisableAllHorizons();
   ///@}
 
+  /// Later when a selection has changed.
   vtkMTimeType GetMTime() override;
 
 protected:
