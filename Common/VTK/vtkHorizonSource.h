@@ -33,6 +33,7 @@ class Monitor;
 }
 class vtkDataArraySelection;
 class vtkDataObject;
+class vtkIdTypeArray;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSource : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -55,7 +56,16 @@ public:
   void DisableAllHorizons();
   ///@}
 
+<<<<<<< HEAD
+  /**
+   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in proportion
+   * to them before they are made. Empty where nothing is known.
+   */
+  vtkIdTypeArray* GetHorizonSizes();
+
+=======
   /// Later when a selection has changed.
+>>>>>>> main
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -100,8 +110,10 @@ private:
   void operator=(const vtkHorizonSource&) = delete;
 
   std::vector<std::string> NameHorizons(const SeismicHorizons::Monitor& monitor);
+  void List(const std::vector<std::string>& names);
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
+  vtkNew<vtkIdTypeArray> HorizonSizes;
 };
 
 #endif
