@@ -55,10 +55,16 @@ def exaggerate(events, flat):
     events.macro("NoteView")
     events.add(TOOLBAR + "FitHeights", "activate")
     events.macro("NoteView")
+    events.menu("menu_Edit", "actionEditUndo")
+    events.macro("NoteView")
+    # What comes now gets the factor that undo has brought back.
+    events.filter("HorizonSurface")
+    events.apply()
+    events.macro("NoteView")
 
 
 def check_exaggeration(notes):
-    for factor, note in zip((2, 5), notes):
+    for factor, note in zip((2, 5, 2, 2), notes):
         assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, factor]] * len(note["scales"]), note
         assert note["axes scale"] == [1, 1, factor], note
 
@@ -87,7 +93,7 @@ def main():
     sample = pathlib.Path(data).resolve() / "sample.vsm"
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
-    scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 2),
+    scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 4),
               (count_lines, folder / "picks.xyz", check_lines, 2))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
