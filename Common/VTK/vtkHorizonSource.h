@@ -56,16 +56,13 @@ public:
   void DisableAllHorizons();
   ///@}
 
-<<<<<<< HEAD
   /**
    * How large the horizons of that list are, in its order: points, or what a source can tell that is about in proportion
    * to them before they are made. Empty where nothing is known.
    */
   vtkIdTypeArray* GetHorizonSizes();
 
-=======
   /// Later when a selection has changed.
->>>>>>> main
   vtkMTimeType GetMTime() override;
 
 protected:
