@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -34,6 +32,11 @@ std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view)
     representations.push_back(helper.GetAsProxy(n));
   }
   return representations;
+}
+
+vtkSMProxy* FindAxes(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
 }
 
 /// Sets the third value of a property that scales x, y and z; proxies without it have nothing in space.
@@ -67,19 +70,19 @@ double RoundDown(double number)
 
 double GetVerticalExaggeration(vtkSMProxy* view)
 {
-  const char* const text = view->GetAnnotation(Annotation);
-  const double factor = text ? std::atof(text) : 1.0;
-  return factor > 0.0 ? factor : 1.0;
+  // The scale of the axes alone may be somebody's unit.
+  vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
+  return axes ? vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) : 1.0;
 }
 
 void SetVerticalExaggeration(vtkSMProxy* view, double factor)
 {
-  view->SetAnnotation(Annotation, std::to_string(factor).c_str());
+  view->SetAnnotation(Annotation, "1");
   for (vtkSMProxy* const representation : ListRepresentations(view))
   {
     SetScale(representation, "Scale", factor);
   }
-  if (vtkSMProxy* const axes = vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy())
+  if (vtkSMProxy* const axes = FindAxes(view))
   {
     SetScale(axes, "DataScale", factor);
   }
@@ -87,7 +90,7 @@ void SetVerticalExaggeration(vtkSMProxy* view, double factor)
 
 void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view)
 {
-  if (view->GetAnnotation(Annotation))
+  if (view->HasAnnotation(Annotation))
   {
     SetScale(representation, "Scale", GetVerticalExaggeration(view));
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Heights of a view drawn larger than they are. All that is shown in a view has one factor, so that data sets lie on
-// each other as they should, whatever filter or plugin they come from. The view keeps it, also in state files; its axes
-// go on to tell true heights.
+// each other as they should, whatever filter or plugin they come from. It is the scale of the view's axes,
+// which go on to tell true heights, and so part of state files and of undo.
 
 #ifndef VerticalExaggeration_h
 #define VerticalExaggeration_h

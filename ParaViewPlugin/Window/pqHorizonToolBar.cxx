@@ -104,6 +104,8 @@ void pqHorizonToolBar::watch(pqView* view)
   this->connect(view, &pqView::representationAdded, this,
     [view](pqRepresentation* representation)
     { ExaggerateRepresentation(representation->getProxy(), view->getProxy()); });
+  // A script, a state file or undo may have changed it.
+  this->connect(view, SIGNAL(endRender()), SLOT(showState()));
 }
 
 //------------------------------------------------------------------------------
@@ -111,8 +113,18 @@ void pqHorizonToolBar::showState()
 {
   pqView* const view = ActiveView();
   this->setEnabled(view != nullptr);
-  this->Factor->setEditText(QString::number(view ? GetVerticalExaggeration(view->getProxy()) : 1.0));
   this->Axes->setChecked(view && HasSurveyAxes(view->getProxy()));
+  if (!this->Factor->lineEdit()->hasFocus()) // nobody is typing
+  {
+    this->showFactor();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::showFactor()
+{
+  pqView* const view = ActiveView();
+  this->Factor->setEditText(QString::number(view ? GetVerticalExaggeration(view->getProxy()) : 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +138,7 @@ void pqHorizonToolBar::setFactor(double factor)
     view->resetDisplay();
     view->render();
   }
-  this->showState();
+  this->showFactor();
 }
 
 //------------------------------------------------------------------------------

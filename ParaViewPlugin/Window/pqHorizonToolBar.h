@@ -34,6 +34,7 @@ private Q_SLOTS:
   void showAxes(bool areShown);
 
 private:
+  void showFactor();
   void setFactor(double factor);
 
   QComboBox* Factor;

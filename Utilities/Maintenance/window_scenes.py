@@ -113,8 +113,8 @@ def exaggeration():
     view.AxesGrid.Visibility = 1
     # What the toolbar does.
     view.AxesGrid.DataScale = (1.0, 1.0, 5.0)
-    view.SMProxy.SetAnnotation("SeismicHorizons.VerticalExaggeration", "5")
-    show(simple.HorizonSurface(Input=horizon), toward=OBLIQUE)
+    view.SMProxy.SetAnnotation("SeismicHorizons.VerticalExaggeration", "1")
+    show(simple.HorizonSurface(Input=simple.HorizonFaults(Input=horizon), MaximumError=1.5), toward=OBLIQUE)
 
 
 globals()[os.environ["SCENE"]]()
