@@ -39,12 +39,23 @@ class Events:
         self.add(WINDOW + "/" + dialog, "filesSelected", path)
 
     def open(self, path, several_readers=False):
-        """File > Open and Apply; where several readers offer themselves, the one on top is taken."""
+        """File > Open, without Apply; where several readers offer themselves, the one on top is taken."""
         self.menu("menu_File", "actionFileOpen")
         self.file_chosen("FileOpenDialog", path)
         if several_readers:
             self.add(WINDOW + "/pqSelectReaderDialog/okButton", "activate")
-        self.apply()
+
+    def undo(self, times):
+        for _ in range(times):
+            self.menu("menu_Edit", "actionEditUndo")
+
+    def redo(self, times):
+        for _ in range(times):
+            self.menu("menu_Edit", "actionEditRedo")
+
+    def save_state(self, path):
+        self.menu("menu_File", "actionFileSaveServerState")
+        self.file_chosen("FileSaveServerStateDialog", path)
 
     def filter(self, name):
         """A filter of the active source, without Apply."""
