@@ -236,6 +236,7 @@ def _horizon_facts(horizon):
 def _error_table(error):
     if not error:
         return None
+
     def text(unit, key):
         value = error[unit][key]
         # What is only rounding is nothing.
