@@ -187,6 +187,9 @@ def _add_preparation_options(group):
     group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
                        help="find faults that throw by T vertical indices or more, and leave the mesh open there "
                        "(default: no fault is cut)")
+    group.add_argument("--close-faults", action="store_true",
+                       help="close the mesh at these faults by triangles from one side to the other, which have 1 in the "
+                       "array Fault")
     group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
                        help="fill holes of at most N columns with new points that go on smoothly from "
                        "those around them (default: none)")
@@ -297,6 +300,8 @@ def make_settings(options):
         "CellSize": options.elaborate_cell_size, "FlatnessThreshold": options.flatness_threshold,
         "Representative": options.representative}
     settings.surface = _make_surface(options, settings.boundary, settings.simplified)
+    if options.close_faults:
+        (settings.mesh if settings.surface is None else settings.surface)["CloseFaults"] = True
     settings.error_if_whole = hasattr(options, "report") and not options.measure_error
     settings.error = None if not options.measure_error and not settings.error_if_whole else {
         "DistanceUnit": options.distance_unit, "SamplesPerPoint": options.samples_per_point}

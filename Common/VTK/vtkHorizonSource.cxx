@@ -15,6 +15,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -35,7 +36,7 @@ using namespace SeismicHorizons;
 // take the square of their number.
 
 /// Lists the names. Those that were in the list before keep their choice, others are enabled.
-void List(const std::vector<std::string>& names, vtkDataArraySelection* selection)
+void ListNames(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
   bool areListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
   for (std::size_t index = 0; areListed && index < names.size(); ++index)
@@ -174,6 +175,12 @@ void vtkHorizonSource::DisableAllHorizons()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+vtkIdTypeArray* vtkHorizonSource::GetHorizonSizes()
+{
+  return this->HorizonSizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 vtkMTimeType vtkHorizonSource::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->HorizonSelection->GetMTime());
@@ -193,7 +200,7 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
     [this, info](std::string&, const Monitor& monitor)
     {
       const std::vector<std::string> names = this->NameHorizons(monitor);
-      List(names, this->HorizonSelection);
+      this->List(names);
       this->DescribeOutput(Select(names, this->HorizonSelection), info);
     });
   // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
@@ -217,6 +224,15 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
     }
   }
   return MakeDistinct(std::move(names));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::List(const std::vector<std::string>& names)
+{
+  ListNames(names, this->HorizonSelection);
+  const std::vector<std::int64_t> sizes = this->CountHorizonPoints();
+  this->HorizonSizes->SetNumberOfValues(static_cast<vtkIdType>(sizes.size()));
+  std::copy(sizes.begin(), sizes.end(), this->HorizonSizes->GetPointer(0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -280,7 +296,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
         this->CheckParameters();
         // The data may have changed since the information was asked for.
         names = this->NameHorizons(monitor.Step(0.0, 0.5));
-        List(names, this->HorizonSelection);
+        this->List(names);
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
     this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));

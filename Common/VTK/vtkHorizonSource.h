@@ -33,6 +33,7 @@ class Monitor;
 }
 class vtkDataArraySelection;
 class vtkDataObject;
+class vtkIdTypeArray;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSource : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -54,6 +55,12 @@ public:
   void EnableAllHorizons();
   void DisableAllHorizons();
   ///@}
+
+  /**
+   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in proportion
+   * to them before they are made. Empty where nothing is known.
+   */
+  vtkIdTypeArray* GetHorizonSizes();
 
   /// Later when a selection has changed.
   vtkMTimeType GetMTime() override;
@@ -100,8 +107,10 @@ private:
   void operator=(const vtkHorizonSource&) = delete;
 
   std::vector<std::string> NameHorizons(const SeismicHorizons::Monitor& monitor);
+  void List(const std::vector<std::string>& names);
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
+  vtkNew<vtkIdTypeArray> HorizonSizes;
 };
 
 #endif
