@@ -25,6 +25,7 @@
 
 #include <cstdint> // for numbers of points
 #include <string> // for names
+#include <unordered_set> // for the choice
 #include <vector> // for lists
 
 namespace SeismicHorizons
@@ -44,8 +45,8 @@ public:
   ///@{
   /**
    * Which horizons are loaded, by their names. UpdateInformation() fills the list; where horizons come from an input,
-   * Update() does. A choice is kept when another file has a horizon of that name too, and it may be made before the
-   * list is filled. Default: all enabled.
+   * Update() does. A choice is kept when another file has a horizon of that name too, or when the horizon comes back
+   * that a window left out, and it may be made before the list is filled. Default: all enabled.
    */
   vtkDataArraySelection* GetHorizonSelection();
   int GetNumberOfHorizons();
@@ -111,6 +112,7 @@ private:
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
   vtkNew<vtkIdTypeArray> HorizonSizes;
+  std::unordered_set<std::string> Disabled; // names of horizons, of those that are not listed
 };
 
 #endif

@@ -24,6 +24,7 @@ ERROR_ROWS = (("largest", "largest"), ("mean", "mean"), ("root mean square", "rm
 STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole filling", "simplified": "outline"}
 PREPARED = {"despiked": "spikes removed", "torn": "links cut along faults", "filled": "points filled in"}
 MOST_OPEN_FILES = 3
+METER = "vtkHorizonSurfaceDistance"
 FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
 
 
@@ -148,13 +149,21 @@ def horizon_table(run, album):
                          cells=join(_cell(value(horizon), form) for _, _, value, form in COLUMNS)))
     heads = [fill("head", kind="name", text="Horizon", meaning="its name")]
     heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in COLUMNS]
-    measured = sum(1 for _, horizon in pairs if horizon["error"])
-    note = "Deviations are in lattice units, 1 being a step from column to column, or a vertical index." if measured else (
-        "Deviations were not measured.")
-    if 0 < measured < len(pairs):
-        note += " They were measured for %d of %d horizons; the others are larger than memory." % (measured, len(pairs))
-    return fill("horizons", heads=join(heads), rows=join(rows), note=note,
+    return fill("horizons", heads=join(heads), rows=join(rows), note=_about_deviations(run),
                 filter=fill("filter") if len(pairs) > FROM_HERE_FILTERED else None)
+
+
+def _about_deviations(run):
+    """Their unit, and of which horizons there are none."""
+    known = [horizon["error"] is not None for _, horizon in horizons_of(run)]
+    note = "Deviations are in lattice units, 1 being a step from column to column, or a vertical index."
+    if all(known):
+        return note
+    if METER not in run["parameters"]:
+        return "Deviations were not measured."
+    if not any(known):
+        return "Deviations were not measured: the horizons are larger than memory."
+    return note + " They were measured for %d of %d horizons; the others are larger than memory." % (sum(known), len(known))
 
 
 def _cell(value, form):
@@ -236,6 +245,7 @@ def _horizon_facts(horizon):
 def _error_table(error):
     if not error:
         return None
+
     def text(unit, key):
         value = error[unit][key]
         # What is only rounding is nothing.
