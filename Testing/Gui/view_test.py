@@ -23,8 +23,7 @@ PICKS = "Inline Crossline X Y Z\n" + "".join(
 
 def choose_horizons(events, sample):
     """By size, and by name; a choice that is not applied can be taken back."""
-    events.menu("menu_File", "actionFileOpen")
-    events.file_chosen("FileOpenDialog", sample)
+    events.open(sample)
     events.add(BUTTONS + "SmallestSize", "set_int", "6000")
     events.add(BUTTONS + "AtLeast", "activate")
     events.apply()
@@ -49,13 +48,14 @@ def check_horizons(notes):
 def exaggerate(events, flat):
     """All that is in the view has one factor, also what comes later; the axes know it."""
     events.open(flat)
+    events.apply()
     events.add(TOOLBAR + "VerticalExaggeration", "set_string", "2")
     events.filter("HorizonSurface")
     events.apply()
     events.macro("NoteView")
     events.add(TOOLBAR + "FitHeights", "activate")
     events.macro("NoteView")
-    events.menu("menu_Edit", "actionEditUndo")
+    events.undo(1)
     events.macro("NoteView")
     # What comes now gets the factor that undo has brought back.
     events.filter("HorizonSurface")
@@ -71,6 +71,7 @@ def check_exaggeration(notes):
 
 def count_lines(events, picks):
     events.open(picks, several_readers=True)
+    events.apply()
     events.add(TOOLBAR + "SurveyAxes", "set_boolean", "true")
     events.macro("NoteView")
     events.add(TOOLBAR + "SurveyAxes", "set_boolean", "false")
