@@ -30,16 +30,16 @@ public:
   void CutEast(const PlanePoint& column) { this->East[this->Place(column)] = true; }
   void CutNorth(const PlanePoint& column) { this->North[this->Place(column)] = true; }
 
-  bool IsCutEast(const PlanePoint& column) const { return this->Contains(column) && this->East[this->Place(column)]; }
-  bool IsCutNorth(const PlanePoint& column) const { return this->Contains(column) && this->North[this->Place(column)]; }
-
-private:
-  bool Contains(const PlanePoint& column) const
+  bool IsCutEast(const PlanePoint& column) const
   {
-    return column.X >= this->Box.Least.X && column.X <= this->Box.Greatest.X && column.Y >= this->Box.Least.Y &&
-      column.Y <= this->Box.Greatest.Y;
+    return this->Box.Contains(column) && this->East[this->Place(column)];
+  }
+  bool IsCutNorth(const PlanePoint& column) const
+  {
+    return this->Box.Contains(column) && this->North[this->Place(column)];
   }
 
+private:
   std::size_t Place(const PlanePoint& column) const
   {
     return std::size_t(

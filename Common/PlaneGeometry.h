@@ -54,6 +54,12 @@ struct PlaneBox
 
   bool IsEmpty() const { return this->Least.X > this->Greatest.X; }
 
+  bool Contains(const PlanePoint& place) const
+  {
+    return place.X >= this->Least.X && place.X <= this->Greatest.X && place.Y >= this->Least.Y &&
+      place.Y <= this->Greatest.Y;
+  }
+
   void Add(const PlanePoint& place)
   {
     this->Least = { std::min(this->Least.X, place.X), std::min(this->Least.Y, place.Y) };

@@ -68,7 +68,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   options.HoleBoundaries = this->HoleBoundaries;
   options.SmallestHoleSize = this->FindSmallestHoleSize(points.Grid.ColumnArea());
   options.MinimumPatchSize = this->MinimumPatchSize;
-  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input) : std::nullopt;
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(columns)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
   const auto type = static_cast<SeismicHorizons::BoundaryType>(this->BoundaryType);
   auto found = FindExteriorBoundary(columns, OptionsFor(type, options), monitor.Step(0.3, 0.9));

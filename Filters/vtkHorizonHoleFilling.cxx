@@ -76,10 +76,11 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
   LatticePoints points = ReadPoints(input);
   const HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
   const std::vector<FilledArray> arrays = ListFilledArrays(input, points.Height, this->Attributes == FromRim);
-  const std::optional<LinkCuts> cuts = FindCuts(input);
+  const std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid);
+  const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(columns));
   monitor.Progress(0.2);
-  const FilledColumns filled = FillHoles(ToColumns(std::move(points.Plane), points.Grid), points.Height,
-    ListFilledValues(arrays, points.Height), options, cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
+  const FilledColumns filled = FillHoles(columns, points.Height, ListFilledValues(arrays, points.Height), options,
+    cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
   WriteFilledHorizon(input, points.Grid, arrays, filled, outputs.front());
   this->NumberOfFilledHoles += vtkIdType(filled.FilledGaps);
   this->NumberOfFilledPoints += vtkIdType(filled.Column.size());

@@ -168,10 +168,10 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   LatticePoints points = ReadPoints(input);
   SurfaceOptions options = this->MakeOptions(points);
   options.Seams = this->MakeSeams();
-  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input) : std::nullopt;
-  options.Cuts = cuts ? &*cuts : nullptr;
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
   std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid, ColumnTolerance::None);
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(columns)) : std::nullopt;
+  options.Cuts = cuts ? &*cuts : nullptr;
   const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, columns);
   monitor.Progress(0.1);
   Surface surface =

@@ -322,7 +322,7 @@ def fail(error):
 
 def _run(options):
     """All files, then what is told of them. Returns the exit code."""
-    from seismichorizons import batch, record, report
+    from seismichorizons import batch, interrupt, record, report
     from seismichorizons.stage import HorizonError
 
     page = getattr(options, "report", None)
@@ -332,6 +332,7 @@ def _run(options):
         if page:
             report.check(page)
         batch.run(options.inputs, options.output_folder, make_settings(options), with_pictures, run, not options.json)
+        interrupt.check()
         if page:
             report.write(run.as_values(), page, run.album)
     except (HorizonError, OSError) as error:

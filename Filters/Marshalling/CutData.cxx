@@ -46,7 +46,7 @@ LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::optional<LinkCuts> FindCuts(vtkDataObject* horizon)
+std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns)
 {
   vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), FieldArray::CutLinks);
   if (!array || array->GetNumberOfTuples() == 0)
@@ -63,8 +63,16 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon)
   PlaneBox box;
   for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
-    links.push_back(ReadLink(array, n, dimensions));
-    box.Add(links.back().Column);
+    const LatticeLink link = ReadLink(array, n, dimensions);
+    if (columns.Contains(link.Column))
+    {
+      links.push_back(link);
+      box.Add(link.Column);
+    }
+  }
+  if (links.empty())
+  {
+    return std::nullopt;
   }
   LinkCuts cuts(box);
   for (const LatticeLink& link : links)

@@ -16,10 +16,11 @@ class vtkFieldData;
 
 namespace SeismicHorizons
 {
-/// The cuts that the field data array CutLinks lists, in their own bounding box; nothing where there is no such array,
-/// or where it is empty. Throws InputError on an array of other than three whole numbers a link, on columns outside the
+/// The cuts among some columns that the field data array CutLinks lists, in their own bounding box; nothing where there
+/// is no such array, or none of them in it. Cuts far from the horizon, which may be a small part of its lattice, would
+/// only take memory. Throws InputError on an array of other than three whole numbers a link, on columns outside the
 /// lattice of the horizon, and on sides other than 0 and 1.
-std::optional<LinkCuts> FindCuts(vtkDataObject* horizon);
+std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns);
 
 /// Writes the links of fault lines as CutLinks, CutThrow and CutLine, in place of those there are. A link of several
 /// lines is that of the first.

@@ -50,6 +50,11 @@ void AppendCells(
     FaultStick polyline;
     for (vtkIdType n = 0; n < size; ++n)
     {
+      if (points[n] < 0 || points[n] >= data->GetNumberOfPoints())
+      {
+        throw InputError("point id " + std::to_string(points[n]) + " in fault polyline " +
+          std::to_string(polylines.size()) + ", expected 0 to " + std::to_string(data->GetNumberOfPoints() - 1));
+      }
       Eigen::Vector3d world;
       data->GetPoint(points[n], world.data());
       const Eigen::Vector3d place = grid.ToLattice(world);

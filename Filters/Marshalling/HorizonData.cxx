@@ -129,6 +129,18 @@ std::vector<Number> CopyValues(vtkDataArray* array)
   }
   return values;
 }
+
+/// The columns around places in sub-voxels, which may be between columns.
+PlaneBox ColumnsAround(const std::vector<PlanePoint>& plane, std::int32_t subVoxelsPerColumn)
+{
+  PlaneBox box(plane);
+  if (!box.IsEmpty())
+  {
+    box.Least = { box.Least.X / subVoxelsPerColumn - 1, box.Least.Y / subVoxelsPerColumn - 1 };
+    box.Greatest = { box.Greatest.X / subVoxelsPerColumn + 1, box.Greatest.Y / subVoxelsPerColumn + 1 };
+  }
+  return box;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -304,7 +316,7 @@ BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points)
   BoundedHorizon result = ReadPatchesAndBoundary(horizon, std::move(points.Plane), points.Grid);
   result.Height = std::move(points.Height);
   result.Count = ReadCounts(horizon);
-  if (std::optional<LinkCuts> cuts = FindCuts(horizon))
+  if (std::optional<LinkCuts> cuts = FindCuts(horizon, ColumnsAround(result.Plane, result.SubVoxelsPerColumn)))
   {
     result.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
   }

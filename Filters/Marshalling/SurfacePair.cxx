@@ -50,9 +50,10 @@ BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monito
   }
   BoundaryOptions options;
   options.Radius = radius;
-  const std::optional<LinkCuts> cuts = FindCuts(input);
+  const std::vector<PlanePoint> columns = ToColumns(points.Plane, points.Grid);
+  const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(columns));
   options.Cuts = cuts ? &*cuts : nullptr;
-  ExteriorBoundary found = FindExteriorBoundary(ToColumns(points.Plane, points.Grid), options, monitor);
+  ExteriorBoundary found = FindExteriorBoundary(columns, options, monitor);
   BoundedHorizon horizon;
   horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
   horizon.Plane = std::move(points.Plane);

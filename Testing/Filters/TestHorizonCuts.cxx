@@ -16,6 +16,8 @@
 #include "vtkHorizonTriangulation.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 using namespace FaultFixtures;
@@ -153,6 +155,59 @@ void CheckRefused(vtkPolyData* horizon, int radius, const std::string& message)
   CHECK(errors.FirstContains(message));
 }
 
+/// Links as others may write them: other types, values that are no columns, and cuts far away in a huge lattice.
+void TestLinksOfOthers()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto addDoubles = [](vtkPolyData* horizon, const std::vector<double>& values, int components = 3)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("CutLinks");
+    array->SetNumberOfComponents(components);
+    for (const double value : values)
+    {
+      array->InsertNextValue(value);
+    }
+    horizon->GetFieldData()->AddArray(array);
+  };
+  auto horizon = MakeFaulted(HorizonFixtures::UnitSurvey());
+  for (const double odd : { std::nan(""), infinity, -infinity, 1e300, -1e300, -1.0, 0.5, 2147483648.0, 4294967296.0 })
+  {
+    for (std::size_t component = 0; component < 3; ++component)
+    {
+      std::vector<double> link = { 4.0, 4.0, 1.0, 5.0, 5.0, 0.0 };
+      link[3 + component] = odd;
+      addDoubles(horizon, link);
+      CheckRefused(horizon, 1, "cut link 1 (");
+    }
+  }
+  addDoubles(horizon, { 1.0, 2.0, 2.0 });
+  CheckRefused(horizon, 1, "i from 0 to 31 and j from 0 to 31, and a side, 0 or 1");
+  addDoubles(horizon, { 1.0, 2.0, 0.0, 1.0 }, 4);
+  CheckRefused(horizon, 1, "field data array CutLinks with 4 components, expected 3: i, j and the side");
+  const auto countLoops = [&horizon]()
+  {
+    vtkNew<vtkHorizonExteriorBoundary> boundary;
+    boundary->SetInputDataObject(horizon);
+    boundary->Update();
+    return boundary->GetPolyDataOutput()->GetNumberOfLines();
+  };
+  addDoubles(horizon, {});
+  CHECK_EQUAL(countLoops(), 1);
+  // A link a million times, and one at the far end of a lattice: bits for all columns between would be many petabytes.
+  constexpr int side = (1 << 28) - 1;
+  const int dimensions[3] = { side, side, 64 };
+  HorizonFixtures::AddLattice(horizon, dimensions, HorizonFixtures::UnitSurvey());
+  std::vector<double> links;
+  for (int n = 0; n < 1000000; ++n)
+  {
+    links.insert(links.end(), { 5.0, 5.0, 1.0 });
+  }
+  links.insert(links.end(), { side - 1.0, side - 1.0, 0.0 });
+  addDoubles(horizon, links);
+  CHECK_EQUAL(countLoops(), 2);
+}
+
 void TestErrors()
 {
   CheckRefused(MakeFaulted(HorizonFixtures::UnitSurvey()), 2,
@@ -175,6 +230,7 @@ int TestHorizonCuts(int, char*[])
   TestStages();
   TestCells();
   TestSurface();
+  TestLinksOfOthers();
   TestErrors();
   return Check::Result();
 }

@@ -267,6 +267,63 @@ void TestErrors()
   CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
 }
 
+/// Lines of a million places: far away, to and fro across the horizon, and in circles over it.
+void TestEndlessLines()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  constexpr int size = 1000000;
+  const auto makeLine = [&survey](auto&& placeOf)
+  {
+    std::vector<std::array<double, 2>> places;
+    for (int n = 0; n < size; ++n)
+    {
+      places.push_back(placeOf(n));
+    }
+    return Line(places, survey, false);
+  };
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Level, survey));
+  filter->DetectOff();
+  for (const bool areSticks : { false, true })
+  {
+    areSticks ? filter->SetLineTypeToSticks() : filter->SetLineTypeToTraces();
+    filter->SetInputData(1, makeLine([](int n) { return std::array<double, 2>{ n % 2 == 0 ? -1e9 : 1e9, 40.0 + n }; }));
+    filter->Update();
+    CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+    filter->SetInputData(1,
+      makeLine(
+        [](int n) {
+          return std::array<double, 2>{ 9.5 + 0.2 * std::sin(0.01 * n), 9.5 + 0.2 * std::cos(n) };
+        }));
+    filter->Update();
+    CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0); // within one block
+  }
+  filter->SetLineTypeToTraces();
+  filter->SetInputData(1,
+    makeLine(
+      [](int n) {
+        return std::array<double, 2>{ n % 2 == 0 ? -1e9 : 1e9, 24.0 * n / size };
+      }));
+  CheckError(filter, "links of a horizon of 750 columns, expected at most 1000000");
+}
+
+void TestCellsWithoutPoints()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Torn, survey));
+  const auto lines = Line({ { 1.0, 1.0 }, { 9.0, 2.0 } }, survey, false);
+  lines->GetLines()->InsertNextCell({ 0, 2 });
+  filter->SetInputData(1, lines);
+  CheckError(filter, "point id 2 in fault polyline 1, expected 0 to 1");
+  lines->SetPoints(nullptr);
+  CheckError(filter, "point id 0 in fault polyline 0, expected 0 to -1");
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(1, empty);
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1); // that is found
+}
+
 void TestPrintSelf()
 {
   vtkNew<vtkHorizonFaults> filter;
@@ -297,6 +354,8 @@ int TestHorizonFaults(int, char*[])
   TestSeveralHorizons();
   TestLinesBesideTheHorizon();
   TestErrors();
+  TestEndlessLines();
+  TestCellsWithoutPoints();
   TestPrintSelf();
   return Check::Result();
 }

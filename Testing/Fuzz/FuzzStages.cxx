@@ -27,8 +27,9 @@ bool IsLength(double value)
 
 bool IsValid(const BoundaryOptions& options)
 {
+  const bool isTooWide = options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1;
   return options.Radius >= 1 && options.Radius <= LargestRadius && options.SmallestHoleSize >= 1 &&
-    options.MinimumPatchSize >= 1;
+    options.MinimumPatchSize >= 1 && !isTooWide;
 }
 
 bool IsValid(const BoundarySimplificationOptions& options)
@@ -80,14 +81,25 @@ std::optional<BoundedHorizon> TakeHorizon(StageInput& input)
 {
   const Patches::Columns columns = input.TakeColumns();
   const std::vector<double> heights = input.TakeHeights(columns);
-  const BoundaryOptions options = input.TakeBoundaryOptions();
+  const std::shared_ptr<const LinkCuts> cuts = input.TakeCuts(columns);
+  BoundaryOptions options = input.TakeBoundaryOptions();
+  options.Cuts = cuts.get();
   const auto boundary = RunOn(IsValid(options), "boundary", [&]() { return FindExteriorBoundary(columns, options); });
   if (!boundary)
   {
     return {};
   }
   CheckBoundary(columns, *boundary, options);
-  return KeepPatches(columns, heights, *boundary, options);
+  BoundedHorizon horizon = KeepPatches(columns, heights, *boundary, options);
+  horizon.Cuts = cuts;
+  return horizon;
+}
+
+/// Points that are left of a horizon.
+BoundedHorizon WithCuts(BoundedHorizon left, const BoundedHorizon& horizon)
+{
+  left.Cuts = horizon.Cuts;
+  return left;
 }
 
 BoundedHorizon SimplifyLoops(const BoundedHorizon& horizon, StageInput& input)
@@ -100,7 +112,11 @@ BoundedHorizon SimplifyLoops(const BoundedHorizon& horizon, StageInput& input)
     return horizon;
   }
   CheckSimplifiedBoundary(horizon, *result, options);
-  const BoundedHorizon simplified = Drop(horizon, *result);
+  const BoundedHorizon simplified = WithCuts(Drop(horizon, *result), horizon);
+  if (options.OutlineTolerance == 0.0) // outlines that move in plan may move over cuts
+  {
+    CheckCuts(simplified, "boundary simplification");
+  }
   CheckedMesh(simplified, "mesh of the simplified boundary");
   return simplified;
 }
@@ -119,7 +135,7 @@ BoundedHorizon SimplifyInside(const BoundedHorizon& horizon, StageInput& input)
     return horizon;
   }
   CheckReduction(horizon, *result);
-  const BoundedHorizon reduced = Reduce(horizon, *result);
+  const BoundedHorizon reduced = WithCuts(Reduce(horizon, *result), horizon);
   CheckedMesh(reduced, "mesh of the " + name);
   return reduced;
 }
@@ -171,7 +187,8 @@ void DecimateWhole(const BoundedHorizon& horizon, StageInput& input)
 bool IsValid(const SurfaceOptions& options)
 {
   const int radius = options.Radius.value_or(1);
-  return (options.MaximumNumberOfTriangles > 0 || IsLength(options.MaximumError)) && radius >= 1 &&
+  const bool isTooWide = options.Cuts && options.Growth == GrowthStrategy::Distance && radius > 1;
+  return !isTooWide && (options.MaximumNumberOfTriangles > 0 || IsLength(options.MaximumError)) && radius >= 1 &&
     radius <= LargestRadius && options.SmallestHoleSize.value_or(1) >= 1 && options.MinimumPatchSize >= 1 &&
     IsLength(options.OutlineTolerance.value_or(0.0)) && IsLength(options.DistanceThreshold.value_or(0.0));
 }
@@ -193,7 +210,12 @@ bool IsEnough(const SurfacePoints& points, const SurfaceOptions& options)
 /// From points to a mesh in one; with a number of triangles that may be too small for the outlines.
 void MeshAtOnce(const BoundedHorizon& horizon, StageInput& input)
 {
-  const SurfaceOptions options = input.TakeSurfaceOptions();
+  SurfaceOptions options = input.TakeSurfaceOptions();
+  options.Cuts = horizon.Cuts.get();
+  if (options.Cuts && !options.Radius)
+  {
+    options.Growth = GrowthStrategy::Clockwise; // the other one refuses the radius that may be chosen
+  }
   SurfacePoints points{ {}, horizon.Plane, horizon.Height, horizon.SubVoxelsPerColumn };
   for (const PlanePoint& place : horizon.Plane)
   {

@@ -92,6 +92,43 @@ Patches::Columns StageInput::TakeScattered()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::shared_ptr<const LinkCuts> StageInput::TakeCuts(const Patches::Columns& columns)
+{
+  if (this->TakeBool())
+  {
+    return nullptr;
+  }
+  const PlaneBox box(columns);
+  const int width = box.Greatest.X - box.Least.X + 1;
+  const int height = box.Greatest.Y - box.Least.Y + 1;
+  const auto cuts = std::make_shared<LinkCuts>(box);
+  const auto cut = [&](int x, int y, bool isEast)
+  {
+    if (x < width && y < height)
+    {
+      const PlanePoint column{ box.Least.X + x, box.Least.Y + y };
+      isEast ? cuts->CutEast(column) : cuts->CutNorth(column);
+    }
+  };
+  for (int lines = this->TakeBelow(8); lines > 0; --lines)
+  {
+    const int x = this->TakeBelow(width);
+    const int y = this->TakeBelow(height);
+    const bool isEast = this->TakeBool(); // across which links
+    for (int length = this->TakeBelow(16); length >= 0; --length)
+    {
+      cut(isEast ? x : x + length, isEast ? y + length : y, isEast);
+    }
+  }
+  Patches::Random random = this->TakeRandom();
+  for (int links = this->TakeBool() ? 0 : this->TakeBelow(200); links > 0; --links)
+  {
+    cut(random.Below(width), random.Below(height), random.Chance(0.5));
+  }
+  return cuts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<double> StageInput::TakeHeights(const Patches::Columns& columns)
 {
   const int kind = this->TakeBelow(8);

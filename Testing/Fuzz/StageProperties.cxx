@@ -5,6 +5,7 @@
 
 #include "Common/Predicates.h"
 #include "Tools/BoundaryChecker.h"
+#include "Tools/CutChecker.h"
 #include "Tools/MeshChecker.h"
 #include "Tools/ReductionChecker.h"
 #include "Tools/TriangleSets.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace Fuzz
 {
@@ -41,6 +43,26 @@ std::vector<PlanePoint> Moved(std::vector<PlanePoint> places, const PlanePoint& 
     place = { place.X + way.X, place.Y + way.Y };
   }
   return places;
+}
+
+/// The cuts of columns that are moved, too; nothing where there are none.
+std::optional<LinkCuts> MovedCuts(const LinkCuts* cuts, const Patches::Columns& columns, const PlanePoint& way)
+{
+  if (!cuts)
+  {
+    return std::nullopt;
+  }
+  const PlaneBox box(columns);
+  LinkCuts moved{ PlaneBox(Moved(columns, way)) };
+  for (std::int32_t y = box.Least.Y; y <= box.Greatest.Y; ++y)
+  {
+    for (std::int32_t x = box.Least.X; x <= box.Greatest.X; ++x)
+    {
+      cuts->IsCutEast({ x, y }) ? moved.CutEast({ x + way.X, y + way.Y }) : void();
+      cuts->IsCutNorth({ x, y }) ? moved.CutNorth({ x + way.X, y + way.Y }) : void();
+    }
+  }
+  return moved;
 }
 
 /// Twice the area inside the loops.
@@ -103,12 +125,35 @@ void CheckBoundary(const Patches::Columns& columns, const ExteriorBoundary& boun
   if (columns.size() <= MostPointsInPairs)
   {
     RequireNothing(BoundaryChecker::CheckBoundary(columns, boundary, options), "boundary");
+    if (options.Cuts && options.MinimumPatchSize == 1)
+    {
+      RequireNothing(CutChecker::CheckBoundary({ columns, *options.Cuts }, boundary, options), "boundary");
+    }
   }
   for (const PlanePoint& way : { PlanePoint{ 1, -1 }, { -1000, 777 }, { (1 << 28) - 2000, -(1 << 28) } })
   {
-    const ExteriorBoundary moved = FindExteriorBoundary(Moved(columns, way), options);
+    BoundaryOptions movedOptions = options;
+    const std::optional<LinkCuts> cuts = MovedCuts(options.Cuts, columns, way);
+    movedOptions.Cuts = cuts ? &*cuts : nullptr;
+    const ExteriorBoundary moved = FindExteriorBoundary(Moved(columns, way), movedOptions);
     Require(moved.Patch == boundary.Patch && IsSameBoundary(moved.Boundary, boundary.Boundary),
       "boundary: the place of the origin matters");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckCuts(const BoundedHorizon& horizon, const std::string& name)
+{
+  if (horizon.Cuts && horizon.Plane.size() <= MostPointsInPairs)
+  {
+    Patches::Columns columns;
+    for (const PlanePoint& place : horizon.Plane)
+    {
+      columns.push_back({ place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn });
+    }
+    RequireNothing(
+      CutChecker::CheckCuts({ columns, *horizon.Cuts }, horizon.Plane, horizon.Boundary, horizon.SubVoxelsPerColumn),
+      name);
   }
 }
 

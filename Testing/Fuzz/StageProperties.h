@@ -22,6 +22,9 @@ namespace Fuzz
 void CheckBoundary(const Patches::Columns& columns, const SeismicHorizons::ExteriorBoundary& boundary,
   const SeismicHorizons::BoundaryOptions& options);
 
+/// There is no surface where a horizon is cut.
+void CheckCuts(const SeismicHorizons::BoundedHorizon& horizon, const std::string& name);
+
 /// The triangulation of a horizon is right, and the same with either search and wherever the horizon lies.
 SeismicHorizons::Triangulation CheckedMesh(const SeismicHorizons::BoundedHorizon& horizon, const std::string& name);
 

@@ -44,6 +44,7 @@ def main():
     events = window.Events()
     for path, _, _, several in files:
         events.open(path, several)
+        events.apply()
         events.macro("Note")
     notes = window.play(paraview, events, folder)
     assert len(notes) == len(files), notes

@@ -39,26 +39,57 @@ class Events:
         self.add(WINDOW + "/" + dialog, "filesSelected", path)
 
     def open(self, path, several_readers=False):
-        """File > Open and Apply; where several readers offer themselves, the one on top is taken."""
+        """File > Open, without Apply; where several readers offer themselves, the one on top is taken."""
         self.menu("menu_File", "actionFileOpen")
         self.file_chosen("FileOpenDialog", path)
         if several_readers:
             self.add(WINDOW + "/pqSelectReaderDialog/okButton", "activate")
-        self.apply()
+
+    def undo(self, times):
+        for _ in range(times):
+            self.menu("menu_Edit", "actionEditUndo")
+
+    def redo(self, times):
+        for _ in range(times):
+            self.menu("menu_Edit", "actionEditRedo")
+
+    def save_data(self, path):
+        """File > Save Data, with the writer's settings as they are."""
+        self.menu("menu_File", "actionFileSaveData")
+        self.file_chosen("FileSaveDialog", path)
+        self.add(WINDOW + "/WriterSettingsDialog/widget/OKButton", "activate")
+
+    def save_state(self, path):
+        self.menu("menu_File", "actionFileSaveServerState")
+        self.file_chosen("FileSaveServerStateDialog", path)
 
     def filter(self, name):
         """A filter of the active source, without Apply."""
         self.add(WINDOW + "/menubar/menuFilters/pqProxyGroupMenuManager0/" + name, "activate")
 
+    def filter_of_two(self, name, inputs):
+        """A filter with two inputs, which a dialog asks for: pairs of an input and the depth of its source in the browser,
+        where each source is the input of the next."""
+        self.filter(name)
+        dialog = WINDOW + "/SelectInputDialog"
+        for which, depth in inputs:
+            self.add("%s/buttonFrame/%s" % (dialog, which), "set_boolean", "true")
+            self.add(dialog + "/pipelineView", "currentChanged", (depth + 1) * "/0|0")
+        self.add(dialog + "/buttonBox/1QPushButton0", "activate")
+
     def apply(self):
         self.add(PANEL + "/Accept", "activate")
 
-    def set_number(self, name, value, panel="ProxyPanel", widget=None):
-        """Types into the field of a property; that of a property with a slider by default."""
-        self.add(FIELDS + "%s/%s/%s" % (panel, name, widget or "IntRangeWidget/LineEdit"), "set_string", value)
+    def set_number(self, name, value, widget="IntRangeWidget/LineEdit"):
+        """Types into the field of a property that has a slider."""
+        self.add(FIELDS + "ProxyPanel/%s/%s" % (name, widget), "set_string", value)
 
-    def set_choice(self, name, text, panel="ProxyPanel"):
-        self.add(FIELDS + "%s/%s/ComboBox" % (panel, name), "set_string", text)
+    def set_check(self, name, state):
+        self.add(FIELDS + "ProxyPanel/%s/CheckBox" % name, "set_boolean", "true" if state else "false")
+
+    def set_list_item(self, name, row, state):
+        """Checks an item of a list of names, or takes the check away."""
+        self.add(FIELDS + "ProxyPanel/%s/ArraySelectionWidget" % name, "setCheckState", "%d.0,%d" % (row, 2 if state else 0))
 
     def macro(self, name):
         self.menu("menu_Macros", name)

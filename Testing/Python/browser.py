@@ -23,7 +23,10 @@ def missing():
 
 
 class Browser:
-    """A context, with a profile of its own."""
+    """A context, with a profile of its own; with arguments besides the usual ones."""
+
+    def __init__(self, *arguments):
+        self._arguments = [*ARGUMENTS, *arguments]
 
     def __enter__(self):
         self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
@@ -32,7 +35,7 @@ class Browser:
         try:
             line = next(line for line in self._driver.stdout if "started successfully on port" in line)
             self._address = "http://127.0.0.1:%s/session" % re.search(r"port (\d+)", line).group(1)
-            options = {"binary": shutil.which("chromium"), "args": [*ARGUMENTS, "--user-data-dir=" + self._profile.name]}
+            options = {"binary": shutil.which("chromium"), "args": [*self._arguments, "--user-data-dir=" + self._profile.name]}
             self._address += "/" + self.ask("", capabilities={"alwaysMatch": {
                 "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}})["sessionId"]
         except BaseException:

@@ -113,6 +113,15 @@ class BrowserTest(unittest.TestCase):
         self.browser.wait(DRAWN)
         self.assertEqual(self.browser.run("return document.getElementById('viewer-choice').value"), "2")
 
+    def test_without_webgl(self):
+        """The page says so in place of the meshes, and all else is there."""
+        with browser.Browser("--disable-3d-apis") as plain:
+            plain.open(self.sample)
+            self.assertIn("needs JavaScript and WebGL", plain.run("return document.getElementById('meshes').innerText"))
+            self.assertTrue(plain.run("return document.getElementById('viewer').hidden"))
+            plain.run("document.querySelectorAll('#table thead button')[1].click()")
+            self.assertEqual(plain.run("return document.querySelectorAll('[aria-sort]').length"), 1)
+
     def test_table_sorts(self):
         """Numbers from the largest on first, then the other way; names as numbers in them count."""
         self.open(self.picks)

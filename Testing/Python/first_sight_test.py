@@ -57,7 +57,16 @@ class FirstSightTest(unittest.TestCase):
         return display
 
     def test_points(self):
-        self.assertEqual(colored_by(self.show(self.horizons)), ("POINTS", "VerticalIndex"))
+        display = self.show(self.horizons)
+        self.assertEqual((display.PointSize, colored_by(display)), (3, ("POINTS", "VerticalIndex")))
+
+    def test_volumes_are_shown_as_before(self):
+        volume = simple.VerneySparseMatrixReader(FileName=self.horizons.FileName, OutputType="Volume")
+        self.assertIn("Volume", self.show(volume).GetProperty("Representation").Available)
+
+    def test_sizes_of_horizons(self):
+        self.horizons.UpdatePipelineInformation()
+        self.assertEqual(list(self.horizons.GetProperty("HorizonSizes")), [SIDE * (SIDE - 1) - 9])
 
     def test_outlines_are_thick_and_in_the_colours_of_their_patches(self):
         outlines = simple.HorizonExteriorBoundary(Input=self.horizons)
@@ -133,6 +142,18 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual(colored_by(display), ("POINTS", "Filled"))
         self.assertIsNone(labels(display))
         self.assertEqual(list(table.RGBPoints), [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0])
+
+    def test_state_files_keep_what_was_changed(self):
+        display = self.show(simple.HorizonExteriorBoundary(Input=self.horizons))
+        display.LineWidth = 7
+        display.LookupTable.Annotations = ["0", "large", "1", "small"]
+        file = str(FOLDER / "sight.pvsm")
+        simple.SaveState(file)
+        simple.ResetSession()
+        simple.LoadState(file)
+        self.view = simple.GetActiveView()
+        display, = self.view.Representations
+        self.assertEqual((display.LineWidth, labels(display)), (7, {"0": "large", "1": "small"}))
 
     def test_nothing_to_show(self):
         display = self.show(simple.HorizonHoleFilling(Input=simple.VerneySparseMatrixReader(FileName=self.empty())))

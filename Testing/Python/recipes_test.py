@@ -6,11 +6,13 @@ Arguments: the folder of the recipes, that of the data, one for results, the pat
 """
 
 import csv
+import math
 import pathlib
 import shutil
 import subprocess
 import sys
 
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import mesh_checks
@@ -111,12 +113,48 @@ def test_extracts():
     assert said.count("extracts: none.vsm: nothing there, expected a file") == 1, said
 
 
+def meshes_alone(step):
+    """The meshes of a time step of ParaView's small simulation, by the classes of the package."""
+    volume = vtkRTAnalyticSource()
+    volume.SetWholeExtent(-20, 20, -20, 20, -20, 20)
+    volume.SetMaximum(255 + 200 * math.sin(step))
+    horizons = make("vtkSeismicReflectionExtraction", LargestNumber=4)
+    horizons.SetInputConnection(volume.GetOutputPort())
+    surface = make("vtkHorizonSurface", MaximumError=1.0)
+    surface.SetInputConnection(horizons.GetOutputPort())
+    update(surface)
+    found = surface.GetOutputDataObject(0)
+    return [found.GetPartition(number, 0) for number in range(found.GetNumberOfPartitionedDataSets())]
+
+
+def test_in_situ():
+    """Meshes at each time step of a simulation that knows of nothing but Catalyst."""
+    command = [sys.executable, "-m", "paraview.demos.wavelet_miniapp", "--timesteps", "3", "--size", "41", "-s",
+               str(RECIPES / "in_situ.py")]
+    done = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, timeout=180, check=False)
+    said = done.stdout + done.stderr
+    assert done.returncode == 0 and "ERR|" not in said and "Traceback" not in said, said
+    for step in range(3):
+        name = "meshes_%06d" % step
+        assert (FOLDER / "extracts" / (name + ".vtpc")).is_file(), said
+        expected = meshes_alone(step)
+        files = sorted((FOLDER / "extracts" / name).glob("*.vtp"))
+        assert len(files) == len(expected) > 1, files
+        for file, alone in zip(files, expected):
+            mesh = read(file)
+            assert mesh_checks.check_mesh(mesh) > 0, file
+            assert (mesh_checks.coordinates(mesh) == mesh_checks.coordinates(alone)).all(), file
+            assert (mesh_checks.triangles(mesh) == mesh_checks.triangles(alone)).all(), file
+
+
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
     if RECIPE == "windows_on_ranks":
         test_windows()
         test_windows_errors()
+    elif RECIPE == "in_situ":
+        test_in_situ()
     else:
         test_extracts()
 

@@ -19,7 +19,7 @@ from unittest import mock
 
 import mesh_checks
 import numpy as np
-from seismichorizons import album, charts, figures, markup, pipeline, record, report
+from seismichorizons import album, batch, charts, figures, markup, memory, pipeline, record, report
 
 PROGRAM, GENERATOR, DATA, PAGE, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:6])
 SAMPLE = DATA / "sample.vsm"
@@ -165,7 +165,7 @@ class ReportTest(unittest.TestCase):
         page = self.run_report(path, "--largest-error", "2")
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 60.0)
         self.assertLess(self.page.stat().st_size, 12 * MEGABYTE)
-        self.assertEqual(len(page.all("details")), 200)
+        self.assertEqual(len([d for d in page.all("details") if d["class"] == "horizon"]), 200)
         self.assertEqual(len([image for image in page.all("img") if image["alt"]]), 4 * album.MOST_PICTURED)
         self.assertIn("for the 12 horizons with most points, of 200.", page.text())
         self.assertEqual(len([row for row in page.all("th") if "data-value" in row]), 200)
@@ -224,21 +224,17 @@ class ReportTest(unittest.TestCase):
 
     def test_larger_than_memory(self):
         """A horizon in windows is not measured, and the page says so; nothing else is missing."""
-        real = pipeline.Settings.can_cut
-        settings = pipeline.Settings(surface={"MaximumError": 1.0}, error={}, error_if_whole=True)
-        self.assertTrue(real(settings))
-        settings.error_if_whole = False
-        self.assertFalse(real(settings))
-        mesh = pipeline.run("x", "X", pipeline.read_first(SAMPLE), pipeline.Settings(surface={"MaximumError": 1.0}))
-        mesh.loops = None
-        mesh.release()
-        run = record.Record(lambda *_: None, True, report.make_album(False))
-        run.begin(settings)
-        run.begin_file(SAMPLE, "sample.vsm")
-        run.add_horizon(mesh, mock.Mock(sizes=[mesh.number_of_points]), ["x.vtp"])
+        settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=1.0), error={}, error_if_whole=True,
+                                     memory=memory.WORKED * 4000)
+        run = record.Record(lambda *told: self.fail(told), True, report.make_album(True))
+        with mock.patch.multiple(memory, SPARE=0, _resident=lambda: 0):
+            batch.run([SAMPLE], self.folder, settings, False, run, prints=False)
         page = Page(report.make(run.as_values(), run.album, None))
-        self.assertIn("Deviations were not measured.", page.text())
+        self.assertIn("not measured: the horizons are larger than memory.", page.text())
         self.assertIn("as the decimation keeps it", page.text())
+        self.assertEqual([image["alt"].split(";")[0] for image in page.all("img") if image["alt"].startswith("Mesh")][:1],
+                         ["Mesh of Horizon 1: 6,282 points, %d triangles" % run.files[0]["horizons"][0]["triangles"]])
+        self.assertFalse(pipeline.Settings(surface={}, error={}).can_cut())
 
     def test_json(self):
         """One object with the documented keys, and the figures of the meshes; nothing else is printed."""

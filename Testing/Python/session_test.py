@@ -15,8 +15,6 @@ from paraview import servermanager, simple, smstate, smtrace
 import mesh_checks
 import pipelines
 
-FAULT = "1455.0 1922.5 0\n-3090.0 20102.5 0\n999.0 999.0 999.0\n"  # between columns 20 and 21 of the survey below
-CHOSEN = ["Horizon 1", "Horizon 3"]
 ERRORS = (0.5, 1.5, 3.0)  # of the frames of the animation, in lattice units
 
 
@@ -24,32 +22,6 @@ def fetch(proxy):
     """The data of a proxy; the server is this process itself, so they are at hand."""
     proxy.UpdatePipeline()
     return mesh_checks.blocks(proxy.GetClientSideObject().GetOutputDataObject(0))
-
-
-def make_pipeline(sample, fault):
-    """All stages of the menu that take horizons, each with parameters that are not the defaults. Proxies by their names."""
-    made = {}
-
-    def add(name, kind, **properties):
-        made[name] = getattr(simple, kind)(registrationName=name, **properties)
-        return made[name]
-
-    points = add("points", "VerneySparseMatrixReader", FileName=str(sample), HorizonStatus=CHOSEN,
-                 Origin=[1000.0, 2000.0, -50.0], ColumnStep=[20.0, 5.0], RowStep=[-5.0, 20.0], VerticalStep=4.0)
-    lines = add("lines", "FaultLinesReader", FileName=str(fault), VerticalDirection="Up")
-    quiet = add("quiet", "HorizonDespiking", Input=points, Threshold=2.5, NeighborhoodRadius=2)
-    cut = add("cut", "HorizonFaults", Input=quiet, FaultLines=lines, SmallestThrow=4.5)
-    whole = add("whole", "HorizonHoleFilling", Input=cut, LargestHoleSize=40, Method="Membrane")
-    add("surface", "HorizonSurface", Input=whole, MaximumError=1.5, AutomaticRadius=0, Radius=2)
-    outline = add("outline", "HorizonExteriorBoundary", Input=whole, Radius=2, GrowthStrategy="Clockwise",
-                  MinimumPatchSize=9)
-    loops = add("loops", "HorizonBoundarySimplification", Input=outline, DistanceThreshold=0.7)
-    thin = add("thin", "HorizonRoughSimplification", Input=loops, CellSize=4)
-    add("few", "HorizonElaborateSimplification", Input=loops, Representative="Nearest Point")
-    mesh = add("mesh", "HorizonTriangulation", Input=thin)
-    add("least", "HorizonDecimation", Input=loops, MaximumError=2.0)
-    add("distance", "HorizonSurfaceDistance", Reference=points, Mesh=mesh, SamplesPerPoint=2.0)
-    return made
 
 
 def settings(proxy):
@@ -164,14 +136,13 @@ def main():
     folder = pathlib.Path(sys.argv[2]).resolve()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    fault = folder / "fault.pol"
-    fault.write_text(FAULT, encoding="utf-8")
+    fault = pipelines.write_fault(folder)
     smtrace.start_trace()
-    proxies = make_pipeline(sample, fault)
+    proxies = pipelines.all_stages(sample, fault)
     trace = smtrace.stop_trace()
     expected = snapshot(proxies)
     for name, (_, data) in expected.items():
-        assert name == "lines" or list(data) == CHOSEN, (name, list(data))
+        assert name == "lines" or list(data) == pipelines.CHOSEN, (name, list(data))
     check_states(expected, folder, trace)
     simple.ResetSession()
     points = simple.OpenDataFile(str(sample))

@@ -49,6 +49,8 @@ seismichorizons_package(python python3-seismichorizons
   "The command horizon-mesh, and the Python package seismichorizons that it stands on.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_library}, python3-paraview")
+# Meshes in reports are turned around by three.js.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS libjs-three)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/postinst"
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/prerm")

@@ -88,7 +88,9 @@ class Album:
             if measured is not None and measured.GetNumberOfPoints():
                 panels.append(pictures.Panel("Error", "distance of each point from the mesh", measured, pictures.DISTANCE))
             images, entry.exaggeration, farthest = pictures.draw_each(panels, PICTURE_SIZE, self._studio)
-            entry.pictures = [Picture(panel.title if number else "Points", panel.caption, pictures.as_jpeg(image),
+            # The first panel of a row has the name of the horizon as its title.
+            first = "Points" if panels[0].style == pictures.POINTS else "Mesh"
+            entry.pictures = [Picture(panel.title if number else first, panel.caption, pictures.as_jpeg(image),
                                       farthest if panel.style == pictures.DISTANCE else None)
                               for number, (panel, image) in enumerate(zip(panels, images))]
         if sum(e.thumbnail is not None for e in self.entries) < MOST_THUMBNAILS:

@@ -90,8 +90,7 @@ class Studio:
         self._window.SetSize(*size)
         for renderer in renderers:
             self._window.AddRenderer(renderer)
-        self._window.Render()
-        grabber = vtkWindowToImageFilter()
+        grabber = vtkWindowToImageFilter()  # it lets the window draw
         grabber.SetInput(self._window)
         grabber.ReadFrontBufferOff()
         grabber.Update()

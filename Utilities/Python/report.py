@@ -81,14 +81,14 @@ def make(run, album, three):
         codes += [fill("three_licence") + three, read("viewer.js")]
     codes = [script_safe(code) for code in codes]
     pairs = sections.horizons_of(run)
-    files = [file["label"] for file in run["files"]]
-    heading = files[0] if len(files) == 1 else sections.count(len(files), "file")
+    labels = [file["label"] for file in run["files"]]
+    heading = labels[0] if len(labels) == 1 else sections.count(len(labels), "file")
     page = fill(
         "page", hashes=join((Markup(script_hash("\n" + code + "\n")) for code in codes), " "),
         version=run["versions"]["SeismicHorizons"], title="%s: report" % heading, heading=heading,
         style=Markup(read("page.css") + _ramps()), when=_when(run, len(pairs)), tiles=sections.tiles(run),
         links=sections.links(bool(pairs), bool(viewer)),
-        problems=sections.problems(run), files=join(sections.file_card(file) for file in run["files"]),
+        problems=sections.problems(run), files=sections.files(run),
         horizons=sections.horizon_table(run, album), viewer=viewer, details=sections.details(run, album),
         parameters=sections.parameters(run), folder=run["command"]["folder"],
         command=shlex.join(run["command"]["words"]),

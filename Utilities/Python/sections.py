@@ -23,6 +23,8 @@ ERROR_ROWS = (("largest", "largest"), ("mean", "mean"), ("root mean square", "rm
               ("outlines, on the map", "outline"))
 STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole filling", "simplified": "outline"}
 PREPARED = {"despiked": "spikes removed", "torn": "links cut along faults", "filled": "points filled in"}
+MOST_OPEN_FILES = 3
+METER = "vtkHorizonSurfaceDistance"
 FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
 
 
@@ -77,8 +79,16 @@ def facts(pairs):
     return join(fill("fact", name=name, value=value) for name, value in pairs if value not in (None, ""))
 
 
-def file_card(file):
-    return fill("file", label=file["label"], facts=facts([
+def files(run):
+    """A card for each file, open where there are few."""
+    is_open = fill("open") if len(run["files"]) <= MOST_OPEN_FILES else None
+    return join(_file_card(file, is_open) for file in run["files"])
+
+
+def _file_card(file, is_open):
+    words = [file["format"], None if file["bytes"] is None else amount_text(file["bytes"], "B"),
+             count(len(file["horizons"]), "horizon") if file["status"] == "done" else "not done"]
+    return fill("file", label=file["label"], open=is_open, short=", ".join(filter(None, words)), facts=facts([
         ("File", file["path"]), ("Size", None if file["bytes"] is None else _bytes(file["bytes"])),
         ("Format", file["format"]),
         ("The reader found", fill("lines", lines="\n".join(file["description"])) if file["description"] else None),
@@ -139,13 +149,21 @@ def horizon_table(run, album):
                          cells=join(_cell(value(horizon), form) for _, _, value, form in COLUMNS)))
     heads = [fill("head", kind="name", text="Horizon", meaning="its name")]
     heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in COLUMNS]
-    measured = sum(1 for _, horizon in pairs if horizon["error"])
-    note = "Deviations are in lattice units, 1 being a step from column to column, or a vertical index." if measured else (
-        "Deviations were not measured.")
-    if 0 < measured < len(pairs):
-        note += " They were measured for %d of %d horizons; the others are larger than memory." % (measured, len(pairs))
-    return fill("horizons", heads=join(heads), rows=join(rows), note=note,
+    return fill("horizons", heads=join(heads), rows=join(rows), note=_about_deviations(run),
                 filter=fill("filter") if len(pairs) > FROM_HERE_FILTERED else None)
+
+
+def _about_deviations(run):
+    """Their unit, and of which horizons there are none."""
+    known = [horizon["error"] is not None for _, horizon in horizons_of(run)]
+    note = "Deviations are in lattice units, 1 being a step from column to column, or a vertical index."
+    if all(known):
+        return note
+    if METER not in run["parameters"]:
+        return "Deviations were not measured."
+    if not any(known):
+        return "Deviations were not measured: the horizons are larger than memory."
+    return note + " They were measured for %d of %d horizons; the others are larger than memory." % (sum(known), len(known))
 
 
 def _cell(value, form):
@@ -162,16 +180,18 @@ def details(run, album):
     note = "There are no pictures, as none were asked for." if not album.with_pictures else (
         "Pictures of the stages are there for %s." % ("all horizons" if drawn == len(pairs) else
                                                       "the %d horizons with most points, of %d" % (drawn, len(pairs))))
+    many = len(run["files"]) > 1
     return fill("details", note=note, horizons=join(
-        _details(number, horizon, album.entries[number]) for number, (_, horizon) in enumerate(pairs)))
+        _details(number, horizon, album.entries[number], file["label"] if many else None)
+        for number, (file, horizon) in enumerate(pairs)))
 
 
-def _details(number, horizon, entry):
+def _details(number, horizon, entry, label):
     largest = _error(horizon, "largest")
     unit = horizon["distances"] and "%s units" % horizon["distances"]["unit"]
-    short = "%s, %s" % (count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"))
-    short += "" if largest is None else ", at most %.3g off" % largest
-    return fill("horizon", number=number, name=horizon["name"], short=short, charts=_charts(horizon),
+    words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
+             None if largest is None else "at most %.3g off" % largest]
+    return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon),
                 turn=fill("turn", number=number) if entry.mesh else None,
                 pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon),
                 errors=_error_table(horizon["error"]))
@@ -225,6 +245,7 @@ def _horizon_facts(horizon):
 def _error_table(error):
     if not error:
         return None
+
     def text(unit, key):
         value = error[unit][key]
         # What is only rounding is nothing.

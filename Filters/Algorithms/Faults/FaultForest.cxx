@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace SeismicHorizons
@@ -243,28 +244,29 @@ std::vector<std::int32_t> WalkBranch(const CornerGraph& graph, std::int32_t end,
   return {};
 }
 
-/// Shorter branches go first, as what is left of their junction may be part of a longer one.
+/// Shorter branches go first: what is left of their junction may be part of a longer one, which waits for its turn.
 void PruneBranches(CornerGraph& graph, int smallest)
 {
-  std::vector<std::int32_t> ends;
+  std::set<std::pair<std::size_t, std::int32_t>> branches; // the length of each, and its end
   for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
   {
     if (graph.Degree(vertex) == 1)
     {
-      ends.push_back(vertex);
+      branches.emplace(0U, vertex);
     }
   }
-  for (int length = 1; length < smallest; ++length)
+  while (!branches.empty())
   {
-    for (const std::int32_t end : ends)
+    const auto [length, end] = *branches.begin();
+    branches.erase(branches.begin());
+    const std::vector<std::int32_t> branch = WalkBranch(graph, end, smallest - 1);
+    if (branch.size() > length)
     {
-      if (graph.Degree(end) == 1)
-      {
-        for (const std::int32_t edge : WalkBranch(graph, end, length))
-        {
-          graph.Drop(edge);
-        }
-      }
+      branches.emplace(branch.size(), end);
+    }
+    else if (branch.size() == length)
+    {
+      std::for_each(branch.begin(), branch.end(), [&graph](std::int32_t edge) { graph.Drop(edge); });
     }
   }
 }

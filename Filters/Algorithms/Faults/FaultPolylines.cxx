@@ -4,12 +4,12 @@
 #include "FaultPolylines.h"
 
 #include "Common/Errors.h"
+#include "SegmentClip.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
 #include <sstream>
 
 namespace SeismicHorizons
@@ -28,13 +28,16 @@ public:
   {
   }
 
-  void Follow(MapPlace from, MapPlace to)
+  void Follow(const MapPlace& start, const MapPlace& end)
   {
-    if (!this->Clip(from, to))
+    const SegmentClip near(this->Grid, start, end);
+    if (near.IsEmpty())
     {
       this->Lines.Close();
       return;
     }
+    const MapPlace& from = near.From();
+    const MapPlace& to = near.To();
     std::int64_t x = Block(from.X);
     std::int64_t y = Block(from.Y);
     std::int64_t stepsX = std::abs(Block(to.X) - x);
@@ -66,46 +69,6 @@ public:
 private:
   static std::int64_t Block(double place) { return std::int64_t(std::floor(place)); }
 
-  /// Shortens a segment to what is near the box; false when nothing is. It may reach two columns outside, so that
-  /// rounding leaves what is inside as it is.
-  bool Clip(MapPlace& from, MapPlace& to) const
-  {
-    constexpr double Margin = 2.0;
-    double first = 0.0;
-    double last = 1.0;
-    const MapPlace step = { to.X - from.X, to.Y - from.Y };
-    const auto clip = [&first, &last](double place, double direction, double end)
-    {
-      const double low = (-Margin - place) / direction;
-      const double high = (end + Margin - place) / direction;
-      if (direction != 0.0)
-      {
-        first = std::max(first, std::min(low, high));
-        last = std::min(last, std::max(low, high));
-      }
-      else if (place < -Margin || place > end + Margin)
-      {
-        last = -1.0;
-      }
-    };
-    clip(from.X, step.X, double(this->Grid.Width()));
-    clip(from.Y, step.Y, double(this->Grid.Height()));
-    if (first > last)
-    {
-      return false;
-    }
-    const MapPlace start = from;
-    if (first > 0.0)
-    {
-      from = { start.X + first * step.X, start.Y + first * step.Y };
-    }
-    if (last < 1.0)
-    {
-      to = { start.X + last * step.X, start.Y + last * step.Y };
-    }
-    return true;
-  }
-
   void Cut(std::int64_t x, std::int64_t y, LinkSide side, bool isForward)
   {
     const bool isColumn = x >= 0 && y >= 0 && x < this->Grid.Width() && y < this->Grid.Height();
@@ -122,6 +85,18 @@ private:
   const LinkGrid& Grid;
   FaultLines& Lines;
 };
+
+/// Each link of each line takes memory, also one that was cut before.
+void CheckNumber(const FaultLines& lines, const LinkGrid& grid)
+{
+  constexpr std::size_t always = 1000000;
+  const std::size_t most = std::max(always, 4 * std::size_t(grid.NumberOfLinks()));
+  if (lines.NumberOfLinks() > most)
+  {
+    throw InputError("fault polylines that cut " + std::to_string(lines.NumberOfLinks()) + " links of a horizon of " +
+      std::to_string(grid.NumberOfColumns()) + " columns, expected at most " + std::to_string(most));
+  }
+}
 
 void CheckPlaces(const std::vector<FaultPolyline>& polylines)
 {
@@ -152,6 +127,7 @@ FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolylin
   {
     for (std::size_t n = 1; n < polyline.size(); ++n)
     {
+      CheckNumber(lines, heights.Grid());
       walk.Follow({ polyline[n - 1].X - least.X, polyline[n - 1].Y - least.Y },
         { polyline[n].X - least.X, polyline[n].Y - least.Y });
     }

@@ -30,8 +30,9 @@ struct MapPlace
 using FaultPolyline = std::vector<MapPlace>;
 
 /// The links of the horizon's bounding box that polylines cut: a line for each part of a polyline inside the box, with
-/// the throw where both columns of a link have points. Throws InputError on a place that is not finite. Linear in the
-/// number of places and of links.
+/// the throw where both columns of a link have points. Throws InputError on a place that is not finite, and on
+/// lines that go to and fro until they have cut far more links than there are. Linear in the number of places and of
+/// links that are cut.
 FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines);
 }
 

@@ -4,8 +4,8 @@
 #include "FaultSticks.h"
 
 #include "Common/Errors.h"
+#include "SegmentClip.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -32,24 +32,29 @@ public:
     {
       const SpacePoint& a = places[n - 1];
       const SpacePoint& b = places[n];
-      // Within the box half a column from sample to sample; most sticks are far shorter than this many.
-      constexpr double MostSamples = 1e5;
-      const double length = std::hypot(b.X - a.X, b.Y - a.Y);
-      const int samples = int(std::min(MostSamples, std::ceil(2.0 * length) + 1.0));
+      const SegmentClip near(this->Heights.Grid(), this->FromLeast(a), this->FromLeast(b));
+      if (near.IsEmpty())
+      {
+        continue;
+      }
+      const MapPlace& from = near.From();
+      const MapPlace& to = near.To();
+      const double halfRise = 0.5 * b.Z - 0.5 * a.Z;
+      // Half a column from sample to sample.
+      const int samples = int(std::ceil(2.0 * std::hypot(to.X - from.X, to.Y - from.Y)) + 1.0);
       for (int sample = 0; sample <= samples; ++sample)
       {
-        const double part = double(sample) / samples;
-        const Sample next =
-          this->Take({ a.X + part * (b.X - a.X), a.Y + part * (b.Y - a.Y), a.Z + part * (b.Z - a.Z) });
+        const double share = double(sample) / samples;
+        const double part = near.First() + share * (near.Last() - near.First());
+        const Sample next = this->Take({ from.X + share * (to.X - from.X), from.Y + share * (to.Y - from.Y) },
+          a.Z + part * halfRise + part * halfRise);
         if (std::isnan(next.Above))
         {
           continue;
         }
         if (!std::isnan(last.Above) && (last.Above < 0.0) != (next.Above < 0.0))
         {
-          const double share = last.Above / (last.Above - next.Above);
-          return MapPlace{ last.Place.X + share * (next.Place.X - last.Place.X),
-            last.Place.Y + share * (next.Place.Y - last.Place.Y) };
+          return this->Passage(last, next);
         }
         last = next;
       }
@@ -60,21 +65,32 @@ public:
 private:
   struct Sample
   {
-    MapPlace Place;
+    MapPlace Place; // from the least column
     double Above = std::numeric_limits<double>::quiet_NaN(); // how far above the horizon
   };
 
+  MapPlace FromLeast(const SpacePoint& place) const { return { place.X - this->Least.X, place.Y - this->Least.Y }; }
+
+  /// Where a stick is level with the horizon between two samples, in columns of the lattice.
+  MapPlace Passage(const Sample& before, const Sample& after) const
+  {
+    const double known = 0.5 * before.Above / (0.5 * before.Above - 0.5 * after.Above);
+    const double share = std::isfinite(known) ? known : 0.5; // between infinite heights
+    return { this->Least.X + before.Place.X + share * (after.Place.X - before.Place.X),
+      this->Least.Y + before.Place.Y + share * (after.Place.Y - before.Place.Y) };
+  }
+
   /// By the height of the nearest column.
-  Sample Take(const SpacePoint& place) const
+  Sample Take(const MapPlace& place, double height) const
   {
     Sample sample;
-    sample.Place = { place.X, place.Y };
-    const double x = std::round(place.X - this->Least.X);
-    const double y = std::round(place.Y - this->Least.Y);
+    sample.Place = place;
+    const double x = std::round(place.X);
+    const double y = std::round(place.Y);
     const LinkGrid& grid = this->Heights.Grid();
     if (x >= 0.0 && y >= 0.0 && x < double(grid.Width()) && y < double(grid.Height()))
     {
-      sample.Above = place.Z - this->Heights[std::int64_t(y) * grid.Width() + std::int64_t(x)];
+      sample.Above = height - this->Heights[std::int64_t(y) * grid.Width() + std::int64_t(x)];
     }
     return sample;
   }

@@ -3,9 +3,12 @@
 //
 // Fault lines in each of the formats, and what is wrong with files.
 
+#include "Common/Errors.h"
 #include "FaultLines/FaultLineFile.h"
 #include "Tools/Check.h"
 
+#include <algorithm>
+#include <iostream>
 #include <sstream>
 
 using namespace SeismicHorizons;
@@ -85,6 +88,59 @@ void PLines()
     "a: 1,2,-3 4,5,-6; : 1,2,3 4,5,6");
 }
 
+/// Whether a file that was cut off gives an error, or the first places and lines of the whole one, but for what its
+/// last line of text has lost.
+bool IsBeginning(const std::string& cut, const FaultLineFile& whole)
+{
+  try
+  {
+    const FaultLineFile part = ReadFaultLines(cut);
+    bool isSame = part.Places.size() <= whole.Places.size() && part.Ends.size() <= whole.Ends.size() &&
+      std::equal(part.Ends.begin(), part.Ends.end() - 1, whole.Ends.begin()) &&
+      std::equal(part.Names.begin(), part.Names.end() - 1, whole.Names.begin());
+    for (std::size_t n = 0; isSame && n + 1 < part.Places.size(); ++n)
+    {
+      const SpacePoint& a = part.Places[n];
+      const SpacePoint& b = whole.Places[n];
+      isSame = a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+    }
+    return isSame;
+  }
+  catch (const InputError& error)
+  {
+    return std::string(error.what()).compare(0, 5, "line ") == 0;
+  }
+}
+
+void CutFiles()
+{
+  const std::string plain = "# x y z\n10.5 20.25 30.75 F1 1\n40.5 50 60 F1 1\n70 80 90 F2 1\n11 12 13 F2 1\n";
+  const std::string irap = "10.5 20 30\r\n40 50 60.5\r\n999.0 999.0 999.0\r\n70 80 90\r\n11 12 13\r\n";
+  const std::string cps = "FFASCI 0 C\nFFATTR 1 2\n->North fault\n10 20 30\n40 50 60\n->South\n70 80 90\n11 12 13\n";
+  const std::string sticks = "INLINE- 10 20 1.5 2.5 3.5 Big fault 1\nINLINE- 10 20 4 5 6 Big fault 1\n"
+                             "CROSSLINE- 10 20 7 8 9 Big fault 2\nCROSSLINE- 10 20 1 1 1 Big fault 2\n";
+  const std::string zmap = ZmapHeader +
+    "   457359.  6782676.      17.5     0\n        1.        2.        3.     0\n"
+    "        4.        5.        6.     1\n        7.        8.        9.     1\n";
+  const std::string pline =
+    "GOCAD PLine 1\nHEADER {\nname: F 1\n}\nILINE\nVRTX 5 1.5 2 3\nVRTX 12 4 5 6\nSEG 5 12\nEND\n"
+    "GOCAD PLine 1\nHEADER {name:G}\nVRTX 1 7 8 9\nVRTX 2 1 1 1\nSEG 1 2\nEND\n";
+  for (const std::string& text : { plain, irap, cps, sticks, zmap, pline })
+  {
+    const FaultLineFile whole = ReadFaultLines(text);
+    for (std::size_t size = 0; size < text.size(); ++size)
+    {
+      if (!CHECK(IsBeginning(text.substr(0, size), whole)))
+      {
+        std::cerr << "cut after " << size << " bytes: " << text.substr(0, size) << '\n';
+      }
+    }
+  }
+  // One object is whole, and the other has no END.
+  CHECK_THROWS_WITH(
+    Read(pline.substr(0, pline.rfind("END"))), "line 14: end of file, expected END of the GOCAD object");
+}
+
 void WrongFiles()
 {
   CHECK_THROWS_WITH(Read(""), "line 1: end of file, expected fault lines");
@@ -117,6 +173,7 @@ int TestFaultLineFile(int, char*[])
   NamedLines();
   ZmapLines();
   PLines();
+  CutFiles();
   WrongFiles();
   return Check::Result();
 }

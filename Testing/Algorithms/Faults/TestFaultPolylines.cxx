@@ -59,6 +59,22 @@ void LiesOutside()
   CHECK_EQUAL(ToText(twice), "E(2,0) E(3,0) E(2,1) E(3,1)");
   // From far away, exactly the same links.
   CHECK_EQUAL(ToText(CutAlong(Flat(), { { { 2.5, -1e9 }, { 2.5, 1e9 } } })), "E(2,0) E(2,1) E(2,2) E(2,3) E(2,4)");
+  CHECK_EQUAL(
+    ToText(CutAlong(Flat(), { { { 2.5, -1.7e308 }, { 2.5, 1.7e308 } } })), "E(2,0) E(2,1) E(2,2) E(2,3) E(2,4)");
+}
+
+/// Places of such lines are rounded to far more than the horizon: some line of links, at once.
+void ComesFromVeryFarAway()
+{
+  for (const double far : { 1e16, 1e25, 1e300, 1.7e308 })
+  {
+    for (const FaultPolyline& line :
+      { FaultPolyline{ { -far, -far }, { far, far } }, { { -far, 0.3 * far }, { far, -0.3 * far } },
+        { { 2.5, 2.5 }, { far, -far } }, { { far, 1.0 }, { 1.0, far } } })
+    {
+      CHECK(AreChains(CutAlong(Flat(), { line })));
+    }
+  }
 }
 
 void CrossesItself()
@@ -149,6 +165,7 @@ int TestFaultPolylines(int, char*[])
   TurnsLeftUp();
   RunsThroughColumns();
   LiesOutside();
+  ComesFromVeryFarAway();
   CrossesItself();
   MissingColumnsHaveNoThrow();
   PolygonsPartColumns();

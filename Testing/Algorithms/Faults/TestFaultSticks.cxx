@@ -59,6 +59,26 @@ void EndsTraces()
   CHECK_EQUAL(FindTraces(Level(), { { { { 3.0, 3.0, 3.0 } }, "" }, { {}, "" } }).size(), 0U);
 }
 
+/// What is outside takes no time, and heights may be as large as numbers are.
+void ComesFromFarAway()
+{
+  FaultStick zigzag{ {}, "F" };
+  for (int n = 0; n < 100000; ++n)
+  {
+    zigzag.Places.push_back({ n % 2 == 0 ? -1e9 : 1e9, 30.0 + n, 8.0 });
+  }
+  CHECK_EQUAL(FindTraces(Level(), { zigzag, zigzag }).size(), 0U);
+  const auto straight = [](double y, double far) {
+    return FaultStick{ { { 14.25, y, -far }, { 14.25, y, far } }, "F" };
+  };
+  for (const double far : { 1e9, 1e300, 1.7e308 })
+  {
+    const std::vector<FaultPolyline> traces = FindTraces(Level(), { straight(2.0, far), straight(3.0, far) });
+    CHECK_EQUAL(traces.size(), 1U);
+    CHECK_EQUAL(traces.front()[1].X, 14.25);
+  }
+}
+
 void RefusesWhatIsNotFinite()
 {
   CHECK_THROWS_WITH(FindTraces(Level(), { { { { 1.0, Missing, 2.0 } }, "F" } }),
@@ -70,6 +90,7 @@ int TestFaultSticks(int, char*[])
 {
   JoinsPassages();
   EndsTraces();
+  ComesFromFarAway();
   RefusesWhatIsNotFinite();
   return Check::Result();
 }

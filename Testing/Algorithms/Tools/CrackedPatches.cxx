@@ -78,12 +78,6 @@ public:
   const std::vector<PlanePoint>& VisitedBlocks() const { return this->Blocks; }
 
 private:
-  bool Has(const PlanePoint& column) const
-  {
-    return column.X >= this->Box.Least.X && column.X <= this->Box.Greatest.X && column.Y >= this->Box.Least.Y &&
-      column.Y <= this->Box.Greatest.Y;
-  }
-
   /// To the right, up, to the left or down, through the link between that block and this one.
   void Step(PlanePoint& at, int direction)
   {
@@ -92,7 +86,7 @@ private:
     const PlanePoint next{ at.X + (isAlongX ? sign : 0), at.Y + (isAlongX ? 0 : sign) };
     const PlanePoint greater{ std::max(at.X, next.X), std::max(at.Y, next.Y) };
     const PlanePoint column{ isAlongX ? greater.X : at.X, isAlongX ? at.Y : greater.Y };
-    if (this->Has(column))
+    if (this->Box.Contains(column))
     {
       isAlongX ? this->Cuts.CutNorth(column) : this->Cuts.CutEast(column);
     }

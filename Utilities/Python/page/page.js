@@ -69,10 +69,11 @@
   });
   openTarget();
 
-  // On paper nothing can be opened: what has pictures is.
+  // On paper nothing can be opened: what was read and what has pictures is.
   let opened = [];
   window.addEventListener("beforeprint", () => {
-    opened = Array.from(document.querySelectorAll("details.horizon:not([open])")).filter((d) => d.querySelector("img"));
+    opened = Array.from(document.querySelectorAll("details:not([open])")).filter(
+      (details) => details.className === "file" || details.querySelector("img"));
     opened.forEach((details) => { details.open = true; });
     document.querySelectorAll("img[loading]").forEach((image) => image.removeAttribute("loading"));
   });
