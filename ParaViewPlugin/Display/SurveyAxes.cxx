@@ -97,7 +97,9 @@ void SetAxes(vtkSMProxy* view, const Axis& x, const Axis& y, bool areShown)
 
 bool HasSurveyAxes(vtkSMProxy* view)
 {
-  return view->HasAnnotation(Annotation);
+  // Undo may have hidden them.
+  vtkSMProxy* const axes = vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
+  return axes && view->HasAnnotation(Annotation) && vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1;
 }
 
 std::string ShowSurveyAxes(vtkSMProxy* view)

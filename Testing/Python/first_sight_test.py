@@ -123,6 +123,13 @@ class FirstSightTest(unittest.TestCase):
         values = list(display.LookupTable.RGBPoints)[0::4]
         self.assertEqual(values[0], -values[-1])
 
+    def test_closed_faults(self):
+        cut = simple.HorizonFaults(Input=self.horizons)
+        display = self.show(simple.HorizonSurface(Input=cut, CloseFaults=1))
+        self.assertEqual(colored_by(display), ("CELLS", "Fault"))
+        self.assertEqual(labels(display), {"0": "horizon", "1": "fault"})
+        self.assertEqual(colored_by(self.show(simple.HorizonSurface(Input=cut))), ("POINTS", "VerticalIndex"))
+
     def test_meshes_are_coloured_by_height(self):
         surface = simple.HorizonSurface(Input=self.horizons)
         self.assertEqual(colored_by(self.show(surface)), ("POINTS", "VerticalIndex"))

@@ -21,9 +21,11 @@ import fault_pictures
 HERE = pathlib.Path(__file__).resolve().parent
 SAMPLE = HERE.parents[1] / "Data" / "sample.vsm"
 SCENES = ("points seismic_cube reflections despiking faults hole_filling boundary boundary_simplification rough elaborate "
-          "triangulation decimation surface distance exaggeration").split()
+          "triangulation decimation surface closed_faults distance exaggeration").split()
 SIZE = (1400, 900)
-DOCK = (296, 380)  # the right edge of the panel, as it is and as it is to be
+EDGES = (294, 296, 298, 300)  # where the right edge of the panel may be
+EDGE = 380  # where it is to be
+QUIET = 350  # down there nothing can be dragged but the edge
 COLORS = 128  # keeps pictures small
 LONGEST = 60  # seconds until a scene has to be there
 
@@ -41,6 +43,13 @@ def find_window():
             return found.stdout.split()[-1]
         time.sleep(0.5)
     sys.exit("window_pictures: no window of ParaView")
+
+
+def widen_panel():
+    """Drags its edge, which is at one of a few places; beside it the drag does nothing."""
+    for place in EDGES:
+        run("xdotool", "mousemove", place, QUIET, "sleep", 0.3, "mousedown", 1, "sleep", 0.3, "mousemove", place + 20, QUIET,
+            "sleep", 0.3, "mousemove", EDGE, QUIET, "sleep", 0.3, "mouseup", 1, "mousemove", *SIZE)
 
 
 def take(path):
@@ -66,10 +75,7 @@ def picture(paraview, scene, files, home, path):
         window = find_window()
         run("xdotool", "windowmove", window, 0, 0, "windowsize", window, *SIZE)
         time.sleep(4.0)
-        # More room for the panel.
-        middle = SIZE[1] // 2
-        run("xdotool", "mousemove", DOCK[0], middle, "sleep", 0.5, "mousedown", 1, "sleep", 0.5, "mousemove", DOCK[0] + 20,
-            middle, "sleep", 0.5, "mousemove", DOCK[1], middle, "sleep", 0.5, "mouseup", 1, "mousemove", *SIZE)
+        widen_panel()
         take(path)
     finally:
         program.kill()

@@ -100,6 +100,11 @@ def surface():
     show(simple.HorizonSurface(Input=open_file("SAMPLE")), toward=OBLIQUE)
 
 
+def closed_faults():
+    cut = simple.HorizonFaults(Input=open_file("FAULTED"))
+    show(simple.HorizonSurface(Input=cut, MaximumError=1.5, CloseFaults=1), toward=OBLIQUE)
+
+
 def distance():
     horizons = open_file("SAMPLE")
     mesh = simple.HorizonSurface(Input=horizons)
