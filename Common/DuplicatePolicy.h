@@ -6,13 +6,13 @@
 
 namespace SeismicHorizons
 {
-/// Which voxel is kept when a horizon has several in one column; or that all are.
+/// Which voxel or point is kept when a horizon has several in one column; or that all are.
 enum class DuplicatePolicy
 {
   StrongestAmplitude, ///< the largest absolute amplitude; of equal ones the topmost
   Topmost,
   Lowest,
-  Sheets ///< all, on sheets that are horizons of their own (VerneySparseMatrix/HorizonSheets.h)
+  Sheets ///< all, on sheets that are horizons of their own (ColumnSheets.h)
 };
 }
 

@@ -43,7 +43,7 @@ int vtkHorizonFromPoints::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> vtkHorizonFromPoints::ListHorizons(const Monitor& monitor)
+std::vector<std::string> vtkHorizonFromPoints::ListNames(const Monitor& monitor)
 {
   monitor.Progress(0.0);
   ColumnChoice choice;
@@ -59,6 +59,7 @@ std::vector<std::string> vtkHorizonFromPoints::ListHorizons(const Monitor& monit
   }
   const SeismicHorizons::NullValues nulls(this->NullValues ? this->NullValues : "");
   this->Picks = std::make_unique<PickTable>(MakePickTable(this->GetInputDataObject(0, 0), choice, nulls));
+  this->PickTime.Modified();
   std::vector<std::string> names = this->Picks->Names;
   for (std::size_t number = 0; number < names.size(); ++number)
   {
@@ -68,9 +69,15 @@ std::vector<std::string> vtkHorizonFromPoints::ListHorizons(const Monitor& monit
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::int64_t> vtkHorizonFromPoints::CountHorizonPoints()
+std::vector<std::int64_t> vtkHorizonFromPoints::CountPicks()
 {
   return this->Picks->CountPicks();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkMTimeType vtkHorizonFromPoints::GetPickTime()
+{
+  return this->PickTime.GetMTime();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 
 #include "vtkPickHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkTimeStamp.h" // for the points
 
 #include <memory> // for std::unique_ptr
 
@@ -61,8 +62,9 @@ protected:
   ~vtkHorizonFromPoints() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
-  std::vector<std::int64_t> CountHorizonPoints() override;
+  std::vector<std::string> ListNames(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountPicks() override;
+  vtkMTimeType GetPickTime() override;
   SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) override;
 
 private:
@@ -78,6 +80,7 @@ private:
   char* NullValues = nullptr;
 
   std::unique_ptr<SeismicHorizons::PickTable> Picks; // between the list of horizons and their making
+  vtkTimeStamp PickTime;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "ColumnOrder.h"
 
+#include "Common/ColumnSheets.h"
 #include "Common/TextWords.h"
 
 #include <algorithm>
@@ -81,17 +82,24 @@ void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& co
 {
   const auto column = [&columns](std::int32_t pick)
   { return std::pair<int, int>(columns.J[std::size_t(pick)], columns.I[std::size_t(pick)]); };
-  const auto isBefore = [&column](std::int32_t a, std::int32_t b) { return column(a) < column(b); };
+  const Preference preference(picks, options);
+  const bool keepsAll = options.Policy == DuplicatePolicy::Sheets;
+  const auto isBefore = [&](std::int32_t a, std::int32_t b)
+  {
+    const auto columnA = column(a);
+    const auto columnB = column(b);
+    return columnA < columnB || (keepsAll && columnA == columnB && preference.Prefers(a, b));
+  };
   // Files are often in this order already. Equal picks keep theirs, so that the first of them stays.
   if (!std::is_sorted(order.Picks.begin(), order.Picks.end(), isBefore))
   {
     std::stable_sort(order.Picks.begin(), order.Picks.end(), isBefore);
   }
-  const Preference preference(picks, options);
   std::size_t kept = 0;
   for (const std::int32_t pick : order.Picks)
   {
-    if (kept == 0 || column(order.Picks[kept - 1]) != column(pick))
+    const bool isFirst = kept == 0 || column(order.Picks[kept - 1]) != column(pick);
+    if (isFirst || (keepsAll && picks.Z[std::size_t(order.Picks[kept - 1])] != picks.Z[std::size_t(pick)]))
     {
       order.Picks[kept++] = pick;
       continue;
@@ -103,5 +111,25 @@ void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& co
     }
   }
   order.Picks.resize(kept);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<ColumnOrder> SplitIntoSheets(ColumnOrder order, const PickTable& picks, const ColumnList& columns)
+{
+  const std::vector<int> i = Gather(columns.I, order.Picks);
+  const std::vector<int> j = Gather(columns.J, order.Picks);
+  const std::vector<int> sheetOf = FindSheets(i.data(), j.data(), Gather(picks.Z, order.Picks));
+  const int last = sheetOf.empty() ? 0 : *std::max_element(sheetOf.begin(), sheetOf.end());
+  std::vector<ColumnOrder> sheets(std::size_t(last) + 1);
+  sheets.front().Duplicates = order.Duplicates + std::count(sheetOf.begin(), sheetOf.end(), -1);
+  sheets.front().Nulls = order.Nulls;
+  for (std::size_t n = 0; n < sheetOf.size(); ++n)
+  {
+    if (sheetOf[n] >= 0)
+    {
+      sheets[std::size_t(sheetOf[n])].Picks.push_back(order.Picks[n]);
+    }
+  }
+  return sheets;
 }
 }

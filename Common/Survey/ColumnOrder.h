@@ -7,6 +7,8 @@
 #include "PickTable.h"
 #include "PlacementOptions.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,7 +33,22 @@ std::vector<ColumnOrder> ListPicks(const PickTable& picks);
 
 /// Orders the picks of a horizon by ascending j and then i, one for each column. Of several in one column the policy of
 /// the options says which stays; where it asks for amplitudes and there is no attribute of that name, the topmost does.
+/// For sheets all of different z stay, the topmost of a column first.
 void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& columns, const PlacementOptions& options);
+
+/// The picks of each sheet (Common/ColumnSheets.h) of a horizon that is ordered for them, at least one. What was left
+/// out is counted by the first.
+std::vector<ColumnOrder> SplitIntoSheets(ColumnOrder order, const PickTable& picks, const ColumnList& columns);
+
+/// The values of some picks, in their order.
+template <typename Value>
+std::vector<Value> Gather(const std::vector<Value>& values, const std::vector<std::int32_t>& picks)
+{
+  std::vector<Value> gathered(picks.size());
+  std::transform(
+    picks.begin(), picks.end(), gathered.begin(), [&values](std::int32_t pick) { return values[std::size_t(pick)]; });
+  return gathered;
+}
 }
 
 #endif

@@ -16,6 +16,7 @@ namespace SeismicHorizons
 struct LatticeHorizon
 {
   std::string Name;
+  int Number = 0; // from 0, in the order of names; sheets of one horizon have the same
   std::vector<int> I, J;
   std::vector<double> Z; // in the unit and with the sign of the file; finite
   std::vector<PickAttribute> Attributes;

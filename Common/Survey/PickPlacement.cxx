@@ -101,6 +101,15 @@ ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double to
     });
 }
 
+void CheckNumber(std::size_t horizons, std::int64_t picks, const char* text)
+{
+  if (horizons > MostHorizons)
+  {
+    throw InputError(
+      std::to_string(picks) + " picks of " + std::to_string(horizons) + text + std::to_string(MostHorizons));
+  }
+}
+
 void CheckRange(const ColumnRange& range, std::int64_t picks, const PlaneMap& map, double tolerance)
 {
   if (range.OffLattice > 0)
@@ -154,19 +163,13 @@ ColumnList ListColumns(
   return list;
 }
 
-template <typename Value>
-std::vector<Value> Gather(const std::vector<Value>& values, const std::vector<std::int32_t>& picks)
-{
-  std::vector<Value> gathered(picks.size());
-  std::transform(
-    picks.begin(), picks.end(), gathered.begin(), [&values](std::int32_t pick) { return values[std::size_t(pick)]; });
-  return gathered;
-}
-
 /// The horizon of some picks, which are in the order of their columns.
-LatticeHorizon MakeHorizon(const PickTable& picks, const ColumnList& columns, const std::vector<std::int32_t>& kept)
+LatticeHorizon MakeHorizon(const PickTable& picks, const ColumnList& columns, const ColumnOrder& order)
 {
+  const std::vector<std::int32_t>& kept = order.Picks;
   LatticeHorizon horizon;
+  horizon.DroppedDuplicates = order.Duplicates;
+  horizon.DroppedNulls = order.Nulls;
   horizon.I = Gather(columns.I, kept);
   horizon.J = Gather(columns.J, kept);
   horizon.Z = Gather(picks.Z, kept);
@@ -192,11 +195,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   {
     throw InputError(std::to_string(size) + " picks, expected at least 1 and less than 2^31");
   }
-  if (picks.Names.size() > MostHorizons)
-  {
-    throw InputError(std::to_string(size) + " picks of " + std::to_string(picks.Names.size()) +
-      " horizons, expected at most " + std::to_string(MostHorizons) + " names");
-  }
+  CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
   const SurveyMap map = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
   const ColumnFinder finder(picks, map);
   const ColumnRange range = FindRange(finder, size, options.Tolerance, monitor.Step(0.5, 0.6));
@@ -216,10 +215,14 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     monitor.Progress(0.7 + 0.3 * double(number) / double(picks.Names.size()));
     ColumnOrder order = std::exchange(orders[number], ColumnOrder());
     OrderPicks(order, picks, columns, options);
-    placed.Horizons.push_back(MakeHorizon(picks, columns, order.Picks));
-    placed.Horizons.back().Name = picks.Names[number];
-    placed.Horizons.back().DroppedDuplicates = order.Duplicates;
-    placed.Horizons.back().DroppedNulls = order.Nulls;
+    const bool isSplit = options.Policy == DuplicatePolicy::Sheets;
+    for (const ColumnOrder& sheet : isSplit ? SplitIntoSheets(order, picks, columns) : std::vector{ std::move(order) })
+    {
+      placed.Horizons.push_back(MakeHorizon(picks, columns, sheet));
+      placed.Horizons.back().Name = picks.Names[number];
+      placed.Horizons.back().Number = int(number);
+    }
+    CheckNumber(placed.Horizons.size(), size, " sheets, expected at most ");
   }
   return placed;
 }

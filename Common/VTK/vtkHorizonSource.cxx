@@ -15,6 +15,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -56,7 +57,7 @@ void SetNames(const std::vector<std::string>& names, int settingOfOthers, vtkDat
 
 /// Lists the names, with the choice that was made for each; new ones are enabled. `disabled` has the names that were
 /// disabled when they were listed last, for those that come back.
-void List(
+void ListNames(
   const std::vector<std::string>& names, vtkDataArraySelection* selection, std::unordered_set<std::string>& disabled)
 {
   if (IsListed(names, selection))
@@ -208,6 +209,12 @@ void vtkHorizonSource::DisableAllHorizons()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+vtkIdTypeArray* vtkHorizonSource::GetHorizonSizes()
+{
+  return this->HorizonSizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 vtkMTimeType vtkHorizonSource::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->HorizonSelection->GetMTime());
@@ -227,7 +234,7 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
     [this, info](std::string&, const Monitor& monitor)
     {
       const std::vector<std::string> names = this->NameHorizons(monitor);
-      List(names, this->HorizonSelection, this->Disabled);
+      this->List(names);
       this->DescribeOutput(Select(names, this->HorizonSelection), info);
     });
   // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
@@ -251,6 +258,15 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
     }
   }
   return MakeDistinct(std::move(names));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::List(const std::vector<std::string>& names)
+{
+  ListNames(names, this->HorizonSelection, this->Disabled);
+  const std::vector<std::int64_t> sizes = this->CountHorizonPoints();
+  this->HorizonSizes->SetNumberOfValues(static_cast<vtkIdType>(sizes.size()));
+  std::copy(sizes.begin(), sizes.end(), this->HorizonSizes->GetPointer(0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -314,7 +330,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
         this->CheckParameters();
         // The data may have changed since the information was asked for.
         names = this->NameHorizons(monitor.Step(0.0, 0.5));
-        List(names, this->HorizonSelection, this->Disabled);
+        this->List(names);
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
     this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));

@@ -34,6 +34,7 @@ class Monitor;
 }
 class vtkDataArraySelection;
 class vtkDataObject;
+class vtkIdTypeArray;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSource : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -56,6 +57,13 @@ public:
   void DisableAllHorizons();
   ///@}
 
+  /**
+   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in proportion
+   * to them before they are made. Empty where nothing is known.
+   */
+  vtkIdTypeArray* GetHorizonSizes();
+
+  /// Later when a selection has changed.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -100,9 +108,11 @@ private:
   void operator=(const vtkHorizonSource&) = delete;
 
   std::vector<std::string> NameHorizons(const SeismicHorizons::Monitor& monitor);
+  void List(const std::vector<std::string>& names);
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
   std::unordered_set<std::string> Disabled; // names of horizons, of those that are not listed
+  vtkNew<vtkIdTypeArray> HorizonSizes;
 };
 
 #endif

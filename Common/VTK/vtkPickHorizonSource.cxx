@@ -7,7 +7,13 @@
 #include "Common/Monitor.h"
 #include "Common/Survey/PickPlacement.h"
 
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 using namespace SeismicHorizons;
 
@@ -18,6 +24,15 @@ CornerPoint MakeCorner(const double (&corner)[4])
   return { corner[0], corner[1], corner[2], corner[3] };
 }
 }
+
+// ---- The class ---------------------------------------------------------------------------------------------------
+struct vtkPickHorizonSource::SheetList
+{
+  vtkTimeStamp Time; // when it was made
+  std::vector<int> Numbers; // of the horizon of each sheet
+  std::vector<std::int64_t> Sizes; // in points
+  std::optional<SurveyHorizons> Placed; // until they are used
+};
 
 //----------------------------------------------------------------------------------------------------------------------
 vtkPickHorizonSource::vtkPickHorizonSource() = default;
@@ -49,7 +64,57 @@ void vtkPickHorizonSource::CheckParameters()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// Sheets are known when all points are on their columns.
+std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monitor)
+{
+  const std::vector<std::string> names = this->ListNames(monitor.Step(0.0, 0.5));
+  if (this->DuplicatePolicy != Sheets)
+  {
+    this->List.reset();
+    return names;
+  }
+  // Not the time of the choice of horizons, on which sheets do not depend.
+  const vtkMTimeType changed = std::max(this->vtkAlgorithm::GetMTime(), this->GetPickTime());
+  if (!this->List || this->List->Time.GetMTime() < changed)
+  {
+    this->List.reset();
+    auto list = std::make_unique<SheetList>();
+    list->Placed = this->PlaceAll(monitor.Step(0.5, 1.0));
+    for (const LatticeHorizon& sheet : list->Placed->Horizons)
+    {
+      list->Numbers.push_back(sheet.Number);
+      list->Sizes.push_back(std::int64_t(sheet.Z.size()));
+    }
+    list->Time.Modified();
+    this->List = std::move(list);
+  }
+  std::vector<std::string> ofSheets;
+  for (const int number : this->List->Numbers)
+  {
+    ofSheets.push_back(names[std::size_t(number)]);
+  }
+  return ofSheets;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::int64_t> vtkPickHorizonSource::CountHorizonPoints()
+{
+  return this->List ? this->List->Sizes : this->CountPicks();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// What the list of sheets was made from is used once: kept, it would take as much memory as the output.
 SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
+{
+  if (this->List && this->List->Placed)
+  {
+    return *std::exchange(this->List->Placed, std::nullopt);
+  }
+  return this->PlaceAll(monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
 {
   PickTable picks = this->ReadPicks(monitor.Step(0.0, 0.6));
   try
@@ -66,7 +131,7 @@ SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 3> sources = { "FromPoints", "CornerPoints", "OriginAndSteps" };
-  constexpr std::array<const char*, 3> policies = { "StrongestAmplitude", "Topmost", "Lowest" };
+  constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LatticeSource: " << sources[static_cast<std::size_t>(this->LatticeSource)] << '\n';
   os << indent << "FirstCorner: " << ToText(Eigen::Vector4d(this->FirstCorner)) << '\n';

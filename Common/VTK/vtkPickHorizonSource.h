@@ -23,6 +23,8 @@
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 #include "vtkSurveyHorizonSource.h"
 
+#include <memory> // for std::unique_ptr
+
 namespace SeismicHorizons
 {
 struct PickTable;
@@ -104,20 +106,23 @@ public:
   {
     StrongestAmplitude = 0,
     Topmost = 1,
-    Lowest = 2
+    Lowest = 2,
+    Sheets = 3
   };
 
   ///@{
   /**
    * Which point is kept when a horizon has several in one column. StrongestAmplitude: the one of largest absolute value
    * of the attribute Amplitude; of equal ones, and where there is no such attribute, the topmost. The others are left
-   * out and counted in DroppedDuplicates. Default: StrongestAmplitude.
+   * out and counted in DroppedDuplicates. Sheets: all, as at reverse faults: each sheet is a horizon of its own, the
+   * second named "Top (2)", told apart by connection in space (ColumnSheets.h). Default: StrongestAmplitude.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Lowest);
+  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
   vtkGetMacro(DuplicatePolicy, int);
   void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
   void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
   void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
+  void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
   ///@}
 
 protected:
@@ -125,7 +130,18 @@ protected:
   ~vtkPickHorizonSource() override;
 
   void CheckParameters() override;
+  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountHorizonPoints() override;
   SeismicHorizons::SurveyHorizons ReadSurvey(const SeismicHorizons::Monitor& monitor) override;
+
+  /// The names of all horizons, before they are sheets.
+  virtual std::vector<std::string> ListNames(const SeismicHorizons::Monitor& monitor) = 0;
+
+  /// How many points each of them has, when they have been listed; empty where it is not known.
+  virtual std::vector<std::int64_t> CountPicks() = 0;
+
+  /// When the points were last found to be others, when they have been listed.
+  virtual vtkMTimeType GetPickTime() = 0;
 
   /// The points of all horizons.
   virtual SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) = 0;
@@ -135,6 +151,7 @@ private:
   void operator=(const vtkPickHorizonSource&) = delete;
 
   SeismicHorizons::PlacementOptions MakeOptions();
+  SeismicHorizons::SurveyHorizons PlaceAll(const SeismicHorizons::Monitor& monitor);
 
   int LatticeSource = FromPoints;
   double FirstCorner[4] = { 0.0, 0.0, 0.0, 0.0 };
@@ -145,6 +162,9 @@ private:
   double RowStep[2] = { 0.0, 1.0 };
   double LatticeTolerance = 0.1;
   int DuplicatePolicy = StrongestAmplitude;
+
+  struct SheetList;
+  std::unique_ptr<SheetList> List; // with DuplicatePolicy Sheets
 };
 
 #endif

@@ -103,7 +103,8 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   for (const int number : numbers)
   {
     LatticeHorizon& horizon = survey.Horizons[static_cast<std::size_t>(number)];
-    horizons.push_back(MakeSurveyPoints(std::move(horizon), number + 1, axes));
+    const int surfaceId = horizon.Number + 1;
+    horizons.push_back(MakeSurveyPoints(std::move(horizon), surfaceId, axes));
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   const std::string format = this->DescribeFormat();

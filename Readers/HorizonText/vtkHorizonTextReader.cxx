@@ -9,6 +9,7 @@
 #include "HorizonTextParser.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkTimeStamp.h"
 
 #include <cstdint>
 #include <istream>
@@ -22,6 +23,7 @@ using namespace SeismicHorizons;
 struct vtkHorizonTextReader::FileContent
 {
   FileStamp Stamp;
+  vtkTimeStamp Time; // when it was read
   std::string Columns, NullValues; // with which it was read
   TextLayout Layout;
   std::vector<std::string> Names; // of the horizons
@@ -88,21 +90,28 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
       {
         name = name.empty() ? StemOf(this->FileName) : name;
       }
+      content->Time.Modified();
       this->Content = std::move(content);
     });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> vtkHorizonTextReader::ListHorizons(const Monitor& monitor)
+std::vector<std::string> vtkHorizonTextReader::ListNames(const Monitor& monitor)
 {
   this->UpdateContent(monitor);
   return this->Content->Names;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::int64_t> vtkHorizonTextReader::CountHorizonPoints()
+std::vector<std::int64_t> vtkHorizonTextReader::CountPicks()
 {
   return this->Content->Sizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkMTimeType vtkHorizonTextReader::GetPickTime()
+{
+  return this->Content->Time.GetMTime();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

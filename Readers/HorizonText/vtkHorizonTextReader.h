@@ -72,8 +72,9 @@ protected:
   vtkHorizonTextReader();
   ~vtkHorizonTextReader() override;
 
-  std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
-  std::vector<std::int64_t> CountHorizonPoints() override;
+  std::vector<std::string> ListNames(const SeismicHorizons::Monitor& monitor) override;
+  std::vector<std::int64_t> CountPicks() override;
+  vtkMTimeType GetPickTime() override;
   SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) override;
   std::string DescribeFormat() override;
   std::string ErrorPrefix() override;

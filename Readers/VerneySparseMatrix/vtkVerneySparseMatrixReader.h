@@ -306,7 +306,7 @@ public:
    * amplitude, of equal ones that of smallest vertical index. Topmost: that of smallest vertical index. Lowest: that of
    * largest vertical index. The others are left out and counted in DroppedDuplicates. Sheets: all, as at reverse
    * faults: each sheet is a horizon of its own, the second named "Horizon 7 (2)", told apart by connection in space
-   * (HorizonSheets.h). Not with LeastMemory. Default: StrongestAmplitude.
+   * (ColumnSheets.h). Not with LeastMemory. Default: StrongestAmplitude.
    */
   vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
   vtkGetMacro(DuplicatePolicy, int);

@@ -115,6 +115,32 @@ void TestLinesAndPlaces()
   CHECK(bounded && bounded->GetNumberOfPoints() == 12);
 }
 
+/// Of columns with several points each sheet is a horizon, also when the input changes.
+void TestSheets()
+{
+  Survey survey;
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetDuplicatePolicyToSheets();
+  const auto update = [&]()
+  {
+    filter->SetInputDataObject(MakeTable({ { "IL", survey.Inline }, { "XL", survey.Crossline }, { "Z", survey.Z } }));
+    filter->Update();
+    return filter->GetOutput()->GetNumberOfPartitionedDataSets();
+  };
+  CHECK_EQUAL(update(), 1u);
+  survey.Inline.push_back(10.0);
+  survey.Crossline.push_back(5.0);
+  survey.Z.push_back(1000.0);
+  CHECK_EQUAL(update(), 2u);
+  CHECK_EQUAL(Name(filter, 1), std::string("Horizon 1 (2)"));
+  CHECK_EQUAL(Horizon(filter, 0)->GetNumberOfPoints(), 12);
+  CHECK_EQUAL(Horizon(filter, 1)->GetNumberOfPoints(), 1);
+  CHECK_EQUAL(Horizon(filter, 1)->GetPointData()->GetArray("RealZ")->GetTuple1(0), 1000.0);
+  filter->SetHorizonStatus("Horizon 1", 0);
+  filter->Update();
+  CHECK_EQUAL(Horizon(filter, 0)->GetNumberOfPoints(), 1);
+}
+
 /// Coordinates of points, in the precision and order they come in, with ghosts that are left out.
 void TestPointSet()
 {
@@ -271,6 +297,7 @@ void TestRefusals()
 int TestHorizonFromPoints(int, char*[])
 {
   TestLinesAndPlaces();
+  TestSheets();
   TestPointSet();
   TestNames();
   TestEqualNames();

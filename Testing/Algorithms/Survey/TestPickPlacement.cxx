@@ -192,6 +192,66 @@ void TestDuplicatesAndNulls()
   CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 13.0);
 }
 
+/// A row of columns at which the left block reaches over the right one, picked in any order, with a pick twice.
+void TestSheets()
+{
+  PickTable picks;
+  picks.Names = { "One", "Faulted", "Empty" };
+  for (const double i : { 5.0, 0.0, 3.0, 1.0, 2.0, 4.0, 6.0 })
+  {
+    for (const double z : { 30.5, 10.25, 10.25 })
+    {
+      if (z > 20.0 ? i >= 2.0 : i <= 3.0)
+      {
+        picks.Crossline.push_back(i);
+        picks.Inline.push_back(1.0);
+        picks.Z.push_back(z);
+        picks.Horizon.push_back(1);
+      }
+    }
+  }
+  picks.Crossline.insert(picks.Crossline.end(), { 2.0, 3.0 });
+  picks.Inline.insert(picks.Inline.end(), { 1.0, 1.0 });
+  picks.Z.insert(picks.Z.end(), { 7.0, Null });
+  picks.Horizon.insert(picks.Horizon.end(), { 0, 2 });
+  picks.Attributes = { { "Amplitude", picks.Z } };
+  PlacementOptions options;
+  options.Policy = DuplicatePolicy::Sheets;
+  const std::vector<LatticeHorizon> sheets = PlacePicks(picks, options).Horizons;
+  CHECK_EQUAL(sheets.size(), std::size_t(4));
+  CHECK(sheets[1].Name == "Faulted" && sheets[2].Name == "Faulted");
+  CHECK(sheets[0].Number == 0 && sheets[1].Number == 1 && sheets[2].Number == 1 && sheets[3].Number == 2);
+  CHECK(sheets[1].I == std::vector<int>({ 2, 3, 4, 5, 6 }));
+  CHECK(sheets[1].Z == std::vector<double>(5, 30.5));
+  CHECK(sheets[1].Attributes[0].Values == sheets[1].Z);
+  CHECK(sheets[2].I == std::vector<int>({ 0, 1, 2, 3 }));
+  CHECK(sheets[2].Z == std::vector<double>(4, 10.25));
+  CHECK_EQUAL(sheets[1].DroppedDuplicates, 4); // those that are there twice
+  CHECK_EQUAL(sheets[2].DroppedDuplicates, 0);
+  CHECK_EQUAL(sheets[3].DroppedNulls, 1);
+  CHECK(sheets[3].Z.empty());
+}
+
+/// A dataset takes memory however small it is.
+void TestTooManySheets()
+{
+  PickTable picks;
+  picks.Names.resize(600, "Pile");
+  for (int horizon = 0; horizon < 600; ++horizon)
+  {
+    for (int level = 0; level < 64; ++level)
+    {
+      picks.Horizon.push_back(horizon);
+      picks.Crossline.push_back(1.0);
+      picks.Inline.push_back(1.0);
+      picks.Z.push_back(level);
+    }
+  }
+  PlacementOptions options;
+  options.Policy = DuplicatePolicy::Sheets;
+  CHECK_THROWS_WITH(PlacePicks(picks, options), "38400 picks of 32832 sheets, expected at most 32768");
+}
+
 void TestOffLattice()
 {
   PickTable picks = TurnedTable();
@@ -223,7 +283,7 @@ void TestRefusals()
     PlacePicks(farAway, {}), "lattice of 5 x 999999976 columns with the steps (2, 0) and (0, 4), expected");
   PickTable many = LineTable();
   many.Names.resize(32769);
-  CHECK_THROWS_WITH(PlacePicks(many, {}), " picks of 32769 horizons, expected at most 32768 names");
+  CHECK_THROWS_WITH(PlacePicks(many, {}), " picks of 32769 horizons, expected at most 32768");
 }
 }
 
@@ -237,6 +297,8 @@ int TestPickPlacement(int, char*[])
   TestCorners();
   TestGivenSteps();
   TestDuplicatesAndNulls();
+  TestSheets();
+  TestTooManySheets();
   TestOffLattice();
   TestRefusals();
   return Check::Result();
