@@ -5,7 +5,9 @@
 
 #include "Common/Parallel.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
@@ -21,14 +23,11 @@ namespace
 {
 constexpr std::int64_t Grain = 65536; // cells that a thread takes at a time
 
-/// Whether an array holds the numbers from 0 on.
-template <typename Array>
-bool Counts(const Array* array)
+template <typename Number>
+bool Counts(const Number* numbers, vtkIdType size)
 {
-  using Number = typename Array::ValueType;
-  const Number* const numbers = const_cast<Array*>(array)->GetPointer(0);
   std::atomic<bool> isSame(true);
-  ParallelFor(array->GetNumberOfValues(), Grain,
+  ParallelFor(size, Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       bool isSameHere = true;
@@ -39,6 +38,27 @@ bool Counts(const Array* array)
       isSame = isSame && isSameHere;
     });
   return isSame;
+}
+
+/// Whether an array holds the numbers from 0 on.
+bool Counts(vtkDataArray* array)
+{
+  const vtkIdType size = array->GetNumberOfTuples();
+  if (auto* const narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(array))
+  {
+    return Counts(narrow->GetPointer(0), size);
+  }
+  if (auto* const wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(array))
+  {
+    return Counts(wide->GetPointer(0), size);
+  }
+  // From VTK 9.6 on, offsets may be a formula.
+  vtkIdType same = 0;
+  while (same < size && array->GetComponent(same, 0) == double(same))
+  {
+    ++same;
+  }
+  return same == size;
 }
 
 /// Fills an array with the numbers from 0 on.
@@ -86,7 +106,6 @@ bool HasAllVertices(vtkCellArray* cells, vtkIdType numberOfPoints)
   {
     return false;
   }
-  return cells->IsStorage64Bit() ? Counts(cells->GetOffsetsArray64()) && Counts(cells->GetConnectivityArray64())
-                                 : Counts(cells->GetOffsetsArray32()) && Counts(cells->GetConnectivityArray32());
+  return Counts(cells->GetOffsetsArray()) && Counts(cells->GetConnectivityArray());
 }
 }

@@ -4,9 +4,10 @@
 #include "GridHorizon.h"
 
 #include "Common/Errors.h"
+#include "Common/VTK/VersionDifferences.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -43,8 +44,7 @@ struct Cells
       case VTK_POLYGON:
         return this->Polygons;
       default:
-        throw InputError("cell " + std::to_string(cell) + " of an unstructured grid is a " +
-          vtkCellTypes::GetClassNameFromTypeId(type) +
+        throw InputError("cell " + std::to_string(cell) + " of an unstructured grid is a " + CellTypeName(type) +
           ", expected vertices, lines and polygons, as Extract Surface makes them");
     }
   }

@@ -54,7 +54,7 @@ def main():
     told = [json.loads(line) for line in (folder / "progress.txt").read_text(encoding="utf-8").splitlines()]
     runs = [[part for text, part in run if text == "vtkHorizonSurface"]
             for run in (told[:told.index(None)], told[told.index(None) + 1:])]
-    assert len(set(runs[0])) >= 2 and max(runs[0]) < 50, runs
+    assert len(set(runs[0])) >= 2 and max(part for part in runs[0] if part < 100) < 50, runs  # 100 is said at every end
     assert len(set(runs[1])) >= 3 and max(runs[1]) > 60 and runs[1] == sorted(runs[1]), runs
 
 

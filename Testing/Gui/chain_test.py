@@ -63,7 +63,7 @@ def play(paraview, sample, folder):
     events = window.Events()
     events.macro("TraceStart")
     events.open(sample)
-    events.set_list_item("HorizonStatus", 1, False)
+    events.choose_horizon(1, False)
     events.apply()
     for name in STAGES:
         events.filter(name)

@@ -18,7 +18,7 @@ MACROS = pathlib.Path(__file__).resolve().parent / "Macros"
 WINDOW = "pqClientMainWindow"
 PANEL = WINDOW + "/propertiesDock/propertiesPanel"
 FIELDS = PANEL + "/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
-LONGEST = 100  # seconds; a dialog that nobody answers would keep the window open for good
+LONGEST = 200  # seconds; a dialog that nobody answers would keep the window open for good
 WRONG = ("critical:", "ERR|", "Traceback")
 
 
@@ -87,9 +87,9 @@ class Events:
     def set_check(self, name, state):
         self.add(FIELDS + "ProxyPanel/%s/CheckBox" % name, "set_boolean", "true" if state else "false")
 
-    def set_list_item(self, name, row, state):
-        """Checks an item of a list of names, or takes the check away."""
-        self.add(FIELDS + "ProxyPanel/%s/ArraySelectionWidget" % name, "setCheckState", "%d.0,%d" % (row, 2 if state else 0))
+    def choose_horizon(self, row, state):
+        """Checks an item of the list of horizons, or takes the check away."""
+        self.add(FIELDS + "ProxyPanel/HorizonStatus/Horizons", "setCheckState", "%d.0,%d" % (row, 2 if state else 0))
 
     def macro(self, name):
         self.menu("menu_Macros", name)

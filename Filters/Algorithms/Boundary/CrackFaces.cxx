@@ -4,8 +4,6 @@
 #include "CrackFaces.h"
 
 #include "Common/DisjointSets.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
 #include "ExteriorBoundary.h"
 #include "FaceWalk.h"
 
@@ -66,56 +64,12 @@ private:
   const std::vector<HopAcrossCut>& Across;
 };
 
-/// Whether a place is inside a face that is walked counter-clockwise, and on no side of it.
-bool IsInside(const std::vector<PlanePoint>& columns, const std::vector<FaceStep>& steps, const PlanePoint& place)
-{
-  bool isInside = false;
-  for (std::size_t n = 0; n < steps.size(); ++n)
-  {
-    const PlanePoint& from = columns[std::size_t(steps[n].Point)];
-    const PlanePoint& to = columns[std::size_t(steps[(n + 1) % steps.size()].Point)];
-    if ((from.Y > place.Y) != (to.Y > place.Y) && (SignedArea(from, to, place) > 0) == (to.Y > from.Y))
-    {
-      isInside = !isInside;
-    }
-  }
-  return isInside;
-}
-
-/// Whether a face holds points that no hop connects with those around it.
-bool HoldsIsland(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const std::vector<FaceStep>& steps)
-{
-  PlaneBox box;
-  std::vector<PointId> around;
-  for (const FaceStep& step : steps)
-  {
-    box.Add(columns[std::size_t(step.Point)]);
-    around.push_back(step.Point);
-  }
-  std::sort(around.begin(), around.end());
-  for (std::int32_t y = box.Least.Y + 1; y < box.Greatest.Y; ++y)
-  {
-    for (std::int32_t x = box.Least.X + 1; x < box.Greatest.X; ++x)
-    {
-      const PointId point = raster[raster.Place({ x, y })];
-      if (point != NoPoint && !std::binary_search(around.begin(), around.end(), point) &&
-        IsInside(columns, steps, { x, y }))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/// Whether a face has no more columns inside than a square of hops, and none of them has a point.
-bool IsCrack(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
-  const std::vector<FaceStep>& steps)
+/// Whether a face has no more columns inside than a square of hops. None of them has a point: a hop would connect it
+/// with those around it.
+bool IsCrack(const HopVectors& hops, const std::vector<FaceStep>& steps)
 {
   const std::int64_t most = std::int64_t(hops.Radius() - 1) * (hops.Radius() - 1);
-  const std::int64_t inside = ColumnsInside(hops, steps);
-  return MeasureFace(hops, steps).TwiceArea > 0 && inside <= most &&
-    (inside == 0 || !HoldsIsland(columns, raster, steps));
+  return MeasureFace(hops, steps).TwiceArea > 0 && ColumnsInside(hops, steps) <= most;
 }
 
 bool IsBefore(const CrackSide& a, const CrackSide& b)
@@ -226,7 +180,7 @@ std::vector<CrackSide> FindCrackFaces(
       continue;
     }
     WalkFace(raster, hops, across[first].Place, across[first].Hop, next, steps);
-    const bool isCrack = IsCrack(columns, raster, hops, steps);
+    const bool isCrack = IsCrack(hops, steps);
     for (std::size_t n = 0; n < steps.size(); ++n)
     {
       const FaceStep& step = steps[n];
