@@ -39,6 +39,7 @@ constexpr const char* Error = "Error";
 constexpr const char* Part = "Part";
 constexpr const char* FaultLine = "FaultLine";
 constexpr const char* FaultName = "FaultName";
+constexpr const char* Fault = "Fault";
 }
 
 namespace FieldArray
@@ -63,6 +64,7 @@ constexpr const char* DroppedSpeckPoints = "DroppedSpeckPoints";
 constexpr const char* BoundaryDeviation = "BoundaryDeviation";
 constexpr const char* OutlineDeviation = "OutlineDeviation";
 constexpr const char* TriangleCount = "TriangleCount";
+constexpr const char* FaultTriangleCount = "FaultTriangleCount";
 constexpr const char* BoundaryEdgeCount = "BoundaryEdgeCount";
 constexpr const char* NonDelaunayEdgeCount = "NonDelaunayEdgeCount";
 constexpr const char* SmallestAngle = "SmallestAngle";
@@ -83,6 +85,8 @@ constexpr const char* NumberOfThreadPoints = "NumberOfThreadPoints";
 constexpr const char* CutLinks = "CutLinks";
 constexpr const char* CutThrow = "CutThrow";
 constexpr const char* CutLine = "CutLine";
+constexpr const char* CutMouths = "CutMouths";
+constexpr const char* CrackLoops = "CrackLoops";
 constexpr const char* FaultNoise = "FaultNoise";
 constexpr const char* SeamRows = "SeamRows";
 constexpr const char* NumberOfParts = "NumberOfParts";

@@ -37,6 +37,7 @@ auto PrefixErrors(const std::string& name, Work&& work)
 class Aborted : public std::exception
 {
 public:
+  /// For logs alone: nobody is told of work that was asked to stop.
   const char* what() const noexcept override { return "stopped on request"; }
 };
 }

@@ -21,6 +21,7 @@ public:
   using Callback = std::function<bool(double)>;
 
   Monitor() = default;
+  /// One that tells `callback`.
   explicit Monitor(Callback callback)
     : Report(std::move(callback))
   {

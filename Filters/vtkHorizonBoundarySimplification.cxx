@@ -6,6 +6,7 @@
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Marshalling/CrackData.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/ReducedHorizon.h"
 
@@ -40,9 +41,11 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   options.DistanceThreshold = this->DistanceThreshold;
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;
+  const Loops boundary = ReadBoundary(input);
+  options.Fixed = ReadEndsOfMouths(input, points.Plane, points.Grid, boundary);
   const BoundarySimplification simplified =
-    SimplifyBoundary(SpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), ReadBoundary(input),
-      options, monitor.Step(0.2, 0.7));
+    SimplifyBoundary(SpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), boundary, options,
+      monitor.Step(0.2, 0.7));
   points = LatticePoints(); // memory that the output can use
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::BoundaryDeviation, simplified.Deviation);

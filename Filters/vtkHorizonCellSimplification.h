@@ -47,6 +47,7 @@ public:
   vtkGetMacro(CellSize, int);
   ///@}
 
+  /// What stands for the points of a cell.
   enum RepresentativeChoice
   {
     Barycentre = 0,

@@ -5,6 +5,7 @@
 
 #include "Common/Parameters.h"
 #include "Decimation/Decimation.h"
+#include "Marshalling/CrackData.h"
 #include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
 
@@ -67,4 +68,9 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* input, const Outputs& out
   const DecimationOptions options = this->MakeOptions(horizon, grid);
   Decimation decimation = Decimate(std::move(horizon), options, monitor.Step(0.1, 0.9));
   WriteDecimation(input, grid, decimation, outputs.front());
+  if (this->GetCloseFaults())
+  {
+    const auto& vertices = decimation.Points;
+    CloseMesh(vertices.Plane, grid, vertices.Boundary, outputs.front(), monitor.Step(0.95, 1.0));
+  }
 }

@@ -37,6 +37,7 @@ public:
   vtkTypeMacro(vtkHorizonDespiking, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What is done with spikes and threads.
   enum Actions
   {
     Remove = 0,

@@ -93,6 +93,7 @@ public:
   vtkGetMacro(SmallestCellSize, double);
   ///@}
 
+  /// What counts once in the mean size of neighbours.
   enum NeighbourMeanChoice
   {
     OverCubes = 0,

@@ -11,7 +11,9 @@
  *  - PatchId (int): the number of the point's patch, from 0; also the number of the patch's loop;
  *  - Boundary (unsigned char): 0 inside, 1 on the loop of a patch, 2 on the loop of a hole (see BoundaryType).
  * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSpeckPoints, the points of patches
- * that were too small.
+ * that were too small. With cut links (UseCuts), what CloseFaults of the meshers needs (Documentation/DataModel.md):
+ *  - CutMouths (int, 4 components): where cracks open to the outside or to gaps, as two columns;
+ *  - CrackLoops (vtkIdType): the numbers of the loops that cracks run along all around.
  *
  * A patch is a connected part of the horizon: two points are neighbours when they are at most Radius columns apart
  * along each axis, and points that reach each other from neighbour to neighbour are of one patch. A patch inside the
@@ -45,6 +47,7 @@ public:
   vtkTypeMacro(vtkHorizonExteriorBoundary, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Which boundary is looked for.
   enum BoundaryTypes
   {
     Exterior = 0,
@@ -52,6 +55,7 @@ public:
     Topological8 = 2
   };
 
+  /// How an outline of a radius above 1 grows.
   enum GrowthStrategies
   {
     Distance = 0,

@@ -51,12 +51,14 @@ public:
   vtkTypeMacro(vtkHorizonHoleFilling, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// By what surface holes are filled.
   enum Methods
   {
     Plate = 0,
     Membrane = 1
   };
 
+  /// What new points get in the arrays of the input.
   enum AttributeChoices
   {
     FromRim = 0,

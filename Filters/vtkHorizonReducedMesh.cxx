@@ -18,6 +18,7 @@ void vtkHorizonReducedMesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
   os << indent << "Priority: " << (this->Priority == LargestErrors ? "LargestErrors" : "SumOfSquares") << "\n";
   os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
+  os << indent << "CloseFaults: " << (this->CloseFaults ? "on" : "off") << "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -115,6 +115,18 @@ public:
   vtkGetMacro(SmallestAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether cracks of cut links (vtkHorizonFaults) are closed by triangles between their lips. These come last, with 1
+   * in the new cell data array Fault, 0 of all other cells, and share the vertices of the lips; all else is as without
+   * them, and no other figure or array counts them: the new FaultTriangleCount (vtkIdType) tells how many there are.
+   * Gaps of missing points stay open. Default: off.
+   */
+  vtkSetMacro(CloseFaults, bool);
+  vtkGetMacro(CloseFaults, bool);
+  vtkBooleanMacro(CloseFaults, bool);
+  ///@}
+
 protected:
   vtkHorizonReducedMesh() = default;
   ~vtkHorizonReducedMesh() override = default;
@@ -134,6 +146,7 @@ private:
   int Effort = Best;
   int Priority = SumOfSquares;
   double SmallestAngle = 2.0;
+  bool CloseFaults = false;
 };
 
 #endif

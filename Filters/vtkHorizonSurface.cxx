@@ -10,6 +10,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/BoundaryOutput.h"
+#include "Marshalling/CrackData.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
@@ -181,9 +182,9 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   if (!this->UseCuts)
   {
     RemoveCuts(outlines);
-    RemoveCuts(outputs[MeshPort]);
   }
   vtkPolyData* const mesh = outputs[MeshPort];
+  RemoveCuts(mesh); // those of the outlines are right
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
   if (surface.Kept.empty())
   {
@@ -195,6 +196,11 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     AddValue<vtkDoubleArray>(figures, FieldArray::BoundaryDeviation, surface.BoundaryDeviation);
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, surface.OutlineDeviation);
     WriteDecimation(outlines, points.Grid, surface.Mesh, mesh);
+    if (this->GetCloseFaults())
+    {
+      const Reduction& vertices = surface.Mesh.Points;
+      CloseMesh(vertices.Plane, points.Grid, vertices.Boundary, mesh, monitor.Step(0.95, 1.0));
+    }
     if (HasSeams(options.Seams))
     {
       WriteSeams(outlines, points.Grid, surface, options.Seams, onLowerSeam, mesh);

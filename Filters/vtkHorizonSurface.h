@@ -124,8 +124,8 @@ public:
   ///@{
   /**
    * Whether the cut links that the horizon carries (field data CutLinks) part it: cracks are loops around both lips,
-   * whatever HoleBoundaries and the smallest hole are, and the mesh leaves them open. Off: the horizon is not cut
-   * from here on, and the outputs have no CutLinks. Default: on.
+   * whatever HoleBoundaries and the smallest hole are, and the mesh leaves them open unless CloseFaults is on. Off: the
+   * horizon is not cut from here on, and the outputs have no CutLinks. Default: on.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);

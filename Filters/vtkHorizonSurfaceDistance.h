@@ -46,6 +46,8 @@
  * triangles, a horizon without counterpart, points that are not finite, a reference without triangles that is no
  * horizon on a lattice.
  *
+ * Triangles that close faults (1 in the cell data array Fault) are no part of either surface.
+ *
  * @sa vtkHorizonTriangulation vtkDistancePolyDataFilter vtkHausdorffDistancePointSetFilter
  */
 

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
+#include "Marshalling/CrackData.h"
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
@@ -89,6 +90,7 @@ void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumBoundaryAngle: " << this->MaximumBoundaryAngle << "\n";
   os << indent << "MaximumBoundaryEdgeLength: " << this->MaximumBoundaryEdgeLength << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
+  os << indent << "CloseFaults: " << (this->CloseFaults ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -124,5 +126,9 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& 
   AddValue<vtkIdTypeArray>(figures, FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges));
   AddValue<vtkIdTypeArray>(figures, FieldArray::NonDelaunayEdgeCount, vtkIdType(mesh.NonDelaunayEdges));
   AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
+  if (this->CloseFaults && !this->ConvexHull && this->MaximumNumberOfTriangles == 0)
+  {
+    CloseMesh(horizon.Plane, grid, horizon.Boundary, output, monitor.Step(0.95, 1.0));
+  }
   WriteWalk(mesh.Walk, grid, height, outputs[1]);
 }

@@ -117,6 +117,18 @@ public:
   vtkGetMacro(MaximumNumberOfTriangles, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether cracks of cut links (vtkHorizonFaults) are closed by triangles between their lips. These come last, with 1
+   * in the new cell data array Fault, 0 of all other cells, and share the vertices of the lips; all else is as without
+   * them, and no other figure counts them: the new FaultTriangleCount (vtkIdType) tells how many there are. Gaps of
+   * missing points stay open. Not applied with ConvexHull or MaximumNumberOfTriangles. Default: off.
+   */
+  vtkSetMacro(CloseFaults, bool);
+  vtkGetMacro(CloseFaults, bool);
+  vtkBooleanMacro(CloseFaults, bool);
+  ///@}
+
 protected:
   vtkHorizonTriangulation();
   ~vtkHorizonTriangulation() override = default;
@@ -132,6 +144,7 @@ private:
   double MaximumBoundaryAngle = 180.0;
   double MaximumBoundaryEdgeLength = 0.0;
   int MaximumNumberOfTriangles = 0;
+  bool CloseFaults = false;
 };
 
 #endif

@@ -95,7 +95,8 @@ vtkImageData* vtkSeismicReflectionExtraction::GetCube()
 vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
 {
   vtkInformation* const choice = this->GetInputArrayInformation(0);
-  const char* const name = choice->Get(vtkDataObject::FIELD_NAME());
+  const char* const given = choice->Get(vtkDataObject::FIELD_NAME());
+  const char* const name = given && *given ? given : nullptr; // ParaView gives none as "" where it knows of no array yet
   if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     throw InputError("amplitudes that are not at points, expected an array of the points: see Cell Data To Point Data");

@@ -88,7 +88,8 @@ def make_parser():
         "x.vsm or x.dat. Where files have "
         "the same name, the names of their folders come first, as many as it takes: a_x.png for a/x.vsm, and b_x.png "
         "for b/x.vsm. Results of a file appear all together, or not at all. Distances are in lattice units: 1 is one "
-        "column step sideways and one vertical index up or down. The exit code is 1 when a file could not be done; the "
+        "column step sideways and one vertical index up or down. The exit code is 0 when all is done, and 1 when a file, or "
+        "the report, could not be done, or the command line is wrong; the "
         "other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path,
                         help="files of horizons, or folders of them")
@@ -102,7 +103,22 @@ def make_parser():
     _add_preparation_options(parser.add_argument_group("before all stages", "horizons are read as a whole then"))
     _add_stage_options(parser.add_argument_group("stages"))
     _add_error_options(parser.add_argument_group("error"))
-    running = parser.add_argument_group("running")
+    _add_telling_options(parser.add_argument_group("telling"))
+    _add_running_options(parser.add_argument_group("running"))
+    return parser
+
+
+def _add_telling_options(group):
+    group.add_argument("--report", type=pathlib.Path, default=argparse.SUPPRESS, metavar="FILE.html",
+                       help="write a page for a browser about the whole run: what was read, figures, pictures, meshes to "
+                       "turn around, and how to do it again, all in one file; measures the error, too, but of horizons "
+                       "that are larger than memory")
+    group.add_argument("--json", action="store_true",
+                       help="print one JSON object with all figures in place of the tables, for programs; "
+                       "Documentation/Report.md tells of its keys")
+
+
+def _add_running_options(running):
     running.add_argument("--no-pictures", action="store_true", help="write no pictures (then no X server is needed)")
     running.add_argument("--leave-out-invalid", action="store_true",
                          help="leave out horizons that can not be processed, with a warning, and do the others of "
@@ -114,7 +130,6 @@ def make_parser():
                          "may be larger)")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
                          help="number of threads; 0 uses all processors")
-    return parser
 
 
 def _add_reader_options(group):
@@ -172,6 +187,9 @@ def _add_preparation_options(group):
     group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
                        help="find faults that throw by T vertical indices or more, and leave the mesh open there "
                        "(default: no fault is cut)")
+    group.add_argument("--close-faults", action="store_true",
+                       help="close the mesh at these faults by triangles from one side to the other, which have 1 in the "
+                       "array Fault")
     group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
                        help="fill holes of at most N columns with new points that go on smoothly from "
                        "those around them (default: none)")
@@ -282,12 +300,15 @@ def make_settings(options):
         "CellSize": options.elaborate_cell_size, "FlatnessThreshold": options.flatness_threshold,
         "Representative": options.representative}
     settings.surface = _make_surface(options, settings.boundary, settings.simplified)
-    settings.error = None if not options.measure_error else {
+    if options.close_faults:
+        (settings.mesh if settings.surface is None else settings.surface)["CloseFaults"] = True
+    settings.error_if_whole = hasattr(options, "report") and not options.measure_error
+    settings.error = None if not options.measure_error and not settings.error_if_whole else {
         "DistanceUnit": options.distance_unit, "SamplesPerPoint": options.samples_per_point}
     return settings
 
 
-def report(kind, text):
+def tell(kind, text):
     """Tells of an error, or of a warning."""
     sys.stderr.write("%s: %s: %s\n" % (PROGRAM, kind, text))
     sys.stderr.flush()
@@ -295,8 +316,33 @@ def report(kind, text):
 
 def fail(error):
     """Says what is wrong, and returns the exit code."""
-    report("error", error)
+    tell("error", error)
     return 1
+
+
+def _run(options):
+    """All files, then what is told of them. Returns the exit code."""
+    from seismichorizons import batch, interrupt, record, report
+    from seismichorizons.stage import HorizonError
+
+    page = getattr(options, "report", None)
+    with_pictures = not options.no_pictures
+    run = record.Record(tell, bool(page or options.json), report.make_album(with_pictures) if page else None)
+    try:
+        if page:
+            report.check(page)
+        batch.run(options.inputs, options.output_folder, make_settings(options), with_pictures, run, not options.json)
+        interrupt.check()
+        if page:
+            report.write(run.as_values(), page, run.album)
+    except (HorizonError, OSError) as error:
+        run.fail(error)
+    if options.json:
+        try:
+            batch.print_lines([run.as_json()])
+        except HorizonError as error:
+            run.fail(error)
+    return 0 if run.is_done() else 1
 
 
 def _end_at_once(signal_number, _frame):
@@ -312,18 +358,13 @@ def main(arguments):
     if _given(options, error="largest_error", number="triangles") and (options.elaborate or options.skip_rough):
         parser.error("--largest-error or --triangles takes the place of --elaborate and --skip-rough")
     try:
-        from seismichorizons import batch, interrupt
-        from seismichorizons.stage import HorizonError, set_threads
+        from seismichorizons import interrupt
+        from seismichorizons.stage import set_threads
     except ImportError as error:
         return fail("the Python package seismichorizons can not be loaded; is its folder in PYTHONPATH? (%s)" % error)
     interrupt.listen()
     set_threads(options.threads)
-    settings = make_settings(options)
-    try:
-        failures = batch.run(options.inputs, options.output_folder, settings, not options.no_pictures, report)
-    except (HorizonError, OSError) as error:
-        return fail(error)
-    return 1 if failures else 0
+    return _run(options)
 
 
 if __name__ == "__main__":

@@ -3,12 +3,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Makes everything ready on Debian 12: installs the packages that are missing, configures, and builds into
-# build/release. What is done already is skipped. Needs to be root, or sudo, only when a package is missing.
+# build/release; with --only-packages, builds nothing. What is done already is skipped. Needs to be root, or sudo, only
+# when a package is missing.
 set -eu
 
+# mkdocs-material and doxygen make the site of the documentation.
+# libjs-three turns meshes around in reports.
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
 packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libsegyio-dev zlib1g-dev
-  libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb"
+  libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb mkdocs-material doxygen libjs-three"
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build_folder=$source_folder/build/release
 log=$(mktemp)
@@ -109,5 +112,6 @@ build() {
 }
 
 install_packages
+[ "${1:-}" != --only-packages ] || exit 0
 build
 echo "setup: ready"

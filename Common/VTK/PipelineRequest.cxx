@@ -51,7 +51,8 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
   }
   catch (const InputError& error)
   {
-    problem = error.what();
+    // A stage upstream that was stopped leaves nothing, which is no wrong input.
+    problem = IsAborted(algorithm) ? std::string() : error.what();
   }
   catch (const std::bad_alloc&)
   {

@@ -15,6 +15,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
@@ -34,20 +36,52 @@ using namespace SeismicHorizons;
 // vtkDataArraySelection looks for a name among all of them, one after the other, so that asking it for every name would
 // take the square of their number.
 
-/// Lists the names. Those that were in the list before keep their choice, others are enabled.
-void List(const std::vector<std::string>& names, vtkDataArraySelection* selection)
+/// Whether the selection lists these names, in this order.
+bool IsListed(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
-  bool areListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
-  for (std::size_t index = 0; areListed && index < names.size(); ++index)
+  bool isListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
+  for (std::size_t index = 0; isListed && index < names.size(); ++index)
   {
-    areListed = names[index] == selection->GetArrayName(static_cast<int>(index));
+    isListed = names[index] == selection->GetArrayName(static_cast<int>(index));
   }
-  if (!areListed)
+  return isListed;
+}
+
+/// Makes these the names of the selection. Those that it has keep their setting; it does not count as changed.
+void SetNames(const std::vector<std::string>& names, int settingOfOthers, vtkDataArraySelection* selection)
+{
+  std::vector<const char*> texts(names.size());
+  std::transform(names.begin(), names.end(), texts.begin(), [](const std::string& name) { return name.c_str(); });
+  selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), settingOfOthers);
+}
+
+/// Lists the names, with the choice that was made for each; new ones are enabled. `disabled` has the names that were
+/// disabled when they were listed last, for those that come back.
+void ListNames(
+  const std::vector<std::string>& names, vtkDataArraySelection* selection, std::unordered_set<std::string>& disabled)
+{
+  if (IsListed(names, selection))
   {
-    std::vector<const char*> texts(names.size());
-    std::transform(names.begin(), names.end(), texts.begin(), [](const std::string& name) { return name.c_str(); });
-    selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), 1);
+    return;
   }
+  std::vector<std::string> known;
+  for (int index = 0; index < selection->GetNumberOfArrays(); ++index)
+  {
+    const std::string name = selection->GetArrayName(index);
+    if (selection->GetArraySetting(index))
+    {
+      disabled.erase(name);
+      known.push_back(name);
+    }
+    else
+    {
+      disabled.insert(name);
+    }
+  }
+  std::copy_if(names.begin(), names.end(), std::back_inserter(known),
+    [&disabled](const std::string& name) { return disabled.count(name) > 0; });
+  SetNames(known, 0, selection);
+  SetNames(names, 1, selection);
 }
 
 /// The numbers of the names that are enabled.
@@ -165,12 +199,19 @@ void vtkHorizonSource::SetHorizonStatus(const char* name, int status)
 void vtkHorizonSource::EnableAllHorizons()
 {
   this->HorizonSelection->EnableAllArrays();
+  this->Disabled.clear();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonSource::DisableAllHorizons()
 {
   this->HorizonSelection->DisableAllArrays();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkIdTypeArray* vtkHorizonSource::GetHorizonSizes()
+{
+  return this->HorizonSizes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -193,7 +234,7 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
     [this, info](std::string&, const Monitor& monitor)
     {
       const std::vector<std::string> names = this->NameHorizons(monitor);
-      List(names, this->HorizonSelection);
+      this->List(names);
       this->DescribeOutput(Select(names, this->HorizonSelection), info);
     });
   // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
@@ -217,6 +258,15 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
     }
   }
   return MakeDistinct(std::move(names));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonSource::List(const std::vector<std::string>& names)
+{
+  ListNames(names, this->HorizonSelection, this->Disabled);
+  const std::vector<std::int64_t> sizes = this->CountHorizonPoints();
+  this->HorizonSizes->SetNumberOfValues(static_cast<vtkIdType>(sizes.size()));
+  std::copy(sizes.begin(), sizes.end(), this->HorizonSizes->GetPointer(0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -280,7 +330,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
         this->CheckParameters();
         // The data may have changed since the information was asked for.
         names = this->NameHorizons(monitor.Step(0.0, 0.5));
-        List(names, this->HorizonSelection);
+        this->List(names);
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
     this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));

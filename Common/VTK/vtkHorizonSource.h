@@ -25,6 +25,7 @@
 
 #include <cstdint> // for numbers of points
 #include <string> // for names
+#include <unordered_set> // for the choice
 #include <vector> // for lists
 
 namespace SeismicHorizons
@@ -33,6 +34,7 @@ class Monitor;
 }
 class vtkDataArraySelection;
 class vtkDataObject;
+class vtkIdTypeArray;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSource : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -43,8 +45,8 @@ public:
   ///@{
   /**
    * Which horizons are loaded, by their names. UpdateInformation() fills the list; where horizons come from an input,
-   * Update() does. A choice is kept when another file has a horizon of that name too, and it may be made before the
-   * list is filled. Default: all enabled.
+   * Update() does. A choice is kept when another file has a horizon of that name too, or when the horizon comes back
+   * that a window left out, and it may be made before the list is filled. Default: all enabled.
    */
   vtkDataArraySelection* GetHorizonSelection();
   int GetNumberOfHorizons();
@@ -55,6 +57,13 @@ public:
   void DisableAllHorizons();
   ///@}
 
+  /**
+   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in proportion
+   * to them before they are made. Empty where nothing is known.
+   */
+  vtkIdTypeArray* GetHorizonSizes();
+
+  /// Later when a selection has changed.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -99,8 +108,11 @@ private:
   void operator=(const vtkHorizonSource&) = delete;
 
   std::vector<std::string> NameHorizons(const SeismicHorizons::Monitor& monitor);
+  void List(const std::vector<std::string>& names);
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
+  vtkNew<vtkIdTypeArray> HorizonSizes;
+  std::unordered_set<std::string> Disabled; // names of horizons, of those that are not listed
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
+#include "CrackData.h"
 #include "HorizonCells.h"
 #include "HorizonPoints.h"
 
@@ -36,12 +37,14 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
     figures, FieldArray::NumberOfHoles, vtkIdType(boundary.Boundary.Size() - boundary.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::DroppedSpeckPoints, input->GetNumberOfPoints() - vtkIdType(kept.size()));
+  WriteCracks(boundary.OpenCracks, output);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void RemoveCuts(vtkPolyData* output)
 {
-  for (const char* const name : { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine })
+  for (const char* const name :
+    { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine, FieldArray::CutMouths, FieldArray::CrackLoops })
   {
     output->GetFieldData()->RemoveArray(name);
   }

@@ -18,11 +18,11 @@ class vtkPolyData;
 namespace SeismicHorizons
 {
 /// Makes `output` the points of `input` that are `kept`, in their order and with all their arrays, which both share
-/// where all points are, with the boundary that numbers them so: loops, PatchId, Boundary (`marks`), and the figures.
+/// where all points are, with the boundary that numbers them so: loops, PatchId, Boundary (`marks`), cracks, and the figures.
 void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output);
 
-/// Takes the cut links out of the field data of a horizon.
+/// Takes the cut links and their cracks out of the field data of a horizon.
 void RemoveCuts(vtkPolyData* output);
 
 /// What to warn of when no patch of a horizon is large enough.

@@ -29,7 +29,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 24> Figures = { {
+constexpr std::array<Figure, 25> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
@@ -40,6 +40,7 @@ constexpr std::array<Figure, 24> Figures = { {
   { FieldArray::BoundaryDeviation, "boundary off by up to" },
   { FieldArray::OutlineDeviation, "on the map by up to" },
   { FieldArray::TriangleCount, "triangles" },
+  { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
   { FieldArray::SmallestAngle, "smallest angle" },
   { FieldArray::LargestError, "largest error" },

@@ -15,6 +15,7 @@
 #include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -116,6 +117,28 @@ std::vector<unsigned char> ReadFilled(vtkPolyData* data)
   return marks;
 }
 
+/// The triangles of a mesh but for those that close faults, which are no part of a surface.
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
+{
+  std::vector<std::array<PointId, 3>> triangles = ReadTriangles(mesh);
+  vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
+  if (!faults)
+  {
+    return triangles;
+  }
+  RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  std::vector<std::array<PointId, 3>> open;
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
+    {
+      open.push_back(triangles[n]);
+    }
+  }
+  return open;
+}
+
 /// A mesh in world coordinates.
 TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
 {
@@ -124,7 +147,7 @@ TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
   surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
   ForEachPoint(
     surface, [data](std::size_t point, Eigen::Vector3d& place) { data->GetPoint(vtkIdType(point), place.data()); });
-  surface.Triangles = ReadTriangles(data);
+  surface.Triangles = ReadOpenTriangles(data);
   if (!withFilledPoints)
   {
     surface.LeftOut = ReadFilled(data);

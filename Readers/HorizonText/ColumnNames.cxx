@@ -4,6 +4,7 @@
 #include "ColumnNames.h"
 
 #include "Common/LineErrors.h"
+#include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
 
 #include <algorithm>
@@ -57,6 +58,20 @@ TextColumn ColumnOfName(std::string_view name)
     return { ColumnRole::Ignored, "-" };
   }
   return { RoleOfName(name), std::string(name) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string_view UnitOfName(std::string_view name)
+{
+  name = Trim(name);
+  const std::size_t opening = name.find_last_of("([");
+  if (opening == std::string_view::npos || (name.back() != ')' && name.back() != ']'))
+  {
+    return {};
+  }
+  const std::string_view unit = Trim(name.substr(opening + 1, name.size() - opening - 2));
+  const std::string brief = ShortUnit(unit);
+  return brief == "m" || brief == "ft" || brief == "ms" || brief == "s" ? unit : std::string_view();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

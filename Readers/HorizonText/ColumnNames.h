@@ -18,6 +18,9 @@ namespace SeismicHorizons
 /// is that of an attribute.
 TextColumn ColumnOfName(std::string_view name);
 
+/// The unit of length or time that a name ends with in brackets: "ms" of "TWT (ms)", "m" of "X [m]". Empty without one.
+std::string_view UnitOfName(std::string_view name);
+
 /// The columns that a user names, separated by commas, or where there is none by blanks; "-" leaves one out. Throws
 /// InputError where a role is there twice, and where z or the place is missing.
 std::vector<TextColumn> ParseColumnList(const std::string& list);

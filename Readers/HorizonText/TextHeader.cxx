@@ -224,7 +224,21 @@ private:
     }
   }
 
-  void AddColumn(std::string_view name) { this->Layout.Columns.push_back(ColumnOfName(Trim(name))); }
+  void AddColumn(std::string_view name)
+  {
+    this->Layout.Columns.push_back(ColumnOfName(Trim(name)));
+    const ColumnRole role = this->Layout.Columns.back().Role;
+    const std::string_view unit = UnitOfName(name);
+    SurveyDescription& survey = this->Layout.Survey;
+    if (role == ColumnRole::Z && !unit.empty() && survey.VerticalUnit.empty())
+    {
+      SetVerticalUnit(survey, unit);
+    }
+    else if (role == ColumnRole::X && !unit.empty() && survey.HorizontalUnit.empty())
+    {
+      survey.HorizontalUnit = ShortUnit(unit);
+    }
+  }
 
   /// Names in a line above the picks, a comment or not.
   void TakeNames()

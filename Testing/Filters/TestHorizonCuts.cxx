@@ -3,7 +3,7 @@
 //
 // Horizons with cut links through the stages.
 
-#include "HorizonFixtures.h"
+#include "FaultFixtures.h"
 #include "Tools/Check.h"
 
 #include "vtkCellArray.h"
@@ -20,53 +20,10 @@
 #include <limits>
 #include <sstream>
 
+using namespace FaultFixtures;
+
 namespace
 {
-constexpr double Throw = 15.0;
-constexpr int LastRowBelow = 11; // of the fault
-constexpr int FirstColumn = 2; // of its links
-constexpr int LastColumn = 20;
-
-double FaultedHeight(int i, int j)
-{
-  const bool isThrown = j > LastRowBelow && i >= FirstColumn && i <= LastColumn;
-  return 10.0 + (isThrown ? Throw : 0.0);
-}
-
-void AddLinks(vtkPolyData* horizon, const std::vector<std::array<int, 3>>& links)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName("CutLinks");
-  array->SetNumberOfComponents(3);
-  vtkNew<vtkDoubleArray> throws;
-  throws->SetName("CutThrow");
-  for (const std::array<int, 3>& link : links)
-  {
-    array->InsertNextTypedTuple(link.data());
-    throws->InsertNextValue(Throw);
-  }
-  horizon->GetFieldData()->AddArray(array);
-  horizon->GetFieldData()->AddArray(throws);
-}
-
-vtkSmartPointer<vtkPolyData> MakeFaulted(vtkMatrix4x4* survey)
-{
-  auto horizon = HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(32, 32), 3, survey, FaultedHeight);
-  std::vector<std::array<int, 3>> links;
-  for (int i = FirstColumn; i <= LastColumn; ++i)
-  {
-    links.push_back({ i, LastRowBelow, 1 });
-  }
-  AddLinks(horizon, links);
-  return horizon;
-}
-
-double Figure(vtkPolyData* horizon, const char* name)
-{
-  vtkDataArray* const array = horizon->GetFieldData()->GetArray(name);
-  return array ? array->GetComponent(0, 0) : -1.0;
-}
-
 /// How many triangles lead from one lip to the other; on a survey of unit steps.
 int CountAcross(vtkPolyData* mesh)
 {
@@ -88,12 +45,6 @@ int CountAcross(vtkPolyData* mesh)
     across += isBelow && isAbove ? 1 : 0;
   }
   return across;
-}
-
-vtkPolyData* Update(vtkHorizonAlgorithm* stage)
-{
-  stage->Update();
-  return stage->GetPolyDataOutput();
 }
 
 void TestBoundary()

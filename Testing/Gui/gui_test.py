@@ -5,13 +5,11 @@
 Every event of the script has to find its menu entry, button or field.
 """
 
-import os
 import pathlib
-import shutil
-import subprocess
 import sys
 
 import image_compare
+import window
 
 
 def fill_in(template, script, values):
@@ -27,14 +25,8 @@ def play(paraview, script, folder):
     ParaView writes the picture when it finds no baseline, so it is given none: its own comparison is too lenient.
     The exit code says no more than that, and the log tells whether all events found their object.
     """
-    home = folder / "home"
-    home.mkdir()
-    os.chmod(home, 0o700)
-    environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home), XDG_RUNTIME_DIR=str(home))
-    command = [paraview, "--dr", "--test-directory=%s" % folder, "--test-script=%s" % script,
-               "--test-baseline=%s" % (folder / "no-such-baseline.png"), "--test-threshold=1", "--exit"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=100, env=environment)
-    log = done.stdout + done.stderr
+    _, log = window.run(paraview, script, folder, "--test-baseline=%s" % (folder / "no-such-baseline.png"),
+                        "--test-threshold=1")
     picture = image_compare.load(folder / "no-such-baseline.png")
     if "Success =  true" not in log or "critical:" in log or picture is None:
         print(log)
@@ -48,9 +40,7 @@ def main():
     parser.add_argument("--template", type=pathlib.Path, required=True)
     options = parser.parse_args()
     name = "Gui-" + options.template.name.split(".")[0]
-    folder = options.output / (name + ("-changed" if options.changed else ""))
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
+    folder = window.new_folder(options.output / (name + ("-changed" if options.changed else "")))
     script = folder / "events.xml"
     fill_in(options.template, script, {
         "SAMPLE": str(options.data / "sample.vsm"), "CELL_SIZE": "4" if options.changed else "3"})

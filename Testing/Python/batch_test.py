@@ -3,6 +3,7 @@
 """The batch program as a user runs it. Arguments: program, folder of the data, work folder, then the interpreter."""
 
 import csv
+import json
 import os
 import pathlib
 import resource
@@ -186,6 +187,17 @@ class BatchTest(unittest.TestCase):
         world = next(row for row in rows if row["Direction"] == "Mesh to reference" and row["Unit"] == "World")
         distances = mesh_checks.array(read(self.output / "sample_horizon_1.vtp"), "Distance")
         self.assertLessEqual(distances.max(), float(world["LargestDistance"]))
+
+    def test_report(self):
+        """The parts of the page are where the package is; what is printed is JSON alone."""
+        page = self.output.with_name("page.html")
+        done = self.succeed("--report", page, "--json", "--horizons", "1", "--", SAMPLE)
+        run = json.loads(done.stdout)
+        self.assertEqual([h["name"] for h in run["files"][0]["horizons"]], ["Horizon 1"])
+        text = page.read_text(encoding="utf-8")
+        self.assertIn(">Horizon 1<", text)
+        self.assertTrue(text.endswith("</html>\n"))
+        self.assertEqual(run["command"]["words"][0], INTERPRETER[0])
 
     def test_any_number_of_threads(self):
         bytes_of = []

@@ -12,7 +12,7 @@ import pathlib
 import sys
 import unittest
 
-from seismichorizons import batch, pipeline
+from seismichorizons import batch, pipeline, record
 from seismichorizons.stage import HorizonError, make, update
 
 MATRIX = b"3 2 9\n1 1 1 1 1\n2 1 1 2 2\n3 1 1 3 3\n4 1 1 4 4\n5 1 1 5 5\n6 1 1 6 6\n"
@@ -89,7 +89,7 @@ class CompressedFiles(unittest.TestCase):
         messages = []
         with contextlib.redirect_stdout(io.StringIO()) as printed:
             batch.run([folder], folder / "output", pipeline.Settings(rough=None), False,
-                      lambda kind, text: messages.append("%s: %s" % (kind, text)))
+                      record.Record(lambda kind, text: messages.append("%s: %s" % (kind, text))))
         self.assertEqual(messages, [])
         self.assertEqual(sorted(path.name for path in (folder / "output").iterdir()), ["a_horizon_1.vtp", "picks.vtp"])
         self.assertTrue(printed.getvalue().startswith("a.vsm.gz: read in "), printed.getvalue())

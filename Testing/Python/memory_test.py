@@ -18,7 +18,7 @@ from unittest import mock
 
 import mesh_checks
 import numpy as np
-from seismichorizons import batch, memory, parts, pipeline, reading
+from seismichorizons import batch, memory, parts, pipeline, reading, record
 from seismichorizons.stage import HorizonError, make, set_threads, update
 from seismichorizons.supply import Supply
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -143,7 +143,8 @@ class BatchTest(unittest.TestCase):
         messages, printed = [], io.StringIO()
         output = self.output / (name or str(points))
         with contextlib.redirect_stdout(printed), alone():
-            batch.run([path], output, settings, False, lambda kind, text: messages.append("%s: %s" % (kind, text)))
+            batch.run([path], output, settings, False,
+                      record.Record(lambda kind, text: messages.append("%s: %s" % (kind, text))))
         files = {p.name: p.read_bytes() for p in output.iterdir()} if output.exists() else {}
         return messages, printed.getvalue(), files
 

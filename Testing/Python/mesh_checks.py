@@ -72,6 +72,7 @@ def check_mesh(mesh):
     outlines leaves no room for overlaps, gaps or triangles outside.
     """
     points, corners, patches = coordinates(mesh), triangles(mesh), array(mesh, "PatchId")
+    points = points - points.mean(axis=0)  # areas far from the origin lose digits
     a, b, c = (points[corners[:, n], :2] for n in range(3))
     doubled = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
     assert (doubled > 0).all(), "%d triangles do not face up" % (doubled <= 0).sum()

@@ -16,7 +16,7 @@ import unittest
 from unittest import mock
 
 import seismichorizons as sh
-from seismichorizons import batch, interrupt, overview, pictures, pipeline, stage, tables, writing
+from seismichorizons import batch, interrupt, overview, pictures, pipeline, progress, record, stage, tables, writing
 from seismichorizons.stage import HorizonError
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
@@ -88,16 +88,30 @@ class StageTest(unittest.TestCase):
         self.assertFalse(algorithm.GetExecutive().HasObserver("ErrorEvent"))
 
     def test_progress(self):
-        """Told of long work that has a label."""
+        """Told of long work that has a label, on a terminal: as it goes on, and at its end with the rate and the time."""
         boundary = sh.vtkHorizonExteriorBoundary()
         boundary.SetInputDataObject(0, plane())
-        for seconds, label, told in ((0.0, "a label", True), (1000.0, "a label", False), (0.0, "", False)):
+        for seconds, label, is_terminal, told in ((0.0, "a label", True, True), (1000.0, "a label", True, False),
+                                                  (0.0, "", True, False), (0.0, "a label", False, False)):
             boundary.Modified()
             log = io.StringIO()
-            with mock.patch.object(stage, "LONG_WORK", seconds), contextlib.redirect_stderr(log):
-                self.assertGreaterEqual(stage.update(boundary, label), 0.0)
-            self.assertEqual(log.getvalue().endswith("a label: 100 %\n"), told, log.getvalue())
+            log.isatty = lambda answer=is_terminal: answer
+            with mock.patch.multiple(progress, LONG_WORK=seconds, BETWEEN=0.0), contextlib.redirect_stderr(log):
+                self.assertGreaterEqual(stage.update(boundary, label, work=(20, "points")), 0.0)
             self.assertEqual(bool(log.getvalue()), told, log.getvalue())
+            if told:
+                self.assertRegex(log.getvalue(), r"\ra label: +\d+ %")
+                self.assertRegex(log.getvalue().split("\r")[-1], r"^a label: done  .* points/s  0\.0 s\x1b\[K\n$")
+                self.assertEqual(log.getvalue().count("\n"), 1)
+
+    def test_line_of_progress(self):
+        line = progress.Progress("x", (6000000, "points")).line
+        self.assertEqual(line(0.25, 10.0), "x:  25 %  150 k points/s  30 s left")
+        self.assertEqual(line(None, 125.0), "x: done  48 k points/s  2 min 05 s")
+        self.assertEqual(line(0.0, 10.0), "x:   0 %")
+        self.assertEqual(progress.Progress("x").line(0.5, 4.0), "x:  50 %  4.0 s left")
+        self.assertEqual(progress.amount_text(12.5e6, "B"), "12.5 MB")
+        self.assertEqual(progress.duration_text(7260), "2 h 01 min")
 
 
 class SurfaceTest(unittest.TestCase):
@@ -119,7 +133,7 @@ class SurfaceTest(unittest.TestCase):
         """One stage gives the mesh, and outlines to measure it against."""
         settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=0.5), error={})
         result = pipeline.run("a file", "Horizon 1", plane(), settings)
-        self.assertEqual(sorted(result.data), ["boundary", "mesh", "points"])
+        self.assertEqual(sorted(result.data), ["boundary", "measured", "mesh", "points"])
         self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
         self.assertLess(largest_error(result.figures), ROUNDING)
         self.assertEqual(tables.row(result)[2:5], ("1", "14", "4"))
@@ -188,7 +202,7 @@ class PipelineTest(unittest.TestCase):
         result = pipeline.run("plane.vsm", "Horizon 1", points, pipeline.Settings(rough=None, error={}))
         self.assertIs(result.data["points"], points)
         self.assertEqual({name: data.GetNumberOfPoints() for name, data in result.data.items()},
-                         {"points": 20, "boundary": 20, "simplified": 10, "mesh": 10})
+                         {"points": 20, "boundary": 20, "simplified": 10, "mesh": 10, "measured": 20})
         # With n points, h of them on the outline, there are 2 n - 2 - h triangles.
         self.assertEqual(result.data["mesh"].GetNumberOfPolys(), 14)
         self.assertIsNotNone(result.data["mesh"].GetPointData().GetArray("Distance"))
@@ -270,9 +284,11 @@ class BatchTest(unittest.TestCase):
     def run_batch(self, inputs, settings=NO_ROUGH):
         """The number of failures, the messages, and what was printed."""
         messages, printed = [], io.StringIO()
+        run = record.Record(lambda kind, text: messages.append("%s: %s" % (kind, text)))
         with contextlib.redirect_stdout(printed):
-            failures = batch.run(inputs, self.output, settings, False,
-                                 lambda kind, text: messages.append("%s: %s" % (kind, text)))
+            batch.run(inputs, self.output, settings, False, run)
+        failures = sum(1 for file in run.files if file["error"])
+        self.assertEqual(run.is_done(), failures == 0)
         return failures, messages, printed.getvalue()
 
     def test_files(self):

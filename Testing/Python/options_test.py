@@ -72,6 +72,14 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual((stages[0][1].GetThreshold(), stages[1][1].GetSmallestThrow()), (2.5, 3.0))
         self.assertFalse(settings.can_cut())
 
+    def test_close_faults(self):
+        """The stage that makes the mesh closes it."""
+        for target in ((), ("--largest-error", "1")):
+            for close in (False, True):
+                settings = self.settings("--cut-faults", "3", *target, *(["--close-faults"] if close else []))
+                name, mesher = settings.make_stages()[-1]
+                self.assertEqual((name, mesher.GetCloseFaults()), ("mesh", close))
+
     def test_largest_error(self):
         """One stage, whose parameters are chosen unless they are given."""
         settings = self.settings("--largest-error", "1.5")

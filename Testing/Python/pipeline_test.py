@@ -143,6 +143,13 @@ def check_faults(reader, folder):
         cut = horizon.GetFieldData().GetArray("CutLinks")
         assert all(cut.GetTuple3(n)[::2] == (20, 0) for n in range(cut.GetNumberOfTuples())), name
         assert shown[name].GetNumberOfCells() == (cut.GetNumberOfTuples() > 0), name
+    closed = simple.HorizonSurface(Input=faults, CloseFaults=1)
+    closed.UpdatePipeline()
+    for name, mesh in fetch(closed).items():
+        walls = mesh.GetFieldData().GetArray("FaultTriangleCount").GetValue(0)
+        assert (walls > 0) == (shown[name].GetNumberOfCells() > 0), name
+        assert mesh.GetCellData().GetArray("Fault").GetRange() == (0.0, float(walls > 0)), name
+    simple.Delete(closed)
     faults.FaultLines = None
     faults.UpdatePipeline()
     assert told(faults, "NumberOfCutLinks") == 0

@@ -7,6 +7,8 @@ BOUNDARY_ARRAYS = ("PatchId", "Boundary")
 FIELD_ARRAYS = ("LatticeDimensions", "LatticeToWorld", "VerticalDirection", "DroppedDuplicates")
 STAGES = ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
           "HorizonTriangulation")
+CHOSEN = ["Horizon 1", "Horizon 3"]
+FAULT = "1455.0 1922.5 0\n-3090.0 20102.5 0\n999.0 999.0 999.0\n"  # between columns 20 and 21 of all_stages
 
 
 def with_classes(path):
@@ -35,6 +37,41 @@ def with_proxies(path):
         proxies.append(getattr(simple, name)(Input=proxies[-1]))
     proxies[-1].UpdatePipeline()
     return proxies
+
+
+def write_fault(folder):
+    """A file with the fault line that all_stages takes."""
+    path = folder / "fault.pol"
+    path.write_text(FAULT, encoding="utf-8")
+    return path
+
+
+def all_stages(sample, fault):
+    """All stages of the menu that take horizons, each with parameters that are not the defaults. Proxies by their names."""
+    from paraview import simple
+
+    made = {}
+
+    def add(name, kind, **properties):
+        made[name] = getattr(simple, kind)(registrationName=name, **properties)
+        return made[name]
+
+    points = add("points", "VerneySparseMatrixReader", FileName=str(sample), HorizonStatus=CHOSEN,
+                 Origin=[1000.0, 2000.0, -50.0], ColumnStep=[20.0, 5.0], RowStep=[-5.0, 20.0], VerticalStep=4.0)
+    lines = add("lines", "FaultLinesReader", FileName=str(fault), VerticalDirection="Up")
+    quiet = add("quiet", "HorizonDespiking", Input=points, Threshold=2.5, NeighborhoodRadius=2)
+    cut = add("cut", "HorizonFaults", Input=quiet, FaultLines=lines, SmallestThrow=4.5)
+    whole = add("whole", "HorizonHoleFilling", Input=cut, LargestHoleSize=40, Method="Membrane")
+    add("surface", "HorizonSurface", Input=whole, MaximumError=1.5, AutomaticRadius=0, Radius=2)
+    outline = add("outline", "HorizonExteriorBoundary", Input=whole, Radius=2, GrowthStrategy="Clockwise",
+                  MinimumPatchSize=9)
+    loops = add("loops", "HorizonBoundarySimplification", Input=outline, DistanceThreshold=0.7)
+    thin = add("thin", "HorizonRoughSimplification", Input=loops, CellSize=4)
+    add("few", "HorizonElaborateSimplification", Input=loops, Representative="Nearest Point")
+    mesh = add("mesh", "HorizonTriangulation", Input=thin)
+    add("least", "HorizonDecimation", Input=loops, MaximumError=2.0)
+    add("distance", "HorizonSurfaceDistance", Reference=points, Mesh=mesh, SamplesPerPoint=2.0)
+    return made
 
 
 def assert_same(first, second):

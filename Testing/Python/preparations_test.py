@@ -58,6 +58,19 @@ class PreparationsTest(unittest.TestCase):
             captions = [(panel.title, panel.caption) for panel in overview.panels(result)[1:3]]
             self.assertEqual(captions, [("Despiking", "0 points removed"), ("Faults", "1 line")])
 
+    def test_closed_faults(self):
+        """The same step as one mesh, whose triangles at the fault are told."""
+        rows = b"".join((b"5 1 1 0.5 4.0\n" * 15 + b"25 1 1 0.5 4.0\n" * 15) for _ in range(30))
+        points = pipeline.read_first(write("step.vsm", b"30 30 40\n" + rows))
+        closing = {"CloseFaults": True}
+        for given in ({"surface": pipeline.surface_properties(largest_error=0.5, **closing)}, {"mesh": closing}):
+            mesh = pipeline.run("step.vsm", "Horizon 1", points, pipeline.Settings(torn={}, **given)).data["mesh"]
+            faults = mesh.GetCellData().GetArray("Fault")
+            closed = sum(faults.GetValue(n) for n in range(faults.GetNumberOfTuples()))
+            self.assertEqual(closed, mesh.GetFieldData().GetArray("FaultTriangleCount").GetValue(0))
+            self.assertEqual(mesh.GetFieldData().GetArray("TriangleCount").GetValue(0) + closed, mesh.GetNumberOfPolys())
+            self.assertGreaterEqual(closed, 2)
+
 
 if __name__ == "__main__":
     unittest.main(argv=["preparations_test"], verbosity=2)

@@ -36,6 +36,10 @@ def main():
     extraction.UpdatePropertyInformation()
     assert extraction.WhatWasFound.startswith("60516 samples, "), extraction.WhatWasFound
 
+    # A script need not update the cube before: where no array is known yet it is the active one.
+    fresh = simple.Calculator(Input=cube, Function="RTData - 150", ResultArrayName="centred")
+    assert len(fetch(simple.SeismicReflectionExtraction(Input=fresh, SmallestSize=50))) == len(horizons)
+
     # One of the arrays by its name, and fewer horizons.
     extraction.AmplitudeArray = ["POINTS", "RTData"]
     other = fetch(extraction)

@@ -110,7 +110,7 @@ def check_cycles(rooms):
 def main():
     tree = pathlib.Path(sys.argv[1])
     rooms = read_table(tree / "Documentation" / "Architecture.md")
-    folders = ["Common", "Filters", "Readers", "Writers", "Utilities", "Testing"]
+    folders = ["Common", "Filters", "Readers", "Writers", "ParaViewPlugin", "Utilities", "Testing"]
     sources = sorted(path for folder in folders for path in (tree / folder).rglob("*")
                      if path.suffix in (".h", ".cxx") and "Consumer" not in path.parts)
     scripts = sorted(path for folder in folders for path in (tree / folder).rglob("*.py"))

@@ -289,6 +289,33 @@ void SelectionMayComeFirstAndOutlivesTheFile()
   CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 8");
 }
 
+/// A window may leave horizons out of the list; they come back as they went.
+void SelectionOutlivesAWindow()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->SetFileName(WriteFile("window.vsm", "2 1 9\n1 7 1 1 1 2 8 1 1 1\n1 8 1 1 1 3 9 1 1 1\n").c_str());
+  reader->Update();
+  reader->SetHorizonStatus("Horizon 7", 0);
+  reader->SetHorizonStatus("Horizon 8", 0);
+  reader->SetColumnRange(1, 1);
+  reader->Update();
+  CHECK(reader->GetNumberOfHorizons() == 2 && !reader->GetHorizonStatus("Horizon 8"));
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 1 && GetName(reader, 0) == "Horizon 9");
+  reader->SetHorizonStatus("Horizon 8", 1);
+  const vtkMTimeType before = reader->GetMTime();
+  reader->UpdateInformation();
+  CHECK(reader->GetMTime() == before); // or the pipeline would run on and on
+  reader->SetColumnRange(0, -1);
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 2 && GetName(reader, 0) == "Horizon 8");
+  reader->SetColumnRange(1, 1);
+  reader->Update();
+  reader->EnableAllHorizons(); // those that are not listed as well
+  reader->SetColumnRange(0, -1);
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 3);
+}
+
 /// Choosing one of many horizons takes a fraction of a second; comparing all names with all others takes minutes.
 void ChoosingAmongManyHorizonsIsQuick()
 {
@@ -694,6 +721,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   SheetsAreHorizons();
   SelectionIsObeyed();
   SelectionMayComeFirstAndOutlivesTheFile();
+  SelectionOutlivesAWindow();
   ChoosingAmongManyHorizonsIsQuick();
   HorizonsComeInNumericalOrder();
   FileIsScannedOnlyOnce();

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the picture of the page on faults: a faulted horizon with the lines found, and its meshes without and with cuts.
+"""Draws the pictures of the page on faults: a faulted horizon with the lines found, and its meshes without and with cuts,
+which are closed in the second one.
 
     fault_pictures.py FOLDER
 
@@ -20,6 +21,7 @@ from seismichorizons.stage import make, update
 
 SIZE = (150, 110)
 PANEL_SIZE = (440, 360)
+CLOSED_SIZE = (660, 480)
 LARGEST_ERROR = 1.5
 
 
@@ -45,6 +47,15 @@ def write(path):
     path.write_text("%d %d 200\n%s\n" % (*SIZE, "\n".join(lines)))
 
 
+def draw_closed(cut, within):
+    """The mesh with its faults open, and closed."""
+    closed, _ = surface(cut, largest_error=LARGEST_ERROR, CloseFaults=True)
+    walls = closed.GetFieldData().GetArray("FaultTriangleCount").GetValue(0)
+    row = [pictures.Panel("Open", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH),
+           pictures.Panel("Closed", "%d more" % walls, closed, pictures.MESH)]
+    pictures.write(pictures.draw([row], panel_size=CLOSED_SIZE), pathlib.Path(sys.argv[1]) / "ClosedFaults.png")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "faulted.vsm"
@@ -62,6 +73,7 @@ def main():
            pictures.Panel("Not cut", "%d triangles" % without.GetNumberOfPolys(), without, pictures.MESH),
            pictures.Panel("Cut", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH)]
     pictures.write(pictures.draw([row], panel_size=PANEL_SIZE), pathlib.Path(sys.argv[1]) / "Faults.png")
+    draw_closed(cut, within)
 
 
 if __name__ == "__main__":

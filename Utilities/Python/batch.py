@@ -19,23 +19,23 @@ from .stage import HorizonError
 from .supply import Supply
 
 
-def run(inputs, output_folder, settings, with_pictures, report):
-    """Does all files, and those of folders; returns how many failed. What is wrong with one goes to `report`, as
-    "error" or "warning" and the text, and the others are done all the same. Raises HorizonError or OSError when none
-    can be done."""
+def run(inputs, output_folder, settings, with_pictures, record, prints=True):
+    """Does all files, and those of folders. What is wrong with one goes to the record (record.Record), and the others are
+    done all the same. Raises HorizonError or OSError when none can be done."""
+    record.begin(settings)
     files = find_files(inputs)
     labels = make_labels(files)
     if with_pictures:
         check_display()
-    failures = 0
     with _workspace(output_folder) as workspace:
         for path, label in zip(files, labels):
+            record.begin_file(path, label)
             try:
-                process(path, label, workspace, settings, with_pictures, report)
+                lines = process(path, label, workspace, settings, with_pictures, record)
+                if prints:
+                    print_lines(lines)
             except (HorizonError, OSError) as error:
-                failures += 1
-                report("error", error)
-    return failures
+                record.fail_file(error)
 
 
 def find_files(inputs):
@@ -101,23 +101,24 @@ def _workspace(output_folder):
                 folder.rmdir()
 
 
-def process(path, label, workspace, settings, with_pictures, report):
-    """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Raises
-    HorizonError or OSError."""
+def process(path, label, workspace, settings, with_pictures, record):
+    """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns what
+    there is to print. Raises HorizonError or OSError."""
     supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), **settings.reader)
     names = _Names(_stem(label), supply.names, settings, with_pictures)
     names.check(workspace.parent)
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
-        results = _run_stages(label, supply, settings, report,
-                              lambda result: _write_mesh(result, names, pathlib.Path(folder), report))
-        _write(results, names, pathlib.Path(folder))
+        results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder))
+        lines = _write(results, names, pathlib.Path(folder))
         interrupt.check()
-        for name in sorted(os.listdir(folder)):
+        written = sorted(os.listdir(folder))
+        for name in written:
             os.replace(os.path.join(folder, name), workspace.parent / name)
-    _print(["%s: read in %.2f s" % (label, supply.seconds), *("  " + line for line in tables.table(results))])
+    record.end_file(supply, written)
+    return ["%s: read in %.2f s" % (label, supply.seconds), *("  " + line for line in tables.table(results)), *lines]
 
 
-def _run_stages(label, supply, settings, report, write):
+def _run_stages(label, supply, settings, record, names, folder):
     """The results of all horizons but those left out, which are written at once. Where horizons are not in memory all at
     once, only their meshes are kept."""
     results = []
@@ -128,12 +129,14 @@ def _run_stages(label, supply, settings, report, write):
             result = pipeline.run(label, name, points, settings)
         del points
         for warning in result.warnings:
-            report("warning", "%s: %s" % (label, warning))
+            record.warn("%s: %s" % (label, warning))
+        if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
+            _write_mesh(result, names, folder, record)
+            record.add_horizon(result, supply, names.meshes[name])
+            results.append(result)
+        result.data.pop("measured", None)
         if not supply.is_whole:
             result.release()
-        if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
-            write(result)
-            results.append(result)
     if not results:
         raise HorizonError("%s: all horizons are left out" % label)
     return results
@@ -145,7 +148,7 @@ class _Names:
     def __init__(self, stem, names, settings, with_pictures):
         self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats]
                        for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
-        self.figures = ["%s_error.csv" % stem] if settings.error is not None else []
+        self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
 
     def check(self, folder):
@@ -170,13 +173,15 @@ def _mesh_stems(stem, names):
     return stems
 
 
-def _write_mesh(result, names, folder, report):
+def _write_mesh(result, names, folder, record):
     for name in names.meshes[result.name]:
         for warning in writing.write_mesh(result.data["mesh"], folder / name, result.name):
-            report("warning", "%s: %s" % (name, warning))
+            record.warn("%s: %s" % (name, warning))
 
 
 def _write(results, names, folder):
+    """Returns what there is to print about it."""
+    lines = []
     for name in names.figures:
         writing.write_figures(results, folder / name)
     for name in names.pictures:
@@ -184,11 +189,12 @@ def _write(results, names, folder):
         from . import overview
 
         if len(results) > overview.MOST_ROWS:
-            _print(["  the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results))])
+            lines.append("  the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results)))
         overview.write(results, folder / name)
+    return lines
 
 
-def _print(lines):
+def print_lines(lines):
     """Raises HorizonError, and prints nothing any more then."""
     try:
         print("\n".join(lines), flush=True)

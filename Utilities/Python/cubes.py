@@ -5,6 +5,7 @@
 import pathlib
 
 from .memory import size_text
+from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
 READER = "vtkSEGYCubeReader"
@@ -50,7 +51,7 @@ def count_samples(extraction):
 
 def read(extraction, path):
     """Reads the cube; an error is then that of its reader. Returns the seconds it took. Raises HorizonError."""
-    return update(extraction.GetInputAlgorithm(), "%s: reading the cube" % path.name)
+    return update(extraction.GetInputAlgorithm(), "%s: reading the cube" % path.name, work=file_work(path))
 
 
 def require(extraction, budget, path):

@@ -13,7 +13,9 @@ import numpy as np
 # Importing these two registers the implementations of rendering and of text.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
+from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
 from .styles import (  # noqa: F401: a panel is made with one of them
@@ -46,22 +48,56 @@ def draw(rows, text=True, panel_size=PANEL_SIZE):
     return render(renderers, (columns * panel_size[0], len(rows) * panel_size[1]))
 
 
+def draw_each(row, panel_size, studio):
+    """Draws panels of a row without text, and returns a picture of each, as vtkImageData, and what they have in common: by
+    how much heights are exaggerated, and the distance that has the last colour."""
+    frame = _Frame(row, panel_size)
+    renderers = [_renderer(frame, panel, text=False) for panel in row]
+    for column, renderer in enumerate(renderers):
+        renderer.SetViewport(column / len(row), 0.0, (column + 1) / len(row), 1.0)
+    image = studio.render(renderers, (len(row) * panel_size[0], panel_size[1]))
+    images = []
+    for column in range(len(row)):
+        cut = vtkExtractVOI()
+        cut.SetInputData(image)
+        cut.SetVOI(column * panel_size[0], (column + 1) * panel_size[0] - 1, 0, panel_size[1] - 1, 0, 0)
+        cut.Update()
+        images.append(cut.GetOutput())
+    return images, frame.exaggeration, frame.farthest
+
+
 def render(renderers, size):
     """Draws renderers, each in its viewport, and returns the picture as vtkImageData."""
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*size)
-    for renderer in renderers:
-        window.AddRenderer(renderer)
-    window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    grabber.Update()
-    image = grabber.GetOutput()
-    window.Finalize()
-    return image
+    with Studio() as studio:
+        return studio.render(renderers, size)
+
+
+class Studio:
+    """A window that nobody sees, for one picture after the other: to open one takes longer than to draw most of them."""
+
+    def __init__(self):
+        self._window = vtkRenderWindow()
+        self._window.SetOffScreenRendering(1)
+        self._window.SetMultiSamples(0)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._window.Finalize()
+
+    def render(self, renderers, size):
+        self._window.SetSize(*size)
+        for renderer in renderers:
+            self._window.AddRenderer(renderer)
+        grabber = vtkWindowToImageFilter()  # it lets the window draw
+        grabber.SetInput(self._window)
+        grabber.ReadFrontBufferOff()
+        grabber.Update()
+        for renderer in renderers:
+            renderer.ReleaseGraphicsResources(self._window)
+            self._window.RemoveRenderer(renderer)
+        return grabber.GetOutput()
 
 
 def write(image, path):
@@ -71,6 +107,16 @@ def write(image, path):
     writer.SetInputData(image)
     writer.Write()
     write_file(writer.GetResult(), path)
+
+
+def as_jpeg(image, quality=85):
+    """A picture as the bytes of a JPEG file."""
+    writer = vtkJPEGWriter()
+    writer.WriteToMemoryOn()
+    writer.SetQuality(quality)
+    writer.SetInputData(image)
+    writer.Write()
+    return vtk_to_numpy(writer.GetResult()).tobytes()
 
 
 class _Frame:

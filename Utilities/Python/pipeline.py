@@ -47,7 +47,8 @@ class Settings:
     `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
     meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
-    left; horizons are read as many at a time as fit."""
+    left; horizons are read as many at a time as fit. With `error_if_whole` the error of a horizon that is larger than memory,
+    which can not be measured, is not asked for."""
 
     reader: dict = field(default_factory=dict)
     despiked: Optional[dict] = None
@@ -60,6 +61,7 @@ class Settings:
     mesh: dict = field(default_factory=dict)
     surface: Optional[dict] = None
     error: Optional[dict] = None
+    error_if_whole: bool = False
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
@@ -76,7 +78,8 @@ class Settings:
     def can_cut(self):
         """Whether a horizon that is larger than memory can be meshed in windows."""
         by_error = self.surface is not None and self.surface.get("Target") != "NumberOfTriangles"
-        return by_error and self.error is None and all(getattr(self, name) is None for name in PREPARATIONS)
+        can_go_without = self.error is None or self.error_if_whole
+        return by_error and can_go_without and all(getattr(self, name) is None for name in PREPARATIONS)
 
     def make(self, class_name, properties):
         """A stage, or the measure."""
@@ -114,8 +117,9 @@ def chosen_parameters(mesh):
 
 
 class Result:
-    """All stages of one horizon, which has a name: the data by stage ("points" are what was read), the seconds each took, and the figures
-    of the error as a table, or None; warnings as texts. The source is what errors and progress name: the file."""
+    """All stages of one horizon, which has a name: the data by stage ("points" are what was read, "measured" is the horizon
+    with its distances from the mesh), the seconds each took, and the figures of the error as a table, or None; distances
+    are in `unit`; warnings as texts. The source is what errors and progress name: the file."""
 
     def __init__(self, source, name, points):
         self.source = source
@@ -126,6 +130,7 @@ class Result:
         self.simplified = None  # the same once points were dropped
         self.seconds = {}
         self.figures = None
+        self.unit = "Lattice"
         self.warnings = []
 
     def release(self):
@@ -134,7 +139,8 @@ class Result:
 
     def run_stage(self, stage, algorithm):
         try:
-            self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), self.warnings)
+            self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), self.warnings,
+                                         (self.number_of_points, "points"))
         except HorizonError as error:  # names the horizon, but not the file
             raise HorizonError("%s: %s" % (self.source, error)) from None
 
@@ -191,5 +197,7 @@ def _measure(result, settings):
     meter.SetInputDataObject(0, result.data["boundary"])
     meter.SetInputDataObject(1, result.data["mesh"])
     result.run_stage("error", meter)
+    result.unit = settings.error.get("DistanceUnit", result.unit)
+    result.data["measured"] = meter.GetOutputDataObject(0)
     result.data["mesh"] = meter.GetOutputDataObject(1)
     result.figures = meter.GetOutputDataObject(2)

@@ -9,10 +9,17 @@
 import pathlib
 
 from . import cubes
+from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
-# In the order they are asked. The last one says what is wrong with a file that none of them knows.
-READERS = ("vtkVerneySparseMatrixReader", "vtkHorizonGridReader", cubes.READER, "vtkHorizonTextReader")
+# With what they read, in the order they are asked.
+READERS = {
+    "vtkVerneySparseMatrixReader": "sparse voxels",
+    "vtkHorizonGridReader": "grid",
+    cubes.READER: "seismic cube",
+    "vtkHorizonTextReader": "text"}
+# Says what is wrong with a file that none of them knows.
+LAST_READER = "vtkHorizonTextReader"
 
 
 def find_reader(path):
@@ -23,7 +30,7 @@ def find_reader(path):
 def open_file(path, **properties):
     """What gives the horizons of a file: its reader, or the extraction from a cube. Raises HorizonError when it has no
     such property."""
-    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else READERS[-1])
+    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else LAST_READER)
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
     reader = make(name, FileName=str(path))
@@ -59,6 +66,15 @@ def read(path, horizons=None, **properties):
     return read_source(open_file(path, **properties), path, horizons)
 
 
+def describe(source):
+    """What there is to say of a file that was opened: the kind of its format, what the reader has found as lines, and how
+    many horizons it has."""
+    reader = source.GetInputAlgorithm() if cubes.is_extraction(source) else source
+    return {"format": READERS[reader.GetClassName()],
+            "description": reader.GetDescription().splitlines() if hasattr(reader, "GetDescription") else [],
+            "horizons_in_file": source.GetNumberOfHorizons()}
+
+
 def read_source(source, path, horizons=None):
     """The same of what open_file gave."""
     seconds = 0.0
@@ -66,7 +82,7 @@ def read_source(source, path, horizons=None):
         seconds += cubes.read(source, path)
     elif horizons is not None:
         select(source, horizons, path)
-    seconds += update(source, "%s: reading" % path.name)
+    seconds += update(source, "%s: reading" % path.name, work=None if cubes.is_extraction(source) else file_work(path))
     if cubes.is_extraction(source) and horizons is not None:
         _switch(source, horizons, path)
     found = [(name, points) for name, points in list_horizons(source.GetOutputDataObject(0))

@@ -7,7 +7,6 @@ the name of the choice (`Elevation="RealZ"`).
 """
 
 import contextlib
-import sys
 import time
 
 import seismichorizons as sh
@@ -16,8 +15,7 @@ from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from . import interrupt
-
-LONG_WORK = 1.0  # seconds after which a stage starts to report its progress
+from .progress import Progress
 
 
 class HorizonError(Exception):
@@ -47,14 +45,14 @@ def make(class_name, **properties):
     return algorithm
 
 
-def update(algorithm, label="", warnings=None):
+def update(algorithm, label="", warnings=None, work=None):
     """Runs an algorithm and returns the seconds it took. Raises HorizonError with what the algorithm says is wrong.
 
-    With a label, progress is reported on the error output when the algorithm takes long. With a list for warnings,
-    those go there; else VTK prints them.
+    With a label, progress is told on the terminal when the algorithm takes long; `work` is how much there is to do, as
+    (number, unit). With a list for warnings, those go there; else VTK prints them.
     """
     start = time.monotonic()
-    with watched(algorithm, label, warnings):
+    with watched(algorithm, label, warnings, work):
         algorithm.Update()
         return time.monotonic() - start
 
@@ -69,17 +67,23 @@ def apply(algorithm, *inputs, **properties):
 
 
 @contextlib.contextmanager
-def watched(algorithm, label="", warnings=None):
+def watched(algorithm, label="", warnings=None, work=None):
     """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError.
     Stops the algorithm, and raises SystemExit, when the program is to end."""
     errors = []
-    progress = _Progress(label)
+    progress = Progress(label, work)
+
+    def on_progress(_caller, _event):
+        if interrupt.is_asked():
+            algorithm.AbortExecuteOn()
+        progress.tell(algorithm.GetProgress())
+
     on_error = _collect(errors)
     executive = algorithm.GetExecutive()
     # Only the algorithm says what is wrong; its executive repeats that something is.
     observers = [(algorithm, algorithm.AddObserver("ErrorEvent", on_error)),
                  (executive, executive.AddObserver("ErrorEvent", on_error)),
-                 (algorithm, algorithm.AddObserver("ProgressEvent", progress.report))]
+                 (algorithm, algorithm.AddObserver("ProgressEvent", on_progress))]
     if warnings is not None:
         observers.append((algorithm, algorithm.AddObserver("WarningEvent", _collect(warnings))))
     try:
@@ -109,29 +113,3 @@ def _one_line(message):
     message = message or "a message that is no UTF-8, expected text without special characters"
     _, _, text = message.partition("): ")
     return " ".join((text or message).split())
-
-
-class _Progress:
-    """Tells once a second how far an algorithm is, and stops it when the program is to end."""
-
-    def __init__(self, label):
-        self._label = label
-        self._last_report = time.monotonic()
-        self._reported = False
-
-    def report(self, algorithm, _event):
-        now = time.monotonic()
-        if interrupt.is_asked():
-            algorithm.AbortExecuteOn()
-        if not self._label or now - self._last_report < LONG_WORK:
-            return
-        self._last_report = now
-        self._reported = True
-        # A terminal has one line that changes, a log file has one line per report.
-        form = "\r%s: %3.0f %%" if sys.stderr.isatty() else "%s: %3.0f %%\n"
-        sys.stderr.write(form % (self._label, 100.0 * algorithm.GetProgress()))
-        sys.stderr.flush()
-
-    def end(self):
-        if self._reported and sys.stderr.isatty():
-            sys.stderr.write("\n")

@@ -5,7 +5,7 @@
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
@@ -26,6 +26,7 @@ NEAR_TO_FAR = ((0.0, "f4f2ea"), (0.12, "fee090"), (0.3, "fdae61"), (0.5, "e9693e
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
+FAULT_COLOR = (0.80, 0.42, 0.30)
 # How far lines are brought before the surface they lie on, in steps of the depth buffer. A hundred are a few pixels of
 # a slope of 45 degrees. (VTK can also take the slope into account, but knows it only roughly where it draws lines:
 # edges have gaps then, and not the same ones in all versions.)
@@ -219,12 +220,39 @@ def _first_point(cells, cell):
     return int(cells.GetConnectivityArray().GetTuple1(int(offsets.GetTuple1(cell))))
 
 
+def _closing(horizon):
+    """For each triangle of a mesh whether it closes a fault, or None where none does."""
+    faults = horizon.GetCellData().GetArray("Fault")
+    marks = None if faults is None else vtk_to_numpy(faults)[horizon.GetNumberOfLines():] != 0
+    return marks if marks is not None and marks.any() else None
+
+
+def _triangles(horizon, marks):
+    """Some of the triangles of a mesh."""
+    corners = vtk_to_numpy(horizon.GetPolys().GetConnectivityArray()).reshape(-1, 3)[marks].astype(np.int64)
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(3 * np.arange(len(corners) + 1, dtype=np.int64), deep=True),
+                  numpy_to_vtkIdTypeArray(corners.ravel(), deep=True))
+    return cells
+
+
+def _fault_walls(horizon, closing):
+    """Triangles that close faults, in a colour of their own and without the normals of what is beside them."""
+    walls = _actor(_part(horizon, polys=_triangles(horizon, closing)))
+    walls.GetProperty().SetColor(*FAULT_COLOR)
+    walls.GetProperty().SetInterpolationToFlat()
+    walls.GetProperty().SetAmbient(0.35)
+    return walls
+
+
 def _mesh(frame, horizon, by_distance=False):
-    """The shaded surface, and its edges as strongly as their number allows."""
+    """The shaded surface, what closes its faults, and its edges as strongly as their number allows."""
     triangles = horizon.GetPolys()
     surface = _part(horizon, polys=triangles)
+    closing = _closing(horizon)
     normals = vtkPolyDataNormals()
-    normals.SetInputData(surface)
+    normals.SetInputData(
+        surface if closing is None else _part(horizon, polys=_triangles(horizon, np.logical_not(closing))))
     normals.SplittingOff()
     normals.ConsistencyOff()
     normals.Update()
@@ -237,12 +265,13 @@ def _mesh(frame, horizon, by_distance=False):
     shaded.GetProperty().SetSpecular(0.12)
     shaded.GetProperty().SetSpecularPower(12.0)
 
+    faces = [shaded] if closing is None else [shaded, _fault_walls(horizon, closing)]
     if triangles.GetNumberOfCells() > frame.pixels():  # edges would cover everything
-        return [shaded, *_outline(horizon)]
+        return [*faces, *_outline(horizon)]
     edges = _actor(surface)
     edges.GetProperty().SetRepresentationToWireframe()
     edges.GetProperty().SetColor(0.05, 0.07, 0.10)
     edges.GetProperty().LightingOff()
     edges.GetProperty().SetOpacity(max(0.05, min(0.4, 1500.0 / max(1, triangles.GetNumberOfCells()))))
     _bring_forward(edges.GetMapper(), EDGE_OFFSET)
-    return [shaded, edges, *_outline(horizon)]
+    return [*faces, edges, *_outline(horizon)]

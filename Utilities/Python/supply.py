@@ -11,13 +11,15 @@ import time
 
 from . import cubes, memory, reading
 from .parts import Windows
+from .progress import file_work
 from .stage import HorizonError, update, watched
 
 
 class Supply:
     """Iterated over once, as (name, points). With `cuts_large`, what comes for a horizon that does not fit alone is Windows
     in place of points. `names` are those of all, `seconds` what reading has taken so far, `is_whole` says whether all are
-    there at once. `horizons` and properties are those of reading.read. Raises HorizonError."""
+    there at once, `sizes` are the numbers of points, `origin` is what reading.describe says of the file. `horizons` and
+    properties are those of reading.read. Raises HorizonError."""
 
     def __init__(self, path, horizons, budget, cuts_large=False, **properties):
         self._path = pathlib.Path(path)
@@ -34,8 +36,9 @@ class Supply:
         else:
             self._found, self.seconds = reading.read_source(reader, self._path, horizons)
             self.names = [name for name, _ in self._found]
-            self._sizes = [points.GetNumberOfPoints() for _, points in self._found]
+            self.sizes = [points.GetNumberOfPoints() for _, points in self._found]
             self._groups = [list(range(len(self._found)))]
+        self.origin = reading.describe(reader)
         self.is_whole = len(self._groups) == 1 and not self._is_cut(self._groups[0])
 
     def __iter__(self):
@@ -45,7 +48,7 @@ class Supply:
                 continue
             if self._budget.is_given:
                 for number in group:
-                    self._budget.require(self._sizes[number], "%s: %s" % (self._path.name, self.names[number]))
+                    self._budget.require(self.sizes[number], "%s: %s" % (self._path.name, self.names[number]))
             found = self._read(group) if self._reader else self._found
             while found:
                 yield found.pop(0)
@@ -62,13 +65,13 @@ class Supply:
         if not self.names:
             raise HorizonError("%s: there is no point to work on" % self._path)
         last_row = reader.GetNumberOfRows() - 1
-        self._sizes = [reader.GetNumberOfPointsInRows(name, 0, last_row) for name in self.names]
-        self._groups = memory.make_groups(self._sizes, self._budget)
+        self.sizes = [reader.GetNumberOfPointsInRows(name, 0, last_row) for name in self.names]
+        self._groups = memory.make_groups(self.sizes, self._budget)
         self._reader = reader
         self.seconds = time.monotonic() - start
 
     def _is_cut(self, group):
-        return bool(self._reader and self._cuts_large and not self._budget.fits(self._sizes[group[0]]))
+        return bool(self._reader and self._cuts_large and not self._budget.fits(self.sizes[group[0]]))
 
     def _select(self, group):
         self._reader.DisableAllHorizons()
@@ -84,7 +87,7 @@ class Supply:
 
     def _read(self, group):
         self._select(group)
-        self.seconds += update(self._reader, "%s: reading" % self._path.name)
+        self.seconds += update(self._reader, "%s: reading" % self._path.name, work=file_work(self._path))
         output = self._reader.GetOutputDataObject(0)
         found = reading.list_horizons(output)
         output.Initialize()  # points go as soon as nobody uses them any more

@@ -35,11 +35,11 @@ def _preparation_cells(result):
     cells = []
     for name in PREPARATION_COLUMNS:
         if name in result.seconds:
-            cells += ["%d" % _prepared(result.data["mesh"].GetFieldData(), name), "%.2f" % result.seconds[name]]
+            cells += ["%d" % prepared_number(result.data["mesh"].GetFieldData(), name), "%.2f" % result.seconds[name]]
     return tuple(cells)
 
 
-def _prepared(figures, name):
+def prepared_number(figures, name):
     """How many spikes, cut links or filled points there are, which the mesh still tells."""
     if name == "torn":
         links = figures.GetArray("CutLinks")

@@ -70,6 +70,11 @@ public:
     return this->Collect();
   }
 
+  std::vector<CrackSide> FindCrackSides() const
+  {
+    return FindCrackFaces(this->Columns, this->Raster, this->Hops, this->Graph);
+  }
+
 private:
   void WalkOutlines(const Monitor& monitor)
   {
@@ -203,8 +208,10 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
-  const SeamPresence& seams, const Monitor& monitor)
+  const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
-  return FaceFinder(columns, options, seams, monitor.Step(0.0, 0.5)).Run(monitor.Step(0.5, 1.0));
+  FaceFinder finder(columns, options, seams, monitor.Step(0.0, 0.5));
+  cracks = finder.FindCrackSides();
+  return finder.Run(monitor.Step(0.5, 1.0));
 }
 }

@@ -7,15 +7,19 @@
 #ifndef SeismicHorizonsClockwiseBoundary_h
 #define SeismicHorizonsClockwiseBoundary_h
 
+#include "CrackFaces.h"
 #include "ExteriorBoundary.h"
+
+#include <vector>
 
 namespace SeismicHorizons
 {
 struct SeamPresence;
 
-/// As FindExteriorBoundary, but for MinimumPatchSize and for checks of the options.
+/// As FindExteriorBoundary, but for MinimumPatchSize and for checks of the options. Its cracks are given by the sides
+/// of their faces, for FindCracks.
 ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
-  const SeamPresence& seams, const Monitor& monitor);
+  const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor);
 }
 
 #endif

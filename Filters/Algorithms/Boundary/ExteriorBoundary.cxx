@@ -6,6 +6,7 @@
 #include "BorderScan.h"
 #include "ClockwiseBoundary.h"
 #include "Common/Parameters.h"
+#include "CrackFaces.h"
 #include "EmptyBands.h"
 #include "PatchBridges.h"
 #include "SeamGaps.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -45,11 +47,11 @@ ExteriorBoundary GrowByDistance(
 }
 
 ExteriorBoundary FindBetweenSeams(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
-  const SeamPresence& seams, const Monitor& monitor)
+  const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
   if (options.Radius > 1)
   {
-    return FindClockwiseBoundary(columns, options, seams, monitor);
+    return FindClockwiseBoundary(columns, options, seams, cracks, monitor);
   }
   const ColumnRaster raster(columns);
   const HopVectors hops(1, raster.Width());
@@ -58,22 +60,22 @@ ExteriorBoundary FindBetweenSeams(const std::vector<PlanePoint>& columns, const 
 }
 
 ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
-  const Monitor& monitor)
+  std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
   if (seams.AtLeastRow || seams.AtGreatestRow)
   {
-    return FindBetweenSeams(columns, options, seams, monitor);
+    return FindBetweenSeams(columns, options, seams, cracks, monitor);
   }
   if (options.Cuts)
   {
-    return FindClockwiseBoundary(columns, options, seams, monitor);
+    return FindClockwiseBoundary(columns, options, seams, cracks, monitor);
   }
   if (options.Radius == 1)
   {
     return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
   }
   return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
-                                                    : FindClockwiseBoundary(columns, options, seams, monitor);
+                                                    : FindClockwiseBoundary(columns, options, seams, cracks, monitor);
 }
 
 void CheckCuts(const BoundaryOptions& options)
@@ -130,12 +132,14 @@ ExteriorBoundary FindExteriorBoundary(
   const SeamPresence seams(columns, options.Seams);
   // Gaps of seams stay as wide as they are, and cuts where they are.
   const int reach = std::max(options.Radius, options.Seams.LongestEdge);
-  const auto find = [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, monitor); };
+  std::vector<CrackSide> cracks;
+  const auto find = [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, cracks, monitor); };
   ExteriorBoundary result = options.Cuts ? find(columns) : WithoutWideBands(columns, reach, find);
   if (options.MinimumPatchSize > 1)
   {
-    return WithoutSpecks(result, options.MinimumPatchSize);
+    result = WithoutSpecks(result, options.MinimumPatchSize);
   }
+  result.OpenCracks = FindCracks(std::move(cracks), result.Boundary, result.Patch);
   return result;
 }
 
@@ -152,7 +156,12 @@ KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary)
   }
   if (!kept.AreAll())
   {
-    boundary.Boundary = boundary.Boundary.Renumbered(kept.Numbers());
+    const std::vector<PointId> numbers = kept.Numbers();
+    boundary.Boundary = boundary.Boundary.Renumbered(numbers);
+    for (Edge& mouth : boundary.OpenCracks.Mouths)
+    {
+      mouth = { numbers[std::size_t(mouth.From)], numbers[std::size_t(mouth.To)] };
+    }
     boundary.Patch = kept.Select(boundary.Patch);
   }
   return kept;

@@ -26,6 +26,7 @@
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
 
+#include "Common/Cracks.h"
 #include "Common/KeptPoints.h"
 #include "Common/LinkCuts.h"
 #include "Common/Monitor.h"
@@ -97,6 +98,8 @@ struct ExteriorBoundary
   std::vector<std::int32_t> Patch;
   /// How many of the loops are outlines.
   std::size_t NumberOfPatches = 0;
+  /// With cuts, the cracks between the loops.
+  Cracks OpenCracks;
 };
 
 /// `columns` holds the column of each point, no two the same (InputError). The result does not depend on the order of

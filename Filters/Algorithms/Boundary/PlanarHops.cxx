@@ -40,10 +40,13 @@ PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const
   this->First.assign(std::size_t(raster.Width() * raster.Height()), NoLink);
   const HopCandidates candidates(raster, filled, hops, this->Long);
   this->AddDirectHops(candidates, monitor.Step(0.0, 0.4));
-  this->AddFurtherHops(candidates, monitor.Step(0.4, 0.9));
+  std::vector<PlacedHop> across = this->AddFurtherHops(candidates, monitor.Step(0.4, 0.9));
+  const std::size_t admissible = this->Placed.size();
+  this->AddUncrossed(across, monitor.Step(0.9, 1.0));
   std::vector<std::int32_t>().swap(this->First);
   std::vector<Link>().swap(this->Links);
-  this->Listed = this->ListByPoint();
+  this->Listed = this->ListByPoint(admissible);
+  this->Across = this->ListAcross(admissible);
   std::vector<PlacedHop>().swap(this->Placed);
 }
 
@@ -110,29 +113,46 @@ void PlanarHops::AddDirectHops(const HopCandidates& candidates, const Monitor& m
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlanarHops::AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor)
+// Gives the candidates across cuts.
+std::vector<PlanarHops::PlacedHop> PlanarHops::AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor)
 {
   std::vector<PlacedHop> left;
+  std::vector<PlacedHop> across;
   this->ForEachCandidate(candidates, monitor.Step(0.0, 0.8),
     [&](const PlacedHop& hop)
     {
-      if (!this->IsCrossed(hop) && candidates.IsFree(this->StartOf(hop), this->Long[std::size_t(hop.Number)]) &&
-        !this->IsDirect(hop) && !this->IsOverCut(hop))
+      if (this->IsCrossed(hop) || !candidates.IsFree(this->StartOf(hop), this->Long[std::size_t(hop.Number)]))
+      {
+        return;
+      }
+      if (this->IsOverCut(hop))
+      {
+        across.push_back(hop);
+      }
+      else if (!this->IsDirect(hop))
       {
         left.push_back(hop);
       }
     });
-  // Hops with the same vector never cross, so that their order does not matter.
-  std::sort(left.begin(), left.end(), [](const PlacedHop& a, const PlacedHop& b) { return a.Number < b.Number; });
-  for (std::size_t n = 0; n < left.size(); ++n)
+  this->AddUncrossed(left, monitor.Step(0.8, 1.0));
+  return across;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// From short to long, each that crosses none before it. Hops with the same vector never cross, so that their order does
+// not matter.
+void PlanarHops::AddUncrossed(std::vector<PlacedHop>& hops, const Monitor& monitor)
+{
+  std::sort(hops.begin(), hops.end(), [](const PlacedHop& a, const PlacedHop& b) { return a.Number < b.Number; });
+  for (std::size_t n = 0; n < hops.size(); ++n)
   {
     if (n % Batch == 0)
     {
-      monitor.Progress(0.8 + 0.2 * double(n) / double(left.size()));
+      monitor.Progress(double(n) / double(hops.size()));
     }
-    if (!this->IsCrossed(left[n]))
+    if (!this->IsCrossed(hops[n]))
     {
-      this->Add(left[n]);
+      this->Add(hops[n]);
     }
   }
 }
@@ -238,19 +258,19 @@ bool PlanarHops::IsSingleGap(std::int64_t place) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ItemLists<HopId> PlanarHops::ListByPoint() const
+ItemLists<HopId> PlanarHops::ListByPoint(std::size_t admissible) const
 {
   ItemLists<HopId> lists(this->BorderNumbers.Size(),
-    [this](auto&& add)
+    [this, admissible](auto&& add)
     {
       for (const std::int64_t place : this->Border)
       {
         this->ForEachShortHop(place, [&](HopId hop) { add(this->BorderNumbers[place], hop); });
       }
-      for (const PlacedHop& placed : this->Placed)
+      for (std::size_t n = 0; n < admissible; ++n)
       {
-        const HopId hop = this->Long[std::size_t(placed.Number)].Hop;
-        const std::int64_t start = this->StartOf(placed);
+        const HopId hop = this->Long[std::size_t(this->Placed[n].Number)].Hop;
+        const std::int64_t start = this->StartOf(this->Placed[n]);
         add(this->BorderNumbers[start], hop);
         add(this->BorderNumbers[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
       }
@@ -260,6 +280,40 @@ ItemLists<HopId> PlanarHops::ListByPoint() const
     std::sort(lists.begin(number), lists.end(number));
   }
   return lists;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<HopAcrossCut> PlanarHops::ListAcross(std::size_t admissible) const
+{
+  std::vector<HopAcrossCut> across;
+  for (const std::int64_t place : this->Border)
+  {
+    if (this->Cuts && this->Cuts->IsBesideOpen(place))
+    {
+      std::for_each(this->Short.begin(), this->Short.end(),
+        [&](HopId hop) {
+          this->IsShortAcross(place, this->Hops.Vector(hop)) ? across.push_back({ place, hop }) : void();
+        });
+    }
+  }
+  for (std::size_t n = admissible; n < this->Placed.size(); ++n)
+  {
+    const HopId hop = this->Long[std::size_t(this->Placed[n].Number)].Hop;
+    const std::int64_t start = this->StartOf(this->Placed[n]);
+    across.push_back({ start, hop });
+    across.push_back({ start + this->Hops.Offset(hop), this->Hops.Opposite(hop) });
+  }
+  std::sort(across.begin(), across.end());
+  return across;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// For a place beside an open block. Of the diagonals between four points none is taken, as those of open blocks cross.
+bool PlanarHops::IsShortAcross(std::int64_t place, const PlanePoint& step) const
+{
+  const bool isOfFour =
+    step.X * step.Y != 0 && this->Has(place + step.X) && this->Has(place + this->Hops.OffsetOf({ 0, step.Y }));
+  return this->Has(place + this->Hops.OffsetOf(step)) && !isOfFour && this->Cuts->IsBarred(place, step);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

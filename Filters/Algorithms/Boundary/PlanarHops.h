@@ -35,7 +35,8 @@
 // in order of length, and each is compared with the admissible hops that touch the same unit squares.
 //
 // With cut links, those hops are left out that these bar (CutBlocks.h), and points beside open blocks count as beside
-// gaps. Points that only a barred hop connects are in different components then.
+// gaps. Points that only a barred hop connects are in different components then. With the hops across cuts, which are
+// those that cuts alone keep from being admissible, the graph is plane, too.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
@@ -57,6 +58,18 @@
 
 namespace SeismicHorizons
 {
+/// A hop from a place to a point, along a cut link or over an open block (CutBlocks.h).
+struct HopAcrossCut
+{
+  std::int64_t Place;
+  HopId Hop;
+
+  friend bool operator<(const HopAcrossCut& a, const HopAcrossCut& b)
+  {
+    return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop;
+  }
+};
+
 /// Takes time, for each point beside a gap, for the rows of 2 k + 1 columns above it, and for each hop to a
 /// point in these that is not ruled out at most about k^2. Takes memory for 4 bytes and 4 bits per column of the
 /// raster, 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and
@@ -99,6 +112,9 @@ public:
   std::size_t NumberOf(std::int64_t place, HopId hop) const;
   std::size_t Size() const { return this->Listed.Size(); }
 
+  /// The hops across cuts, in both directions, by place and hop.
+  const std::vector<HopAcrossCut>& HopsAcrossCuts() const { return this->Across; }
+
 private:
   /// A long hop between two points, in columns of the raster.
   struct PlacedHop
@@ -117,13 +133,16 @@ private:
 
   PlaceSet FindBorder();
   void AddDirectHops(const HopCandidates& candidates, const Monitor& monitor);
-  void AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor);
+  std::vector<PlacedHop> AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor);
   template <typename Visitor>
   void ForEachCandidate(const HopCandidates& candidates, const Monitor& monitor, Visitor&& visit) const;
   bool IsDirect(const PlacedHop& hop) const;
   bool IsCrossed(const PlacedHop& hop) const;
   void Add(const PlacedHop& hop);
-  ItemLists<HopId> ListByPoint() const;
+  void AddUncrossed(std::vector<PlacedHop>& hops, const Monitor& monitor);
+  ItemLists<HopId> ListByPoint(std::size_t admissible) const;
+  std::vector<HopAcrossCut> ListAcross(std::size_t admissible) const;
+  bool IsShortAcross(std::int64_t place, const PlanePoint& step) const;
   template <typename Visitor>
   void ForEachShortHop(std::int64_t place, Visitor&& visit) const;
   HopId NextShort(std::int64_t place, HopId from) const;
@@ -145,11 +164,12 @@ private:
   std::vector<std::int64_t> Border; // places of the points beside gaps, row by row
   PlaceNumbers BorderNumbers; // their positions in that list
   // Only while hops are tried.
-  std::vector<PlacedHop> Placed; // admissible long hops
+  std::vector<PlacedHop> Placed; // admissible long hops, then those across cuts
   std::vector<std::int32_t> First; // for each unit square the first link of its list
   std::vector<Link> Links;
   // Then, for each point beside a gap, its admissible hops in the order of a sweep.
   ItemLists<HopId> Listed;
+  std::vector<HopAcrossCut> Across;
 };
 }
 

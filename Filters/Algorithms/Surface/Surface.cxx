@@ -152,6 +152,7 @@ private:
     options.DistanceThreshold = parameters.DistanceThreshold;
     const auto simplify = [&](const Loops& loops)
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
+    options.Fixed = this->Result.Boundary.OpenCracks.EndsOfMouths();
     if (!HasSeams(this->Options.Seams))
     {
       return simplify(this->Result.Boundary.Boundary);

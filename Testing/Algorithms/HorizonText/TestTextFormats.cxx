@@ -53,6 +53,17 @@ void TestOpendTectHorizons()
   CHECK_EQUAL(Read(picks).Names.size(), std::size_t(2));
 }
 
+/// Units in brackets behind the names of columns; brackets with anything else are part of the name.
+void TestUnitsOfNames()
+{
+  const SurveyDescription survey = Read("X (m)\tY (m)\tTWT [msec]\n1 2 3\n").Survey;
+  CHECK_EQUAL(survey.HorizontalUnit, std::string("m"));
+  CHECK_EQUAL(survey.VerticalUnit, std::string("ms"));
+  CHECK_EQUAL(survey.VerticalDomain, std::string("time"));
+  CHECK_EQUAL(Read("X\tY\tZ (picked)\n1 2 3\n").Survey.VerticalUnit, std::string());
+  CHECK_EQUAL(Read("X\tY\tZ ()\n1 2 3\n").Survey.VerticalUnit, std::string());
+}
+
 void TestIesx()
 {
   CHECK_EQUAL(Table(OldIesx),
@@ -162,6 +173,7 @@ int TestTextFormats(int, char*[])
   TestOpendTectColumns();
   TestOpendTectParts();
   TestOpendTectHorizons();
+  TestUnitsOfNames();
   TestIesx();
   TestIesxProfiles();
   TestCharisma();

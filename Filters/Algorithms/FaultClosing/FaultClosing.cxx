@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultClosing.h"
+
+#include "Common/BoundedHorizon.h"
+#include "Common/Predicates.h"
+#include "Triangulation/Triangulation.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// An edge of the graph that leaves a point: that of the loops after one of their points, which are counted through all
+/// loops, or a mouth.
+struct GraphEdge
+{
+  bool IsMouth;
+  std::size_t Number;
+};
+
+/// An edge by the point that it leaves.
+struct LeavingEdge
+{
+  PointId From;
+  GraphEdge Edge;
+
+  friend bool operator<(const LeavingEdge& a, const LeavingEdge& b) { return a.From < b.From; }
+};
+
+/// Which part of a clockwise turn it is from one vector to another: 0 where they have the same direction, 1 up to a
+/// half turn, 2 beyond.
+int HalfTurn(const PlanePoint& from, const PlanePoint& to)
+{
+  const std::int64_t left = SignedArea({ 0, 0 }, from, to);
+  if (left == 0)
+  {
+    return ScalarProduct({ 0, 0 }, from, to) > 0 ? 0 : 1;
+  }
+  return left < 0 ? 1 : 2;
+}
+
+/// Whether a clockwise sweep from one vector meets `a` before `b`; what has the direction of the vector comes last.
+bool IsMetBefore(const PlanePoint& from, const PlanePoint& a, const PlanePoint& b)
+{
+  const auto part = [&from](const PlanePoint& vector) { return (HalfTurn(from, vector) + 2) % 3; };
+  return part(a) != part(b) ? part(a) < part(b) : SignedArea({ 0, 0 }, a, b) < 0;
+}
+
+/// Walks the boundaries of cracks.
+class CrackWalker
+{
+public:
+  CrackWalker(const std::vector<PlanePoint>& plane, const Loops& boundary, const Cracks& cracks)
+    : Plane(plane)
+    , Boundary(boundary)
+    , Open(cracks)
+    , IsWalked(cracks.Mouths.size(), false)
+  {
+    this->FindPointsOfLoops();
+    this->FindLeavingEdges();
+  }
+
+  /// The boundaries, with the cracks to their right.
+  Loops Run()
+  {
+    for (std::size_t mouth = 0; mouth < this->Open.Mouths.size(); ++mouth)
+    {
+      if (!this->IsWalked[mouth])
+      {
+        this->Walk({ true, mouth });
+        this->AppendWalk();
+      }
+    }
+    for (const std::size_t loop : this->Open.Loops)
+    {
+      this->AppendLoop(loop);
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  void FindPointsOfLoops()
+  {
+    this->Ends.reserve(this->Boundary.Size());
+    std::size_t end = 0;
+    for (std::size_t loop = 0; loop < this->Boundary.Size(); ++loop)
+    {
+      end += this->Boundary.Length(loop);
+      this->Ends.push_back(end);
+    }
+    this->IsLip.assign(end, false);
+  }
+
+  /// Those that leave the ends of mouths.
+  void FindLeavingEdges()
+  {
+    for (std::size_t mouth = 0; mouth < this->Open.Mouths.size(); ++mouth)
+    {
+      this->Leaving.push_back({ this->Open.Mouths[mouth].From, { true, mouth } });
+    }
+    std::vector<PointId> ends = this->Open.EndsOfMouths();
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t loop = 0; loop < this->Boundary.Size() && !ends.empty(); ++loop)
+    {
+      for (std::size_t n = 0; this->Boundary.Length(loop) > 1 && n < this->Boundary.Length(loop); ++n)
+      {
+        const PointId point = this->Boundary.begin(loop)[n];
+        if (std::binary_search(ends.begin(), ends.end(), point))
+        {
+          this->Leaving.push_back({ point, { false, this->StartOf(loop) + n } });
+        }
+      }
+    }
+    std::stable_sort(this->Leaving.begin(), this->Leaving.end());
+  }
+
+  std::size_t StartOf(std::size_t loop) const { return loop == 0 ? 0 : this->Ends[loop - 1]; }
+
+  std::size_t LoopOf(std::size_t position) const
+  {
+    return std::size_t(std::upper_bound(this->Ends.begin(), this->Ends.end(), position) - this->Ends.begin());
+  }
+
+  /// The position in the loops after one.
+  std::size_t After(std::size_t position) const
+  {
+    const std::size_t loop = this->LoopOf(position);
+    return position + 1 < this->Ends[loop] ? position + 1 : this->StartOf(loop);
+  }
+
+  PointId At(std::size_t position) const
+  {
+    const std::size_t loop = this->LoopOf(position);
+    return this->Boundary.begin(loop)[position - this->StartOf(loop)];
+  }
+
+  PointId FromOf(const GraphEdge& edge) const
+  {
+    return edge.IsMouth ? this->Open.Mouths[edge.Number].From : this->At(edge.Number);
+  }
+
+  PointId ToOf(const GraphEdge& edge) const
+  {
+    return edge.IsMouth ? this->Open.Mouths[edge.Number].To : this->At(this->After(edge.Number));
+  }
+
+  PlanePoint Vector(PointId from, PointId to) const
+  {
+    const PlanePoint& a = this->Plane[std::size_t(from)];
+    const PlanePoint& b = this->Plane[std::size_t(to)];
+    return { b.X - a.X, b.Y - a.Y };
+  }
+
+  void Walk(const GraphEdge& first)
+  {
+    this->Points.clear();
+    GraphEdge edge = first;
+    do
+    {
+      std::vector<bool>& walked = edge.IsMouth ? this->IsWalked : this->IsLip;
+      if (walked[edge.Number])
+      {
+        const Edge& mouth = this->Open.Mouths[first.Number];
+        throw InputError("a crack that is not closed, from the mouth between points " + std::to_string(mouth.From) +
+          " and " + std::to_string(mouth.To) + ", expected mouths of the cracks between the boundary loops");
+      }
+      walked[edge.Number] = true;
+      this->Points.push_back(this->FromOf(edge));
+      edge = this->Next(edge);
+    } while (!edge.IsMouth || edge.Number != first.Number);
+  }
+
+  GraphEdge Next(const GraphEdge& edge) const
+  {
+    const PointId point = this->ToOf(edge);
+    const auto [first, last] = std::equal_range(this->Leaving.begin(), this->Leaving.end(), LeavingEdge{ point, {} });
+    if (first == last && edge.IsMouth)
+    {
+      throw InputError("a mouth of a crack that ends in point " + std::to_string(point) +
+        ", where no boundary loop begins, expected points of the loops");
+    }
+    if (first == last)
+    {
+      return { false, this->After(edge.Number) };
+    }
+    const PlanePoint back = this->Vector(point, this->FromOf(edge));
+    const auto toEnd = [&](const LeavingEdge& leaving) { return this->Vector(point, this->ToOf(leaving.Edge)); };
+    return std::min_element(
+      first, last, [&](const LeavingEdge& a, const LeavingEdge& b) { return IsMetBefore(back, toEnd(a), toEnd(b)); })
+      ->Edge;
+  }
+
+  void AppendWalk()
+  {
+    std::for_each(this->Points.rbegin(), this->Points.rend(), [this](PointId point) { this->Result.Append(point); });
+    this->Result.Close();
+  }
+
+  /// One that no walk went along.
+  void AppendLoop(std::size_t loop)
+  {
+    if (loop >= this->Boundary.Size())
+    {
+      throw InputError("a crack along loop " + std::to_string(loop) + ", expected less than the " +
+        std::to_string(this->Boundary.Size()) + " of the boundary");
+    }
+    if (!this->IsLip[this->StartOf(loop)])
+    {
+      this->Points.assign(this->Boundary.begin(loop), this->Boundary.end(loop));
+      this->AppendWalk();
+    }
+  }
+
+  const std::vector<PlanePoint>& Plane;
+  const Loops& Boundary;
+  const Cracks& Open;
+  std::vector<std::size_t> Ends; // of the loops, in positions
+  std::vector<bool> IsWalked; // of mouths
+  std::vector<bool> IsLip; // of the positions whose edges were walked
+  std::vector<LeavingEdge> Leaving; // the ends of mouths, by points
+  std::vector<PointId> Points; // of the last walk
+  Loops Result;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<PointId> CloseFaults(
+  const std::vector<PlanePoint>& plane, const Loops& boundary, const Cracks& cracks, const Monitor& monitor)
+{
+  const Loops outlines = CrackWalker(plane, boundary, cracks).Run();
+  std::vector<PointId> points;
+  outlines.ForEachPoint([&points](PointId point) { points.push_back(point); });
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  BoundedHorizon region;
+  for (const PointId point : points)
+  {
+    region.Plane.push_back(plane[std::size_t(point)]);
+  }
+  region.Patch.assign(points.size(), 0);
+  region.Boundary = outlines.RenumberedBy([&points](PointId point)
+    { return PointId(std::lower_bound(points.begin(), points.end(), point) - points.begin()); });
+  RawVector<PointId> triangles = Triangulate(region, TriangulationOptions(), monitor).Triangles;
+  for (PointId& corner : triangles)
+  {
+    corner = points[std::size_t(corner)];
+  }
+  return triangles;
+}
+}

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CrackData.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
+#include "FaultClosing/FaultClosing.h"
+#include "HorizonCells.h"
+#include "HorizonData.h"
+#include "Triangulation/TriangleQuality.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr int MouthComponents = 4; // the columns of both ends
+
+bool HasCuts(vtkFieldData* data)
+{
+  vtkDataArray* const links = FindNumbers(data, FieldArray::CutLinks);
+  return links && links->GetNumberOfTuples() > 0;
+}
+
+std::array<int, 2> ColumnOf(vtkPolyData* horizon, const Lattice& grid, PointId point)
+{
+  Eigen::Vector3d world;
+  horizon->GetPoint(point, world.data());
+  const Eigen::Vector3d place = grid.ToLattice(world);
+  return { int(std::lround(place.x())), int(std::lround(place.y())) };
+}
+
+/// A whole number, at least 0, of an array.
+int ReadNumber(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  const double value = array->GetComponent(tuple, component);
+  if (!(value >= 0.0 && value <= MostColumnsPerSide && value == std::floor(value)))
+  {
+    std::ostringstream text;
+    text << array->GetName() << ' ' << value << " in tuple " << tuple << ", expected a whole number, at least 0";
+    throw InputError(text.str());
+  }
+  return int(value);
+}
+
+/// An array of the field data with so many components; null where there is none.
+vtkDataArray* FindTuples(vtkFieldData* data, const char* name, int components)
+{
+  vtkDataArray* const array = FindNumbers(data, name);
+  if (array && array->GetNumberOfComponents() != components)
+  {
+    throw InputError("field data array " + std::string(name) + " with " +
+      std::to_string(array->GetNumberOfComponents()) + " components, expected " + std::to_string(components));
+  }
+  return array;
+}
+
+/// Mouths by the columns of their ends.
+std::vector<std::array<PlanePoint, 2>> ReadMouths(vtkFieldData* data)
+{
+  std::vector<std::array<PlanePoint, 2>> mouths;
+  vtkDataArray* const array = FindTuples(data, FieldArray::CutMouths, MouthComponents);
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+  {
+    const auto read = [&](int component) { return ReadNumber(array, n, component); };
+    mouths.push_back({ PlanePoint{ read(0), read(1) }, PlanePoint{ read(2), read(3) } });
+  }
+  return mouths;
+}
+
+/// The points of loops in columns that mouths end in, by columns.
+class MouthPoints
+{
+public:
+  MouthPoints(const std::vector<std::array<PlanePoint, 2>>& mouths, const std::vector<PlanePoint>& plane,
+    std::int32_t columnSize, const Loops& boundary)
+  {
+    for (const std::array<PlanePoint, 2>& mouth : mouths)
+    {
+      this->Columns.insert(this->Columns.end(), mouth.begin(), mouth.end());
+    }
+    std::sort(this->Columns.begin(), this->Columns.end());
+    this->Points.assign(this->Columns.size(), NoPoint);
+    if (mouths.empty())
+    {
+      return;
+    }
+    boundary.ForEachPoint(
+      [&](PointId point)
+      {
+        const PlanePoint& place = plane[std::size_t(point)];
+        const PlanePoint column{ place.X / columnSize, place.Y / columnSize };
+        const std::size_t slot = this->SlotOf(column);
+        if (slot < this->Columns.size() && place == PlanePoint{ column.X * columnSize, column.Y * columnSize })
+        {
+          this->Points[slot] = point;
+        }
+      });
+  }
+
+  /// NoPoint where there is none.
+  PointId At(const PlanePoint& column) const { return this->Points[this->SlotOf(column)]; }
+
+  std::vector<PointId> All() const
+  {
+    std::vector<PointId> points;
+    std::copy_if(this->Points.begin(), this->Points.end(), std::back_inserter(points),
+      [](PointId point) { return point != NoPoint; });
+    return points;
+  }
+
+private:
+  std::size_t SlotOf(const PlanePoint& column) const
+  {
+    const auto found = std::lower_bound(this->Columns.begin(), this->Columns.end(), column);
+    return found != this->Columns.end() && *found == column ? std::size_t(found - this->Columns.begin())
+                                                            : this->Columns.size();
+  }
+
+  std::vector<PlanePoint> Columns; // the first of equal ones has a point
+  std::vector<PointId> Points;
+};
+
+/// Loops are named by numbers: none may be gone.
+void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
+{
+  vtkDataArray* const patches = FindTuples(data, FieldArray::NumberOfPatches, 1);
+  vtkDataArray* const holes = FindTuples(data, FieldArray::NumberOfHoles, 1);
+  if (!patches || !holes || FieldValue(patches, 0) + FieldValue(holes, 0) != double(boundary.Size()))
+  {
+    throw InputError(std::to_string(boundary.Size()) + " boundary loops with the field data array " +
+      FieldArray::CrackLoops + ", expected as many as " + FieldArray::NumberOfPatches + " and " +
+      FieldArray::NumberOfHoles + " say: close faults of whole horizons");
+  }
+}
+
+Cracks ReadCracks(
+  vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary)
+{
+  Cracks cracks;
+  const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
+  const MouthPoints points(mouths, plane, grid.SubVoxelsPerColumn(), boundary);
+  for (const std::array<PlanePoint, 2>& mouth : mouths)
+  {
+    cracks.Mouths.push_back({ points.At(mouth[0]), points.At(mouth[1]) });
+    for (const PlanePoint& end : mouth)
+    {
+      if (points.At(end) == NoPoint)
+      {
+        throw InputError("a mouth of a crack at column (" + std::to_string(end.X) + ", " + std::to_string(end.Y) +
+          "), expected a point of a boundary loop");
+      }
+    }
+  }
+  vtkDataArray* const loops = FindTuples(horizon->GetFieldData(), FieldArray::CrackLoops, 1);
+  for (vtkIdType n = 0; loops && n < loops->GetNumberOfTuples(); ++n)
+  {
+    cracks.Loops.push_back(std::size_t(ReadNumber(loops, n, 0)));
+  }
+  if (!cracks.Loops.empty())
+  {
+    CheckNumberOfLoops(horizon->GetFieldData(), boundary);
+  }
+  return cracks;
+}
+
+/// Adds the values of new triangles to the cell data of a mesh that has no cells of them yet: nan unless they are
+/// known.
+void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, vtkCellData* data)
+{
+  const std::vector<std::pair<const char*, const RawVector<float>*>> known = {
+    { CellArray::Compactness, &quality.Compactness }, { CellArray::Quality, &quality.Shape }
+  };
+  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  {
+    vtkDataArray* const array = data->GetArray(n);
+    const auto found = std::find_if(
+      known.begin(), known.end(), [array](const auto& named) { return !std::strcmp(named.first, array->GetName()); });
+    for (std::size_t triangle = 0; triangle < triangles; ++triangle)
+    {
+      array->InsertNextTuple1(
+        found == known.end() ? std::numeric_limits<double>::quiet_NaN() : double((*found->second)[triangle]));
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
+{
+  vtkFieldData* const data = horizon->GetFieldData();
+  if (!HasCuts(data))
+  {
+    data->RemoveArray(FieldArray::CutMouths);
+    data->RemoveArray(FieldArray::CrackLoops);
+    return;
+  }
+  const Lattice grid = ReadLattice(horizon);
+  std::vector<std::array<int, MouthComponents>> tuples;
+  for (const Edge& mouth : cracks.Mouths)
+  {
+    const std::array<int, 2> from = ColumnOf(horizon, grid, mouth.From);
+    const std::array<int, 2> to = ColumnOf(horizon, grid, mouth.To);
+    tuples.push_back({ from[0], from[1], to[0], to[1] });
+  }
+  std::sort(tuples.begin(), tuples.end()); // whatever the order of the points
+  auto mouths = NewArray<vtkIntArray>(FieldArray::CutMouths, vtkIdType(tuples.size()), MouthComponents);
+  for (std::size_t n = 0; n < tuples.size(); ++n)
+  {
+    mouths->SetTypedTuple(vtkIdType(n), tuples[n].data());
+  }
+  data->AddArray(mouths);
+  AddArray<vtkIdTypeArray>(data, FieldArray::CrackLoops, cracks.Loops);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PointId> ReadEndsOfMouths(
+  vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary)
+{
+  const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
+  return MouthPoints(mouths, plane, grid.SubVoxelsPerColumn(), boundary).All();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary, vtkPolyData* mesh,
+  const Monitor& monitor)
+{
+  RawVector<PointId> triangles = CloseFaults(plane, boundary, ReadCracks(mesh, plane, grid, boundary), monitor);
+  const std::size_t size = triangles.size() / 3;
+  auto marks = NewArray<vtkUnsignedCharArray>(CellArray::Fault, mesh->GetNumberOfCells() + vtkIdType(size));
+  std::fill_n(marks->GetPointer(0), mesh->GetNumberOfCells(), static_cast<unsigned char>(0));
+  std::fill_n(marks->GetPointer(mesh->GetNumberOfCells()), size, static_cast<unsigned char>(1));
+  ExtendCellData(MeasureQuality(plane, triangles), size, mesh->GetCellData());
+  mesh->GetCellData()->AddArray(marks);
+  FaceUp(grid, triangles);
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    const std::array<vtkIdType, 3> corners = { triangles[corner], triangles[corner + 1], triangles[corner + 2] };
+    mesh->GetPolys()->InsertNextCell(3, corners.data());
+  }
+  AddValue<vtkIdTypeArray>(mesh->GetFieldData(), FieldArray::FaultTriangleCount, vtkIdType(size));
+}
+}

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "VerticalExaggeration.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr const char* Annotation = "SeismicHorizons.VerticalExaggeration";
+constexpr double FlatShare = 0.1; // of the width
+constexpr double GoodShare = 0.25;
+
+std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper helper(view, "Representations");
+  std::vector<vtkSMProxy*> representations;
+  for (unsigned int n = 0; n < helper.GetNumberOfElements(); ++n)
+  {
+    representations.push_back(helper.GetAsProxy(n));
+  }
+  return representations;
+}
+
+vtkSMProxy* FindAxes(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
+}
+
+/// Sets the third value of a property that scales x, y and z; proxies without it have nothing in space.
+void SetScale(vtkSMProxy* proxy, const char* name, double factor)
+{
+  vtkSMProperty* const property = proxy->GetProperty(name);
+  if (!property || vtkSMPropertyHelper(property).GetNumberOfElements() != 3 ||
+    vtkSMPropertyHelper(property).GetAsDouble(2) == factor)
+  {
+    return;
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+  vtkSMPropertyHelper(property).Set(2, factor);
+  proxy->UpdateVTKObjects();
+}
+
+/// The largest of 1, 2, 5, 10, 20, 50 and so on that is not larger than a number of at least 1.
+double RoundDown(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)));
+  for (const double digit : { 5.0, 2.0 })
+  {
+    if (digit * unit <= number)
+    {
+      return digit * unit;
+    }
+  }
+  return unit;
+}
+}
+
+double GetVerticalExaggeration(vtkSMProxy* view)
+{
+  // The scale of the axes alone may be somebody's unit.
+  vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
+  return axes ? vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) : 1.0;
+}
+
+void SetVerticalExaggeration(vtkSMProxy* view, double factor)
+{
+  view->SetAnnotation(Annotation, "1");
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    SetScale(representation, "Scale", factor);
+  }
+  if (vtkSMProxy* const axes = FindAxes(view))
+  {
+    SetScale(axes, "DataScale", factor);
+  }
+}
+
+void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view)
+{
+  if (view->HasAnnotation(Annotation))
+  {
+    SetScale(representation, "Scale", GetVerticalExaggeration(view));
+  }
+}
+
+double SuggestVerticalExaggeration(vtkSMProxy* view)
+{
+  vtkBoundingBox box;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    const vtkSMPropertyHelper input(representation, "Input", true);
+    auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+    if (source && representation->GetProperty("Scale") && vtkSMPropertyHelper(representation, "Visibility").GetAsInt())
+    {
+      box.AddBounds(source->GetDataInformation(input.GetOutputPort())->GetBounds());
+    }
+  }
+  if (!box.IsValid())
+  {
+    return 1.0;
+  }
+  const double width = std::max(box.GetLength(0), box.GetLength(1));
+  const double height = box.GetLength(2);
+  const bool isFlat = height > 0.0 && height < FlatShare * width;
+  return isFlat ? RoundDown(GoodShare * width / height) : 1.0;
+}
+}

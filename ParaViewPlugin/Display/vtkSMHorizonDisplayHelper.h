@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMHorizonDisplayHelper
+ * @brief   how the output of a filter looks when it is shown first
+ *
+ * Runs when a HorizonRepresentation is made, in the window and in scripts alike, and looks for hints of the filter that
+ * is shown:
+ *
+ * @code{.xml}
+ * <Hints>
+ *   <Representation view="RenderView" type="HorizonRepresentation" port="0"/>
+ *   <FirstSight port="0" array="Filled" association="points" colors="Filled Points"/>
+ *   <FirstSight port="0" line_width="3"/>
+ * </Hints>
+ * @endcode
+ *
+ * Lines and points are as wide as hints for the port say, in pixels (`line_width`, `point_size`). Of hints with an
+ * array the first one counts whose array is in the data with more than one value; where there is none, ParaView colours
+ * by the active scalars. `port` may be left out: the hint is for all of them then. `colors` is the name of a ColorMap
+ * in the hint of the representation, in ParaView's format of colour maps in XML. Categories are annotated by the
+ * elements Annotation of the map, or by their numbers when it has none; of arrays with more numbers than the map has
+ * colours, ParaView's own colours stay. Colours that somebody has chosen for an array before are left alone.
+ */
+
+#ifndef vtkSMHorizonDisplayHelper_h
+#define vtkSMHorizonDisplayHelper_h
+
+#include "vtkSMProxyInitializationHelper.h"
+
+class vtkSMHorizonDisplayHelper : public vtkSMProxyInitializationHelper
+{
+public:
+  static vtkSMHorizonDisplayHelper* New();
+  vtkTypeMacro(vtkSMHorizonDisplayHelper, vtkSMProxyInitializationHelper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets ParaView make objects of this class, by its name in the hint of the representation.
+  static void Register();
+
+  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
+
+protected:
+  vtkSMHorizonDisplayHelper();
+  ~vtkSMHorizonDisplayHelper() override;
+
+private:
+  vtkSMHorizonDisplayHelper(const vtkSMHorizonDisplayHelper&) = delete;
+  void operator=(const vtkSMHorizonDisplayHelper&) = delete;
+};
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "pqHorizonToolBar.h"
+
+#include "SurveyAxes.h"
+#include "VerticalExaggeration.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleValidator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QTimer>
+#include <pqActiveObjects.h>
+#include <pqApplicationCore.h>
+#include <pqRenderView.h>
+#include <pqRepresentation.h>
+#include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
+
+namespace
+{
+using namespace SeismicHorizons;
+
+constexpr double Largest = 1e6;
+
+/// The view that is in work, if it is one in space.
+pqRenderView* ActiveView()
+{
+  return qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+}
+}
+
+//------------------------------------------------------------------------------
+pqHorizonToolBar::pqHorizonToolBar(QWidget* parentObject)
+  : Superclass(tr("Horizon View"), parentObject)
+{
+  this->setObjectName("HorizonToolBar");
+  this->addWidget(new QLabel(tr("Heights x "), this));
+  this->Factor = new QComboBox(this);
+  this->Factor->setObjectName("VerticalExaggeration");
+  this->Factor->setToolTip(tr("Vertical exaggeration: how many times larger heights are drawn in the active view. "
+                              "Data and figures stay as they are."));
+  this->Factor->setEditable(true);
+  this->Factor->setInsertPolicy(QComboBox::NoInsert);
+  this->Factor->addItems({ "1", "2", "5", "10", "20", "50", "100" });
+  auto* const validator = new QDoubleValidator(1.0 / Largest, Largest, 6, this->Factor);
+  validator->setLocale(QLocale::c());
+  this->Factor->setValidator(validator);
+  this->addWidget(this->Factor);
+  QAction* const fit = this->addAction(tr("Fit Heights"));
+  fit->setObjectName("FitHeights");
+  fit->setToolTip(tr("Exaggerate heights so that what is shown is about a quarter as high as it is wide; not where it "
+                     "is not flat."));
+  this->Axes = this->addAction(tr("Survey Axes"));
+  this->Axes->setObjectName("SurveyAxes");
+  this->Axes->setCheckable(true);
+  this->Axes->setToolTip(
+    tr("Axes that count inlines and crosslines, or columns and rows where their numbers are not known."));
+
+  const auto setText = [this]() { this->setFactor(this->Factor->currentText().toDouble()); };
+  this->connect(this->Factor, QOverload<int>::of(&QComboBox::activated), this, setText);
+  this->connect(this->Factor, QOverload<int>::of(&QComboBox::currentIndexChanged), this, setText);
+  this->connect(this->Factor->lineEdit(), &QLineEdit::editingFinished, this, setText);
+  this->connect(fit, &QAction::triggered, this,
+    [this]()
+    {
+      if (pqView* const view = ActiveView())
+      {
+        this->setFactor(SuggestVerticalExaggeration(view->getProxy()));
+      }
+    });
+
+  this->connect(this->Axes, SIGNAL(triggered(bool)), SLOT(showAxes(bool)));
+
+  auto* const model = pqApplicationCore::instance()->getServerManagerModel();
+  this->connect(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
+  this->connect(&pqActiveObjects::instance(), SIGNAL(viewChanged(pqView*)), SLOT(showState()));
+  for (pqView* const view : model->findItems<pqView*>())
+  {
+    this->watch(view);
+  }
+  this->showState();
+
+  // ParaView adds toolbars of plugins in the row above that of the filters, where they have no room.
+  QTimer::singleShot(0, this,
+    [this]()
+    {
+      if (auto* const window = qobject_cast<QMainWindow*>(this->window()))
+      {
+        window->addToolBar(Qt::TopToolBarArea, this);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+pqHorizonToolBar::~pqHorizonToolBar() = default;
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::watch(pqView* view)
+{
+  this->connect(view, &pqView::representationAdded, this,
+    [view](pqRepresentation* representation)
+    { ExaggerateRepresentation(representation->getProxy(), view->getProxy()); });
+  // A script, a state file or undo may have changed it.
+  this->connect(view, SIGNAL(endRender()), SLOT(showState()));
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::showState()
+{
+  pqView* const view = ActiveView();
+  this->setEnabled(view != nullptr);
+  this->Axes->setChecked(view && HasSurveyAxes(view->getProxy()));
+  if (!this->Factor->lineEdit()->hasFocus()) // nobody is typing
+  {
+    this->showFactor();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::showFactor()
+{
+  pqView* const view = ActiveView();
+  this->Factor->setEditText(QString::number(view ? GetVerticalExaggeration(view->getProxy()) : 1.0));
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::setFactor(double factor)
+{
+  pqView* const view = ActiveView();
+  if (view && factor > 0.0 && factor != GetVerticalExaggeration(view->getProxy()))
+  {
+    SCOPED_UNDO_SET(tr("Vertical Exaggeration"));
+    SetVerticalExaggeration(view->getProxy(), factor);
+    view->resetDisplay();
+    view->render();
+  }
+  this->showFactor();
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::showAxes(bool areShown)
+{
+  if (pqView* const view = ActiveView())
+  {
+    SCOPED_UNDO_SET(tr("Survey Axes"));
+    if (!areShown)
+    {
+      HideSurveyAxes(view->getProxy());
+    }
+    else if (const std::string reason = ShowSurveyAxes(view->getProxy()); !reason.empty())
+    {
+      qWarning("No survey axes: %s.", reason.c_str());
+    }
+    view->render();
+  }
+  this->showState();
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   pqHorizonToolBar
+ * @brief   how a view shows horizons: by how much heights are exaggerated, and what its axes count
+ *
+ * Display/VerticalExaggeration.h and Display/SurveyAxes.h have what it does to the view. What is shown in the view
+ * later gets its factor, too.
+ */
+
+#ifndef pqHorizonToolBar_h
+#define pqHorizonToolBar_h
+
+#include <QToolBar>
+
+class QAction;
+class QComboBox;
+class pqView;
+
+class pqHorizonToolBar : public QToolBar
+{
+  Q_OBJECT
+  using Superclass = QToolBar;
+
+public:
+  explicit pqHorizonToolBar(QWidget* parent = nullptr);
+  ~pqHorizonToolBar() override;
+
+private Q_SLOTS:
+  /// Watches what comes into a view.
+  void watch(pqView* view);
+  /// Shows the factor of the active view, and whether its axes count lines.
+  void showState();
+  void showAxes(bool areShown);
+
+private:
+  void showFactor();
+  void setFactor(double factor);
+
+  QComboBox* Factor;
+  QAction* Axes;
+};
+
+#endif

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a file to a mesh and its distances in the window, by single stages: horizons chosen from the list, parameters typed,
+undo and redo, states, data saved and a trace recorded. All give the mesh that the classes make, byte by byte.
+
+Arguments: ParaView, pvpython, the folder of the data, and one for files.
+"""
+
+import pathlib
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+import seismichorizons as sh
+
+import window
+
+CHOSEN = ["Horizon 1", "Horizon 3"]
+STAGES = ["HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification", "HorizonTriangulation"]
+CELL_SIZE = 4
+# What a session of its own makes of the trace and of the state.
+AGAIN = """
+from paraview import simple
+exec(open("trace.py").read())
+simple.SaveData("traced.ts", proxy=simple.FindSource("HorizonTriangulation1"))
+simple.Disconnect()
+simple.Connect()
+simple.LoadState("before.pvsm")
+simple.SaveData("loaded.ts", proxy=simple.FindSource("HorizonTriangulation1"))
+simple.Disconnect()
+"""
+
+
+def write_expected(sample, path):
+    """The mesh by the classes alone."""
+    stage = sh.vtkVerneySparseMatrixReader()
+    stage.SetFileName(str(sample))
+    stage.SetHorizonStatus("Horizon 2", 0)
+    for name in STAGES:
+        following = getattr(sh, "vtk" + name)()
+        following.SetInputConnection(stage.GetOutputPort())
+        if name == "HorizonRoughSimplification":
+            following.SetCellSize(CELL_SIZE)
+        stage = following
+    writer = sh.vtkGOCADTSurfWriter()
+    writer.SetInputConnection(stage.GetOutputPort())
+    writer.SetFileName(str(path))
+    assert writer.Write() == 1
+    return path.read_bytes()
+
+
+def in_state(path):
+    """The sources of a state file by kind, and whether the convex hull is triangulated."""
+    state = ElementTree.parse(path).getroot()
+    listed = {item.get("id") for collection in state.iter("ProxyCollection") if collection.get("name") == "sources"
+              for item in collection}
+    kinds = [proxy.get("type") for proxy in state.iter("Proxy") if proxy.get("id") in listed]
+    hulls = [prop.find("Element").get("value") for prop in state.iter("Property") if prop.get("name") == "ConvexHull"]
+    return sorted(kinds), hulls
+
+
+def play(paraview, sample, folder):
+    events = window.Events()
+    events.macro("TraceStart")
+    events.open(sample)
+    events.choose_horizon(1, False)
+    events.apply()
+    for name in STAGES:
+        events.filter(name)
+        if name == "HorizonRoughSimplification":
+            events.set_number("CellSize", CELL_SIZE)
+        events.apply()
+    events.macro("TraceStop")
+    events.macro("Note")
+    events.save_data(folder / "mesh.ts")
+    events.set_check("ConvexHull", True)
+    events.apply()
+    events.save_state(folder / "changed.pvsm")
+    events.undo(1)
+    events.save_state(folder / "before.pvsm")
+    events.filter_of_two("HorizonSurfaceDistance", [("Mesh", len(STAGES) + 2), ("Reference", 1)])
+    events.apply()
+    events.undo(2)  # Apply, and the filter; no further than to the last macro
+    events.save_state(folder / "undone.pvsm")
+    events.redo(2)
+    events.save_state(folder / "redone.pvsm")
+    events.macro("Note")
+    return window.play(paraview, events, folder)
+
+
+def main():
+    paraview, pvpython, data, folder = sys.argv[1:5]
+    folder = window.new_folder(folder)
+    sample = pathlib.Path(data).resolve() / "sample.vsm"
+    mesh, distance = play(paraview, sample, folder)
+    assert mesh["name"] == "HorizonTriangulation" and mesh["shown"] and mesh["cells"] > 1000, mesh
+    assert distance["name"] == "HorizonSurfaceDistance" and distance["shown"], distance
+    assert distance["cells"] > mesh["cells"], (distance, mesh)  # the horizons that it meshes, with all their points
+
+    whole = sorted(["VerneySparseMatrixReader", *STAGES])
+    whole = ["VerneySparseMatrixReader", *STAGES]
+    for name, kinds, hull in (("changed", whole, "1"), ("before", whole, "0"), ("undone", whole, "0"),
+                              ("redone", [*whole, "HorizonSurfaceDistance"], "0")):
+        assert in_state(folder / (name + ".pvsm")) == (sorted(kinds), [hull]), (name, in_state(folder / (name + ".pvsm")))
+
+    expected = write_expected(sample, folder / "expected.ts")
+    assert (folder / "mesh.ts").read_bytes() == expected
+    script = folder / "again.py"
+    script.write_text(AGAIN, encoding="utf-8")
+    subprocess.run([pvpython, script], cwd=folder, check=True, timeout=60)
+    for name in ("traced.ts", "loaded.ts"):
+        assert (folder / name).read_bytes() == expected, name
+
+
+main()

@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The recipes for one machine do what Documentation/Recipes.md says of them.
+
+Arguments: the folder of the recipes, that of the data, one for results, and the paths of pvbatch and python3.
+"""
+
+import csv
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import mesh_checks
+from seismichorizons import reading
+from seismichorizons.stage import make
+
+RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
+PVBATCH, PYTHON = sys.argv[4:6]
+SAMPLE = DATA / "sample.vsm"
+
+
+def run(program, name, *arguments, code=0):
+    """What a recipe says."""
+    command = [program, str(RECIPES / (name + ".py")), *(str(argument) for argument in arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=100, check=False)
+    assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+def read(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def test_file_to_mesh():
+    said = run(PVBATCH, "file_to_mesh", SAMPLE, FOLDER / "meshes.ts")
+    assert "3 horizons" in said, said
+    assert (FOLDER / "meshes.ts").read_text(encoding="utf-8").count("GOCAD TSurf 1") == 3
+    said = run(PVBATCH, "file_to_mesh", "none.vsm", FOLDER / "none.ts", code=1)
+    assert "file_to_mesh: none.vsm: nothing there, expected a file" in said, said
+
+
+def test_many_horizons():
+    """A file that is none does not stop the others."""
+    wrong = FOLDER / "wrong.vsm"
+    wrong.write_text("no horizons\n", encoding="utf-8")
+    said = run(PYTHON, "many_horizons", FOLDER / "many", wrong, SAMPLE, code=1)
+    assert said.startswith("many_horizons: ") and "wrong.vsm" in said, said
+    with open(FOLDER / "many" / "meshes.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["horizon"] for row in rows] == ["Horizon 1", "Horizon 2", "Horizon 3"]
+    for row in rows:
+        mesh = read(FOLDER / "many" / ("sample_%s.vtp" % row["horizon"].replace(" ", "_")))
+        assert mesh_checks.check_mesh(mesh) == int(row["triangles"]) > 100
+
+
+def test_own_points():
+    run(PYTHON, "own_points", FOLDER / "own.vtp")
+    mesh = read(FOLDER / "own.vtp")
+    assert mesh_checks.check_mesh(mesh) > 50
+    hole = sum((i - 30) ** 2 + (j - 60) ** 2 <= 60 for i in range(80) for j in range(100))
+    assert mesh_checks.array(mesh, "PointCount").sum() == 80 * 100 - hole
+
+
+def test_side_by_side():
+    run(PVBATCH, "side_by_side", SAMPLE, FOLDER / "side.png", "MaximumError", 0.5, 4)
+    reader = vtkPNGReader()
+    reader.SetFileName(str(FOLDER / "side.png"))
+    reader.Update()
+    picture = reader.GetOutput()
+    assert picture.GetDimensions()[:2] == (1040, 440)
+    # Panels of one white background, with something on each.
+    for first in (0, 520):
+        reds = {picture.GetScalarComponentAsDouble(first + 5 * x, 5 * y, 0, 0) for x in range(104) for y in range(80)}
+        assert len(reds) > 20, reds
+    said = run(PVBATCH, "side_by_side", SAMPLE, FOLDER / "none.png", "Size", 1, code=1)
+    assert "side_by_side: no property 'Size'" in said, said
+
+
+def test_fault_cut():
+    """Across a straight fault of a throw of 12, a mesh that is cut is near with few triangles, one that is not is far."""
+    picks = FOLDER / "faulted.picks"
+    picks.write_text("".join("%d %d %d\n" % (25 * i, 25 * j, 1000 + (12 if i + 0.31 * j > 30 else 0) + 0.1 * j)
+                             for i in range(60) for j in range(50)), encoding="utf-8")
+    source = reading.open_file(str(picks))
+    writer = make("vtkVerneySparseMatrixWriter", FileName=str(FOLDER / "faulted.vsm"))
+    writer.SetInputConnection(source.GetOutputPort())
+    writer.Write()
+    said = run(PVBATCH, "fault_cut", FOLDER / "faulted.vsm", FOLDER / "cut", "--triangles", 60)
+    before, after = (float(value) for value in re.findall(r"largest error ([\d.e-]+)", said))
+    assert after < 0.25 * before, said
+    names = sorted(path.name for path in (FOLDER / "cut").iterdir())
+    assert {"after.vtpc", "before.vtpc", "faults.vtpc"} <= set(names), names
+
+
+def main():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    test_file_to_mesh()
+    test_many_horizons()
+    test_own_points()
+    test_side_by_side()
+    test_fault_cut()
+
+
+main()

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the manual page of a program from its own description of its options, so that both say the same.
+
+Arguments: the program (Python with a function make_parser), the name it is installed by, the version, and the page.
+"""
+
+import gzip
+import importlib.util
+import pathlib
+import re
+import sys
+
+SEE_ALSO = r"""\fBparaview\fR(1), \fBpvpython\fR(1), the documentation of the project"""
+
+
+def escape(text):
+    """Text that troff shows as it is."""
+    text = text.replace("\\", r"\e").replace("-", r"\-")
+    return re.sub(r"(?m)^([.'])", r"\\&\1", text)
+
+
+def load_parser(path):
+    specification = importlib.util.spec_from_file_location(path.stem, path)
+    program = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(program)
+    return program.make_parser()
+
+
+def describe(formatter, action):
+    """One option: how it is written, and what it does."""
+    formatter._indent_increment = 0
+    written = formatter._format_action_invocation(action)
+    return ".TP\n.B %s\n%s\n" % (escape(written), escape(formatter._expand_help(action)))
+
+
+def sections(parser):
+    formatter = parser._get_formatter()
+    for group in parser._action_groups:
+        actions = [action for action in group._group_actions if action.help != "==SUPPRESS=="]
+        if actions:
+            yield ".SS %s\n" % escape(group.title) + "".join(describe(formatter, action) for action in actions)
+
+
+def manual_page(parser, name, version):
+    parser.prog = name
+    usage = " ".join(parser.format_usage().split()).replace("usage: %s" % name, "", 1)
+    return "".join((
+        '.TH %s 1 "" "SeismicHorizons %s" "User Commands"\n' % (name.upper(), version),
+        ".SH NAME\n%s \\- seismic horizons to triangle meshes\n" % escape(name),
+        ".SH SYNOPSIS\n.B %s\n%s\n" % (escape(name), escape(usage.strip())),
+        ".SH DESCRIPTION\n%s\n" % escape(parser.description),
+        ".SH OPTIONS\n", *sections(parser),
+        ".SH RESULTS\n%s\n" % escape(parser.epilog),
+        ".SH SEE ALSO\n%s\n" % SEE_ALSO))
+
+
+def main(program, name, version, page):
+    text = manual_page(load_parser(pathlib.Path(program)), name, version)
+    # No time stamp: the same input gives the same file.
+    pathlib.Path(page).write_bytes(gzip.compress(text.encode("utf-8"), 9, mtime=0))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a report shows of horizons beside figures: pictures, and meshes that can be turned. A page must not grow beyond
+measure, so that only those with most points have pictures of their stages, and only the smaller meshes can be turned when
+there is no room for all. Everything is bytes at once, so that no horizon has to stay in memory."""
+
+from dataclasses import dataclass, field
+from typing import Optional
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+MOST_PICTURED = 12  # horizons with pictures of their stages
+PICTURE_BYTES = 8 << 20  # of these pictures together
+MOST_THUMBNAILS = 500
+MESH_BYTES = 16 << 20  # of all meshes that can be turned together
+PICTURE_SIZE = (600, 420)
+THUMBNAIL_SIZE = (208, 136)
+
+
+@dataclass
+class Picture:
+    """`title` and `caption` are words about it; of an error map, `farthest` is the distance of the last colour."""
+
+    title: str
+    caption: str
+    jpeg: bytes
+    farthest: Optional[float] = None
+
+
+@dataclass
+class Mesh:
+    """`content` has, one after the other, the points relative to `center` (3 float32 each), the errors, one for each of
+    `error_on` (float32; "triangles", "points", or None where there are none), and three point numbers for each triangle
+    (uint16, or uint32 beyond 65536 points)."""
+
+    center: list
+    points: int
+    triangles: int
+    error_on: Optional[str]
+    farthest: float
+    content: bytes
+
+
+@dataclass
+class Entry:
+    """Of one horizon; `exaggeration` is that of the heights in its pictures."""
+
+    points: int
+    thumbnail: Optional[bytes] = None
+    pictures: list = field(default_factory=list)
+    exaggeration: float = 1.0
+    mesh: Optional[Mesh] = None
+
+
+class Album:
+    """The entries of all horizons in their order. Pictures need an X server."""
+
+    def __init__(self, with_pictures):
+        self.with_pictures = with_pictures
+        self.entries = []
+        self._studio = None
+
+    def add(self, result, rank):
+        """Another horizon; `rank` is its place among those of its file by the number of points, from 0."""
+        entry = Entry(result.number_of_points)
+        self.entries.append(entry)
+        if result.data["mesh"].GetNumberOfPolys():
+            entry.mesh = encode(result.data["mesh"])
+        if self.with_pictures:
+            self._draw(entry, result, rank)
+        _drop(self.entries, "mesh", None, lambda e: -len(e.mesh.content), lambda e: len(e.mesh.content), MESH_BYTES)
+        _drop(self.entries, "pictures", [], lambda e: e.points, lambda e: sum(len(p.jpeg) for p in e.pictures),
+              PICTURE_BYTES, MOST_PICTURED)
+
+    def cut(self, number):
+        """Leaves only so many entries, the first ones."""
+        del self.entries[number:]
+
+    def _draw(self, entry, result, rank):
+        # Loads the libraries that draw, which are not needed otherwise.
+        from . import overview, pictures
+
+        self._studio = self._studio or pictures.Studio()
+        if rank < MOST_PICTURED:
+            panels = overview.panels(result)
+            measured = result.data.get("measured")
+            if measured is not None and measured.GetNumberOfPoints():
+                panels.append(pictures.Panel("Error", "distance of each point from the mesh", measured, pictures.DISTANCE))
+            images, entry.exaggeration, farthest = pictures.draw_each(panels, PICTURE_SIZE, self._studio)
+            # The first panel of a row has the name of the horizon as its title.
+            first = "Points" if panels[0].style == pictures.POINTS else "Mesh"
+            entry.pictures = [Picture(panel.title if number else first, panel.caption, pictures.as_jpeg(image),
+                                      farthest if panel.style == pictures.DISTANCE else None)
+                              for number, (panel, image) in enumerate(zip(panels, images))]
+        if sum(e.thumbnail is not None for e in self.entries) < MOST_THUMBNAILS:
+            panel = pictures.Panel(result.name, "", result.data["mesh"], pictures.MESH)
+            (image,), exaggeration, _ = pictures.draw_each([panel], THUMBNAIL_SIZE, self._studio)
+            entry.thumbnail = pictures.as_jpeg(image, 80)
+            entry.exaggeration = entry.exaggeration if entry.pictures else exaggeration
+
+
+def _drop(entries, name, nothing, worth, size, most_bytes, most=None):
+    """Leaves `nothing` in place of what is called `name` at the entries that are worth least, until what is left fits."""
+    having = sorted((e for e in entries if getattr(e, name)), key=worth, reverse=True)
+    while having and (sum(map(size, having)) > most_bytes or len(having) > (most or len(having))):
+        setattr(having.pop(), name, nothing)
+
+
+def encode(mesh):
+    """A mesh as what a page needs of it."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+    center = (points.min(axis=0) + points.max(axis=0)) / 2.0
+    errors, error_on = _errors(mesh)
+    index_type = "<u2" if len(points) <= 1 << 16 else "<u4"
+    content = b"".join(((points - center).astype("<f4").tobytes(), errors.astype("<f4").tobytes(),
+                        corners.astype(index_type).tobytes()))
+    farthest = float(np.nanmax(errors, initial=0.0))
+    return Mesh(center.tolist(), len(points), len(corners) // 3, error_on, farthest, content)
+
+
+def _errors(mesh):
+    """Of each triangle, as the decimation leaves them, or else the measured distances of the points; with what they are of."""
+    count = mesh.GetNumberOfPolys()
+    array = mesh.GetCellData().GetArray("Error")
+    if array is not None:
+        values = vtk_to_numpy(array)
+        # Polylines come first among the cells, triangles last.
+        return np.nan_to_num(values[len(values) - count:]), "triangles"
+    array = mesh.GetPointData().GetArray("Distance")
+    if array is not None:
+        return np.nan_to_num(vtk_to_numpy(array)), "points"
+    return np.zeros(0), None

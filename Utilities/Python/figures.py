@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What there is to say of a run in plain values, for programs (--json) and for the report: dictionaries, lists, texts and
+numbers. Documentation/Report.md tells of all keys."""
+
+import math
+import os
+import platform
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
+
+import seismichorizons
+
+from .parts import SURFACE
+from .pipeline import PREPARATIONS, STAGES, chosen_parameters
+from .tables import TWO_SIDED, prepared_number
+
+BINS = 24  # of the histogram of distances
+ANGLE_BINS = 12  # of 5 degrees, to 60, which is the most the smallest angle of a triangle can be
+CHUNK = 1 << 20  # triangles whose angles are computed at a time
+ERRORS = {"LargestDistance": "largest", "MeanDistance": "mean", "RmsDistance": "rms", "DistancePercentile50": "median",
+          "DistancePercentile90": "percentile_90", "DistancePercentile95": "percentile_95",
+          "DistancePercentile99": "percentile_99", "OutlineDistance": "outline"}
+STATED = {"VerticalUnit": "vertical_unit", "VerticalDomain": "vertical_domain", "HorizontalUnit": "horizontal_unit",
+          "CoordinateSystem": "coordinate_system"}
+UNITS = ("Lattice", "World")
+
+
+def versions():
+    """Of what a run is made with; None for ParaView where the program runs without it."""
+    try:
+        from paraview import __version__ as paraview
+    except ImportError:
+        paraview = None
+    return {"SeismicHorizons": seismichorizons.__version__, "ParaView": paraview, "VTK": vtkVersion.GetVTKVersion(),
+            "Python": platform.python_version(), "NumPy": np.__version__}
+
+
+def command():
+    """The words that started this program, and the folder they were said in."""
+    return {"words": list(getattr(sys, "orig_argv", None) or [sys.executable, *sys.argv]), "folder": os.getcwd()}
+
+
+def parameters(settings):
+    """What was given to the reader, to each stage and to the measure, by the names of the classes' properties."""
+    stages = {**PREPARATIONS, **(STAGES if settings.surface is None else {})}
+    given = {"reader": {**settings.reader, **({} if settings.horizons is None else {"Horizons": settings.horizons})},
+             **{class_name: getattr(settings, name) for name, class_name in stages.items()},
+             SURFACE: settings.surface, "vtkHorizonSurfaceDistance": settings.error}
+    return {name: dict(properties) for name, properties in given.items() if properties is not None}
+
+
+def survey(horizon):
+    """The lattice of a horizon, and what its file states of its coordinates; what is not known is None."""
+    data = horizon.GetFieldData()
+    known = {key: _text(data, name) for name, key in STATED.items()}
+    direction = _values(data, "VerticalDirection")
+    known["vertical_direction"] = None if not direction else "down" if direction[0] < 0 else "up"
+    known["line_numbers"] = dict(zip(("first_inline", "inline_step", "first_crossline", "crossline_step"),
+                                     _values(data, "LineNumbers"))) or None
+    matrix = _values(data, "LatticeToWorld")
+    known["lattice"] = None if not matrix else {
+        "columns": [int(n) for n in _values(data, "LatticeDimensions")],
+        "origin": matrix[3:12:4], "column_step": matrix[0:8:4], "row_step": matrix[1:8:4], "vertical_step": matrix[10]}
+    for name, key in (("DroppedDuplicates", "dropped_duplicates"), ("DroppedNulls", "dropped_nulls")):
+        known[key] = _count(data, name)
+    return known
+
+
+def horizon(result):
+    """Of a result (pipeline.Result)."""
+    mesh = result.data["mesh"]
+    data = mesh.GetFieldData()
+    before, after = result.number_of_points, mesh.GetNumberOfPoints()
+    loops, loop_points = result.loops or (result.simplified[0], None)
+    largest = _values(data, "LargestError")
+    return {
+        "name": result.name, "points_in": before, "points_out": after, "triangles": mesh.GetNumberOfPolys(),
+        "reduction": 1.0 - after / before if before else None,
+        "patches": _count(data, "NumberOfPatches"), "holes": _count(data, "NumberOfHoles"),
+        "outlines": loops, "outline_points_in": loop_points, "outline_points": result.simplified[1],
+        "bounds": list(mesh.GetBounds()) if after else None,
+        "angles": angles(mesh),
+        "seconds": {**result.seconds, "total": sum(result.seconds.values())},
+        "chosen": chosen_parameters(mesh),
+        "prepared": {name: prepared_number(data, name) for name in PREPARATIONS if name in result.seconds},
+        "largest_vertical_error": largest[0] if largest else None,
+        "error": None if result.figures is None else {unit.lower(): _errors(result.figures, row, unit)
+                                                      for row, unit in enumerate(UNITS)},
+        "distances": distances(result),
+        "results": [], "warnings": list(result.warnings)}
+
+
+def angles(mesh):
+    """The smallest angle of each triangle as seen from above, on the lattice, in degrees: the smallest of all, and how many
+    there are in each five degrees from 0 to 60. None without triangles."""
+    if not mesh.GetNumberOfPolys():
+        return None
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    matrix = _values(mesh.GetFieldData(), "LatticeToWorld")
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    if matrix:
+        matrix = np.array(matrix).reshape(4, 4)
+        points = (points - matrix[:3, 3]) @ np.linalg.inv(matrix[:3, :3]).T
+    counts = np.zeros(ANGLE_BINS, dtype=np.int64)
+    smallest = 60.0
+    for first in range(0, len(corners), CHUNK):
+        found = _smallest_angles(points[:, :2][corners[first:first + CHUNK]])
+        counts += np.histogram(found, bins=ANGLE_BINS, range=(0.0, 60.0))[0]
+        smallest = min(smallest, float(found.min()))
+    return {"smallest": smallest, "counts": counts.tolist()}
+
+
+def _smallest_angles(triangles):
+    """In degrees, of (n, 3, 2) corners."""
+    angles_of = []
+    for corner in range(3):
+        a = triangles[:, (corner + 1) % 3] - triangles[:, corner]
+        b = triangles[:, (corner + 2) % 3] - triangles[:, corner]
+        angles_of.append(np.arctan2(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), (a * b).sum(axis=1)))
+    # Rounding must not put the equilateral ones beyond the last bin.
+    return np.minimum(np.degrees(np.min(angles_of, axis=0)), 60.0)
+
+
+def distances(result):
+    """How far the points of the horizon are from the mesh: how many there are in each of so many equal steps up to the
+    farthest. None where that was not measured."""
+    measured = result.data.get("measured")
+    array = measured.GetPointData().GetArray("Distance") if measured else None
+    if array is None or not array.GetNumberOfTuples():
+        return None
+    values = vtk_to_numpy(array)
+    values = values[np.isfinite(values)]
+    if not len(values):
+        return None
+    farthest = float(values.max())
+    counts = np.histogram(values, bins=BINS, range=(0.0, farthest or 1.0))[0]
+    return {"unit": result.unit.lower(), "farthest": farthest, "counts": counts.tolist()}
+
+
+def _errors(table, row, unit):
+    """The figures for both directions in one of the units, from the table of the measure."""
+    row = TWO_SIDED + 3 * row
+    assert table.GetValueByName(row, "Unit").ToString() == unit
+    return {key: table.GetValueByName(row, name).ToDouble() for name, key in ERRORS.items()}
+
+
+def _values(data, name):
+    array = data.GetArray(name)
+    return [] if array is None else [array.GetComponent(row, column) for row in range(array.GetNumberOfTuples())
+                                     for column in range(array.GetNumberOfComponents())]
+
+
+def _count(data, name):
+    values = _values(data, name)
+    return int(values[0]) if values else None
+
+
+def _text(data, name):
+    array = data.GetAbstractArray(name)
+    return None if array is None or not array.GetNumberOfValues() else str(array.GetVariantValue(0).ToString())
+
+
+def without_nan(value):
+    """The same with None in place of numbers that JSON does not have."""
+    if isinstance(value, dict):
+        return {key: without_nan(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [without_nan(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

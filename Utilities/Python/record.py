@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What happened in a run, noted as it goes on: its files, their horizons, warnings and errors (see figures.py)."""
+
+import datetime
+import json
+import os
+import time
+
+from . import figures
+
+
+class Record:
+    """Of one run. `tell` is called with "error" or "warning" and the text. Figures of horizons, which take some time, are
+    noted with `has_figures`; `album` (album.Album) gets the horizons as well, or is None."""
+
+    def __init__(self, tell, has_figures=False, album=None):
+        self._tell = tell
+        self._has_figures = has_figures
+        self._start = time.monotonic()
+        self._started = datetime.datetime.now(datetime.timezone.utc)
+        self._given = {}
+        self._running = {}
+        self.album = album
+        self.files = []
+        self.error = None
+
+    def begin(self, settings):
+        self._given = figures.parameters(settings)
+        self._running = {"formats": list(settings.formats), "memory": settings.memory,
+                         "leave_out_invalid": settings.leave_out_invalid}
+
+    def begin_file(self, path, label):
+        self.files.append({"path": str(path), "label": str(label), "status": "failed", "error": None,
+                           "bytes": os.path.getsize(path) if os.path.exists(path) else None, "format": None,
+                           "description": [], "horizons_in_file": None, "survey": None, "seconds_reading": None,
+                           "horizons": [], "results": [], "warnings": []})
+
+    def add_horizon(self, result, supply, names):
+        """A horizon whose mesh is written under some names."""
+        if not self._has_figures:
+            return
+        file = self.files[-1]
+        if file["survey"] is None:
+            file["survey"] = figures.survey(result.data.get("points") or result.data["mesh"])
+        file["horizons"].append({**figures.horizon(result), "results": list(names)})
+        if self.album:
+            sizes = sorted(supply.sizes, reverse=True)
+            self.album.add(result, sizes.index(result.number_of_points))
+
+    def end_file(self, supply, results):
+        """The results are complete."""
+        self.files[-1].update(status="done", seconds_reading=supply.seconds, results=list(results), **supply.origin)
+
+    def fail_file(self, error):
+        """There are no results, or they can not be told of."""
+        file = self.files[-1]
+        file["error"] = str(error)
+        if file["status"] != "done":
+            file["horizons"] = []
+        if self.album:
+            self.album.cut(sum(len(file["horizons"]) for file in self.files))
+        self._tell("error", error)
+
+    def warn(self, text):
+        self.files[-1]["warnings"].append(str(text))
+        self._tell("warning", text)
+
+    def fail(self, error):
+        """The whole run can not be done."""
+        self.error = str(error)
+        self._tell("error", error)
+
+    def is_done(self):
+        return self.error is None and all(file["error"] is None for file in self.files)
+
+    def as_values(self):
+        """All of it, for JSON and for a report."""
+        return figures.without_nan({
+            "version": 1, "program": "horizon_mesh", "done": self.is_done(), "error": self.error,
+            "started": self._started.isoformat(timespec="seconds"), "seconds": time.monotonic() - self._start,
+            "versions": figures.versions(), "command": figures.command(), "parameters": self._given,
+            "running": self._running, "files": self.files})
+
+    def as_json(self):
+        """The same as one line of text."""
+        return json.dumps(self.as_values(), allow_nan=False)

@@ -1,0 +1,274 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The sections of a report, from the values of a run (see figures.py)."""
+
+from . import album as albums
+from .charts import histogram
+from .markup import Markup, data_uri, fill, join
+from .progress import amount_text
+
+# The columns of the table: head, what it means, the value of a horizon (None where there is none), its form.
+COLUMNS = (
+    ("Points in", "points that were read", lambda h: h["points_in"], "{:,}"),
+    ("Points out", "points of the mesh", lambda h: h["points_out"], "{:,}"),
+    ("Patches", "connected parts", lambda h: h["patches"], "{:,}"),
+    ("Triangles", "of the mesh", lambda h: h["triangles"], "{:,}"),
+    ("Largest deviation", "of mesh and horizon, both ways, in lattice units", lambda h: _error(h, "largest"), "{:.3f}"),
+    ("Mean", "mean deviation, both ways, in lattice units", lambda h: _error(h, "mean"), "{:.3f}"),
+    ("Smallest angle", "of a triangle, as seen from above, in degrees", lambda h: h["angles"] and h["angles"]["smallest"],
+     "{:.1f}\u00b0"),
+    ("Time", "of all stages, in seconds", lambda h: h["seconds"]["total"], "{:.2f} s"))
+ERROR_ROWS = (("largest", "largest"), ("mean", "mean"), ("root mean square", "rms"), ("median", "median"),
+              ("90 % are below", "percentile_90"), ("95 %", "percentile_95"), ("99 %", "percentile_99"),
+              ("outlines, on the map", "outline"))
+STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole filling", "simplified": "outline"}
+PREPARED = {"despiked": "spikes removed", "torn": "links cut along faults", "filled": "points filled in"}
+MOST_OPEN_FILES = 3
+METER = "vtkHorizonSurfaceDistance"
+FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
+
+
+def _error(horizon, name):
+    return horizon["error"] and horizon["error"]["lattice"][name]
+
+
+def count(number, noun):
+    return "{:,} {}{}".format(number, noun, "" if number == 1 else "s")
+
+
+def horizons_of(run):
+    """All horizons, as (file, horizon), in their order."""
+    return [(file, horizon) for file in run["files"] for horizon in file["horizons"]]
+
+
+def tiles(run):
+    horizons = [horizon for _, horizon in horizons_of(run)]
+    before, after = (sum(h[name] for h in horizons) for name in ("points_in", "points_out"))
+    largest = [_error(h, "largest") for h in horizons if _error(h, "largest") is not None]
+    shown = [("Horizons", "{:,}".format(len(horizons))), ("Points in", "{:,}".format(before)),
+             ("Points out", "{:,}".format(after)),
+             ("Fewer by", "%.1f %%" % (100.0 * (before - after) / before) if before else "-"),
+             ("Triangles", "{:,}".format(sum(h["triangles"] for h in horizons)))]
+    if largest:
+        shown.append(("Largest deviation", "%.3f" % max(largest)))
+    return join(fill("tile", name=name, value=value) for name, value in shown)
+
+
+def links(has_horizons, has_meshes):
+    """To the sections that there are."""
+    shown = [("files", "What was read", True), ("horizons", "Horizons", has_horizons), ("meshes", "Meshes", has_meshes),
+             ("details", "Horizon by horizon", has_horizons), ("parameters", "Parameters", True),
+             ("again", "To do it again", True)]
+    return join(fill("link", id=place, text=text) for place, text, is_there in shown if is_there)
+
+
+def problems(run):
+    """Errors and warnings; nothing where there are none."""
+    found = [("error", "Not done.", run["error"])] if run["error"] else []
+    for file in run["files"]:
+        if file["error"]:
+            found.append(("error", "Not done." if file["status"] != "done" else "Error.", file["error"]))
+        found += [("warning", "Warning.", text) for text in file["warnings"]]
+    if not found:
+        return Markup()
+    return fill("problems", problems=join(fill("problem", kind=kind, word=word, text=text) for kind, word, text in found))
+
+
+def facts(pairs):
+    """Names and values, without those that have none."""
+    return join(fill("fact", name=name, value=value) for name, value in pairs if value not in (None, ""))
+
+
+def files(run):
+    """A card for each file, open where there are few."""
+    is_open = fill("open") if len(run["files"]) <= MOST_OPEN_FILES else None
+    return join(_file_card(file, is_open) for file in run["files"])
+
+
+def _file_card(file, is_open):
+    words = [file["format"], None if file["bytes"] is None else amount_text(file["bytes"], "B"),
+             count(len(file["horizons"]), "horizon") if file["status"] == "done" else "not done"]
+    return fill("file", label=file["label"], open=is_open, short=", ".join(filter(None, words)), facts=facts([
+        ("File", file["path"]), ("Size", None if file["bytes"] is None else _bytes(file["bytes"])),
+        ("Format", file["format"]),
+        ("The reader found", fill("lines", lines="\n".join(file["description"])) if file["description"] else None),
+        ("Horizons", _horizons_read(file)), *_survey(file["survey"] or {}),
+        ("Read in", None if file["seconds_reading"] is None else "%.2f s" % file["seconds_reading"]),
+        ("Results", ", ".join(file["results"][:8]) + (
+            " and %d more" % (len(file["results"]) - 8) if len(file["results"]) > 8 else ""))]))
+
+
+def _bytes(size):
+    return "{:,} bytes".format(size) + (" (%s)" % amount_text(size, "B") if size >= 1e6 else "")
+
+
+def _horizons_read(file):
+    done, known = len(file["horizons"]), file["horizons_in_file"]
+    return None if known is None else "%d" % done if done == known else "%d of %d" % (done, known)
+
+
+def _survey(survey):
+    """What there is to say of the lattice and its coordinates."""
+    lattice, lines = survey.get("lattice"), survey.get("line_numbers")
+    pairs = [("Lattice", lattice and "{:,} \u00d7 {:,} columns, {:,} vertical indices".format(*lattice["columns"])),
+             ("Origin", lattice and "(%.10g, %.10g, %.10g)" % tuple(lattice["origin"])),
+             ("Steps", lattice and "(%.7g, %.7g) from column to column, (%.7g, %.7g) from row to row, %.7g from index to "
+              "index" % (*lattice["column_step"], *lattice["row_step"], lattice["vertical_step"])),
+             ("Lines", lines and "inlines from %(first_inline)g in steps of %(inline_step)g, crosslines from "
+              "%(first_crossline)g in steps of %(crossline_step)g" % lines),
+             ("Coordinate system", survey.get("coordinate_system")),
+             ("Units", _units(survey))]
+    dropped = [("dropped_duplicates", "more than one in a column"), ("dropped_nulls", "no value")]
+    left = ["%s (%s)" % (count(survey[key], "point"), why) for key, why in dropped if survey.get(key)]
+    return pairs + [("Left out", ", ".join(left))]
+
+
+def _units(survey):
+    """The unknown ones are told of as well: results depend on them."""
+    if not survey:
+        return None
+    vertical = " ".join(filter(None, (survey["vertical_domain"], survey["vertical_unit"]
+                                      and "in %s" % survey["vertical_unit"])))
+    direction = survey["vertical_direction"]
+    return "x and y: %s; z: %s%s" % (survey["horizontal_unit"] or "not stated", vertical or "not stated",
+                                     ", counted %swards" % direction if direction else "")
+
+
+def horizon_table(run, album):
+    pairs = horizons_of(run)
+    if not pairs:
+        return Markup()
+    many = len(run["files"]) > 1
+    rows = []
+    for number, (file, horizon) in enumerate(pairs):
+        image = album.entries[number].thumbnail if album else None
+        thumbnail = fill("thumbnail", uri=data_uri(image, "image/jpeg"), width=albums.THUMBNAIL_SIZE[0],
+                         height=albums.THUMBNAIL_SIZE[1]) if image else None
+        rows.append(fill("row", number=number, name=horizon["name"], thumbnail=thumbnail,
+                         file=fill("of_file", label=file["label"]) if many else None,
+                         cells=join(_cell(value(horizon), form) for _, _, value, form in COLUMNS)))
+    heads = [fill("head", kind="name", text="Horizon", meaning="its name")]
+    heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in COLUMNS]
+    return fill("horizons", heads=join(heads), rows=join(rows), note=_about_deviations(run),
+                filter=fill("filter") if len(pairs) > FROM_HERE_FILTERED else None)
+
+
+def _about_deviations(run):
+    """Their unit, and of which horizons there are none."""
+    known = [horizon["error"] is not None for _, horizon in horizons_of(run)]
+    note = "Deviations are in lattice units, 1 being a step from column to column, or a vertical index."
+    if all(known):
+        return note
+    if METER not in run["parameters"]:
+        return "Deviations were not measured."
+    if not any(known):
+        return "Deviations were not measured: the horizons are larger than memory."
+    return note + " They were measured for %d of %d horizons; the others are larger than memory." % (sum(known), len(known))
+
+
+def _cell(value, form):
+    if value is None:
+        return fill("cell", value="", text="\u2013")
+    return fill("cell", value="%.9g" % value, text=form.format(value))
+
+
+def details(run, album):
+    pairs = horizons_of(run)
+    if not pairs:
+        return Markup()
+    drawn = sum(1 for entry in album.entries if entry.pictures)
+    note = "There are no pictures, as none were asked for." if not album.with_pictures else (
+        "Pictures of the stages are there for %s." % ("all horizons" if drawn == len(pairs) else
+                                                      "the %d horizons with most points, of %d" % (drawn, len(pairs))))
+    many = len(run["files"]) > 1
+    return fill("details", note=note, horizons=join(
+        _details(number, horizon, album.entries[number], file["label"] if many else None)
+        for number, (file, horizon) in enumerate(pairs)))
+
+
+def _details(number, horizon, entry, label):
+    largest = _error(horizon, "largest")
+    unit = horizon["distances"] and "%s units" % horizon["distances"]["unit"]
+    words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
+             None if largest is None else "at most %.3g off" % largest]
+    return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon),
+                turn=fill("turn", number=number) if entry.mesh else None,
+                pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon),
+                errors=_error_table(horizon["error"]))
+
+
+def _pictures(name, entry, unit):
+    if not entry.pictures:
+        return None
+    width, height = albums.PICTURE_SIZE
+    shown = []
+    for picture in entry.pictures:
+        scale = None if picture.farthest is None else fill("scale", farthest="%.3g and more" % picture.farthest)
+        caption = picture.caption if scale is None else "%s, %s" % (picture.caption, unit)
+        alt = "%s of %s: %s; seen from above and aside, heights \u00d7 %g" % (
+            picture.title, name, picture.caption, entry.exaggeration)
+        shown.append(fill("picture", uri=data_uri(picture.jpeg, "image/jpeg"), width=width, height=height, alt=alt,
+                          title=picture.title, caption=caption, scale=scale))
+    return fill("pictures", pictures=join(shown))
+
+
+def _charts(horizon):
+    shown = []
+    if horizon["distances"]:
+        unit = horizon["distances"]["unit"]
+        shown.append(histogram("Distance of the horizon's points from the mesh", "share of the points",
+                               horizon["distances"]["counts"], horizon["distances"]["farthest"], "%s units" % unit))
+    if horizon["angles"]:
+        shown.append(histogram("Smallest angle of the triangles", "share of the triangles, seen from above",
+                               horizon["angles"]["counts"], 60.0, "degrees"))
+    return join(shown)
+
+
+def _horizon_facts(horizon):
+    chosen = join((fill("value", name=name, value=_value(value)) for name, value in horizon["chosen"].items()), "\n")
+    seconds = join((fill("value", name=STAGE_NAMES.get(name, name), value="%.2f s" % value)
+                    for name, value in horizon["seconds"].items()), "\n")
+    before, after = horizon["outline_points_in"], horizon["outline_points"]
+    bounds = horizon["bounds"]
+    return facts([
+        ("Points", "{:,} in, {:,} out".format(horizon["points_in"], horizon["points_out"])),
+        ("Patches, holes", None if horizon["patches"] is None else "%d, %d" % (horizon["patches"], horizon["holes"] or 0)),
+        ("Outlines", "{:,} with {:,} points".format(horizon["outlines"], after) + (
+            "" if before is None else " of {:,}".format(before))),
+        *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
+        ("Largest vertical error", None if horizon["largest_vertical_error"] is None else
+         "%.3g lattice units, as the decimation keeps it" % horizon["largest_vertical_error"]),
+        ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
+        ("Time", seconds), ("Written", ", ".join(horizon["results"]))])
+
+
+def _error_table(error):
+    if not error:
+        return None
+
+    def text(unit, key):
+        value = error[unit][key]
+        # What is only rounding is nothing.
+        return "\u2013" if value is None else "%.4g" % (0.0 if value < 1e-9 * error[unit]["largest"] else value)
+
+    return fill("errors", rows=join(fill("error", name=name, lattice=text("lattice", key), world=text("world", key))
+                                    for name, key in ERROR_ROWS))
+
+
+def parameters(run):
+    rows = []
+    given = {**run["parameters"], "running": {name: value for name, value in run["running"].items() if value}}
+    for name, values in given.items():
+        if values:
+            shown = join((fill("value", name=key, value=_value(value)) for key, value in values.items()), "\n")
+        else:
+            shown = "defaults"
+        rows.append(fill("parameter", name=name, values=shown))
+    return fill("parameters", rows=join(rows), note="What is not named here has its default, as the page of the class in "
+                "the documentation tells. What was chosen for each horizon stands with it, above.")
+
+
+def _value(value):
+    if isinstance(value, (list, tuple)):
+        return " ".join(map(_value, value))
+    return "%g" % value if isinstance(value, float) else str(value)

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""All horizons of many files as meshes in one folder, each in a file of its name, with a table of what came out.
+
+    python3 many_horizons.py results picks/*.dat survey.vsm
+
+Runs in the Python of the system; the package seismichorizons has to be found by it. A file that can not be read is
+told of, and the others are done.
+"""
+
+import argparse
+import csv
+import pathlib
+import re
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from seismichorizons import pipeline
+from seismichorizons.stage import HorizonError
+
+
+def file_name(path, name):
+    """A name that any file system takes."""
+    return "%s_%s.vtp" % (path.stem, re.sub(r"[^\w.-]+", "_", name))
+
+
+def mesh_file(path, folder, error):
+    """Meshes of one file; a row for each horizon."""
+    horizons, _ = pipeline.read(str(path))
+    for name, points in horizons:
+        mesh, chosen = pipeline.surface(points, largest_error=error)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(folder / file_name(path, str(name))))
+        writer.SetInputData(mesh)
+        if not writer.Write():
+            raise OSError("%s can not be written" % writer.GetFileName())
+        yield {"file": path.name, "horizon": name, "points": points.GetNumberOfPoints(),
+               "triangles": mesh.GetNumberOfPolys(), "radius": chosen["Radius"]}
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="many_horizons", description=__doc__.splitlines()[0])
+    parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path, help="where results go")
+    parser.add_argument("files", metavar="FILE", type=pathlib.Path, nargs="+", help="the horizons, in any format that is read")
+    parser.add_argument("--largest-error", metavar="E", type=float, default=1.0, help="how far meshes may be off")
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    failures = 0
+    with open(arguments.folder / "meshes.csv", "w", encoding="utf-8", newline="") as file:
+        table = csv.DictWriter(file, ("file", "horizon", "points", "triangles", "radius"))
+        table.writeheader()
+        for path in arguments.files:
+            try:
+                table.writerows(mesh_file(path, arguments.folder, arguments.largest_error))
+            except (HorizonError, OSError) as error:
+                print("many_horizons: %s" % error)
+                failures += 1
+    raise SystemExit(1 if failures else 0)
+
+
+main()

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes a site of the pages as they lie in the source tree, where README.md and pictures lie outside of Documentation."""
+
+import pathlib
+import re
+
+from mkdocs.structure.files import File
+
+TREE = pathlib.Path(__file__).resolve().parents[2]
+TOP_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
+QUICK_START = "QuickStart"  # README.md, as the first page of a site of its own is index.md
+PICTURES = "Data/Baseline/*.png"
+MESSAGES = "Messages.md"
+
+
+def add(files, path, config):
+    file = File(path, str(TREE), config["site_dir"], config["use_directory_urls"])
+    if path == "README.md":
+        file.name, file.dest_path, file.url = QUICK_START, QUICK_START + ".html", QUICK_START + ".html"
+        file.abs_dest_path = str(pathlib.Path(config["site_dir"]) / file.dest_path)
+    files.append(file)
+
+
+def on_files(files, config):
+    """Adds what the pages show from outside of Documentation, and leaves out what is no page."""
+    for file in list(files):
+        if file.src_path.startswith("Example/"):
+            files.remove(file)
+    for name in TOP_PAGES:
+        add(files, name, config)
+    for path in sorted(TREE.glob(PICTURES)):
+        add(files, path.relative_to(TREE).as_posix(), config)
+    return files
+
+
+def inside(target):
+    """Where a link to a file of the source tree leads on the site; None to what is not there."""
+    path, _, anchor = target.partition("#")
+    if (TREE / "Documentation" / path).is_file():
+        return target
+    if path in TOP_PAGES or (TREE / path).match(PICTURES):
+        return target
+    return None
+
+
+def move_links(markdown, from_top):
+    """Links as they are right for files of the tree, made right for the site; those to other files become words."""
+
+    def moved(match):
+        words, target = match.groups()
+        if re.match(r"[a-z]+:|#", target):
+            return match.group(0)
+        path = target.removeprefix("Documentation/") if from_top else target.removeprefix("../")
+        found = inside(path)
+        return "%s(%s)" % (words, found) if found else words.strip("![]")
+
+    return re.sub(r"(!?\[(?:[^\]\[]|\[[^\]]*\]\([^)]*\))*\])\(([^)\s]+)\)", moved, markdown)
+
+
+def error_tables():
+    """The tables of messages of all pages, under their titles."""
+    for page in sorted((TREE / "Documentation").glob("*.md")):
+        text = page.read_text(encoding="utf-8")
+        section = re.search(r"^## Errors\n(.*?)(?=^## |\Z)", text, re.S | re.M)
+        if section and "| Message" in section.group(1):
+            title = re.match(r"# (.*)", text).group(1)
+            yield "## [%s](%s)\n%s\n" % (title, page.name, section.group(1).replace("### ", "#### "))
+
+
+def on_page_markdown(markdown, page, config, files):
+    """Sets links right; the page of messages is made of those of all pages."""
+    name = page.file.src_path
+    if name == MESSAGES:
+        markdown += "\n" + "\n".join(error_tables())
+    return move_links(markdown, name in TOP_PAGES)
