@@ -70,14 +70,14 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
   const std::vector<std::string> names = this->ListNames(monitor.Step(0.0, 0.5));
   if (this->DuplicatePolicy != Sheets)
   {
-    this->List.reset();
+    this->ListedSheets.reset();
     return names;
   }
   // Not the time of the choice of horizons, on which sheets do not depend.
   const vtkMTimeType changed = std::max(this->vtkAlgorithm::GetMTime(), this->GetPickTime());
-  if (!this->List || this->List->Time.GetMTime() < changed)
+  if (!this->ListedSheets || this->ListedSheets->Time.GetMTime() < changed)
   {
-    this->List.reset();
+    this->ListedSheets.reset();
     auto list = std::make_unique<SheetList>();
     list->Placed = this->PlaceAll(monitor.Step(0.5, 1.0));
     for (const LatticeHorizon& sheet : list->Placed->Horizons)
@@ -86,10 +86,10 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
       list->Sizes.push_back(std::int64_t(sheet.Z.size()));
     }
     list->Time.Modified();
-    this->List = std::move(list);
+    this->ListedSheets = std::move(list);
   }
   std::vector<std::string> ofSheets;
-  for (const int number : this->List->Numbers)
+  for (const int number : this->ListedSheets->Numbers)
   {
     ofSheets.push_back(names[std::size_t(number)]);
   }
@@ -99,16 +99,16 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::int64_t> vtkPickHorizonSource::CountHorizonPoints()
 {
-  return this->List ? this->List->Sizes : this->CountPicks();
+  return this->ListedSheets ? this->ListedSheets->Sizes : this->CountPicks();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 /// What the list of sheets was made from is used once: kept, it would take as much memory as the output.
 SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 {
-  if (this->List && this->List->Placed)
+  if (this->ListedSheets && this->ListedSheets->Placed)
   {
-    return *std::exchange(this->List->Placed, std::nullopt);
+    return *std::exchange(this->ListedSheets->Placed, std::nullopt);
   }
   return this->PlaceAll(monitor);
 }

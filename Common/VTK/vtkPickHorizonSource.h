@@ -164,7 +164,7 @@ private:
   int DuplicatePolicy = StrongestAmplitude;
 
   struct SheetList;
-  std::unique_ptr<SheetList> List; // with DuplicatePolicy Sheets
+  std::unique_ptr<SheetList> ListedSheets; // with DuplicatePolicy Sheets
 };
 
 #endif
