@@ -14,7 +14,6 @@ import sys
 import time
 import unittest
 
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import image_compare
 import mesh_checks
@@ -37,13 +36,6 @@ def run(*arguments, prepare=None, stdout=subprocess.PIPE, **environment):
 
 def files(folder):
     return sorted(p.name for p in folder.iterdir()) if folder.exists() else []
-
-
-def read(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
 
 
 def printed_row(done, horizon):
@@ -79,7 +71,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(files(self.output), sorted([m.name for m in meshes] + ["sample.png"]))
         for path in meshes:
             self.assertRegex(path.name, r"^sample_horizon_\d+\.vtp$")
-            mesh = read(path)
+            mesh = mesh_checks.read(path)
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             row = printed_row(done, path.stem.split("_")[-1])
             self.assertEqual(int(row[1]), mesh_checks.counts(mesh).sum())
@@ -93,7 +85,7 @@ class BatchTest(unittest.TestCase):
                      "--duplicate-policy", "Lowest", "--origin", "10", "20", "30", "--column-step", "2", "1",
                      "--row-step", "-1", "2", "--vertical-step", "-4", "--distance-threshold", "0", "--skip-rough")
         self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
-        mesh = read(self.output / "sample_horizon_1.vtp")
+        mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
         self.assertEqual(mesh_checks.counts(mesh).sum(), mesh.GetNumberOfPoints())
         self.assertGreater(mesh_checks.check_mesh(mesh), 0)
         self.assertTrue((mesh_checks.coordinates(mesh)[:, 2] == -mesh_checks.array(mesh, "RealZ")).all())
@@ -103,7 +95,7 @@ class BatchTest(unittest.TestCase):
         middles = []
         for arguments in ([], ["--vertical-direction", "Up"]):
             self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
-            mesh = read(self.output / "sample_horizon_1.vtp")
+            mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             middles.append(mesh.GetCenter()[2])
         self.assertLess(middles[0], 0.0)
@@ -115,7 +107,7 @@ class BatchTest(unittest.TestCase):
         for arguments in ([], ["--elaborate"], ["--elaborate", "--skip-rough", "--representative", "NearestPoint"],
                           ["--elaborate", "--elaborate-cell-size", "2", "--flatness-threshold", "0", "--skip-rough"]):
             done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
-            mesh = read(self.output / "sample_horizon_1.vtp")
+            mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             points.append(mesh.GetNumberOfPoints())
             row = printed_row(done, "1")
@@ -129,7 +121,7 @@ class BatchTest(unittest.TestCase):
         triangles = []
         for error in ("0.75", "2"):
             done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--largest-error", error, "--measure-error")
-            mesh = read(self.output / "sample_horizon_1.vtp")
+            mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             self.assertLessEqual(mesh.GetFieldData().GetArray("LargestError").GetValue(0), float(error) + 1e-9)
             row = printed_row(done, "1")
@@ -146,7 +138,7 @@ class BatchTest(unittest.TestCase):
         done = self.succeed(SAMPLE, "--triangles", "400", "--radius", "2")
         self.assertIn("smallest hole", done.stdout)
         for path in self.output.glob("*.vtp"):
-            mesh = read(path)
+            mesh = mesh_checks.read(path)
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             row = printed_row(done, path.stem.split("_")[-1])
             self.assertEqual(int(row[6]), mesh.GetNumberOfPolys())
@@ -166,9 +158,9 @@ class BatchTest(unittest.TestCase):
         self.assertGreater(after[0], after[1])
         self.assertGreater(after[1], after[2])
         self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--minimum-patch-size", "1000")
-        closed = read(self.output / "sample_horizon_1.vtp")
+        closed = mesh_checks.read(self.output / "sample_horizon_1.vtp")
         self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--minimum-patch-size", "1000", "--hole-boundaries")
-        holed = read(self.output / "sample_horizon_1.vtp")
+        holed = mesh_checks.read(self.output / "sample_horizon_1.vtp")
         self.assertEqual(closed.GetNumberOfLines(), 1)
         self.assertGreater(holed.GetNumberOfLines(), 1)
 
@@ -185,7 +177,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(printed[-4:-2], ["%.3f" % float(both[n]) for n in ("LargestDistance", "MeanDistance")])
         self.assertGreater(float(both["LargestDistance"]), float(both["MeanDistance"]))
         world = next(row for row in rows if row["Direction"] == "Mesh to reference" and row["Unit"] == "World")
-        distances = mesh_checks.array(read(self.output / "sample_horizon_1.vtp"), "Distance")
+        distances = mesh_checks.array(mesh_checks.read(self.output / "sample_horizon_1.vtp"), "Distance")
         self.assertLessEqual(distances.max(), float(world["LargestDistance"]))
 
     def test_report(self):
@@ -336,7 +328,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(files(self.output), sorted(
             "%s.%s" % (stem, form) for stem in stems for form in ("vtp", "ts", "stl", "ply", "obj")))
         for stem in stems:
-            mesh = read(self.output / (stem + ".vtp"))
+            mesh = mesh_checks.read(self.output / (stem + ".vtp"))
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             surface = (self.output / (stem + ".ts")).read_text(encoding="ascii")
             self.assertEqual(surface.count("\nTRGL "), mesh.GetNumberOfPolys())

@@ -9,10 +9,11 @@ import subprocess
 import sys
 import unittest
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import mesh_checks
 from seismichorizons import cubes, pipeline, reading
 from seismichorizons.stage import HorizonError
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 CUBE = FOLDER / "survey.sgy"
@@ -24,17 +25,6 @@ SURFACES = 2 * REFLECTORS
 def run(*arguments):
     return subprocess.run([sys.executable, str(PROGRAM), "--no-pictures", *map(str, arguments)],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
-
-
-def read_mesh(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
-
-
-def coordinates(mesh):
-    return vtk_to_numpy(mesh.GetPoints().GetData())
 
 
 class CubeTest(unittest.TestCase):
@@ -64,8 +54,8 @@ class CubeTest(unittest.TestCase):
         for number, (name, points) in enumerate(horizons[:4]):
             self.assertEqual(name, "Horizon %d" % (number + 1))
             mesh, _ = pipeline.surface(points, largest_error=1.0)
-            written = read_mesh(folder / ("survey_horizon_%d.vtp" % (number + 1)))
-            self.assertTrue((coordinates(written) == coordinates(mesh)).all())
+            written = mesh_checks.read(folder / ("survey_horizon_%d.vtp" % (number + 1)))
+            self.assertTrue((mesh_checks.coordinates(written) == mesh_checks.coordinates(mesh)).all())
             self.assertEqual(vtk_to_numpy(written.GetPointData().GetArray("PointCount")).sum(), points.GetNumberOfPoints())
 
     def test_choices(self):

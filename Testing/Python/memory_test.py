@@ -22,7 +22,6 @@ from seismichorizons import batch, memory, parts, pipeline, reading, record
 from seismichorizons.stage import HorizonError, make, set_threads, update
 from seismichorizons.supply import Supply
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 ERROR = 0.75
@@ -34,13 +33,6 @@ def generate(name, points, *arguments):
     subprocess.run([str(GENERATOR), "--points", str(points), *arguments, str(path)], check=True,
                    stdout=subprocess.DEVNULL)
     return path
-
-
-def read(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
 
 
 def limit_of(points):
@@ -180,7 +172,7 @@ class BatchTest(unittest.TestCase):
         messages, printed, files = self.run_batch(path, points, **given)
         self.assertEqual(messages, [])
         name, = files
-        mesh = read(self.output / str(points) / name)
+        mesh = mesh_checks.read(self.output / str(points) / name)
         horizon = pipeline.read_first(path)
         self.assertGreater(mesh_checks.check_mesh(mesh), 0)
         self.assertEqual(mesh_checks.array(mesh, "PointCount").sum(), horizon.GetNumberOfPoints())
@@ -229,7 +221,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0), 2)
         messages, _, files = self.run_batch(self.one, 9000, name="specks", surface=given)
         self.assertEqual((messages, len(files)), ([], 1))
-        left = read(self.output / "specks" / "one_horizon_1.vtp").GetFieldData()
+        left = mesh_checks.read(self.output / "specks" / "one_horizon_1.vtp").GetFieldData()
         self.assertLessEqual(left.GetArray("NumberOfPatches").GetValue(0), patches)
 
     def test_some_in_windows(self):
@@ -288,7 +280,7 @@ class BatchTest(unittest.TestCase):
         print("peak of %.0f MB for %d points" % (peak / 1e6, self.sizes(path)[0]))
         self.assertLess(before << 10, limit, "a child before took more")
         self.assertLess(peak, 1.3 * limit)
-        self.assertGreater(mesh_checks.check_mesh(read(self.output / "peak_horizon_1.vtp")), 0)
+        self.assertGreater(mesh_checks.check_mesh(mesh_checks.read(self.output / "peak_horizon_1.vtp")), 0)
 
 
 if __name__ == "__main__":

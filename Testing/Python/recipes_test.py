@@ -13,7 +13,6 @@ import subprocess
 import sys
 
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import mesh_checks
 from seismichorizons import parts
@@ -32,13 +31,6 @@ def run(ranks, *arguments, fails=False):
                           timeout=100, check=False)
     assert (done.returncode != 0) == fails, (done.returncode, done.stdout, done.stderr)
     return done.stdout + done.stderr
-
-
-def read(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
 
 
 class WindowSize:
@@ -70,14 +62,14 @@ def test_windows():
         contents.append(path.read_bytes())
     assert contents[0] == contents[1]
     points, expected = mesh_alone()
-    mesh = read(FOLDER / "mesh2.vtp")
+    mesh = mesh_checks.read(FOLDER / "mesh2.vtp")
     assert (mesh_checks.coordinates(mesh) == mesh_checks.coordinates(expected)).all()
     assert (mesh_checks.triangles(mesh) == mesh_checks.triangles(expected)).all()
     assert mesh_checks.check_mesh(mesh) > 0
     assert mesh_checks.array(mesh, "PointCount").sum() == points.GetNumberOfPoints()
     # A window with all of it needs no join; another horizon than the largest.
     run(2, SAMPLE, FOLDER / "whole.vtp", "--horizon", "Horizon 2")
-    assert mesh_checks.check_mesh(read(FOLDER / "whole.vtp")) > 0
+    assert mesh_checks.check_mesh(mesh_checks.read(FOLDER / "whole.vtp")) > 0
 
 
 def test_windows_errors():
@@ -104,7 +96,7 @@ def test_extracts():
         if file.suffix != ".csv":
             assert (FOLDER / "1" / file).read_bytes() == (FOLDER / "2" / file).read_bytes(), file
         if file.suffix == ".vtp":
-            mesh = read(FOLDER / "2" / file)
+            mesh = mesh_checks.read(FOLDER / "2" / file)
             assert mesh_checks.check_mesh(mesh) > 0 and len(mesh_checks.array(mesh, "Distance"))
     # ParaView sorts columns where there are several processes.
     tables = [rows(FOLDER / ranks / "distances.csv") for ranks in "12"]
@@ -141,7 +133,7 @@ def test_in_situ():
         files = sorted((FOLDER / "extracts" / name).glob("*.vtp"))
         assert len(files) == len(expected) > 1, files
         for file, alone in zip(files, expected):
-            mesh = read(file)
+            mesh = mesh_checks.read(file)
             assert mesh_checks.check_mesh(mesh) > 0, file
             assert (mesh_checks.coordinates(mesh) == mesh_checks.coordinates(alone)).all(), file
             assert (mesh_checks.triangles(mesh) == mesh_checks.triangles(alone)).all(), file

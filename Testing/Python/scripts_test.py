@@ -13,7 +13,6 @@ import subprocess
 import sys
 
 from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import mesh_checks
 from seismichorizons import reading
@@ -30,13 +29,6 @@ def run(program, name, *arguments, code=0):
     done = subprocess.run(command, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
     return done.stdout + done.stderr
-
-
-def read(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
 
 
 def test_file_to_mesh():
@@ -57,13 +49,13 @@ def test_many_horizons():
         rows = list(csv.DictReader(file))
     assert [row["horizon"] for row in rows] == ["Horizon 1", "Horizon 2", "Horizon 3"]
     for row in rows:
-        mesh = read(FOLDER / "many" / ("sample_%s.vtp" % row["horizon"].replace(" ", "_")))
+        mesh = mesh_checks.read(FOLDER / "many" / ("sample_%s.vtp" % row["horizon"].replace(" ", "_")))
         assert mesh_checks.check_mesh(mesh) == int(row["triangles"]) > 100
 
 
 def test_own_points():
     run(PYTHON, "own_points", FOLDER / "own.vtp")
-    mesh = read(FOLDER / "own.vtp")
+    mesh = mesh_checks.read(FOLDER / "own.vtp")
     assert mesh_checks.check_mesh(mesh) > 50
     hole = sum((i - 30) ** 2 + (j - 60) ** 2 <= 60 for i in range(80) for j in range(100))
     assert mesh_checks.array(mesh, "PointCount").sum() == 80 * 100 - hole

@@ -19,7 +19,8 @@ CutBlocks::CutBlocks(const LinkCuts& cuts, const std::vector<PlanePoint>& column
   {
     for (std::int32_t x = box.Least.X; x <= box.Greatest.X; ++x)
     {
-      const unsigned flags = (cuts.IsCutEast({ x, y }) ? CutEast : 0U) | (cuts.IsCutNorth({ x, y }) ? CutNorth : 0U);
+      const unsigned flags =
+        (cuts.IsCutEast({ x, y }) ? unsigned(CutEast) : 0U) | (cuts.IsCutNorth({ x, y }) ? unsigned(CutNorth) : 0U);
       if (flags != 0)
       {
         this->Add(raster.Place({ x, y }), flags);
@@ -45,7 +46,7 @@ void CutBlocks::OpenBlock(std::int64_t block)
     return;
   }
   const bool isCorner = sides == 2 && bottom != top;
-  const unsigned diagonal = isCorner ? (bottom == left ? FallingLeft : RisingLeft) : 0U;
+  const unsigned diagonal = isCorner ? unsigned(bottom == left ? FallingLeft : RisingLeft) : 0U;
   this->Add(block, Open | diagonal);
   for (const std::int64_t corner : { block, block + 1, block + this->Width, block + this->Width + 1 })
   {
