@@ -7,13 +7,13 @@
 #
 # Takes 3 GB and some minutes, root, debootstrap, and a mirror of Debian, so it runs on request alone:
 #   SEISMICHORIZONS_TEST_PACKAGES=1
-# SEISMICHORIZONS_DEBIAN_MIRROR names another mirror than Debian's own.
+# SEISMICHORIZONS_DEBIAN_MIRROR names another mirror than that of debootstrap.
 set -eu
 
 packages=$1
 source_folder=$2
 root=$3
-mirror=${SEISMICHORIZONS_DEBIAN_MIRROR:-http://deb.debian.org/debian}
+mirror=${SEISMICHORIZONS_DEBIAN_MIRROR:-}
 
 skip() {
   echo "SKIPPED: $1"
@@ -53,7 +53,7 @@ list_files() {
 }
 
 step "a fresh root"
-[ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$root" "$mirror" > "$root.log" 2>&1
+[ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$root" ${mirror:+"$mirror"} > "$root.log" 2>&1
 mount -t proc proc "$root/proc"
 rm -rf "$root/packages"
 mkdir -p "$root/packages"
