@@ -17,7 +17,11 @@ import window
 
 CHOSEN = ["Horizon 1", "Horizon 3"]
 STAGES = ["HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification", "HorizonTriangulation"]
-CELL_SIZE = 4
+SETTINGS = {"HorizonRoughSimplification": ("CellSize", 4)}
+# What prepares horizons, and cells graded by curvature.
+OTHER_STAGES = ["HorizonDespiking", "HorizonFaults", "HorizonHoleFilling", "HorizonExteriorBoundary",
+                "HorizonBoundarySimplification", "HorizonElaborateSimplification", "HorizonTriangulation"]
+OTHER_SETTINGS = {"HorizonDespiking": ("NeighborhoodRadius", 3), "HorizonElaborateSimplification": ("CellSize", 6)}
 # What a session of its own makes of the trace and of the state.
 AGAIN = """
 from paraview import simple
@@ -31,16 +35,17 @@ simple.Disconnect()
 """
 
 
-def write_expected(sample, path):
+def write_expected(sample, path, stages, settings):
     """The mesh by the classes alone."""
     stage = sh.vtkVerneySparseMatrixReader()
     stage.SetFileName(str(sample))
     stage.SetHorizonStatus("Horizon 2", 0)
-    for name in STAGES:
+    for name in stages:
         following = getattr(sh, "vtk" + name)()
         following.SetInputConnection(stage.GetOutputPort())
-        if name == "HorizonRoughSimplification":
-            following.SetCellSize(CELL_SIZE)
+        if name in settings:
+            setting, value = settings[name]
+            getattr(following, "Set" + setting)(value)
         stage = following
     writer = sh.vtkGOCADTSurfWriter()
     writer.SetInputConnection(stage.GetOutputPort())
@@ -59,17 +64,33 @@ def in_state(path):
     return sorted(kinds), hulls
 
 
-def play(paraview, sample, folder):
-    events = window.Events()
-    events.macro("TraceStart")
+def add_stages(events, sample, stages, settings):
     events.open(sample)
     events.choose_horizon(1, False)
     events.apply()
-    for name in STAGES:
+    for name in stages:
         events.filter(name)
-        if name == "HorizonRoughSimplification":
-            events.set_number("CellSize", CELL_SIZE)
+        if name in settings:
+            events.set_number(*settings[name])
         events.apply()
+
+
+def play_others(paraview, sample, folder):
+    """Despiking, faults, hole filling and cells graded by curvature give what the classes give."""
+    events = window.Events()
+    add_stages(events, sample, OTHER_STAGES, OTHER_SETTINGS)
+    events.save_data(folder / "others.ts")
+    events.macro("Note")
+    (mesh,) = window.play(paraview, events, folder)
+    assert mesh["name"] == "HorizonTriangulation" and mesh["shown"] and mesh["cells"] > 1000, mesh
+    expected = write_expected(sample, folder / "others-expected.ts", OTHER_STAGES, OTHER_SETTINGS)
+    assert (folder / "others.ts").read_bytes() == expected
+
+
+def play(paraview, sample, folder):
+    events = window.Events()
+    events.macro("TraceStart")
+    add_stages(events, sample, STAGES, SETTINGS)
     events.macro("TraceStop")
     events.macro("Note")
     events.save_data(folder / "mesh.ts")
@@ -97,19 +118,19 @@ def main():
     assert distance["name"] == "HorizonSurfaceDistance" and distance["shown"], distance
     assert distance["cells"] > mesh["cells"], (distance, mesh)  # the horizons that it meshes, with all their points
 
-    whole = sorted(["VerneySparseMatrixReader", *STAGES])
     whole = ["VerneySparseMatrixReader", *STAGES]
     for name, kinds, hull in (("changed", whole, "1"), ("before", whole, "0"), ("undone", whole, "0"),
                               ("redone", [*whole, "HorizonSurfaceDistance"], "0")):
         assert in_state(folder / (name + ".pvsm")) == (sorted(kinds), [hull]), (name, in_state(folder / (name + ".pvsm")))
 
-    expected = write_expected(sample, folder / "expected.ts")
+    expected = write_expected(sample, folder / "expected.ts", STAGES, SETTINGS)
     assert (folder / "mesh.ts").read_bytes() == expected
     script = folder / "again.py"
     script.write_text(AGAIN, encoding="utf-8")
     subprocess.run([pvpython, script], cwd=folder, check=True, timeout=60)
     for name in ("traced.ts", "loaded.ts"):
         assert (folder / name).read_bytes() == expected, name
+    play_others(paraview, sample, window.new_folder(folder / "others"))
 
 
 main()
