@@ -20,12 +20,12 @@
  * large.
  *
  * Each hole is filled for itself; where the field data array CutLinks (Documentation/DataModel.md) cuts links of the
- * lattice, each side of the cuts alone. With Plate, the least energy of bending of a thin plate over the hole and a ring of
- * known columns around it, held to their heights by springs (Briggs 1974; of RimSmoothing 0 it goes through them), and
- * then a membrane that carries what is left at the rim inwards. With Membrane, each new point is the mean of its four
- * neighbours (Laplace's equation). Holes of few columns are solved directly, large ones by multigrid: time is linear in
- * the points, the columns of the bounding box, and the columns filled. Memory beyond input and output: 24 bytes per
- * point, 4 per column of the bounding box, and about 1000 per column of the largest hole.
+ * lattice, each side of the cuts alone. With Plate, the least energy of bending of a thin plate over the hole and a
+ * ring of known columns around it, held to their heights by springs (Briggs 1974; of RimSmoothing 0 it goes through
+ * them), and then a membrane that carries what is left at the rim inwards. With Membrane, each new point is the mean of
+ * its four neighbours (Laplace's equation). Holes of few columns are solved directly, large ones by multigrid: time is
+ * linear in the points, the columns of the bounding box, and the columns filled. Memory beyond input and output: 24
+ * bytes per point, 4 per column of the bounding box, and about 1000 per column of the largest hole.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
  * parameter out of its range, cut links that are not on the lattice.

@@ -96,7 +96,8 @@ vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
 {
   vtkInformation* const choice = this->GetInputArrayInformation(0);
   const char* const given = choice->Get(vtkDataObject::FIELD_NAME());
-  const char* const name = given && *given ? given : nullptr; // ParaView gives none as "" where it knows of no array yet
+  // ParaView gives none as "" where it knows of no array yet.
+  const char* const name = given && *given ? given : nullptr;
   if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     throw InputError("amplitudes that are not at points, expected an array of the points: see Cell Data To Point Data");

@@ -58,8 +58,8 @@ public:
   ///@}
 
   /**
-   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in proportion
-   * to them before they are made. Empty where nothing is known.
+   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in
+   * proportion to them before they are made. Empty where nothing is known.
    */
   vtkIdTypeArray* GetHorizonSizes();
 
@@ -87,9 +87,9 @@ protected:
   virtual std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// How large each horizon of that list is, in points or anything that is about in proportion to them, when the list has
-  /// been made; empty where it is not known. Horizons are dealt out to pieces by this, so that it has to be the same on
-  /// all processes.
+  /// How large each horizon of that list is, in points or anything that is about in proportion to them, when the list
+  /// has been made; empty where it is not known. Horizons are dealt out to pieces by this, so that it has to be the
+  /// same on all processes.
   virtual std::vector<std::int64_t> CountHorizonPoints() { return {}; }
 
   /// Says what is known of an output before it is made, when the numbers of the chosen horizons are known.

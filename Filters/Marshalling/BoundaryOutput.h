@@ -18,7 +18,8 @@ class vtkPolyData;
 namespace SeismicHorizons
 {
 /// Makes `output` the points of `input` that are `kept`, in their order and with all their arrays, which both share
-/// where all points are, with the boundary that numbers them so: loops, PatchId, Boundary (`marks`), cracks, and the figures.
+/// where all points are, with the boundary that numbers them so: loops, PatchId, Boundary (`marks`), cracks, and the
+/// figures.
 void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output);
 

@@ -23,7 +23,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// A link from a column to its neighbour.
 LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>& dimensions)
 {
   const std::array<double, 3> link = { links->GetComponent(n, 0), links->GetComponent(n, 1),

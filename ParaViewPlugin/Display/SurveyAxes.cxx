@@ -3,12 +3,13 @@
 
 #include "SurveyAxes.h"
 
+#include "ViewContents.h"
+
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 
 #include <vector>
@@ -63,16 +64,12 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
 /// The data of the first output shown that has a lattice, or null.
 vtkPVDataInformation* FindSurvey(vtkSMProxy* view)
 {
-  const vtkSMPropertyHelper shown(view, "Representations");
-  for (unsigned int n = 0; n < shown.GetNumberOfElements(); ++n)
+  for (vtkSMProxy* const representation : ListRepresentations(view))
   {
-    vtkSMProxy* const representation = shown.GetAsProxy(n);
-    const vtkSMPropertyHelper input(representation, "Input", true);
-    auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-    if (source && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() == 1 &&
-      !ReadField(source->GetDataInformation(input.GetOutputPort()), "LatticeToWorld", 16).empty())
+    vtkPVDataInformation* const data = FindShownData(representation);
+    if (data && !ReadField(data, "LatticeToWorld", 16).empty())
     {
-      return source->GetDataInformation(input.GetOutputPort());
+      return data;
     }
   }
   return nullptr;
@@ -80,7 +77,7 @@ vtkPVDataInformation* FindSurvey(vtkSMProxy* view)
 
 void SetAxes(vtkSMProxy* view, const Axis& x, const Axis& y, bool areShown)
 {
-  vtkSMProxy* const axes = vtkSMPropertyHelper(view, "AxesGrid").GetAsProxy();
+  vtkSMProxy* const axes = FindAxes(view);
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", axes);
   vtkSMPropertyHelper(axes, "Visibility").Set(areShown ? 1 : 0);
   vtkSMPropertyHelper(axes, "XTitle").Set(x.Title.c_str());
@@ -98,7 +95,7 @@ void SetAxes(vtkSMProxy* view, const Axis& x, const Axis& y, bool areShown)
 bool HasSurveyAxes(vtkSMProxy* view)
 {
   // Undo may have hidden them.
-  vtkSMProxy* const axes = vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
+  vtkSMProxy* const axes = FindAxes(view);
   return axes && view->HasAnnotation(Annotation) && vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1;
 }
 

@@ -3,17 +3,17 @@
 
 #include "VerticalExaggeration.h"
 
+#include "ViewContents.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace SeismicHorizons
 {
@@ -22,22 +22,6 @@ namespace
 constexpr const char* Annotation = "SeismicHorizons.VerticalExaggeration";
 constexpr double FlatShare = 0.1; // of the width
 constexpr double GoodShare = 0.25;
-
-std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view)
-{
-  const vtkSMPropertyHelper helper(view, "Representations");
-  std::vector<vtkSMProxy*> representations;
-  for (unsigned int n = 0; n < helper.GetNumberOfElements(); ++n)
-  {
-    representations.push_back(helper.GetAsProxy(n));
-  }
-  return representations;
-}
-
-vtkSMProxy* FindAxes(vtkSMProxy* view)
-{
-  return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
-}
 
 /// Sets the third value of a property that scales x, y and z; proxies without it have nothing in space.
 void SetScale(vtkSMProxy* proxy, const char* name, double factor)
@@ -101,11 +85,10 @@ double SuggestVerticalExaggeration(vtkSMProxy* view)
   vtkBoundingBox box;
   for (vtkSMProxy* const representation : ListRepresentations(view))
   {
-    const vtkSMPropertyHelper input(representation, "Input", true);
-    auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-    if (source && representation->GetProperty("Scale") && vtkSMPropertyHelper(representation, "Visibility").GetAsInt())
+    vtkPVDataInformation* const data = FindShownData(representation);
+    if (data && representation->GetProperty("Scale"))
     {
-      box.AddBounds(source->GetDataInformation(input.GetOutputPort())->GetBounds());
+      box.AddBounds(data->GetBounds());
     }
   }
   if (!box.IsValid())

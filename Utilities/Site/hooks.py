@@ -36,7 +36,7 @@ def on_files(files, config):
 
 def inside(target):
     """Where a link to a file of the source tree leads on the site; None to what is not there."""
-    path, _, anchor = target.partition("#")
+    path = target.partition("#")[0]
     if (TREE / "Documentation" / path).is_file():
         return target
     if path in TOP_PAGES or (TREE / path).match(PICTURES):

@@ -41,8 +41,7 @@ struct CrackSide
   Kind What;
 };
 
-/// The sides of all faces of cracks, face by face. Takes time for the faces
-/// beside these hops.
+/// The sides of all faces of cracks, face by face. Takes time for the faces beside hops across cuts.
 std::vector<CrackSide> FindCrackFaces(
   const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const PlanarHops& graph);
 

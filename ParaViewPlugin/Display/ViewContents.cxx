@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ViewContents.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper helper(view, "Representations");
+  std::vector<vtkSMProxy*> representations;
+  for (unsigned int n = 0; n < helper.GetNumberOfElements(); ++n)
+  {
+    representations.push_back(helper.GetAsProxy(n));
+  }
+  return representations;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkPVDataInformation* FindShownData(vtkSMProxy* representation)
+{
+  const vtkSMPropertyHelper input(representation, "Input", true);
+  auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const bool isShown = source && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
+  return isShown ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSMProxy* FindAxes(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
+}
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a view shows.
+
+#ifndef ViewContents_h
+#define ViewContents_h
+
+#include <vector>
+
+class vtkPVDataInformation;
+class vtkSMProxy;
+
+namespace SeismicHorizons
+{
+std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view);
+
+/// What a representation shows; null where it is hidden, or shows no data.
+vtkPVDataInformation* FindShownData(vtkSMProxy* representation);
+
+/// The axes of a view; null where it has none.
+vtkSMProxy* FindAxes(vtkSMProxy* view);
+}
+
+#endif
