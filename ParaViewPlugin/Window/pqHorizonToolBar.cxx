@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QTimer>
 #include <pqActiveObjects.h>
 #include <pqApplicationCore.h>
@@ -153,9 +154,19 @@ void pqHorizonToolBar::showAxes(bool areShown)
     }
     else if (const std::string reason = ShowSurveyAxes(view->getProxy()); !reason.empty())
     {
-      qWarning("No survey axes: %s.", reason.c_str());
+      this->refuseAxes(QString::fromStdString(reason));
     }
     view->render();
   }
   this->showState();
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::refuseAxes(const QString& reason)
+{
+  auto* const message = new QMessageBox(QMessageBox::Information, tr("Survey Axes"),
+    tr("No survey axes: %1.").arg(reason), QMessageBox::Ok, this->window());
+  message->setObjectName("SurveyAxesMessage");
+  message->setAttribute(Qt::WA_DeleteOnClose);
+  message->open();
 }

@@ -19,6 +19,12 @@ FLAT = "59 30 9\n" + "".join("%d 1 1 0 0\n" % (2 + n % 59 // 20) for n in range(
 PICKS = "Inline Crossline X Y Z\n" + "".join(
     "%d %d %d %d %d\n" % (100 + row, 300 + column, 1000 + 25 * column, 2000 - 25 * row, 500 + (row + column) % 5)
     for row in range(12) for column in range(15))
+TURNED = "Inline Crossline X Y Z\n" + "".join(
+    "%d %d %d %d %d\n" % (row, column, 1000 + 30 * column - 40 * row, 2000 + 40 * column + 30 * row, 500 + row % 5)
+    for row in range(12) for column in range(15))
+TURNED_MESSAGE = ("No survey axes: the lines of the survey run at an angle to x and y; axes can only count lines along "
+                  "them.")
+MESSAGE = window.WINDOW + "/SurveyAxesMessage"
 
 
 def choose_horizons(events, sample):
@@ -63,6 +69,9 @@ def exaggerate(events, flat):
     events.macro("NoteView")
 
 
+    events.save_state("exaggerated.pvsm")
+
+
 def check_exaggeration(notes):
     for factor, note in zip((2, 5, 2, 2), notes):
         assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, factor]] * len(note["scales"]), note
@@ -88,6 +97,25 @@ def check_lines(notes):
     assert hidden["axes scale"] == [1, 1, 1] and hidden["axes position"] == [0, 0, 0], hidden
 
 
+def load_exaggerated(events):
+    """The toolbar knows the factor of a state file, and gives it to what comes later."""
+    events.check(TOOLBAR + "VerticalExaggeration", "currentText", "2")
+    events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", "/0|0/0|0")
+    events.filter("HorizonExteriorBoundary")
+    events.apply()
+    events.macro("NoteView")
+
+
+def refuse_turned_axes(events, picks):
+    """Says why, and leaves the axes as they were."""
+    events.open(picks, several_readers=True)
+    events.apply()
+    events.add(TOOLBAR + "SurveyAxes", "set_boolean", "true")
+    events.check(MESSAGE, "text", TURNED_MESSAGE)
+    events.add(MESSAGE + "/qt_msgbox_buttonbox/1QPushButton0", "activate")
+    events.macro("NoteView")
+
+
 def main():
     paraview, data, folder = sys.argv[1:4]
     folder = window.new_folder(folder)
@@ -102,6 +130,18 @@ def main():
         notes = window.play(paraview, events, window.new_folder(folder / str(number)))
         assert len(notes) == count, notes
         check(notes)
+
+    events = window.Events()
+    load_exaggerated(events)
+    state = "--state=%s" % (folder / "1" / "exaggerated.pvsm")
+    note, = window.play(paraview, events, window.new_folder(folder / "loaded"), state)
+    assert len(note["scales"]) > 2 and note["scales"] == [[1, 1, 2]] * len(note["scales"]), note
+
+    (folder / "turned.xyz").write_text(TURNED, encoding="ascii")
+    events = window.Events()
+    refuse_turned_axes(events, folder / "turned.xyz")
+    note, = window.play(paraview, events, window.new_folder(folder / "turned"))
+    assert note["axes"] == ["X Axis", "Y Axis"], note
 
 
 main()
