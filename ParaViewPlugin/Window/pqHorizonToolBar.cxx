@@ -105,6 +105,7 @@ void pqHorizonToolBar::watch(pqView* view)
   this->connect(view, &pqView::representationAdded, this,
     [view](pqRepresentation* representation)
     { ExaggerateRepresentation(representation->getProxy(), view->getProxy()); });
+  this->connect(view, &pqView::updateDataEvent, this, [view]() { RefreshSurveyAxes(view->getProxy()); });
   // A script, a state file or undo may have changed it.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
 }
@@ -136,6 +137,7 @@ void pqHorizonToolBar::setFactor(double factor)
   {
     SCOPED_UNDO_SET(tr("Vertical Exaggeration"));
     SetVerticalExaggeration(view->getProxy(), factor);
+    RefreshSurveyAxes(view->getProxy());
     view->resetDisplay();
     view->render();
   }
