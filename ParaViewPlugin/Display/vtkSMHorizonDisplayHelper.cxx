@@ -206,7 +206,10 @@ bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
 void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElement* map)
 {
   const bool isNew = !HasColors(array.Name, representation->GetSessionProxyManager());
-  vtkSMPVRepresentationProxy::SetScalarColoring(representation, array.Name.c_str(), array.Association);
+  if (auto* const colored = vtkSMPVRepresentationProxy::SafeDownCast(representation))
+  {
+    colored->SetScalarColoring(array.Name.c_str(), array.Association);
+  }
   vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
   if (map && table && (isNew || LacksCategories(table, map, array.Range)))
   {
