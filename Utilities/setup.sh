@@ -11,7 +11,7 @@ set -eu
 # libjs-three turns meshes around in reports.
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
 packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libsegyio-dev zlib1g-dev
-  libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb mkdocs-material doxygen libjs-three"
+  libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb mkdocs-material doxygen libjs-three xdotool"
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build_folder=$source_folder/build/release
 log=$(mktemp)

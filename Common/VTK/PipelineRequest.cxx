@@ -6,10 +6,13 @@
 #include "ProgressMonitor.h"
 
 #include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -74,6 +77,47 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
     vtkErrorWithObjectMacro(algorithm, << problem);
   }
   return std::all_of(problems.begin(), problems.end(), [](const std::string& other) { return other.empty(); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsForTime(vtkInformation* request)
+{
+  return request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_TIME_DEPENDENT_INFORMATION()) != 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RequestWork TellLater(vtkInformation* request, RequestWork work)
+{
+  if (!IsForTime(request))
+  {
+    return work;
+  }
+  return [work = std::move(work)](std::string& subject, const Monitor& monitor)
+  {
+    try
+    {
+      work(subject, monitor);
+    }
+    catch (const InputError&)
+    {
+      return; // the data will not come either, and that says why
+    }
+  };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (outputInformation->Has(Pipeline::WHOLE_EXTENT()) && outputInformation->Has(Pipeline::UPDATE_EXTENT()))
+  {
+    const int* const told = outputInformation->Get(Pipeline::WHOLE_EXTENT());
+    if (std::equal(told, told + 6, outputInformation->Get(Pipeline::UPDATE_EXTENT())))
+    {
+      outputInformation->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
+    }
+  }
+  outputInformation->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,12 +9,14 @@
 #include "Common/Monitor.h"
 #include "Ranks.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkInformation;
 
 namespace SeismicHorizons
 {
@@ -26,10 +28,22 @@ using RequestWork = std::function<void(std::string& subject, const Monitor& moni
 /// becomes one error of `algorithm`; so does a lack of memory, with the text `noMemory`. Both leave all outputs empty,
 /// and so does a request to stop, which is no error. Outputs may be null.
 ///
-/// What empties the outputs of one rank empties those of all, and where one has to return 0 all do, so that all go on or
-/// none does. An error that several have is reported by the first of them. Collective.
+/// What empties the outputs of one rank empties those of all, and where one has to return 0 all do, so that all go on
+/// or none does. An error that several have is reported by the first of them. Collective.
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
   const RequestWork& work, const Ranks& ranks = Ranks());
+
+/// Whether a request is for the information of a certain time: in a series, another file may have that time than the
+/// one that the information was taken from.
+bool IsForTime(vtkInformation* request);
+
+/// Work on information that keeps an InputError to itself where the request is for that of a certain time, as the
+/// request for data that follows tells it.
+RequestWork TellLater(vtkInformation* request, RequestWork work);
+
+/// Tells the extent of the image there will be. Where all of the one told before is asked for, all of this one is:
+/// extents are asked for before files of other times are looked at.
+void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation);
 
 /// Runs the part of the work that concerns `subject`. With `mayLeaveOut` an InputError that it throws becomes a warning
 /// of `algorithm` and leaves the outputs of this part empty, and the work goes on.

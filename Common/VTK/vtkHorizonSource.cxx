@@ -8,10 +8,12 @@
 
 #include "Common/DealOut.h"
 #include "Common/Errors.h"
+#include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "HorizonName.h"
 #include "PipelineRequest.h"
 #include "Ranks.h"
+#include "vtkHorizonFileSeries.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
@@ -221,7 +223,24 @@ vtkMTimeType vtkHorizonSource::GetMTime()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+std::string vtkHorizonSource::ErrorPrefix()
+{
+  const FileSeries* const files = this->GetFiles();
+  return files ? FilePrefix(files->GetCurrent()) : std::string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkTypeBool vtkHorizonSource::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Of a series, another file may be asked for than the one that the information was taken from.
+  return IsForTime(request) ? this->RequestInformation(request, inputVector, outputVector)
+                            : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::RequestInformation(
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
   info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
@@ -229,14 +248,20 @@ int vtkHorizonSource::RequestInformation(vtkInformation*, vtkInformationVector**
   {
     return 1;
   }
+  if (FileSeries* const files = this->GetFiles())
+  {
+    files->Announce(info);
+    files->Choose(info);
+  }
   const int done = RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
-    [this, info](std::string&, const Monitor& monitor)
-    {
-      const std::vector<std::string> names = this->NameHorizons(monitor);
-      this->List(names);
-      this->DescribeOutput(Select(names, this->HorizonSelection), info);
-    });
+    TellLater(request,
+      [this, info](std::string&, const Monitor& monitor)
+      {
+        const std::vector<std::string> names = this->NameHorizons(monitor);
+        this->List(names);
+        this->DescribeOutput(Select(names, this->HorizonSelection), info);
+      }));
   // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
   return done || FindController(vtkDataObject::GetData(info)) ? 1 : 0;
 }
@@ -320,6 +345,12 @@ int vtkHorizonSource::RequestUpdateExtent(vtkInformation*, vtkInformationVector*
 int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
+  FileSeries* const files = this->GetFiles();
+  if (files)
+  {
+    files->Choose(info);
+    files->Unmark(info);
+  }
   const Ranks ranks(FindController(vtkDataObject::GetData(info)), request, outputVector);
   const auto work = [&](std::string&, const Monitor& monitor)
   {
@@ -334,6 +365,10 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
     this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
+    if (files)
+    {
+      files->Mark(info);
+    }
   };
   return RunRequest(this, { vtkDataObject::GetData(info) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons", work, ranks);

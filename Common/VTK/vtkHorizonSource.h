@@ -30,6 +30,7 @@
 
 namespace SeismicHorizons
 {
+class FileSeries;
 class Monitor;
 }
 class vtkDataArraySelection;
@@ -70,6 +71,7 @@ protected:
   vtkHorizonSource();
   ~vtkHorizonSource() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   /// Asks for the whole input on each process, of which each makes its horizons.
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -100,8 +102,11 @@ protected:
   virtual void MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
     vtkInformation* outputInformation, const SeismicHorizons::Monitor& monitor);
 
-  /// What errors begin with that come from the data: the name of a file, and ": ".
-  virtual std::string ErrorPrefix() { return std::string(); }
+  /// The files that horizons are read from; null where they come from elsewhere.
+  virtual SeismicHorizons::FileSeries* GetFiles() { return nullptr; }
+
+  /// What errors begin with that come from the data: the name of the file, and ": ".
+  std::string ErrorPrefix();
 
 private:
   vtkHorizonSource(const vtkHorizonSource&) = delete;

@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The axes of a view can be those of a model, which a matrix puts into the world. Here the model has line numbers as
+// its x and y, and z as it is.
 
 #include "SurveyAxes.h"
 
+#include "VerticalExaggeration.h"
 #include "ViewContents.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -12,6 +17,9 @@
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -20,27 +28,24 @@ namespace
 {
 constexpr const char* Annotation = "SeismicHorizons.SurveyAxes";
 
-/// One axis of a view: the number at a place x is (x - Position) / Scale.
-struct Axis
-{
-  std::string Title;
-  double Scale = 1.0;
-  double Position = 0.0;
-};
-
-/// Lines that are counted along an axis: the number of the first one, and the step from each to the next.
+/// Lines that are counted along a direction of the lattice, from the first one, which has that number.
 struct Lines
 {
   std::string Name;
   double First = 0.0;
   double Step = 1.0;
+  int Count = 0;
+  std::array<double, 2> Spacing = {}; // world x and y from a line to the next
 
-  /// Where the first line is at `start`, and one is `spacing` away from the next.
-  Axis Along(double start, double spacing) const
-  {
-    const double scale = spacing / this->Step;
-    return { this->Name, scale, start - this->First * scale };
-  }
+  std::array<double, 2> PerNumber() const { return { this->Spacing[0] / this->Step, this->Spacing[1] / this->Step }; }
+  double Last() const { return this->First + this->Step * (this->Count - 1); }
+};
+
+/// What the axes are made of.
+struct Survey
+{
+  std::array<Lines, 2> Directions; // right-handed, seen from +z: axes would hide behind the data otherwise
+  std::array<double, 2> Origin = {}; // world x and y of the first line of both
 };
 
 /// The values of a field data array with one tuple; none where it is not there, or has others in other blocks.
@@ -61,75 +66,180 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
   return values;
 }
 
-/// The data of the first output shown that has a lattice, or null.
-vtkPVDataInformation* FindSurvey(vtkSMProxy* view)
+double Cross(const std::array<double, 2>& a, const std::array<double, 2>& b)
 {
-  for (vtkSMProxy* const representation : ListRepresentations(view))
-  {
-    vtkPVDataInformation* const data = FindShownData(representation);
-    if (data && !ReadField(data, "LatticeToWorld", 16).empty())
-    {
-      return data;
-    }
-  }
-  return nullptr;
+  return a[0] * b[1] - a[1] * b[0];
 }
 
-void SetAxes(vtkSMProxy* view, const Axis& x, const Axis& y, bool areShown)
+/// Whether a data set has a survey, and which.
+bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
 {
-  vtkSMProxy* const axes = FindAxes(view);
-  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", axes);
-  vtkSMPropertyHelper(axes, "Visibility").Set(areShown ? 1 : 0);
-  vtkSMPropertyHelper(axes, "XTitle").Set(x.Title.c_str());
-  vtkSMPropertyHelper(axes, "YTitle").Set(y.Title.c_str());
-  vtkSMPropertyHelper scale(axes, "DataScale");
-  scale.Set(0, x.Scale);
-  scale.Set(1, y.Scale);
-  vtkSMPropertyHelper position(axes, "DataPosition");
-  position.Set(0, x.Position);
-  position.Set(1, y.Position);
-  axes->UpdateVTKObjects();
+  const std::vector<double> toWorld = ReadField(data, "LatticeToWorld", 16);
+  const std::vector<double> dimensions = ReadField(data, "LatticeDimensions", 3);
+  if (toWorld.empty() || dimensions.empty())
+  {
+    return false;
+  }
+  const std::vector<double> numbers = ReadField(data, "LineNumbers", 4);
+  const bool areKnown = !numbers.empty() && numbers[1] != 0.0 && numbers[3] != 0.0;
+  Lines columns = areKnown ? Lines{ "Crossline", numbers[2], numbers[3] } : Lines{ "Column" };
+  Lines rows = areKnown ? Lines{ "Inline", numbers[0], numbers[1] } : Lines{ "Row" };
+  columns.Count = int(dimensions[0]);
+  rows.Count = int(dimensions[1]);
+  columns.Spacing = { toWorld[0], toWorld[4] };
+  rows.Spacing = { toWorld[1], toWorld[5] };
+  survey.Origin = { toWorld[3], toWorld[7] };
+  survey.Directions = { columns, rows };
+  const double area = Cross(columns.PerNumber(), rows.PerNumber());
+  if (area < 0.0)
+  {
+    std::swap(survey.Directions[0], survey.Directions[1]);
+  }
+  return area != 0.0;
+}
+
+/// From line numbers and z to the world, row by row.
+std::vector<double> ToWorld(const Survey& survey, double verticalExaggeration)
+{
+  const std::array<double, 2> x = survey.Directions[0].PerNumber();
+  const std::array<double, 2> y = survey.Directions[1].PerNumber();
+  std::vector<double> matrix(16, 0.0);
+  for (std::size_t row : { 0, 1 })
+  {
+    matrix[4 * row] = x[row];
+    matrix[4 * row + 1] = y[row];
+    matrix[4 * row + 3] =
+      survey.Origin[row] - x[row] * survey.Directions[0].First - y[row] * survey.Directions[1].First;
+  }
+  matrix[10] = verticalExaggeration;
+  matrix[15] = 1.0;
+  return matrix;
+}
+
+/// The line numbers around a box of the world, no further than the survey goes, and its z.
+std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
+{
+  const std::array<double, 2> x = survey.Directions[0].Spacing;
+  const std::array<double, 2> y = survey.Directions[1].Spacing;
+  vtkBoundingBox lines; // counted from 0
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const std::array<double, 2> place = { box.GetBound(corner % 2) - survey.Origin[0],
+      box.GetBound(2 + corner / 2) - survey.Origin[1] };
+    lines.AddPoint(Cross(place, y) / Cross(x, y), Cross(x, place) / Cross(x, y), 0.0);
+  }
+  std::vector<double> bounds;
+  for (std::size_t n : { 0, 1 })
+  {
+    const Lines& direction = survey.Directions[n];
+    const double last = direction.Count - 1.0;
+    const double low = std::clamp(lines.GetBound(int(2 * n)), 0.0, last);
+    const double high = std::clamp(lines.GetBound(int(2 * n + 1)), 0.0, last);
+    const auto ends = std::minmax({ direction.First + direction.Step * low, direction.First + direction.Step * high });
+    bounds.insert(bounds.end(), { ends.first, ends.second });
+  }
+  bounds.insert(bounds.end(), { box.GetBound(4), box.GetBound(5) });
+  return bounds;
+}
+
+/// Sets values of the axes; nothing where they have these already.
+struct AxesSettings
+{
+  bool AreShown = false;
+  bool AreOfModel = false;
+  std::string XTitle = "X Axis";
+  std::string YTitle = "Y Axis";
+  std::vector<double> Matrix;
+  std::vector<double> Bounds;
+
+  bool AreIn(vtkSMProxy* axes) const
+  {
+    return (vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1) == this->AreShown &&
+      (vtkSMPropertyHelper(axes, "UseModelTransform").GetAsInt() == 1) == this->AreOfModel &&
+      vtkSMPropertyHelper(axes, "XTitle").GetAsString() == this->XTitle &&
+      vtkSMPropertyHelper(axes, "YTitle").GetAsString() == this->YTitle &&
+      (this->Matrix.empty() || vtkSMPropertyHelper(axes, "ModelTransformMatrix").GetDoubleArray() == this->Matrix) &&
+      (this->Bounds.empty() || vtkSMPropertyHelper(axes, "ModelBounds").GetDoubleArray() == this->Bounds);
+  }
+
+  void Apply(vtkSMProxy* axes) const
+  {
+    if (this->AreIn(axes))
+    {
+      return;
+    }
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", axes);
+    vtkSMPropertyHelper(axes, "Visibility").Set(this->AreShown ? 1 : 0);
+    vtkSMPropertyHelper(axes, "UseModelTransform").Set(this->AreOfModel ? 1 : 0);
+    vtkSMPropertyHelper(axes, "XTitle").Set(this->XTitle.c_str());
+    vtkSMPropertyHelper(axes, "YTitle").Set(this->YTitle.c_str());
+    for (const auto& [name, values] :
+      { std::pair("ModelTransformMatrix", this->Matrix), std::pair("ModelBounds", this->Bounds) })
+    {
+      if (!values.empty())
+      {
+        vtkSMPropertyHelper(axes, name).Set(values.data(), static_cast<unsigned int>(values.size()));
+      }
+    }
+    axes->UpdateVTKObjects();
+  }
+};
+
+/// Whether there is a survey among what a view shows; the first one, and the box of all.
+bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
+{
+  bool isFound = false;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    if (vtkPVDataInformation* const data = FindShownData(representation))
+    {
+      isFound = isFound || ReadSurvey(data, survey);
+      box.AddBounds(data->GetBounds());
+    }
+  }
+  return isFound && box.IsValid();
 }
 }
 
 bool HasSurveyAxes(vtkSMProxy* view)
 {
   // Undo may have hidden them.
-  vtkSMProxy* const axes = FindAxes(view);
-  return axes && view->HasAnnotation(Annotation) && vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1;
+  vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
+  return axes && vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1 &&
+    vtkSMPropertyHelper(axes, "UseModelTransform").GetAsInt() == 1;
 }
 
 std::string ShowSurveyAxes(vtkSMProxy* view)
 {
-  vtkPVDataInformation* const data = FindSurvey(view);
-  if (!data)
+  Survey survey;
+  vtkBoundingBox box;
+  if (!FindSurvey(view, survey, box))
   {
     return "nothing is shown that has a lattice; expected horizons or a cube";
   }
-  const std::vector<double> toWorld = ReadField(data, "LatticeToWorld", 16);
-  const std::vector<double> numbers = ReadField(data, "LineNumbers", 4);
-  const bool areKnown = !numbers.empty() && numbers[1] != 0.0 && numbers[3] != 0.0;
-  const Lines rows = areKnown ? Lines{ "Inline", numbers[0], numbers[1] } : Lines{ "Row" };
-  const Lines columns = areKnown ? Lines{ "Crossline", numbers[2], numbers[3] } : Lines{ "Column" };
-  if (toWorld[1] == 0.0 && toWorld[4] == 0.0)
-  {
-    SetAxes(view, columns.Along(toWorld[3], toWorld[0]), rows.Along(toWorld[7], toWorld[5]), true);
-  }
-  else if (toWorld[0] == 0.0 && toWorld[5] == 0.0)
-  {
-    SetAxes(view, rows.Along(toWorld[3], toWorld[1]), columns.Along(toWorld[7], toWorld[4]), true);
-  }
-  else
-  {
-    return "the lines of the survey run at an angle to x and y; axes can only count lines along them";
-  }
+  AxesSettings settings;
+  settings.AreShown = true;
+  settings.AreOfModel = true;
+  settings.XTitle = survey.Directions[0].Name;
+  settings.YTitle = survey.Directions[1].Name;
+  settings.Matrix = ToWorld(survey, GetVerticalExaggeration(view));
+  settings.Bounds = FindBounds(survey, box);
+  settings.Apply(FindAxes(view));
   view->SetAnnotation(Annotation, "1");
   return std::string();
 }
 
+void RefreshSurveyAxes(vtkSMProxy* view)
+{
+  if (HasSurveyAxes(view))
+  {
+    ShowSurveyAxes(view); // what was shown last stays where nothing is shown now
+  }
+}
+
 void HideSurveyAxes(vtkSMProxy* view)
 {
-  SetAxes(view, { "X Axis" }, { "Y Axis" }, false);
+  AxesSettings().Apply(FindAxes(view));
   view->RemoveAnnotation(Annotation);
 }
 }

@@ -13,6 +13,7 @@
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
@@ -20,6 +21,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,8 +32,18 @@ bool IsNamed(vtkPVXMLElement* element, const char* name)
   return std::strcmp(element->GetName(), name) == 0;
 }
 
-/// The hints of a producer for one of its ports.
-std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port)
+/// Whether a hint is for data of this kind and size.
+bool IsFor(vtkPVXMLElement* hint, vtkPVDataInformation* data)
+{
+  const char* const kind = hint->GetAttribute("data");
+  double mostPoints = std::numeric_limits<double>::infinity();
+  hint->GetScalarAttribute("most_points", &mostPoints);
+  return (!kind || (data->DataSetTypeIsA(kind) && !data->IsCompositeDataSet())) &&
+    double(data->GetNumberOfPoints()) <= mostPoints;
+}
+
+/// The hints of a producer for one of its ports, and the data that are there.
+std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port, vtkPVDataInformation* data)
 {
   std::vector<vtkPVXMLElement*> found;
   vtkPVXMLElement* const hints = producer->GetHints();
@@ -40,7 +52,7 @@ std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port)
     vtkPVXMLElement* const hint = hints->GetNestedElement(n);
     int forPort = port;
     hint->GetScalarAttribute("port", &forPort);
-    if (IsNamed(hint, "FirstSight") && forPort == port)
+    if (IsNamed(hint, "FirstSight") && forPort == port && IsFor(hint, data))
     {
       found.push_back(hint);
     }
@@ -202,8 +214,22 @@ bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
   return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
 }
 
+/// Makes a volume clear at the least value, and equally opaque at all from the next whole number on.
+void SetOpacity(vtkSMProxy* representation, double opacity, const double range[2])
+{
+  vtkSMProxy* const function = vtkSMPropertyHelper(representation, "ScalarOpacityFunction").GetAsProxy();
+  if (function)
+  {
+    // Each point: a value, the opacity there, and what is in ParaView's words its midpoint and sharpness.
+    const std::vector<double> points = { range[0], 0.0, 0.5, 0.0, range[0] + 0.5, 0.0, 0.5, 0.0, range[0] + 1.0,
+      opacity, 0.5, 0.0, std::fmax(range[1], range[0] + 2.0), opacity, 0.5, 0.0 };
+    vtkSMPropertyHelper(function, "Points").Set(points.data(), static_cast<unsigned int>(points.size()));
+    function->UpdateVTKObjects();
+  }
+}
+
 /// Colours a representation by an array, in colours of a map where nobody has given the array others.
-void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElement* map)
+void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElement* hint, vtkPVXMLElement* map)
 {
   const bool isNew = !HasColors(array.Name, representation->GetSessionProxyManager());
   if (auto* const colored = vtkSMPVRepresentationProxy::SafeDownCast(representation))
@@ -214,6 +240,11 @@ void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElemen
   if (map && table && (isNew || LacksCategories(table, map, array.Range)))
   {
     ApplyColors(table, map, array.Range);
+  }
+  double opacity = 0.0;
+  if (isNew && hint->GetScalarAttribute("opacity", &opacity))
+  {
+    SetOpacity(representation, opacity, array.Range);
   }
 }
 }
@@ -256,16 +287,24 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   const int port = static_cast<int>(input.GetOutputPort());
   vtkPVDataInformation* const data = producer->GetDataInformation(port);
   bool isColored = false;
-  for (vtkPVXMLElement* const hint : ListHints(producer, port))
+  const char* representation = nullptr;
+  for (vtkPVXMLElement* const hint : ListHints(producer, port, data))
   {
+    representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
     SetSize(proxy, "PointSize", hint, "point_size", initializationTimeStamp);
     ColorArray array;
     if (!isColored && FindArray(hint, data, array))
     {
-      ColorBy(proxy, array, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
+      ColorBy(proxy, array, hint, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
       isColored = true;
     }
+  }
+  if (representation && proxy->GetProperty("Representation")->GetMTime() <= initializationTimeStamp)
+  {
+    // After the colours, as ParaView gives those that it chooses to a volume.
+    vtkSMRepresentationProxy::SetRepresentationType(proxy, representation);
+    proxy->GetProperty("Representation")->Modified(); // else it would count as not set
   }
   proxy->UpdateVTKObjects();
 }

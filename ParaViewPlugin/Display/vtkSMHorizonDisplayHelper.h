@@ -21,6 +21,10 @@
  * in the hint of the representation, in ParaView's format of colour maps in XML. Categories are annotated by the
  * elements Annotation of the map, or by their numbers when it has none; of arrays with more numbers than the map has
  * colours, ParaView's own colours stay. Colours that somebody has chosen for an array before are left alone.
+ *
+ * `representation` is the way to draw, as "Volume"; of several the first one counts. A volume is clear at the least
+ * value of the array, and has the `opacity` at all others. Hints with `data` are for data of that class alone, and
+ * those with `most_points` for data of no more points.
  */
 
 #ifndef vtkSMHorizonDisplayHelper_h

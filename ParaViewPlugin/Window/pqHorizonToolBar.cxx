@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QTimer>
 #include <pqActiveObjects.h>
 #include <pqApplicationCore.h>
@@ -104,6 +105,7 @@ void pqHorizonToolBar::watch(pqView* view)
   this->connect(view, &pqView::representationAdded, this,
     [view](pqRepresentation* representation)
     { ExaggerateRepresentation(representation->getProxy(), view->getProxy()); });
+  this->connect(view, &pqView::updateDataEvent, this, [view]() { RefreshSurveyAxes(view->getProxy()); });
   // A script, a state file or undo may have changed it.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
 }
@@ -135,6 +137,7 @@ void pqHorizonToolBar::setFactor(double factor)
   {
     SCOPED_UNDO_SET(tr("Vertical Exaggeration"));
     SetVerticalExaggeration(view->getProxy(), factor);
+    RefreshSurveyAxes(view->getProxy());
     view->resetDisplay();
     view->render();
   }
@@ -153,9 +156,19 @@ void pqHorizonToolBar::showAxes(bool areShown)
     }
     else if (const std::string reason = ShowSurveyAxes(view->getProxy()); !reason.empty())
     {
-      qWarning("No survey axes: %s.", reason.c_str());
+      this->refuseAxes(QString::fromStdString(reason));
     }
     view->render();
   }
   this->showState();
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::refuseAxes(const QString& reason)
+{
+  auto* const message = new QMessageBox(QMessageBox::Information, tr("Survey Axes"),
+    tr("No survey axes: %1.").arg(reason), QMessageBox::Ok, this->window());
+  message->setObjectName("SurveyAxesMessage");
+  message->setAttribute(Qt::WA_DeleteOnClose);
+  message->open();
 }

@@ -36,6 +36,8 @@ private Q_SLOTS:
 private:
   void showFactor();
   void setFactor(double factor);
+  /// Says why there are no axes that count lines.
+  void refuseAxes(const QString& reason);
 
   QComboBox* Factor;
   QAction* Axes;

@@ -12,6 +12,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
@@ -70,28 +71,37 @@ vtkFaultLinesReader::vtkFaultLinesReader()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkFaultLinesReader::~vtkFaultLinesReader()
+vtkFaultLinesReader::~vtkFaultLinesReader() = default;
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkFaultLinesReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->SetFileName(nullptr);
+  this->Files.Announce(outputVector->GetInformationObject(0));
+  return 1;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-  return RunRequest(this, { output }, FilePrefix(this->FileName) + ": more data than memory, expected a smaller file",
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  this->Files.Choose(info);
+  this->Files.Unmark(info);
+  return RunRequest(this, { output },
+    FilePrefix(this->Files.GetCurrent()) + "more data than memory, expected a smaller file",
     [&](std::string&, const Monitor&)
     {
-      RequireFileName(this->FileName);
-      PrefixErrors(this->FileName,
+      RequireFileName(this->Files.GetCurrent());
+      PrefixErrors(this->Files.GetCurrent(),
         [&]()
         {
-          MakeFileStamp(this->FileName); // refuses what is no regular file
-          const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+          MakeFileStamp(this->Files.GetCurrent()); // refuses what is no regular file
+          const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
           WriteLines(
             ReadFaultLines(std::string(std::istreambuf_iterator<char>(*stream), std::istreambuf_iterator<char>())),
             this->VerticalDirection == Up ? 1.0 : -1.0, output);
         });
+      this->Files.Mark(info);
     });
 }
 
@@ -99,6 +109,6 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
 void vtkFaultLinesReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  this->Files.Print(os, indent);
   os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
 }

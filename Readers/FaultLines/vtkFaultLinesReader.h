@@ -20,6 +20,7 @@
 #ifndef vtkFaultLinesReader_h
 #define vtkFaultLinesReader_h
 
+#include "vtkHorizonFileSeries.h" // for the files
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -32,10 +33,11 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
+   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
+   * in place of all. GetFileName() without an index gives the first. Default: none.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkHorizonFileNamesMacro();
   ///@}
 
   /// Where z grows to.
@@ -60,13 +62,14 @@ protected:
   vtkFaultLinesReader();
   ~vtkFaultLinesReader() override;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkFaultLinesReader(const vtkFaultLinesReader&) = delete;
   void operator=(const vtkFaultLinesReader&) = delete;
 
-  char* FileName = nullptr;
+  SeismicHorizons::FileSeries Files;
   int VerticalDirection = Down;
 };
 

@@ -55,10 +55,7 @@ vtkStandardNewMacro(vtkGOCADTSurfReader);
 vtkGOCADTSurfReader::vtkGOCADTSurfReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkGOCADTSurfReader::~vtkGOCADTSurfReader()
-{
-  this->SetFileName(nullptr);
-}
+vtkGOCADTSurfReader::~vtkGOCADTSurfReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
@@ -69,15 +66,15 @@ int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monitor)
 {
-  RequireFileName(this->FileName);
-  PrefixErrors(this->FileName,
+  RequireFileName(this->Files.GetCurrent());
+  PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       if (!this->List || !(this->List->Stamp == stamp))
       {
         this->List.reset();
-        const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+        const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
         TSurfList found = ListTSurfs(*stream, monitor);
         this->List = std::make_unique<FileList>(FileList{ stamp, NamesOf(found), std::move(found.Lines) });
       }
@@ -98,10 +95,10 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
 {
   const auto isChosen = [&numbers](std::size_t number)
   { return std::binary_search(numbers.begin(), numbers.end(), static_cast<int>(number)); };
-  std::vector<TSurf> surfaces = PrefixErrors(this->FileName,
+  std::vector<TSurf> surfaces = PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       return LoadTSurfs(*stream, isChosen, monitor.Step(0.0, 0.9));
     });
   std::vector<vtkSmartPointer<vtkDataObject>> datasets;
@@ -115,14 +112,8 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string vtkGOCADTSurfReader::ErrorPrefix()
-{
-  return FilePrefix(this->FileName);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkGOCADTSurfReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  this->Files.Print(os, indent);
 }

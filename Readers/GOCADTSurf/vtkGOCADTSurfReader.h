@@ -33,6 +33,7 @@
 #ifndef vtkGOCADTSurfReader_h
 #define vtkGOCADTSurfReader_h
 
+#include "vtkHorizonFileSeries.h" // for the files
 #include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -47,10 +48,11 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
+   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
+   * in place of all. GetFileName() without an index gives the first. Default: none.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkHorizonFileNamesMacro();
   ///@}
 
   /**
@@ -67,13 +69,13 @@ protected:
   std::vector<std::int64_t> CountHorizonPoints() override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
-  std::string ErrorPrefix() override;
+  SeismicHorizons::FileSeries* GetFiles() override { return &this->Files; }
 
 private:
   vtkGOCADTSurfReader(const vtkGOCADTSurfReader&) = delete;
   void operator=(const vtkGOCADTSurfReader&) = delete;
 
-  char* FileName = nullptr;
+  SeismicHorizons::FileSeries Files;
 
   struct FileList;
   std::unique_ptr<FileList> List; // what the last look at the file found

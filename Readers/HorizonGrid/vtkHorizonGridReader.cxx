@@ -43,10 +43,7 @@ vtkStandardNewMacro(vtkHorizonGridReader);
 vtkHorizonGridReader::vtkHorizonGridReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkHorizonGridReader::~vtkHorizonGridReader()
-{
-  this->SetFileName(nullptr);
-}
+vtkHorizonGridReader::~vtkHorizonGridReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonGridReader::CanReadFile(const char* fileName)
@@ -59,11 +56,11 @@ int vtkHorizonGridReader::CanReadFile(const char* fileName)
 /// is asked for.
 std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monitor)
 {
-  RequireFileName(this->FileName);
-  PrefixErrors(this->FileName,
+  RequireFileName(this->Files.GetCurrent());
+  PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       if (this->Content && this->Content->Stamp == stamp)
       {
         return;
@@ -71,10 +68,11 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
       this->Content.reset();
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       content->Grid = ReadHorizonGrid(*stream, monitor);
       const std::string& name = content->Grid->Name;
-      content->Name = name.empty() || IsNameOf(name, this->FileName) ? StemOf(this->FileName) : name;
+      content->Name =
+        name.empty() || IsNameOf(name, this->Files.GetCurrent()) ? StemOf(this->Files.GetCurrent()) : name;
       content->Format = content->Grid->Format;
       this->Content = std::move(content);
     });
@@ -84,14 +82,14 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
 {
-  return PrefixErrors(this->FileName,
+  return PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
       if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))
       {
         return PlaceGrid(std::move(*grid));
       }
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       return PlaceGrid(ReadHorizonGrid(*stream, monitor));
     });
 }
@@ -103,14 +101,8 @@ std::string vtkHorizonGridReader::DescribeFormat()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string vtkHorizonGridReader::ErrorPrefix()
-{
-  return FilePrefix(this->FileName);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonGridReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  this->Files.Print(os, indent);
 }

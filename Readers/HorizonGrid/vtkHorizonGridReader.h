@@ -19,6 +19,7 @@
 #ifndef vtkHorizonGridReader_h
 #define vtkHorizonGridReader_h
 
+#include "vtkHorizonFileSeries.h" // for the files
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 #include "vtkSurveyHorizonSource.h"
 
@@ -33,10 +34,11 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
+   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
+   * in place of all. GetFileName() without an index gives the first. Default: none.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkHorizonFileNamesMacro();
   ///@}
 
   /**
@@ -51,13 +53,13 @@ protected:
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
   SeismicHorizons::SurveyHorizons ReadSurvey(const SeismicHorizons::Monitor& monitor) override;
   std::string DescribeFormat() override;
-  std::string ErrorPrefix() override;
+  SeismicHorizons::FileSeries* GetFiles() override { return &this->Files; }
 
 private:
   vtkHorizonGridReader(const vtkHorizonGridReader&) = delete;
   void operator=(const vtkHorizonGridReader&) = delete;
 
-  char* FileName = nullptr;
+  SeismicHorizons::FileSeries Files;
 
   struct FileContent;
   std::unique_ptr<FileContent> Content;

@@ -42,7 +42,6 @@ vtkHorizonTextReader::vtkHorizonTextReader()
 //----------------------------------------------------------------------------------------------------------------------
 vtkHorizonTextReader::~vtkHorizonTextReader()
 {
-  this->SetFileName(nullptr);
   this->SetColumns(nullptr);
   this->SetNullValues(nullptr);
 }
@@ -61,12 +60,12 @@ int vtkHorizonTextReader::CanReadFile(const char* fileName)
 //----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
 {
-  RequireFileName(this->FileName);
-  PrefixErrors(this->FileName,
+  RequireFileName(this->Files.GetCurrent());
+  PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
       const TextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "" };
-      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       if (this->Content && this->Content->Stamp == stamp && this->Content->Columns == options.Columns &&
         this->Content->NullValues == options.NullValues)
       {
@@ -77,7 +76,7 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
       content->Stamp = stamp;
       content->Columns = options.Columns;
       content->NullValues = options.NullValues;
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       content->Layout = ReadTextLayout(*stream, options);
       content->Names = { content->Layout.HorizonName };
       if (content->Layout.HasNames())
@@ -88,7 +87,7 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
       }
       for (std::string& name : content->Names)
       {
-        name = name.empty() ? StemOf(this->FileName) : name;
+        name = name.empty() ? StemOf(this->Files.GetCurrent()) : name;
       }
       content->Time.Modified();
       this->Content = std::move(content);
@@ -121,10 +120,10 @@ PickTable vtkHorizonTextReader::ReadPicks(const Monitor& monitor)
   {
     return std::move(*picks);
   }
-  return PrefixErrors(this->FileName,
+  return PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       return SeismicHorizons::ReadPicks(*stream, this->Content->Layout, monitor);
     });
 }
@@ -136,17 +135,11 @@ std::string vtkHorizonTextReader::DescribeFormat()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string vtkHorizonTextReader::ErrorPrefix()
-{
-  return FilePrefix(this->FileName);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonTextReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   const auto text = [](const char* value) { return value ? value : "(none)"; };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << text(this->FileName) << '\n';
+  this->Files.Print(os, indent);
   os << indent << "Columns: " << text(this->Columns) << '\n';
   os << indent << "NullValues: " << text(this->NullValues) << '\n';
 }

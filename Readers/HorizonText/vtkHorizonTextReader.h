@@ -22,6 +22,7 @@
 #ifndef vtkHorizonTextReader_h
 #define vtkHorizonTextReader_h
 
+#include "vtkHorizonFileSeries.h" // for the files
 #include "vtkPickHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -36,10 +37,11 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
+   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
+   * in place of all. GetFileName() without an index gives the first. Default: none.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkHorizonFileNamesMacro();
   ///@}
 
   /**
@@ -77,7 +79,7 @@ protected:
   vtkMTimeType GetPickTime() override;
   SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) override;
   std::string DescribeFormat() override;
-  std::string ErrorPrefix() override;
+  SeismicHorizons::FileSeries* GetFiles() override { return &this->Files; }
 
 private:
   vtkHorizonTextReader(const vtkHorizonTextReader&) = delete;
@@ -85,7 +87,7 @@ private:
 
   void UpdateContent(const SeismicHorizons::Monitor& monitor);
 
-  char* FileName = nullptr;
+  SeismicHorizons::FileSeries Files;
   char* Columns = nullptr;
   char* NullValues = nullptr;
 

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/PipelineRequest.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -15,7 +16,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -69,7 +69,7 @@ void AddFields(const SEGYCube& cube, const CubeView& view, vtkFieldData* data)
 void Announce(const CubeView& view, const CubeExtent& extent, vtkInformation* info)
 {
   std::array<double, 9> direction = RowByRow(view.Frame.Direction);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data(), 6);
+  AnnounceExtent(extent, info);
   info->Set(vtkDataObject::ORIGIN(), view.Frame.Origin.data(), 3);
   info->Set(vtkDataObject::SPACING(), view.Frame.Spacing.data(), 3);
   info->Set(vtkDataObject::DIRECTION(), direction.data(), 9);

@@ -72,7 +72,6 @@ vtkSEGYCubeReader::vtkSEGYCubeReader()
 //----------------------------------------------------------------------------------------------------------------------
 vtkSEGYCubeReader::~vtkSEGYCubeReader()
 {
-  this->SetFileName(nullptr);
   this->SetVerticalUnit(nullptr);
   this->SetVerticalDomain(nullptr);
   this->SetHorizontalUnit(nullptr);
@@ -127,7 +126,7 @@ CubeView vtkSEGYCubeReader::MakeView() const
   {
     std::ostringstream text;
     text.precision(3);
-    text << FilePrefix(this->FileName) << "steps " << ToText(cube.Lattice.ColumnStep) << " and "
+    text << FilePrefix(this->Files.GetCurrent()) << "steps " << ToText(cube.Lattice.ColumnStep) << " and "
          << ToText(cube.Lattice.RowStep) << " that are not perpendicular, so that an image is up to "
          << view.Frame.Deviation << " columns off, expected at most " << this->ImageTolerance << " (ImageTolerance)";
     throw InputError(text.str());
@@ -140,11 +139,11 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
 {
   CheckSEGYOptions(this->MakeOptions());
   CheckAtLeast("ImageTolerance", this->ImageTolerance, 0.0, " columns");
-  RequireFileName(this->FileName);
-  PrefixErrors(this->FileName,
+  RequireFileName(this->Files.GetCurrent());
+  PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       const SEGYOptions options = this->MakeOptions();
       if (this->Content && this->Content->Stamp == stamp && AreSame(this->Content->Options, options))
       {
@@ -154,49 +153,68 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
       content->Options = options;
-      content->Cube = ReadSEGYCube(this->FileName, options, monitor);
+      content->Cube = ReadSEGYCube(this->Files.GetCurrent(), options, monitor);
       this->Content = std::move(content);
       if (!this->Content->Cube.Warning.empty())
       {
-        vtkWarningMacro(<< this->FileName << ": " << this->Content->Cube.Warning);
+        vtkWarningMacro(<< this->Files.GetCurrent() << ": " << this->Content->Cube.Warning);
       }
     });
   this->Description = Describe(this->Content->Cube);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkSEGYCubeReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+vtkTypeBool vtkSEGYCubeReader::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunRequest(this, { vtkDataObject::GetData(outputVector) }, NoMemory(this->FileName),
-    [&](std::string&, const Monitor& monitor)
-    {
-      this->UpdateContent(monitor);
-      const SEGYRanges ranges = { { this->InlineRange[0], this->InlineRange[1] },
-        { this->CrosslineRange[0], this->CrosslineRange[1] }, { this->SampleRange[0], this->SampleRange[1] } };
-      const CubeExtent extent = PrefixErrors(this->FileName, [&]() { return FindExtent(this->Content->Cube, ranges); });
-      Announce(this->MakeView(), extent, outputVector->GetInformationObject(0));
-    });
+  // Of a series, another cube may be asked for than the one that the information was taken from.
+  return IsForTime(request) ? this->RequestInformation(request, inputVector, outputVector)
+                            : this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSEGYCubeReader::RequestInformation(
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  this->Files.Announce(info);
+  this->Files.Choose(info);
+  return RunRequest(this, { vtkDataObject::GetData(outputVector) }, NoMemory(this->Files.GetCurrent()),
+    TellLater(request,
+      [&](std::string&, const Monitor& monitor)
+      {
+        this->UpdateContent(monitor);
+        const SEGYRanges ranges = { { this->InlineRange[0], this->InlineRange[1] },
+          { this->CrosslineRange[0], this->CrosslineRange[1] }, { this->SampleRange[0], this->SampleRange[1] } };
+        const CubeExtent extent =
+          PrefixErrors(this->Files.GetCurrent(), [&]() { return FindExtent(this->Content->Cube, ranges); });
+        Announce(this->MakeView(), extent, info);
+      }));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkImageData* const output = vtkImageData::GetData(outputVector);
-  return RunRequest(this, { output }, NoMemory(this->FileName),
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  this->Files.Choose(info);
+  this->Files.Unmark(info);
+  return RunRequest(this, { output }, NoMemory(this->Files.GetCurrent()),
     [&](std::string&, const Monitor& monitor)
     {
       output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
       // The file may have changed since the information was asked for.
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;
-      outputVector->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
-      const std::int64_t notFinite = PrefixErrors(this->FileName,
+      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+      const std::int64_t notFinite = PrefixErrors(this->Files.GetCurrent(),
         [&]() { return FillImage(this->Content->Cube, this->MakeView(), extent, output, monitor.Step(0.1, 1.0)); });
       if (notFinite > 0)
       {
-        vtkWarningMacro(<< this->FileName << ": " << notFinite
+        vtkWarningMacro(<< this->Files.GetCurrent() << ": " << notFinite
                         << " samples that are nan or beyond the range of a float; is SampleFormat right?");
       }
+      this->Files.Mark(info);
     });
 }
 
@@ -205,7 +223,7 @@ void vtkSEGYCubeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   const auto text = [](const char* value) { return value ? value : "(none)"; };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << text(this->FileName) << '\n';
+  this->Files.Print(os, indent);
   os << indent << "InlineByte: " << this->InlineByte << '\n';
   os << indent << "CrosslineByte: " << this->CrosslineByte << '\n';
   os << indent << "XByte: " << this->XByte << '\n';

@@ -40,6 +40,7 @@
 #ifndef vtkSEGYCubeReader_h
 #define vtkSEGYCubeReader_h
 
+#include "vtkHorizonFileSeries.h" // for the files
 #include "vtkImageAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -62,10 +63,11 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
+   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
+   * in place of all. GetFileName() without an index gives the first. Default: none.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkHorizonFileNamesMacro();
   ///@}
 
   /**
@@ -210,6 +212,7 @@ protected:
   vtkSEGYCubeReader();
   ~vtkSEGYCubeReader() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -221,7 +224,7 @@ private:
   SeismicHorizons::CubeView MakeView() const;
   void UpdateContent(const SeismicHorizons::Monitor& monitor);
 
-  char* FileName = nullptr;
+  SeismicHorizons::FileSeries Files;
   int InlineByte = 0;
   int CrosslineByte = 0;
   int XByte = 0;

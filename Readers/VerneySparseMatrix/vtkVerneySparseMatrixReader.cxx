@@ -14,6 +14,7 @@
 #include "Common/TextWords.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/PipelineRequest.h"
 #include "HorizonImage.h"
 #include "HorizonVolume.h"
 #include "ImageFrame.h"
@@ -89,10 +90,7 @@ vtkStandardNewMacro(vtkVerneySparseMatrixReader);
 vtkVerneySparseMatrixReader::vtkVerneySparseMatrixReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
-{
-  this->SetFileName(nullptr);
-}
+vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
@@ -121,12 +119,12 @@ SparseMatrixOptions vtkVerneySparseMatrixReader::MakeOptions() const
 //----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
 {
-  RequireFileName(this->FileName);
+  RequireFileName(this->Files.GetCurrent());
   const SparseMatrixOptions options = this->MakeOptions();
-  PrefixErrors(this->FileName,
+  PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       if (this->Content && !this->Content->Overview && this->Content->Stamp == stamp &&
         this->Content->Options == options)
       {
@@ -136,7 +134,7 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
       content->Options = options;
-      content->Matrix = ReadSparseMatrix(*OpenInputFile(this->FileName), options, monitor);
+      content->Matrix = ReadSparseMatrix(*OpenInputFile(this->Files.GetCurrent()), options, monitor);
       content->Size = content->Matrix->Size;
       content->VerticalFit = content->Matrix->VerticalFit;
       for (const HorizonVoxels& horizon : content->Matrix->Horizons)
@@ -152,17 +150,17 @@ void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
 /// Reads the file when the overview is not that of the file and the options.
 void vtkVerneySparseMatrixReader::UpdateOverview(const Monitor& monitor)
 {
-  RequireFileName(this->FileName);
+  RequireFileName(this->Files.GetCurrent());
   const SparseMatrixOptions options = this->MakeOptions();
   const SparseMatrixOptions ofOverview = ForAllRows(options);
-  PrefixErrors(this->FileName,
+  PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const FileStamp stamp = MakeFileStamp(this->FileName);
+      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       if (!this->FindOverview() || !(this->Content->Stamp == stamp) || !(this->Content->Options == ofOverview))
       {
         this->Content = std::make_unique<FileContent>();
-        const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+        const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
         SparseMatrixOverview overview = ReadSparseMatrixOverview(*stream, ofOverview, monitor);
         this->Content->Stamp = stamp;
         this->Content->Options = ofOverview;
@@ -262,10 +260,10 @@ SparseMatrix vtkVerneySparseMatrixReader::TakeMatrix(const std::vector<int>& num
   {
     return std::move(*kept);
   }
-  return PrefixErrors(this->FileName,
+  return PrefixErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->FileName);
+      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       return this->FindOverview() ? ReadSparseMatrixRows(*stream, *this->FindOverview(), this->MakeOptions(),
                                       this->Content->SurfaceIds, numbers, monitor)
                                   : ReadSparseMatrix(*stream, this->MakeOptions(), monitor);
@@ -329,7 +327,7 @@ void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers
     extent = Unite(extent, this->Content->Extents[static_cast<std::size_t>(number)]);
   }
   const ImageFrame frame = MakeVolumeFrame(this->MakeHorizonPlacement().ToWorld);
-  outputInformation->Set(Pipeline::WHOLE_EXTENT(), ToImageExtent(extent, frame).data(), 6);
+  AnnounceExtent(ToImageExtent(extent, frame), outputInformation);
   // After an error the pipeline would still ask for what could not be made then.
   outputInformation->Remove(Pipeline::COMBINED_UPDATE_EXTENT());
   outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
@@ -364,12 +362,6 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string vtkVerneySparseMatrixReader::ErrorPrefix()
-{
-  return FilePrefix(this->FileName);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 3> types = { "Points", "Images", "Volume" };
@@ -379,7 +371,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 2> directions = { "Down", "Up" };
   constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  this->Files.Print(os, indent);
   os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';
   os << indent << "VolumeExtent: " << extents[static_cast<std::size_t>(this->VolumeExtent)] << '\n';
   os << indent << "VolumeArray: " << volumeArrays[static_cast<std::size_t>(this->VolumeArray)] << '\n';

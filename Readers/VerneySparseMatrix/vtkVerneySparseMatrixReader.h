@@ -59,6 +59,7 @@
 #ifndef vtkVerneySparseMatrixReader_h
 #define vtkVerneySparseMatrixReader_h
 
+#include "vtkHorizonFileSeries.h" // for the files
 #include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -82,10 +83,12 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. It may be compressed by gzip, whatever its name. Default: none.
+   * The path of the file, in UTF-8. It may be compressed by gzip, whatever its name. Several are a series: each is that
+   * of a time, 0, 1, 2 and so on in the order in which they were added, and the output is that of the time which is
+   * asked for. SetFileName() takes one file in place of all. GetFileName() without an index gives the first. Default:
+   * none.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkHorizonFileNamesMacro();
   ///@}
 
   /**
@@ -332,7 +335,7 @@ protected:
   void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation) override;
   void MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
     vtkInformation* outputInformation, const SeismicHorizons::Monitor& monitor) override;
-  std::string ErrorPrefix() override;
+  SeismicHorizons::FileSeries* GetFiles() override { return &this->Files; }
 
 private:
   vtkVerneySparseMatrixReader(const vtkVerneySparseMatrixReader&) = delete;
@@ -346,7 +349,7 @@ private:
   const SeismicHorizons::SparseMatrixOverview* FindOverview() const;
   SeismicHorizons::SparseMatrix TakeMatrix(const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor);
 
-  char* FileName = nullptr;
+  SeismicHorizons::FileSeries Files;
   vtkIdType SmallestHorizonSize = 1;
   int ColumnRange[2] = { 0, -1 };
   int RowRange[2] = { 0, -1 };

@@ -19,6 +19,12 @@ FLAT = "59 30 9\n" + "".join("%d 1 1 0 0\n" % (2 + n % 59 // 20) for n in range(
 PICKS = "Inline Crossline X Y Z\n" + "".join(
     "%d %d %d %d %d\n" % (100 + row, 300 + column, 1000 + 25 * column, 2000 - 25 * row, 500 + (row + column) % 5)
     for row in range(12) for column in range(15))
+# One that is turned, with lines of even numbers.
+TURNED = "Inline Crossline X Y Z\n" + "".join(
+    "%d %d %d %d %d\n" % (10 + 2 * row, 20 + 2 * column, 1000 + 30 * column - 40 * row, 2000 + 40 * column + 30 * row,
+                          500 + row % 5) for row in range(12) for column in range(15))
+MESSAGE = window.WINDOW + "/SurveyAxesMessage"
+NO_LATTICE = "No survey axes: nothing is shown that has a lattice; expected horizons or a cube."
 
 
 def choose_horizons(events, sample):
@@ -55,39 +61,80 @@ def exaggerate(events, flat):
     events.macro("NoteView")
     # No macro before undo: in ParaView 6 it is a step itself.
     events.add(TOOLBAR + "FitHeights", "activate")
+    events.check(TOOLBAR + "VerticalExaggeration", "currentText", "5")
     events.undo(1)
     events.macro("NoteView")
     # What comes now gets the factor that undo has brought back.
     events.filter("HorizonSurface")
     events.apply()
     events.macro("NoteView")
-    events.add(TOOLBAR + "FitHeights", "activate")
-    events.macro("NoteView")
+    events.save_state("exaggerated.pvsm")
 
 
 def check_exaggeration(notes):
-    for factor, note in zip((2, 2, 2, 5), notes):
-        assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, factor]] * len(note["scales"]), note
-        assert note["axes scale"] == [1, 1, factor], note
+    for note in notes:
+        assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, 2]] * len(note["scales"]), note
+        assert note["axes scale"] == [1, 1, 2], note
 
 
 def count_lines(events, picks):
-    events.open(picks, several_readers=True)
+    """A message where there is nothing to count; axes of a turned survey, which follow heights and what is shown."""
+    events.add(TOOLBAR + "SurveyAxes", "set_boolean", "true")
+    events.check(MESSAGE, "text", NO_LATTICE)
+    events.add(MESSAGE + "/qt_msgbox_buttonbox/1QPushButton0", "activate")
+    events.macro("NoteView")
+    events.open(picks.parent / "turned.xyz", several_readers=True)
     events.apply()
     events.add(TOOLBAR + "SurveyAxes", "set_boolean", "true")
+    events.macro("NoteView")
+    events.add(TOOLBAR + "VerticalExaggeration", "set_string", "2")
+    events.macro("NoteView")
+    events.open(picks.parent / "flat.vsm")
+    events.apply()
     events.macro("NoteView")
     events.add(TOOLBAR + "SurveyAxes", "set_boolean", "false")
     events.macro("NoteView")
 
 
+def count_lines_southwards(events, picks):
+    events.open(picks, several_readers=True)
+    events.apply()
+    events.add(TOOLBAR + "SurveyAxes", "set_boolean", "true")
+    events.macro("NoteView")
+
+
+def place(note, x, y, z):
+    """Where a point of the axes is in the world."""
+    matrix = note["axes matrix"]
+    return [round(sum(a * b for a, b in zip(matrix[row:row + 4], (x, y, z, 1))), 6) for row in (0, 4, 8)]
+
+
 def check_lines(notes):
-    shown, hidden = notes
-    assert (shown["axes"], hidden["axes"]) == (["Crossline", "Inline"], ["X Axis", "Y Axis"]), notes
-    # Crossline 300 is at x = 1000 and the next one at 1025, inline 100 at y = 2000 and 102 at 1950.
-    (x, y), (along, across) = shown["axes position"][:2], shown["axes scale"][:2]
-    numbers = [(1000 - x) / along, (1025 - x) / along, (2000 - y) / across, (1950 - y) / across]
-    assert numbers == [300, 301, 100, 102], numbers
-    assert hidden["axes scale"] == [1, 1, 1] and hidden["axes position"] == [0, 0, 0], hidden
+    refused, shown, exaggerated, higher, hidden = notes
+    assert refused["axes"] == hidden["axes"] == ["X Axis", "Y Axis"], notes
+    assert not refused["counts lines"] and not hidden["counts lines"], notes
+    assert shown["axes"] == ["Crossline", "Inline"] and shown["counts lines"], shown
+    assert shown["axes bounds"] == [20, 48, 10, 32, -504, -500], shown
+    # Crossline 22 is the second one, and inline 14 the third.
+    assert place(shown, 22, 14, -500) == [1000 + 30 - 2 * 40, 2000 + 40 + 2 * 30, -500], shown
+    assert place(exaggerated, 20, 10, -500) == [1000, 2000, -1000], exaggerated
+    assert higher["axes bounds"] == [20, 48, 10, 32, -504, -2] and higher["scales"] == [[1, 1, 2]] * 2, higher
+
+
+def check_lines_southwards(notes):
+    note, = notes
+    assert note["axes"] == ["Inline", "Crossline"], note  # right-handed
+    assert note["axes bounds"][:4] == [100, 111, 300, 314], note
+    assert place(note, 102, 301, 0) == [1025, 1950, 0], note
+
+
+def load_exaggerated(events):
+    """The toolbar knows the factor of a state file, and gives it to what comes later."""
+    events.check(TOOLBAR + "VerticalExaggeration", "currentText", "2")
+    events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", "/0|0/0|0")
+    events.filter("HorizonExteriorBoundary")
+    events.apply()
+    events.macro("NoteView")
 
 
 def main():
@@ -96,14 +143,22 @@ def main():
     sample = pathlib.Path(data).resolve() / "sample.vsm"
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
-    scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 4),
-              (count_lines, folder / "picks.xyz", check_lines, 2))
+    (folder / "turned.xyz").write_text(TURNED, encoding="ascii")
+    scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 3),
+              (count_lines, folder / "picks.xyz", check_lines, 5),
+              (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
         play(events, file)
         notes = window.play(paraview, events, window.new_folder(folder / str(number)))
         assert len(notes) == count, notes
         check(notes)
+
+    events = window.Events()
+    load_exaggerated(events)
+    state = "--state=%s" % (folder / "1" / "exaggerated.pvsm")
+    note, = window.play(paraview, events, window.new_folder(folder / "loaded"), state)
+    assert len(note["scales"]) > 2 and note["scales"] == [[1, 1, 2]] * len(note["scales"]), note
 
 
 main()

@@ -91,6 +91,11 @@ class Events:
         """Checks an item of the list of horizons, or takes the check away."""
         self.add(FIELDS + "ProxyPanel/HorizonStatus/Horizons", "setCheckState", "%d.0,%d" % (row, 2 if state else 0))
 
+    def check(self, place, name, value):
+        """A property of an object of the window has to have that value."""
+        quoted = tuple(xml.sax.saxutils.quoteattr(str(text)) for text in (place, name, value))
+        self.lines.append("  <pqcheck object=%s property=%s arguments=%s />" % quoted)
+
     def macro(self, name):
         self.menu("menu_Macros", name)
 
@@ -128,11 +133,11 @@ def run(paraview, script, folder, *arguments):
     return done.returncode, done.stdout
 
 
-def play(paraview, events, folder):
+def play(paraview, events, folder, *arguments):
     """Plays events that have to find their objects, and may cause no error. Returns what macros noted, a list."""
     script = folder / "events.xml"
     events.write(script)
-    code, log = run(paraview, script, folder)
+    code, log = run(paraview, script, folder, *arguments)
     if code != 0 or any(word in log for word in WRONG):
         print(log)
         sys.exit("the events were not played to their end, or there was an error")

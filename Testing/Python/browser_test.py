@@ -38,6 +38,11 @@ def write_picks(path):
         for n, name in enumerate(names) for j in range(8) for i in range(8 + n)), encoding="utf-8")
 
 
+def write_step(path):
+    """A fault across a horizon."""
+    path.write_text("20 20 50\n" + 20 * (10 * "10 1 1 1 1\n" + 10 * "30 1 1 1 1\n"), encoding="utf-8")
+
+
 def make_report(page, *arguments):
     subprocess.run([sys.executable, str(PROGRAM), "--output-folder", str(FOLDER / "results"), "--report", str(page),
                     *map(str, arguments)], check=True, stdout=subprocess.DEVNULL, timeout=200)
@@ -52,6 +57,10 @@ class BrowserTest(unittest.TestCase):
         make_report(cls.sample, "--largest-error", "0.75", DATA / "sample.vsm")
         write_picks(FOLDER / "picks.dat")
         make_report(cls.picks, "--no-pictures", "--largest-error", "2", FOLDER / "picks.dat")
+        cls.closed = FOLDER / "closed.html"
+        write_step(FOLDER / "step.vsm")
+        make_report(cls.closed, "--no-pictures", "--largest-error", "0.5", "--cut-faults", "4", "--close-faults",
+                    FOLDER / "step.vsm")
         cls.browser = cls.enterClassContext(browser.Browser())
 
     def open(self, page):
@@ -106,6 +115,20 @@ class BrowserTest(unittest.TestCase):
         self.browser.run("document.getElementById('viewer-reset').click()")
         self.change("viewer-colors", "value", "height")
         self.assertLess((np.abs(known[0] - self.canvas()).max(axis=-1) > 20).mean(), 0.001)
+
+    def test_closed_faults(self):
+        """What closes them has a colour of its own, which is neither that of a height nor of an error, and a legend."""
+        self.open(self.closed)
+        self.assertEqual(int(self.browser.wait(DRAWN)), 2 + 2 + 2)
+        legend = "const legend = document.getElementById('viewer-faults'); return legend && legend.innerText.trim()"
+        self.assertEqual(self.browser.run(legend), "triangles that close faults")
+        red, green, blue = np.moveaxis(self.canvas()[..., :3], -1, 0)
+        self.assertGreater(((red > 1.5 * green) & (red > 1.3 * blue)).mean(), 0.01)
+        self.change("viewer-colors", "value", "error")
+        red, _, blue = np.moveaxis(self.canvas()[..., :3], -1, 0)
+        self.assertGreater((blue > 1.1 * red + 10).mean(), 0.01)
+        self.open(self.sample)
+        self.assertIsNone(self.browser.run(legend))
 
     def test_button_of_a_horizon(self):
         self.open(self.sample)

@@ -15,6 +15,7 @@ import seismichorizons
 # Setters that a proxy reaches in another way than by a property of their own.
 REACHED_OTHERWISE = {
     "SetHorizonStatus": "GetHorizonSelection",
+    "SetFileName": "AddFileName",
 }
 # Setters that ParaView has no use for: the controller is its own from the start.
 NOT_REACHED = {"SetController"}

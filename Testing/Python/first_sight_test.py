@@ -60,9 +60,30 @@ class FirstSightTest(unittest.TestCase):
         display = self.show(self.horizons)
         self.assertEqual((display.PointSize, colored_by(display)), (3, ("POINTS", "VerticalIndex")))
 
-    def test_volumes_are_shown_as_before(self):
+    def test_volumes_are_seen_through(self):
         volume = simple.VerneySparseMatrixReader(FileName=self.horizons.FileName, OutputType="Volume")
-        self.assertIn("Volume", self.show(volume).GetProperty("Representation").Available)
+        display = simple.Show(volume, self.view)
+        self.assertEqual((display.Representation, colored_by(display)), ("Volume", ("POINTS", "SurfaceId")))
+        # Value, opacity, midpoint and sharpness of each point: clear where there is no horizon.
+        points = list(display.ScalarOpacityFunction.Points)
+        self.assertEqual([(value, opacity) for value, opacity in zip(points[0::4], points[1::4])][:3],
+                         [(0, 0), (0.5, 0), (1, 0.9)])
+
+    def test_large_volumes_are_a_slice(self):
+        path = FOLDER / "wide.vsm"
+        path.write_text("4 2 4000000\n3 1 1 0 0\n" + "\n" * 7)
+        volume = simple.VerneySparseMatrixReader(FileName=str(path), OutputType="Volume")
+        self.assertEqual(simple.Show(volume, self.view).Representation, "Slice")
+
+    def test_maps_are_surfaces(self):
+        self.show(simple.VerneySparseMatrixReader(FileName=self.horizons.FileName, OutputType="Images"))
+
+    def test_volumes_of_attributes_show_them(self):
+        path = FOLDER / "attributes.vsm"
+        path.write_text("2 1 9\n3 1 1 5.5 0\n4 1 2 -6 0\n")
+        for array in ("Amplitude", "Thickness"):
+            volume = simple.VerneySparseMatrixReader(FileName=str(path), OutputType="Volume", VolumeArray=array)
+            self.assertEqual(colored_by(simple.Show(volume, self.view)), ("POINTS", array))
 
     def test_sizes_of_horizons(self):
         self.horizons.UpdatePipelineInformation()

@@ -3,10 +3,14 @@
 """What the pipeline does before all stages: spikes, faults, holes. Argument: a folder for files."""
 
 import pathlib
+import re
 import sys
 import unittest
 
-from seismichorizons import overview, pipeline, tables
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from seismichorizons import album, overview, pipeline, tables
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
 ROUNDING = 1e-12  # of the meter's real numbers; distances here are 0
@@ -62,14 +66,37 @@ class PreparationsTest(unittest.TestCase):
         """The same step as one mesh, whose triangles at the fault are told."""
         rows = b"".join((b"5 1 1 0.5 4.0\n" * 15 + b"25 1 1 0.5 4.0\n" * 15) for _ in range(30))
         points = pipeline.read_first(write("step.vsm", b"30 30 40\n" + rows))
-        closing = {"CloseFaults": True}
-        for given in ({"surface": pipeline.surface_properties(largest_error=0.5, **closing)}, {"mesh": closing}):
-            mesh = pipeline.run("step.vsm", "Horizon 1", points, pipeline.Settings(torn={}, **given)).data["mesh"]
+        for name, given in (("surface", pipeline.surface_properties(largest_error=0.5)), ("mesh", {})):
+            gaping, result = (pipeline.run("step.vsm", "Horizon 1", points, pipeline.Settings(
+                torn={}, **{name: {**given, "CloseFaults": closes}})) for closes in (False, True))
+            mesh = result.data["mesh"]
             faults = mesh.GetCellData().GetArray("Fault")
             closed = sum(faults.GetValue(n) for n in range(faults.GetNumberOfTuples()))
             self.assertEqual(closed, mesh.GetFieldData().GetArray("FaultTriangleCount").GetValue(0))
             self.assertEqual(mesh.GetFieldData().GetArray("TriangleCount").GetValue(0) + closed, mesh.GetNumberOfPolys())
             self.assertGreaterEqual(closed, 2)
+            self.check_told(gaping, result, closed)
+            self.check_encoded(mesh, closed)
+
+    def check_told(self, gaping, result, closed):
+        """The table and the picture tell of both apart; the table also where only one of two meshes is closed."""
+        surface = gaping.data["mesh"].GetNumberOfPolys()
+        self.assertEqual(overview.panels(gaping)[-1].caption, "%d triangles" % surface)
+        self.assertEqual(overview.panels(result)[-1].caption, "%d triangles, %d fault triangles" % (surface, closed))
+        self.assertNotIn("fault triangles", tables.table([gaping])[0])
+        heads, _, *rows = [re.split(r"\s{2,}", line.strip()) for line in tables.table([gaping, result])]
+        self.assertEqual({len(row) for row in rows}, {len(heads)})
+        self.assertEqual([row[heads.index("triangles")] for row in rows], 2 * [str(surface)])
+        self.assertEqual([row[heads.index("fault triangles")] for row in rows], ["0", str(closed)])
+
+    def check_encoded(self, mesh, closed):
+        """In a page they come last: only they span the throw."""
+        coded = album.encode(mesh)
+        surface = mesh.GetNumberOfPolys() - closed
+        self.assertEqual((coded.triangles, coded.fault_triangles), (surface, closed))
+        corners = np.frombuffer(coded.content, "<u2")[-3 * mesh.GetNumberOfPolys():].reshape(-1, 3)
+        heights = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2][corners]
+        np.testing.assert_array_equal(np.ptp(heights, axis=1), surface * [0.0] + closed * [20.0])
 
 
 if __name__ == "__main__":

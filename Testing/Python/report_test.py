@@ -7,6 +7,7 @@ Arguments: the program, the generator of horizons, the folder of the data, the p
 
 import html.parser
 import json
+import math
 import os
 import pathlib
 import re
@@ -68,6 +69,18 @@ def write_picks(path, names):
         name, j, i, 459600 + 25 * i, 5934800 + 25 * j, 1500 + 100 * n + (3 * i * j) % 5)
         for n, name in enumerate(names) for j in range(10) for i in range(12)), encoding="utf-8")
     return path
+
+
+def write_voxels(path, height):
+    """A horizon of 40 times 40 columns, without gaps."""
+    path.write_text("40 40 80\n" + "".join("%d 1 1 1 1\n" % height(i, j) for j in range(40) for i in range(40)),
+                    encoding="utf-8")
+    return path
+
+
+def write_fault(path):
+    """A fault inside, whose throw fades out at both ends."""
+    return write_voxels(path, lambda i, j: 20 + i * j // 60 + (max(0, 12 - abs(j - 20)) if i + 0.3 * j > 26 else 0))
 
 
 class ReportTest(unittest.TestCase):
@@ -253,6 +266,40 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(run["files"][1]["results"][1:], ["sample_horizon_%d.vtp" % n for n in (1, 2, 3)])
         self.assertEqual(run["files"][0]["survey"]["lattice"]["columns"][:2], [12, 10])
         self.assertEqual(run["command"]["words"][1:], done.args[1:])
+
+    def test_closed_faults(self):
+        """Triangles that close faults are no part of any figure but their own number."""
+        inside = write_fault(self.folder / "inside.vsm")
+        across = write_voxels(self.folder / "across.vsm", lambda i, j: 30 if i < 20 else 50)
+        for path, target in ((inside, ["--skip-rough"]), (across, ["--largest-error", "0.5"])):
+            figures_of = []
+            for closing in ([], ["--close-faults"]):
+                done = self.run_program("--json", "--no-pictures", "--cut-faults", "3", "--measure-error", *target, *closing,
+                                        path)
+                horizon = json.loads(done.stdout)["files"][0]["horizons"][0]
+                figures_of.append({key: value for key, value in horizon.items() if key != "seconds"})
+            counts = [values.pop("fault_triangles") for values in figures_of]
+            self.assertEqual(counts[0], 0)
+            self.assertGreaterEqual(counts[1], 2)
+            self.assertEqual(*figures_of)
+            self.assertEqual(sum(figures_of[1]["angles"]["counts"]), figures_of[1]["triangles"])
+        # Two halves of 19 times 39 columns; what is between them would have 1.5 degrees.
+        self.assertAlmostEqual(figures_of[1]["angles"]["smallest"], math.degrees(math.atan2(19, 39)), 6)
+
+    def test_page_of_closed_faults(self):
+        """Their number stands alone in a tile, a column, with the facts and below the picture; other pages are silent."""
+        path = write_fault(self.folder / "fault.vsm")
+        arguments = ("--cut-faults", "3", "--largest-error", "0.5", path)
+        open_page, closed_page = self.run_report(*arguments), self.run_report("--close-faults", *arguments)
+        (horizon,) = json.loads(self.run_program("--json", "--no-pictures", "--close-faults", *arguments).stdout)[
+            "files"][0]["horizons"]
+        self.assertEqual(closed_page.texts.count("Fault triangles"), 3)
+        self.assertIn("Fault triangles %d" % horizon["fault_triangles"], closed_page.text())
+        self.assertIn("%d triangles, %d fault triangles" % (horizon["triangles"], horizon["fault_triangles"]),
+                      closed_page.text())
+        self.assertIn("triangles that close faults", closed_page.text())
+        self.assertNotIn("ault triangle", open_page.text())
+        self.assertNotIn("close faults", open_page.text())
 
     def test_exit_codes(self):
         """0 when all is done; 1 when something is not, which JSON tells of as well; the rest is in the batch test."""

@@ -14,12 +14,6 @@ import sys
 
 MOST_LINES = 400
 MOST_LINES_OF_FUNCTION = 60
-# Files over the budget, each with its reason.
-LONG_FILES = {
-    "Testing/Algorithms/CellSimplification/TestElaborateSimplification.cxx": "case after case for one function",
-    "Testing/Algorithms/Readers/TestSparseMatrixParser.cxx": "case after case, all error messages among them",
-    "Testing/Readers/TestVerneySparseMatrixReader.cxx": "case after case for one class",
-}
 
 
 def read_table(page):
@@ -71,8 +65,6 @@ def check_file(tree, path, rooms):
 def check_length(tree, path):
     where = path.relative_to(tree).as_posix()
     lines = len(path.read_text(encoding="utf-8").splitlines())
-    if where in LONG_FILES:
-        return [] if lines > MOST_LINES else ["%s: %d lines, no longer an exception" % (where, lines)]
     return ["%s: %d lines, expected at most %d" % (where, lines, MOST_LINES)] if lines > MOST_LINES else []
 
 

@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""No link of the site is dead, and it fetches nothing from elsewhere. Argument: the folder of the site."""
+"""No link of the site is dead, it fetches nothing from elsewhere, and its page of messages has those of all pages.
+
+Argument: the folder of the site.
+"""
 
 import html.parser
 import pathlib
@@ -9,11 +12,12 @@ import urllib.parse
 
 
 class Page(html.parser.HTMLParser):
-    """What a page links to, loads, and has anchors for."""
+    """What a page links to, loads, and has anchors for; and the messages in it, the first cells of their tables."""
 
     def __init__(self, path):
         super().__init__()
         self.links, self.loaded, self.anchors = [], [], {""}
+        self.messages, self._head, self._cells = set(), "", []
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
@@ -25,6 +29,20 @@ class Page(html.parser.HTMLParser):
             address = values.get("href") or values.get("src")
             if address:
                 self.loaded.append(address)
+        elif tag in ("tr", "td", "th"):
+            self._cells = [] if tag == "tr" else [*self._cells, ""]
+
+    def handle_data(self, data):
+        if self._cells:
+            self._cells[-1] += data
+
+    def handle_endtag(self, tag):
+        if tag == "thead":
+            self._head = self._cells[0].strip().lower()
+        elif tag == "tr" and self._cells and self._head == "message":
+            self.messages.add(self._cells[0].strip())
+        elif tag == "table":
+            self._head, self._cells = "", []
 
 
 def check(site, path, pages):
@@ -55,6 +73,10 @@ def main():
     assert len(pages) > 40, len(pages)
     wrong = ["%s: %s" % (path.name, fault) for path in pages for fault in check(site, path, pages)]
     assert not wrong, "\n".join(wrong)
+    listed = pages[site / "Messages.html"].messages
+    assert len(listed) > 300, len(listed)
+    for path, page in pages.items():
+        assert page.messages <= listed, "%s: not on the page of messages: %s" % (path.name, sorted(page.messages - listed))
     # The search finds a word of a page.
     index = (site / "search" / "search_index.json").read_text(encoding="utf-8")
     assert "SmallestThrow" in index

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs in pvpython: text files of horizons are opened as such, others are not, and one becomes a surface.
+"""Runs in pvpython: text files of horizons are opened as such, others are not, one becomes a surface, and several a
+series.
 
 Argument: a folder for the files.
 """
@@ -59,6 +60,27 @@ def check_surface(reader):
     assert bounds[0] == min(x for x, y in PLACES) and bounds[3] == max(y for x, y in PLACES), bounds
 
 
+def check_series(folder):
+    """Filters follow the time, and the animation has the times of the files."""
+    files = [write(folder / ("series_%d.xyz" % time), PICKS.replace(" 5", " %d" % (time + 5))) for time in range(3)]
+    reader = simple.OpenDataFile(files)
+    assert list(reader.FileName) == files and list(reader.TimestepValues) == [0, 1, 2], reader.TimestepValues
+    surface = simple.HorizonSurface(Input=reader)
+    scene = simple.GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    assert list(scene.TimeKeeper.TimestepValues) == [0, 1, 2]
+    simple.Show(surface)
+    heights = []
+    for move in (scene.GoToFirst, scene.GoToNext, scene.GoToLast, scene.GoToFirst):
+        move()
+        simple.Render()
+        heights.append(-surface.GetDataInformation().GetBounds()[5])
+    assert [round(height / 100) for height in heights] == [6, 7, 8, 6], heights
+    reader.FileName = files[0]
+    reader.UpdatePipeline()
+    assert len(reader.TimestepValues) == 0
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -66,6 +88,7 @@ def main():
     reader = simple.OpenDataFile(str(folder / "top.dat"))
     check_panel(reader)
     check_surface(reader)
+    check_series(folder)
 
 
 main()

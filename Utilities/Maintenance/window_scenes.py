@@ -113,12 +113,14 @@ def distance():
 
 def exaggeration():
     horizon = open_file("FAULTED")
-    horizon.ColumnStep, horizon.RowStep, horizon.VerticalStep = (25.0, 0.0), (0.0, 25.0), 4.0
+    horizon.ColumnStep, horizon.RowStep, horizon.VerticalStep = (24.0, 7.0), (-7.0, 24.0), 4.0
     view = simple.GetActiveViewOrCreate("RenderView")
+    # What the buttons of the toolbar do first; the rest follows.
     view.AxesGrid.Visibility = 1
-    # What the toolbar does.
+    view.AxesGrid.UseModelTransform = 1
     view.AxesGrid.DataScale = (1.0, 1.0, 5.0)
-    view.SMProxy.SetAnnotation("SeismicHorizons.VerticalExaggeration", "1")
+    for button in ("VerticalExaggeration", "SurveyAxes"):
+        view.SMProxy.SetAnnotation("SeismicHorizons." + button, "1")
     show(simple.HorizonSurface(Input=simple.HorizonFaults(Input=horizon), MaximumError=1.5), toward=OBLIQUE)
 
 

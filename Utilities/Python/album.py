@@ -10,6 +10,8 @@ from typing import Optional
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from . import triangles
+
 MOST_PICTURED = 12  # horizons with pictures of their stages
 PICTURE_BYTES = 8 << 20  # of these pictures together
 MOST_THUMBNAILS = 500
@@ -32,11 +34,13 @@ class Picture:
 class Mesh:
     """`content` has, one after the other, the points relative to `center` (3 float32 each), the errors, one for each of
     `error_on` (float32; "triangles", "points", or None where there are none), and three point numbers for each triangle
-    (uint16, or uint32 beyond 65536 points)."""
+    (uint16, or uint32 beyond 65536 points): `triangles` of the surface, which have the errors, then `fault_triangles` that
+    close faults."""
 
     center: list
     points: int
     triangles: int
+    fault_triangles: int
     error_on: Optional[str]
     farthest: float
     content: bytes
@@ -65,7 +69,7 @@ class Album:
         """Another horizon; `rank` is its place among those of its file by the number of points, from 0."""
         entry = Entry(result.number_of_points)
         self.entries.append(entry)
-        if result.data["mesh"].GetNumberOfPolys():
+        if triangles.count_surface(result.data["mesh"]):
             entry.mesh = encode(result.data["mesh"])
         if self.with_pictures:
             self._draw(entry, result, rank)
@@ -110,24 +114,22 @@ def _drop(entries, name, nothing, worth, size, most_bytes, most=None):
 def encode(mesh):
     """A mesh as what a page needs of it."""
     points = vtk_to_numpy(mesh.GetPoints().GetData())
-    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+    surface, closing = triangles.of_surface(mesh), triangles.at_faults(mesh)
     center = (points.min(axis=0) + points.max(axis=0)) / 2.0
     errors, error_on = _errors(mesh)
     index_type = "<u2" if len(points) <= 1 << 16 else "<u4"
     content = b"".join(((points - center).astype("<f4").tobytes(), errors.astype("<f4").tobytes(),
-                        corners.astype(index_type).tobytes()))
+                        np.concatenate((surface, closing)).astype(index_type).tobytes()))
     farthest = float(np.nanmax(errors, initial=0.0))
-    return Mesh(center.tolist(), len(points), len(corners) // 3, error_on, farthest, content)
+    return Mesh(center.tolist(), len(points), len(surface), len(closing), error_on, farthest, content)
 
 
 def _errors(mesh):
-    """Of each triangle, as the decimation leaves them, or else the measured distances of the points; with what they are of."""
-    count = mesh.GetNumberOfPolys()
-    array = mesh.GetCellData().GetArray("Error")
-    if array is not None:
-        values = vtk_to_numpy(array)
-        # Polylines come first among the cells, triangles last.
-        return np.nan_to_num(values[len(values) - count:]), "triangles"
+    """Of each triangle of the surface, as the decimation leaves them, or else the measured distances of the points; with
+    what they are of."""
+    values = triangles.values_on_surface(mesh, "Error")
+    if values is not None:
+        return np.nan_to_num(values), "triangles"
     array = mesh.GetPointData().GetArray("Distance")
     if array is not None:
         return np.nan_to_num(vtk_to_numpy(array)), "points"

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 import seismichorizons
 
+from . import triangles
 from .parts import SURFACE
 from .pipeline import PREPARATIONS, STAGES, chosen_parameters
 from .tables import TWO_SIDED, prepared_number
@@ -78,7 +79,8 @@ def horizon(result):
     loops, loop_points = result.loops or (result.simplified[0], None)
     largest = _values(data, "LargestError")
     return {
-        "name": result.name, "points_in": before, "points_out": after, "triangles": mesh.GetNumberOfPolys(),
+        "name": result.name, "points_in": before, "points_out": after, "triangles": triangles.count_surface(mesh),
+        "fault_triangles": triangles.count_at_faults(mesh),
         "reduction": 1.0 - after / before if before else None,
         "patches": _count(data, "NumberOfPatches"), "holes": _count(data, "NumberOfHoles"),
         "outlines": loops, "outline_points_in": loop_points, "outline_points": result.simplified[1],
@@ -95,11 +97,11 @@ def horizon(result):
 
 
 def angles(mesh):
-    """The smallest angle of each triangle as seen from above, on the lattice, in degrees: the smallest of all, and how many
-    there are in each five degrees from 0 to 60. None without triangles."""
-    if not mesh.GetNumberOfPolys():
+    """The smallest angle of each triangle of the surface as seen from above, on the lattice, in degrees: the smallest of
+    all, and how many there are in each five degrees from 0 to 60. None without triangles."""
+    corners = triangles.of_surface(mesh)
+    if not len(corners):
         return None
-    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     matrix = _values(mesh.GetFieldData(), "LatticeToWorld")
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     if matrix:
@@ -114,12 +116,12 @@ def angles(mesh):
     return {"smallest": smallest, "counts": counts.tolist()}
 
 
-def _smallest_angles(triangles):
-    """In degrees, of (n, 3, 2) corners."""
+def _smallest_angles(places):
+    """In degrees, of triangles with (n, 3, 2) coordinates."""
     angles_of = []
     for corner in range(3):
-        a = triangles[:, (corner + 1) % 3] - triangles[:, corner]
-        b = triangles[:, (corner + 2) % 3] - triangles[:, corner]
+        a = places[:, (corner + 1) % 3] - places[:, corner]
+        b = places[:, (corner + 2) % 3] - places[:, corner]
         angles_of.append(np.arctan2(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), (a * b).sum(axis=1)))
     # Rounding must not put the equilateral ones beyond the last bin.
     return np.minimum(np.degrees(np.min(angles_of, axis=0)), 60.0)

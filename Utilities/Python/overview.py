@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of all stages: a row for each horizon, a panel for each stage."""
 
-from . import pictures
+from . import pictures, triangles
 from .pictures import FAULTS, MESH, OUTLINE, POINTS, Panel
 from .pipeline import count_loops
 
@@ -18,8 +18,8 @@ def panels(result):
     """Of all stages, or of the mesh alone where the data of the others were given back."""
     if "points" not in result.data:
         mesh = result.data["mesh"]
-        return [Panel(result.name, "%s, %s" % (_count(result.number_of_points, "point"),
-                                               _count(mesh.GetNumberOfPolys(), "triangle")), mesh, MESH)]
+        return [Panel(result.name, "%s, %s" % (_count(result.number_of_points, "point"), _count_triangles(mesh)), mesh,
+                      MESH)]
     points = result.data["points"]
     loops, loop_points = count_loops(result.data["boundary"])
     mesh = result.data["mesh"]
@@ -44,8 +44,14 @@ def panels(result):
         if name in result.data:
             thinned = result.data[name]
             row.append(Panel(title, _count(thinned.GetNumberOfPoints(), "point"), thinned, POINTS))
-    row.append(Panel("Mesh", _count(mesh.GetNumberOfPolys(), "triangle"), mesh, MESH))
+    row.append(Panel("Mesh", _count_triangles(mesh), mesh, MESH))
     return row
+
+
+def _count_triangles(mesh):
+    shown = _count(triangles.count_surface(mesh), "triangle")
+    closing = triangles.count_at_faults(mesh)
+    return "%s, %s" % (shown, _count(closing, "fault triangle")) if closing else shown
 
 
 def _count(number, noun):

@@ -17,7 +17,7 @@ from .album import MESH_BYTES, Album
 from .markup import Markup, as_json, data_uri, fill, join, read, script_hash, script_safe
 from .progress import duration_text
 from .stage import HorizonError
-from .styles import LOW_TO_HIGH, NEAR_TO_FAR, rgb
+from .styles import FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LOW_TO_HIGH, NEAR_TO_FAR, rgb
 
 # Where Debian's package libjs-three puts three.js, and where SEISMICHORIZONS_THREE says that it is.
 THREE_FILES = ("/usr/share/javascript/three/three.min.js", "/usr/share/nodejs/three/build/three.min.js")
@@ -106,11 +106,12 @@ def _when(run, horizons):
 
 
 def _ramps():
-    """The colours of heights and of distances as backgrounds."""
+    """The colours of heights, of distances and of closed faults as backgrounds."""
     low = ["#%s" % color for color in LOW_TO_HIGH]
     near = ["#%s %g%%" % (color, 100.0 * place) for place, color in NEAR_TO_FAR]
-    return ":root { --low-to-high: linear-gradient(90deg, %s); --near-to-far: linear-gradient(90deg, %s); }\n" % (
-        ", ".join(low), ", ".join(near))
+    return (":root { --low-to-high: linear-gradient(90deg, %s); --near-to-far: linear-gradient(90deg, %s); "
+            "--fault: #%s; --fault-by-error: #%s; }\n" % (
+                ", ".join(low), ", ".join(near), FAULT_COLOR, FAULT_COLOR_BY_DISTANCE))
 
 
 def _viewer(run, album, three):
@@ -130,6 +131,7 @@ def _viewer(run, album, three):
     by_error = any(album.entries[number].mesh.error_on for number in having)
     return fill("viewer", note=note, choices=_choices(run, having), manifest=as_json(_manifest(run, album, having)),
                 by_error=fill("by_error") if by_error else None,
+                fault_color=fill("fault_color") if any(album.entries[n].mesh.fault_triangles for n in having) else None,
                 meshes=join((fill("mesh", number=number, content=_base64(album.entries[number].mesh.content))
                              for number in having), "\n"))
 
@@ -166,9 +168,11 @@ def _manifest(run, album, having):
     for number in having:
         mesh = album.entries[number].mesh
         meshes[number] = {"center": mesh.center, "points": mesh.points, "triangles": mesh.triangles,
+                          "fault_triangles": mesh.fault_triangles,
                           "error_on": mesh.error_on, "farthest": mesh.farthest,
                           "unit": (pairs[number][0]["survey"] or {}).get("vertical_unit")}
     return {"meshes": meshes, "files": [[str(n) for n in group] for group in _numbers_by_file(run, having)],
             "unit": "%s units" % next(iter(units), "lattice"),
             "low_to_high": [(n / (len(LOW_TO_HIGH) - 1), *rgb(color)) for n, color in enumerate(LOW_TO_HIGH)],
-            "near_to_far": [(place, *rgb(color)) for place, color in NEAR_TO_FAR]}
+            "near_to_far": [(place, *rgb(color)) for place, color in NEAR_TO_FAR],
+            "fault_colors": {"height": rgb(FAULT_COLOR), "error": rgb(FAULT_COLOR_BY_DISTANCE)}}

@@ -7,12 +7,15 @@ from .charts import histogram
 from .markup import Markup, data_uri, fill, join
 from .progress import amount_text
 
+# Where a mesh has any.
+FAULT_COLUMN = ("Fault triangles", "that close faults, and that nothing else counts", lambda h: h["fault_triangles"], "{:,}")
 # The columns of the table: head, what it means, the value of a horizon (None where there is none), its form.
 COLUMNS = (
     ("Points in", "points that were read", lambda h: h["points_in"], "{:,}"),
     ("Points out", "points of the mesh", lambda h: h["points_out"], "{:,}"),
     ("Patches", "connected parts", lambda h: h["patches"], "{:,}"),
     ("Triangles", "of the mesh", lambda h: h["triangles"], "{:,}"),
+    FAULT_COLUMN,
     ("Largest deviation", "of mesh and horizon, both ways, in lattice units", lambda h: _error(h, "largest"), "{:.3f}"),
     ("Mean", "mean deviation, both ways, in lattice units", lambda h: _error(h, "mean"), "{:.3f}"),
     ("Smallest angle", "of a triangle, as seen from above, in degrees", lambda h: h["angles"] and h["angles"]["smallest"],
@@ -49,6 +52,9 @@ def tiles(run):
              ("Points out", "{:,}".format(after)),
              ("Fewer by", "%.1f %%" % (100.0 * (before - after) / before) if before else "-"),
              ("Triangles", "{:,}".format(sum(h["triangles"] for h in horizons)))]
+    closing = sum(h["fault_triangles"] for h in horizons)
+    if closing:
+        shown.append((FAULT_COLUMN[0], "{:,}".format(closing)))
     if largest:
         shown.append(("Largest deviation", "%.3f" % max(largest)))
     return join(fill("tile", name=name, value=value) for name, value in shown)
@@ -139,6 +145,8 @@ def horizon_table(run, album):
     if not pairs:
         return Markup()
     many = len(run["files"]) > 1
+    has_closed = any(horizon["fault_triangles"] for _, horizon in pairs)
+    columns = [column for column in COLUMNS if has_closed or column != FAULT_COLUMN]
     rows = []
     for number, (file, horizon) in enumerate(pairs):
         image = album.entries[number].thumbnail if album else None
@@ -146,9 +154,9 @@ def horizon_table(run, album):
                          height=albums.THUMBNAIL_SIZE[1]) if image else None
         rows.append(fill("row", number=number, name=horizon["name"], thumbnail=thumbnail,
                          file=fill("of_file", label=file["label"]) if many else None,
-                         cells=join(_cell(value(horizon), form) for _, _, value, form in COLUMNS)))
+                         cells=join(_cell(value(horizon), form) for _, _, value, form in columns)))
     heads = [fill("head", kind="name", text="Horizon", meaning="its name")]
-    heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in COLUMNS]
+    heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in columns]
     return fill("horizons", heads=join(heads), rows=join(rows), note=_about_deviations(run),
                 filter=fill("filter") if len(pairs) > FROM_HERE_FILTERED else None)
 
@@ -235,6 +243,7 @@ def _horizon_facts(horizon):
         ("Patches, holes", None if horizon["patches"] is None else "%d, %d" % (horizon["patches"], horizon["holes"] or 0)),
         ("Outlines", "{:,} with {:,} points".format(horizon["outlines"], after) + (
             "" if before is None else " of {:,}".format(before))),
+        (FAULT_COLUMN[0], "{:,}".format(horizon["fault_triangles"]) if horizon["fault_triangles"] else None),
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
         ("Largest vertical error", None if horizon["largest_vertical_error"] is None else
          "%.3g lattice units, as the decimation keeps it" % horizon["largest_vertical_error"]),

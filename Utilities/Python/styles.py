@@ -11,6 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
+from . import triangles
+
 POINTS = "points"
 OUTLINE = "outline"
 MESH = "mesh"
@@ -26,7 +28,8 @@ NEAR_TO_FAR = ((0.0, "f4f2ea"), (0.12, "fee090"), (0.3, "fdae61"), (0.5, "e9693e
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
-FAULT_COLOR = (0.80, 0.42, 0.30)
+# Of what closes faults, beside colours of heights, and beside those of distances.
+FAULT_COLOR, FAULT_COLOR_BY_DISTANCE = "cc6b4d", "8fa3b5"
 # How far lines are brought before the surface they lie on, in steps of the depth buffer. A hundred are a few pixels of
 # a slope of 45 degrees. (VTK can also take the slope into account, but knows it only roughly where it draws lines:
 # edges have gaps then, and not the same ones in all versions.)
@@ -220,26 +223,18 @@ def _first_point(cells, cell):
     return int(cells.GetConnectivityArray().GetTuple1(int(offsets.GetTuple1(cell))))
 
 
-def _closing(horizon):
-    """For each triangle of a mesh whether it closes a fault, or None where none does."""
-    faults = horizon.GetCellData().GetArray("Fault")
-    marks = None if faults is None else vtk_to_numpy(faults)[horizon.GetNumberOfLines():] != 0
-    return marks if marks is not None and marks.any() else None
-
-
-def _triangles(horizon, marks):
-    """Some of the triangles of a mesh."""
-    corners = vtk_to_numpy(horizon.GetPolys().GetConnectivityArray()).reshape(-1, 3)[marks].astype(np.int64)
+def _cells_of(corners):
+    """Triangles by the numbers of their corners."""
     cells = vtkCellArray()
     cells.SetData(numpy_to_vtkIdTypeArray(3 * np.arange(len(corners) + 1, dtype=np.int64), deep=True),
-                  numpy_to_vtkIdTypeArray(corners.ravel(), deep=True))
+                  numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
     return cells
 
 
-def _fault_walls(horizon, closing):
+def _fault_walls(horizon, color):
     """Triangles that close faults, in a colour of their own and without the normals of what is beside them."""
-    walls = _actor(_part(horizon, polys=_triangles(horizon, closing)))
-    walls.GetProperty().SetColor(*FAULT_COLOR)
+    walls = _actor(_part(horizon, polys=_cells_of(triangles.at_faults(horizon))))
+    walls.GetProperty().SetColor(*rgb(color))
     walls.GetProperty().SetInterpolationToFlat()
     walls.GetProperty().SetAmbient(0.35)
     return walls
@@ -247,12 +242,11 @@ def _fault_walls(horizon, closing):
 
 def _mesh(frame, horizon, by_distance=False):
     """The shaded surface, what closes its faults, and its edges as strongly as their number allows."""
-    triangles = horizon.GetPolys()
-    surface = _part(horizon, polys=triangles)
-    closing = _closing(horizon)
+    everything = _part(horizon, polys=horizon.GetPolys())
+    is_closed = triangles.count_at_faults(horizon) > 0
     normals = vtkPolyDataNormals()
     normals.SetInputData(
-        surface if closing is None else _part(horizon, polys=_triangles(horizon, np.logical_not(closing))))
+        _part(horizon, polys=_cells_of(triangles.of_surface(horizon))) if is_closed else everything)
     normals.SplittingOff()
     normals.ConsistencyOff()
     normals.Update()
@@ -265,13 +259,15 @@ def _mesh(frame, horizon, by_distance=False):
     shaded.GetProperty().SetSpecular(0.12)
     shaded.GetProperty().SetSpecularPower(12.0)
 
-    faces = [shaded] if closing is None else [shaded, _fault_walls(horizon, closing)]
-    if triangles.GetNumberOfCells() > frame.pixels():  # edges would cover everything
+    faces = [shaded]
+    if is_closed:
+        faces.append(_fault_walls(horizon, FAULT_COLOR_BY_DISTANCE if by_distance else FAULT_COLOR))
+    if everything.GetNumberOfPolys() > frame.pixels():  # edges would cover everything
         return [*faces, *_outline(horizon)]
-    edges = _actor(surface)
+    edges = _actor(everything)
     edges.GetProperty().SetRepresentationToWireframe()
     edges.GetProperty().SetColor(0.05, 0.07, 0.10)
     edges.GetProperty().LightingOff()
-    edges.GetProperty().SetOpacity(max(0.05, min(0.4, 1500.0 / max(1, triangles.GetNumberOfCells()))))
+    edges.GetProperty().SetOpacity(max(0.05, min(0.4, 1500.0 / max(1, everything.GetNumberOfPolys()))))
     _bring_forward(edges.GetMapper(), EDGE_OFFSET)
     return [*faces, edges, *_outline(horizon)]

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of results, for reading: a row for each horizon."""
 
+from . import triangles
 from .pipeline import chosen_parameters
 from .reading import short_name
 
@@ -14,21 +15,24 @@ PREPARATION_COLUMNS = {
     "despiked": ("spikes", "despike s"),
     "torn": ("cut links", "faults s"),
     "filled": ("filled", "fill s")}
+FAULT_COLUMNS = ("fault triangles",)  # where a mesh has any
 ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
 
-def row(result):
-    """The cells of one horizon as texts; parameters only where they were chosen, the error where it was measured."""
+def row(result, has_fault_triangles=False):
+    """The cells of one horizon as texts; triangles that close faults only on request, parameters only where they were
+    chosen, the error where it was measured."""
     before = result.number_of_points
     after = result.data["mesh"].GetNumberOfPoints()
     loops, loop_points = result.loops or (result.simplified[0], None)
     seconds = [result.seconds.get(name) for name in ("boundary", "simplified", "rough", "elaborate", "mesh")]
     return (short_name(result.name), "%d" % before, "%d" % loops, "-" if loop_points is None else "%d" % loop_points,
             "%d" % result.simplified[1], "%d" % after,
-            "%d" % result.data["mesh"].GetNumberOfPolys(), "%.1f %%" % (100.0 * (before - after) / before),
-            *("-" if s is None else "%.2f" % s for s in seconds), *_preparation_cells(result), *_chosen_cells(result),
-            *_error_cells(result))
+            "%d" % triangles.count_surface(result.data["mesh"]), "%.1f %%" % (100.0 * (before - after) / before),
+            *("-" if s is None else "%.2f" % s for s in seconds), *_preparation_cells(result),
+            *(["%d" % triangles.count_at_faults(result.data["mesh"])] if has_fault_triangles else []),
+            *_chosen_cells(result), *_error_cells(result))
 
 
 def _preparation_cells(result):
@@ -66,8 +70,10 @@ def table(results):
     """Heads, a rule and a row for each result, as lines of text."""
     chosen = tuple(CHOSEN_COLUMNS.values()) if chosen_parameters(results[0].data["mesh"]) else ()
     prepared = sum((names for name, names in PREPARATION_COLUMNS.items() if name in results[0].seconds), ())
-    columns = COLUMNS + prepared + chosen + (ERROR_COLUMNS if results[0].figures is not None else ())
-    return align([columns] + [row(result) for result in results])
+    closed = any(triangles.count_at_faults(result.data["mesh"]) for result in results)
+    columns = COLUMNS + prepared + (FAULT_COLUMNS if closed else ()) + chosen + (
+        ERROR_COLUMNS if results[0].figures is not None else ())
+    return align([columns] + [row(result, closed) for result in results])
 
 
 def align(rows):

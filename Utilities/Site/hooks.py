@@ -59,13 +59,14 @@ def move_links(markdown, from_top):
 
 
 def error_tables():
-    """The tables of messages of all pages, under their titles."""
+    """The sections of all pages with tables of messages, under the titles of their pages."""
     for page in sorted((TREE / "Documentation").glob("*.md")):
         text = page.read_text(encoding="utf-8")
-        section = re.search(r"^## Errors\n(.*?)(?=^## |\Z)", text, re.S | re.M)
-        if section and "| Message" in section.group(1):
+        sections = [section.partition("\n")[2] for section in re.split(r"^## ", text, flags=re.M)[1:]
+                    if re.search(r"^\| message \|", section, re.M | re.I)]
+        if sections:
             title = re.match(r"# (.*)", text).group(1)
-            yield "## [%s](%s)\n%s\n" % (title, page.name, section.group(1).replace("### ", "#### "))
+            yield "## [%s](%s)\n%s\n" % (title, page.name, "\n".join(sections).replace("### ", "#### "))
 
 
 def on_page_markdown(markdown, page, config, files):

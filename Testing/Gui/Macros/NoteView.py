@@ -8,7 +8,8 @@ from paraview import simple
 
 view = simple.GetActiveView()
 axes = view.AxesGrid
-note = {"axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "axes position": list(axes.DataPosition),
+note = {"axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
+        "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
         "scales": [list(display.Scale) for display in view.Representations if hasattr(display, "Scale")],
         "horizons": [list(source.HorizonStatus) for source in simple.GetSources().values()
                      if source.GetProperty("HorizonStatus")]}

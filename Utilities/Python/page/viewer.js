@@ -12,6 +12,8 @@
   const FIRST_VIEW = { azimuth: -1.08, elevation: 0.66, zoom: 1.0, x: 0.0, y: 0.0 };
   const TURN = 0.01; // radians for each pixel
   const KEY_TURN = 0.12;
+  // Of materials: seen from both sides, and behind the edges on them.
+  const FACES = { side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
   let renderer;
   try {
@@ -51,13 +53,19 @@
       const errorCount = { triangles: mesh.triangles, points: mesh.points }[mesh.error_on] || 0;
       const start = 12 * mesh.points;
       const Index = mesh.points <= 65536 ? Uint16Array : Uint32Array;
-      const points = new Float32Array(bytes.buffer, 0, 3 * mesh.points);
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
-      geometry.setIndex(new THREE.BufferAttribute(new Index(bytes.buffer, start + 4 * errorCount, 3 * mesh.triangles), 1));
-      geometry.computeVertexNormals();
-      geometry.computeBoundingBox();
-      known.set(id, { ...mesh, geometry, errors: new Float32Array(bytes.buffer, start, errorCount) });
+      const points = new THREE.BufferAttribute(new Float32Array(bytes.buffer, 0, 3 * mesh.points), 3);
+      const corners = new Index(bytes.buffer, start + 4 * errorCount);
+      const geometryOf = (index) => {
+        const geometry = new THREE.BufferGeometry();
+        geometry.setAttribute("position", points);
+        geometry.setIndex(new THREE.BufferAttribute(index, 1));
+        geometry.computeVertexNormals();
+        geometry.computeBoundingBox();
+        return geometry;
+      };
+      known.set(id, { ...mesh, geometry: geometryOf(corners.subarray(0, 3 * mesh.triangles)),
+        walls: geometryOf(corners.subarray(3 * mesh.triangles)),
+        errors: new Float32Array(bytes.buffer, start, errorCount) });
     }
     return known.get(id);
   }
@@ -123,6 +131,12 @@
     return choice.startsWith("file-") ? data.files[Number(choice.slice(5))] : [choice];
   }
 
+  function add(geometry, material, place) {
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.position.copy(place);
+    shown.group.add(mesh);
+  }
+
   function build() {
     const ids = chosenIds();
     const meshes = ids.map(load);
@@ -140,16 +154,16 @@
     shown = { group: new THREE.Group(), ids, width, factor: extent.z > 0 ? share * width / extent.z : 1 };
     meshes.forEach((mesh, n) => {
       const geometry = byError ? colorByError(mesh, range) : colorByHeight(mesh, range);
-      const surface = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({
-        vertexColors: THREE.VertexColors, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1,
-        polygonOffsetUnits: 1 }));
-      surface.position.copy(offsets[n]).sub(middle);
-      shown.group.add(surface);
+      const place = offsets[n].clone().sub(middle);
+      add(geometry, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors, ...FACES }), place);
+      // What closes faults is no part of the surface: it has a colour of its own, and sharp edges to what is beside it.
+      if (mesh.fault_triangles) {
+        const color = new THREE.Color(...data.fault_colors[byError ? "error" : "height"]);
+        add(mesh.walls, new THREE.MeshPhongMaterial({ color, flatShading: true, shininess: 0, ...FACES }), place);
+      }
       if (byId("viewer-edges").checked) {
-        const edges = new THREE.Mesh(mesh.geometry, new THREE.MeshBasicMaterial({
-          color: 0x0c1116, wireframe: true, transparent: true, opacity: 0.35 }));
-        edges.position.copy(surface.position);
-        shown.group.add(edges);
+        const lines = new THREE.MeshBasicMaterial({ color: 0x0c1116, wireframe: true, transparent: true, opacity: 0.35 });
+        [mesh.geometry, ...(mesh.fault_triangles ? [mesh.walls] : [])].forEach((edges) => add(edges, lines, place));
       }
     });
     scene.add(shown.group);
@@ -173,6 +187,10 @@
     byId("viewer-high").textContent = text(range[1]);
     byId("viewer-ramp").className = byError ? "near-to-far" : "low-to-high";
     const [mesh] = shown.ids.map((id) => data.meshes[id]);
+    const faults = byId("viewer-faults");
+    if (faults) {
+      faults.hidden = !shown.ids.some((id) => data.meshes[id].fault_triangles);
+    }
     const errors = { triangles: "largest vertical distance of a point in each triangle, lattice units",
       points: "distance of each corner, " + data.unit };
     byId("viewer-unit").textContent = byError ? errors[mesh.error_on] : "z" + (mesh.unit ? ", " + mesh.unit : "");

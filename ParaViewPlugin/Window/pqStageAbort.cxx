@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "pqStageAbort.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <pqApplicationCore.h>
+#include <pqCoreUtilities.h>
+#include <pqPipelineSource.h>
+#include <pqProgressManager.h>
+#include <pqProgressWidget.h>
+#include <pqPropertiesPanel.h>
+#include <pqServerManagerModel.h>
+#include <utility>
+#include <vtkAlgorithm.h>
+#include <vtkCommand.h>
+#include <vtkSMProxy.h>
+
+namespace
+{
+constexpr int ListeningInterval = 50; // ms
+
+bool IsStage(vtkObjectBase* object)
+{
+  const auto bases = { "vtkHorizonStage", "vtkHorizonSource", "vtkHorizonSurfaceJoin", "vtkSEGYCubeReader" };
+  return object && std::any_of(bases.begin(), bases.end(), [object](const char* name) { return object->IsA(name); });
+}
+
+/// What a user does to a window, but for events that ask windows to be drawn and the like.
+bool IsInput(QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    case QEvent::Shortcut:
+    case QEvent::ShortcutOverride:
+    case QEvent::ContextMenu:
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+    case QEvent::NativeGesture:
+    case QEvent::DragEnter:
+    case QEvent::DragMove:
+    case QEvent::Drop:
+    case QEvent::Close:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool IsEscape(QEvent* event)
+{
+  return event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+}
+}
+
+//------------------------------------------------------------------------------
+pqStageAbort::pqStageAbort(QObject* parentObject)
+  : Superclass(parentObject)
+{
+}
+
+//------------------------------------------------------------------------------
+pqStageAbort::~pqStageAbort() = default;
+
+//------------------------------------------------------------------------------
+void pqStageAbort::startup()
+{
+  auto* const core = pqApplicationCore::instance();
+  this->Manager = core->getProgressManager();
+  this->connect(this->Manager, &pqProgressManager::enableProgress, this,
+    [this](bool isShown) { this->IsShowingProgress = isShown; });
+  this->connect(this->Manager, SIGNAL(abort()), SLOT(abort()));
+  pqServerManagerModel* const model = core->getServerManagerModel();
+  this->connect(model, SIGNAL(sourceAdded(pqPipelineSource*)), SLOT(watch(pqPipelineSource*)));
+  this->connect(model, SIGNAL(sourceRemoved(pqPipelineSource*)), SLOT(forget(pqPipelineSource*)));
+  for (pqPipelineSource* const source : model->findItems<pqPipelineSource*>())
+  {
+    this->watch(source);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::watch(pqPipelineSource* source)
+{
+  // Null where it is another process that runs the stage: nothing reaches it there until it has ended.
+  auto* const stage = vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject());
+  if (!IsStage(stage))
+  {
+    return;
+  }
+  this->Sources[stage] = source;
+  pqCoreUtilities::connect(stage, vtkCommand::StartEvent, this, SLOT(begin(vtkObject*)));
+  pqCoreUtilities::connect(stage, vtkCommand::ProgressEvent, this, SLOT(progress(vtkObject*)));
+  pqCoreUtilities::connect(stage, vtkCommand::EndEvent, this, SLOT(end(vtkObject*)));
+  // Windows are made after plugins that load by themselves.
+  if (auto* const panel = pqCoreUtilities::mainWidget()->findChild<pqPropertiesPanel*>())
+  {
+    this->connect(panel, SIGNAL(applied(pqProxy*)), SLOT(apply(pqProxy*)), Qt::UniqueConnection);
+  }
+  if (auto* const progressWidget = pqCoreUtilities::mainWidget()->findChild<pqProgressWidget*>())
+  {
+    this->Button = progressWidget->abortButton();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::forget(pqPipelineSource* source)
+{
+  vtkObject* const stage = this->Sources.key(source);
+  this->Sources.remove(stage);
+  this->Stopped.remove(stage);
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::begin(vtkObject* stage)
+{
+  this->Running = vtkAlgorithm::SafeDownCast(stage);
+  this->SinceListened.start();
+  if (this->Stopped.remove(stage)) // a script has changed it
+  {
+    this->Running->SetAbortExecute(0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::end(vtkObject*)
+{
+  this->Running = nullptr;
+  this->Manager->setEnableAbort(false);
+  if (this->Stopping)
+  {
+    QTimer::singleShot(0, this, SLOT(allowApply()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::allowApply()
+{
+  vtkAlgorithm* const stage = std::exchange(this->Stopping, nullptr);
+  if (pqPipelineSource* const source = this->Sources.value(stage))
+  {
+    this->Stopped.insert(stage);
+    source->setModifiedState(pqProxy::MODIFIED);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::progress(vtkObject* stage)
+{
+  if (stage == this->Running && this->Button && this->IsShowingProgress && !this->IsListening &&
+    stage != this->Stopping && this->SinceListened.hasExpired(ListeningInterval))
+  {
+    this->Manager->setEnableAbort(true);
+    this->listen();
+    this->SinceListened.restart();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::listen()
+{
+  this->IsListening = true;
+  const bool wereUnblocked = this->Manager->unblockEvents(true); // the filter here drops them
+  qApp->installEventFilter(this);
+  QCoreApplication::processEvents(QEventLoop::ExcludeSocketNotifiers | QEventLoop::X11ExcludeTimers);
+  qApp->removeEventFilter(this);
+  this->Manager->unblockEvents(wereUnblocked);
+  this->IsListening = false;
+}
+
+//------------------------------------------------------------------------------
+bool pqStageAbort::eventFilter(QObject* receiver, QEvent* event)
+{
+  if (IsEscape(event))
+  {
+    this->abort();
+  }
+  // Views would be drawn out of what is being made.
+  const bool drawsView = event->type() == QEvent::Paint && receiver->inherits("QOpenGLWidget");
+  return drawsView || (IsInput(event) && !this->isOnButton(receiver, event));
+}
+
+//------------------------------------------------------------------------------
+/// Events of the mouse come to the window first, which passes them on.
+bool pqStageAbort::isOnButton(QObject* receiver, QEvent* event) const
+{
+  if (receiver == this->Button)
+  {
+    return true;
+  }
+  const auto* const mouseEvent = dynamic_cast<QMouseEvent*>(event);
+  return mouseEvent && receiver->isWindowType() &&
+    this->Button->rect().contains(this->Button->mapFromGlobal(mouseEvent->globalPos()));
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::abort()
+{
+  if (this->Running && this->Running != this->Stopping)
+  {
+    this->Stopping = this->Running;
+    this->Stopping->SetAbortExecuteAndUpdateTime();
+    this->Manager->setEnableAbort(false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::apply(pqProxy* proxy)
+{
+  auto* const stage = vtkAlgorithm::SafeDownCast(proxy->getProxy()->GetClientSideObject());
+  if (this->Stopped.remove(stage))
+  {
+    stage->SetAbortExecute(0);
+    proxy->getProxy()->MarkDirty(nullptr);
+  }
+}
