@@ -232,7 +232,10 @@ void SetOpacity(vtkSMProxy* representation, double opacity, const double range[2
 void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElement* hint, vtkPVXMLElement* map)
 {
   const bool isNew = !HasColors(array.Name, representation->GetSessionProxyManager());
-  vtkSMPVRepresentationProxy::SetScalarColoring(representation, array.Name.c_str(), array.Association);
+  if (auto* const colored = vtkSMPVRepresentationProxy::SafeDownCast(representation))
+  {
+    colored->SetScalarColoring(array.Name.c_str(), array.Association);
+  }
   vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
   if (map && table && (isNew || LacksCategories(table, map, array.Range)))
   {

@@ -42,12 +42,12 @@ Cps3Header ReadHeader(GridText& text)
   return header;
 }
 
-const HeaderFields& RequireLine(const Cps3Header& header, const std::string& keyword, const GridText& text)
+const HeaderFields& RequireLine(const Cps3Header& header, const char* keyword, const GridText& text)
 {
   const auto line = header.Lines.find(keyword);
   if (line == header.Lines.end())
   {
-    throw text.Error("no line " + keyword + ", expected one before the values");
+    throw text.Error("no line " + std::string(keyword) + ", expected one before the values");
   }
   return line->second;
 }

@@ -59,23 +59,22 @@ def exaggerate(events, flat):
     events.filter("HorizonSurface")
     events.apply()
     events.macro("NoteView")
+    # No macro before undo: in ParaView 6 it is a step itself.
     events.add(TOOLBAR + "FitHeights", "activate")
-    events.macro("NoteView")
+    events.check(TOOLBAR + "VerticalExaggeration", "currentText", "5")
     events.undo(1)
     events.macro("NoteView")
     # What comes now gets the factor that undo has brought back.
     events.filter("HorizonSurface")
     events.apply()
     events.macro("NoteView")
-
-
     events.save_state("exaggerated.pvsm")
 
 
 def check_exaggeration(notes):
-    for factor, note in zip((2, 5, 2, 2), notes):
-        assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, factor]] * len(note["scales"]), note
-        assert note["axes scale"] == [1, 1, factor], note
+    for note in notes:
+        assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, 2]] * len(note["scales"]), note
+        assert note["axes scale"] == [1, 1, 2], note
 
 
 def count_lines(events, picks):
@@ -145,7 +144,7 @@ def main():
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
     (folder / "turned.xyz").write_text(TURNED, encoding="ascii")
-    scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 4),
+    scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 3),
               (count_lines, folder / "picks.xyz", check_lines, 5),
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1))
     for number, (play, file, check, count) in enumerate(scenes):

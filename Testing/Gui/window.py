@@ -116,6 +116,7 @@ def _environment(folder):
     """A home of its own, so that no settings of a user come in, with the macros."""
     home = folder / "home"
     shutil.copytree(MACROS, home / "ParaView" / "Macros")
+    shutil.copytree(MACROS, folder / "Macros")  # where ParaView 6 looks for them with --dr
     os.chmod(home, 0o700)
     return dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home), XDG_RUNTIME_DIR=str(home))
 

@@ -35,11 +35,22 @@ def places(horizon):
     return points[np.lexsort((points[:, 0], points[:, 1]))]
 
 
-def translate(source, target, gdal_format):
+def run_gdal(source, target, gdal_format):
     command = ["gdal_translate", "-q", "-of", gdal_format, "--config", "ZMAP_PIXEL_IS_POINT", "TRUE", str(source),
                str(target)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+
+
+def translate(source, target, gdal_format):
+    done = run_gdal(source, target, gdal_format)
     assert done.returncode == 0, done.stderr
+
+
+def can_write(gdal_format):
+    """Whether GDAL does it with a grid that is not ours: GS7BG of 3.13 takes as many rows as there are columns."""
+    source = FOLDER / "wide.asc"
+    source.write_text("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n", encoding="ascii")
+    return run_gdal(source, FOLDER / "wide", gdal_format).returncode == 0
 
 
 def main():
@@ -54,6 +65,9 @@ def main():
     assert writer.Write() == 1
     expected = places(horizon)
     for name, (extension, precision) in FORMATS.items():
+        if name == "GS7BG" and not can_write(name):
+            print("%s: left out, this GDAL can not write it" % name)
+            continue
         path = FOLDER / (name + extension)
         translate(FOLDER / "ours.zmap", path, name)
         horizons, _ = reading.read(path)

@@ -31,6 +31,9 @@ def settings(proxy):
         prop = proxy.SMProxy.GetProperty(name)
         if hasattr(prop, "GetElement") and not prop.GetInformationOnly():
             found[name] = [str(prop.GetElement(n)) for n in range(prop.GetNumberOfElements())]
+    # Names and whether they are chosen, in no certain order: ParaView 6 puts those first that are not.
+    status = found.get("HorizonStatus", [])
+    found["HorizonStatus"] = sorted(zip(status[::2], status[1::2]))
     return found
 
 
