@@ -64,6 +64,16 @@ bool IsInput(QEvent* event)
   }
 }
 
+/// Where on the screen an event of the mouse is.
+QPoint PlaceOf(const QMouseEvent* event)
+{
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  return event->globalPos();
+#else
+  return event->globalPosition().toPoint();
+#endif
+}
+
 bool IsEscape(QEvent* event)
 {
   return event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
@@ -207,7 +217,7 @@ bool pqStageAbort::isOnButton(QObject* receiver, QEvent* event) const
   }
   const auto* const mouseEvent = dynamic_cast<QMouseEvent*>(event);
   return mouseEvent && receiver->isWindowType() &&
-    this->Button->rect().contains(this->Button->mapFromGlobal(mouseEvent->globalPos()));
+    this->Button->rect().contains(this->Button->mapFromGlobal(PlaceOf(mouseEvent)));
 }
 
 //------------------------------------------------------------------------------
