@@ -96,7 +96,6 @@ void pqStageAbort::startup()
   this->Manager = core->getProgressManager();
   this->connect(this->Manager, &pqProgressManager::enableProgress, this,
     [this](bool isShown) { this->IsShowingProgress = isShown; });
-  this->connect(this->Manager, SIGNAL(abort()), SLOT(abort()));
   pqServerManagerModel* const model = core->getServerManagerModel();
   this->connect(model, SIGNAL(sourceAdded(pqPipelineSource*)), SLOT(watch(pqPipelineSource*)));
   this->connect(model, SIGNAL(sourceRemoved(pqPipelineSource*)), SLOT(forget(pqPipelineSource*)));
@@ -127,6 +126,7 @@ void pqStageAbort::watch(pqPipelineSource* source)
   if (auto* const progressWidget = pqCoreUtilities::mainWidget()->findChild<pqProgressWidget*>())
   {
     this->Button = progressWidget->abortButton();
+    this->connect(this->Button, SIGNAL(pressed()), SLOT(abort()), Qt::UniqueConnection);
   }
 }
 

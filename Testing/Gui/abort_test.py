@@ -9,6 +9,7 @@ Arguments: ParaView, the generator of horizons, and a folder. The variable POINT
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -54,13 +55,13 @@ def xdotool(*arguments):
 
 
 def list_clicks():
-    """Every few pixels of the line at the bottom of the window: the button is somewhere there, and nothing else of the
-    window may answer."""
+    """Every few pixels of the line at the bottom of the window, from the right: the button is somewhere there, and nothing
+    else of the window may answer. Left of the button there is nothing that could, once the filter has stopped."""
     window_id = xdotool("search", "--onlyvisible", "--name", "^ParaView").split()[0]
     geometry = dict(line.split("=") for line in xdotool("getwindowgeometry", "--shell", window_id).split())
     left, top, width, height = (int(geometry[name]) for name in ("X", "Y", "WIDTH", "HEIGHT"))
     clicks = []
-    for x in range(left + 5, left + width, 10):
+    for x in range(left + width - 5, left, -10):
         clicks += ["mousemove", str(x), str(top + height - 14), "mousedown", "1", "mouseup", "1"]
     return clicks
 
@@ -105,6 +106,8 @@ def play(paraview, folder, path):
 
 def main():
     paraview, generator, folder = sys.argv[1:4]
+    if not shutil.which("xdotool"):
+        sys.exit("xdotool (package xdotool) is not installed, which types and clicks")
     folder = window.new_folder(folder)
     path = folder / "large.vsm"
     subprocess.run([generator, "--points", POINTS, path], check=True, stdout=subprocess.PIPE)
