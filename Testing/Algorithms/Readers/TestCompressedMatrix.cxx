@@ -5,6 +5,7 @@
 // error for whatever is wrong with the compression.
 
 #include "Common/Errors.h"
+#include "ParserFixtures.h"
 #include "Tools/Check.h"
 #include "Tools/Gzip.h"
 #include "Tools/MonitorChecker.h"
@@ -16,18 +17,11 @@
 #include <string>
 
 using namespace SeismicHorizons;
+using ParserFixtures::Small;
 
 namespace
 {
 constexpr std::array<std::size_t, 4> BufferSizes = { 1, 7, 64, 4096 };
-
-const std::string Small = "3 2 10\n"
-                          "5 4 1.5 -20 21.25\n"
-                          "2 -7 1 1e2 8 6 4 2 -0.5 24\n"
-                          "\n"
-                          "\n"
-                          "9 -7 1 7 36\n"
-                          "0 4 1 3 0.125\n";
 
 /// What is in a file, or what is wrong with it.
 std::string Describe(std::istream& stream, std::size_t bufferSize)
