@@ -35,6 +35,19 @@ bool IsFirst(const std::vector<std::string>& problems, int rank)
   const auto own = problems.begin() + rank;
   return !own->empty() && std::find(problems.begin(), own, *own) == own;
 }
+
+/// Whether an extent has points, and all of them are in another.
+bool IsWithin(const int* part, const std::array<int, 6>& whole)
+{
+  bool isWithin = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int first = part[2 * axis];
+    const int last = part[2 * axis + 1];
+    isWithin = isWithin && first <= last && first >= whole[2 * axis] && last <= whole[2 * axis + 1];
+  }
+  return isWithin;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -109,10 +122,12 @@ RequestWork TellLater(vtkInformation* request, RequestWork work)
 void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (outputInformation->Has(Pipeline::WHOLE_EXTENT()) && outputInformation->Has(Pipeline::UPDATE_EXTENT()))
+  if (outputInformation->Has(Pipeline::UPDATE_EXTENT()))
   {
+    const int* const asked = outputInformation->Get(Pipeline::UPDATE_EXTENT());
     const int* const told = outputInformation->Get(Pipeline::WHOLE_EXTENT());
-    if (std::equal(told, told + 6, outputInformation->Get(Pipeline::UPDATE_EXTENT())))
+    const bool wasWhole = !told || std::equal(told, told + 6, asked);
+    if (wasWhole || !IsWithin(asked, extent))
     {
       outputInformation->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
     }

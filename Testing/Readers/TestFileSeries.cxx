@@ -152,7 +152,7 @@ void WrongFileIsAnErrorAtItsTime()
   CHECK_EQUAL(HeightOf(reader), -1.0);
 }
 
-/// The cubes of a series, and volumes, may have extents of their own.
+/// The cubes of a series may have extents of their own.
 void ExtentsFollowTime()
 {
   vtkNew<vtkSEGYCubeReader> cubes;
@@ -166,16 +166,32 @@ void ExtentsFollowTime()
     CHECK_EQUAL(cubes->GetOutput()->GetDimensions()[2], samples);
     CHECK(cubes->GetOutput()->GetPointData()->GetScalars() != nullptr);
   }
+}
 
-  vtkNew<vtkVerneySparseMatrixReader> volumes;
-  volumes->SetOutputTypeToVolume();
-  volumes->AddFileName(Write("a.vsm", "2 1 4\n0 7 1 1 0\n\n").c_str());
-  volumes->AddFileName(Write("b.vsm", "3 1 4\n0 7 1 1 0\n\n\n").c_str());
-  for (const auto& [time, columns] : std::vector<std::pair<double, int>>({ { 1, 3 }, { 0, 2 }, { 1, 3 } }))
+/// Also where the time before was an error, and where horizons came as something else.
+void VolumesFollowTime()
+{
+  vtkNew<vtkVerneySparseMatrixReader> reader;
+  reader->AddFileName(Write("a.vsm", "2 1 4\n0 7 1 1 0\n\n").c_str());
+  reader->AddFileName(Write("b.vsm", "3 1 4\n0 7 1 1 0\n\n\n").c_str());
+  reader->AddFileName((Folder + "/missing.vsm").c_str());
+  Messages errors(reader);
+  const auto width = [&reader](double time)
   {
-    CHECK(volumes->UpdateTimeStep(time));
-    CHECK_EQUAL(vtkImageData::SafeDownCast(volumes->GetOutputDataObject(0))->GetDimensions()[0], columns);
-  }
+    CHECK(reader->UpdateTimeStep(time));
+    return vtkImageData::SafeDownCast(reader->GetOutputDataObject(0))->GetDimensions()[0];
+  };
+  reader->SetOutputTypeToVolume();
+  CHECK_EQUAL(width(1.0), 3);
+  CHECK_EQUAL(width(0.0), 2);
+  CHECK_EQUAL(width(1.0), 3);
+  CHECK(!reader->UpdateTimeStep(2.0));
+  CHECK(errors.WasOne("missing.vsm: nothing there, expected a file"));
+  CHECK_EQUAL(width(0.0), 2);
+  reader->SetOutputTypeToPoints();
+  CHECK(reader->UpdateTimeStep(1.0));
+  reader->SetOutputTypeToVolume();
+  CHECK_EQUAL(width(1.0), 3);
 }
 
 /// Two files, of which the second is the one to get at time 1.
@@ -227,6 +243,7 @@ int TestFileSeries(int argc, char* argv[])
   HorizonsAreThoseOfTheFile();
   WrongFileIsAnErrorAtItsTime();
   ExtentsFollowTime();
+  VolumesFollowTime();
   OtherReadersTakeSeries();
   std::filesystem::remove_all(Folder);
   return Check::Result();
