@@ -31,7 +31,7 @@ TEXTS = {
     "fault.pol": (FAULT, "FaultLinesReader", 2, False),
 }
 CUBE = (6, 5, 40)  # crosslines, inlines and samples
-LAST_FRAME = window.WINDOW + "/VCRToolbar/1QToolButton5"
+LAST_FRAME = window.WINDOW + "/VCRToolbar/actionVCRLastFrame"
 
 
 def open_series(events, folder):
