@@ -22,7 +22,8 @@ def finish(_number, _frame):
 
 signal.signal(signal.SIGINT, finish)
 print("ready", flush=True)
-signal.pause()
+while True:
+    time.sleep(0.1)  # signal.pause() would wait for another one, should this one come just before it
 """
 
 
