@@ -41,8 +41,8 @@ bool IsForTime(vtkInformation* request);
 /// request for data that follows tells it.
 RequestWork TellLater(vtkInformation* request, RequestWork work);
 
-/// Tells the extent of the image there will be. Where all of the one told before is asked for, all of this one is:
-/// extents are asked for before files of other times are looked at.
+/// Tells the extent of the image there will be. Where all of the one told before is asked for, or what is not in this
+/// one, all of this one is: extents are asked for before files of other times are looked at.
 void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation);
 
 /// Runs the part of the work that concerns `subject`. With `mayLeaveOut` an InputError that it throws becomes a warning

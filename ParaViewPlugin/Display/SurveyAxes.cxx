@@ -38,7 +38,6 @@ struct Lines
   std::array<double, 2> Spacing = {}; // world x and y from a line to the next
 
   std::array<double, 2> PerNumber() const { return { this->Spacing[0] / this->Step, this->Spacing[1] / this->Step }; }
-  double Last() const { return this->First + this->Step * (this->Count - 1); }
 };
 
 /// What the axes are made of.
@@ -142,7 +141,7 @@ std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
   return bounds;
 }
 
-/// Sets values of the axes; nothing where they have these already.
+/// What axes are set to. Empty lists leave what there is.
 struct AxesSettings
 {
   bool AreShown = false;
