@@ -51,7 +51,7 @@ const char* FileSeries::GetName(int index) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FileSeries::Choose(vtkInformation* outputInformation)
+void FileSeries::ChooseByTime(vtkInformation* outputInformation)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const double time =
@@ -62,8 +62,16 @@ void FileSeries::Choose(vtkInformation* outputInformation)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FileSeries::Announce(vtkInformation* outputInformation) const
+void FileSeries::Choose(vtkInformation* outputInformation)
 {
+  this->ChooseByTime(outputInformation);
+  vtkDataObject::GetData(outputInformation)->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FileSeries::Announce(vtkInformation* outputInformation)
+{
+  this->ChooseByTime(outputInformation);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (this->GetSize() < 2)
   {
@@ -88,12 +96,6 @@ void FileSeries::Mark(vtkInformation* outputInformation) const
   {
     vtkDataObject::GetData(outputInformation)->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Current);
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void FileSeries::Unmark(vtkInformation* outputInformation) const
-{
-  vtkDataObject::GetData(outputInformation)->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -43,23 +43,22 @@ public:
   /// The file to read: that of the time which Choose() found. Null where there is none.
   const char* GetCurrent() const { return this->GetName(this->Current); }
 
-  /// Chooses the file of the time that an output is asked for, or was the last time: the last one whose time is not
-  /// later, else the first.
-  void Choose(vtkInformation* outputInformation);
+  /// Tells the times of a series, none of a single file; and chooses the file of the time that was asked for last.
+  void Announce(vtkInformation* outputInformation);
 
-  /// Tells the times of a series; takes them away where there is a single file.
-  void Announce(vtkInformation* outputInformation) const;
+  /// Chooses the file of the time that an output is asked for: the last one whose time is not later, else the first. An
+  /// output that Mark() does not follow is asked for again.
+  void Choose(vtkInformation* outputInformation);
 
   /// Marks the output as that of the chosen file, so that it is made again at another time.
   void Mark(vtkInformation* outputInformation) const;
-
-  /// Takes the mark away, so that an output which is not made is asked for again.
-  void Unmark(vtkInformation* outputInformation) const;
 
   /// Prints the names as the property FileName.
   void Print(ostream& os, vtkIndent indent) const;
 
 private:
+  void ChooseByTime(vtkInformation* outputInformation);
+
   std::vector<std::string> Names;
   int Current = 0;
 };

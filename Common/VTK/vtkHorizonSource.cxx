@@ -251,7 +251,6 @@ int vtkHorizonSource::RequestInformation(
   if (FileSeries* const files = this->GetFiles())
   {
     files->Announce(info);
-    files->Choose(info);
   }
   const int done = RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
@@ -349,7 +348,6 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
   if (files)
   {
     files->Choose(info);
-    files->Unmark(info);
   }
   const Ranks ranks(FindController(vtkDataObject::GetData(info)), request, outputVector);
   const auto work = [&](std::string&, const Monitor& monitor)

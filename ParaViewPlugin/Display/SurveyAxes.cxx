@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct Lines
   std::string Name;
   double First = 0.0;
   double Step = 1.0;
-  int Count = 0;
+  double Count = 0.0; // whole, at least 1
   std::array<double, 2> Spacing = {}; // world x and y from a line to the next
 
   std::array<double, 2> PerNumber() const { return { this->Spacing[0] / this->Step, this->Spacing[1] / this->Step }; }
@@ -75,7 +76,7 @@ bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
 {
   const std::vector<double> toWorld = ReadField(data, "LatticeToWorld", 16);
   const std::vector<double> dimensions = ReadField(data, "LatticeDimensions", 3);
-  if (toWorld.empty() || dimensions.empty())
+  if (toWorld.empty() || dimensions.empty() || dimensions[0] < 1.0 || dimensions[1] < 1.0)
   {
     return false;
   }
@@ -83,8 +84,8 @@ bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
   const bool areKnown = !numbers.empty() && numbers[1] != 0.0 && numbers[3] != 0.0;
   Lines columns = areKnown ? Lines{ "Crossline", numbers[2], numbers[3] } : Lines{ "Column" };
   Lines rows = areKnown ? Lines{ "Inline", numbers[0], numbers[1] } : Lines{ "Row" };
-  columns.Count = int(dimensions[0]);
-  rows.Count = int(dimensions[1]);
+  columns.Count = dimensions[0];
+  rows.Count = dimensions[1];
   columns.Spacing = { toWorld[0], toWorld[4] };
   rows.Spacing = { toWorld[1], toWorld[5] };
   survey.Origin = { toWorld[3], toWorld[7] };
@@ -94,7 +95,7 @@ bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
   {
     std::swap(survey.Directions[0], survey.Directions[1]);
   }
-  return area != 0.0;
+  return area != 0.0 && std::isfinite(area);
 }
 
 /// From line numbers and z to the world, row by row.
@@ -151,22 +152,8 @@ struct AxesSettings
   std::vector<double> Matrix;
   std::vector<double> Bounds;
 
-  bool AreIn(vtkSMProxy* axes) const
-  {
-    return (vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1) == this->AreShown &&
-      (vtkSMPropertyHelper(axes, "UseModelTransform").GetAsInt() == 1) == this->AreOfModel &&
-      vtkSMPropertyHelper(axes, "XTitle").GetAsString() == this->XTitle &&
-      vtkSMPropertyHelper(axes, "YTitle").GetAsString() == this->YTitle &&
-      (this->Matrix.empty() || vtkSMPropertyHelper(axes, "ModelTransformMatrix").GetDoubleArray() == this->Matrix) &&
-      (this->Bounds.empty() || vtkSMPropertyHelper(axes, "ModelBounds").GetDoubleArray() == this->Bounds);
-  }
-
   void Apply(vtkSMProxy* axes) const
   {
-    if (this->AreIn(axes))
-    {
-      return;
-    }
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", axes);
     vtkSMPropertyHelper(axes, "Visibility").Set(this->AreShown ? 1 : 0);
     vtkSMPropertyHelper(axes, "UseModelTransform").Set(this->AreOfModel ? 1 : 0);

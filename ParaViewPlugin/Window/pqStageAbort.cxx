@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QInputEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTimer>
@@ -35,33 +36,8 @@ bool IsStage(vtkObjectBase* object)
 /// What a user does to a window, but for events that ask windows to be drawn and the like.
 bool IsInput(QEvent* event)
 {
-  switch (event->type())
-  {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-    case QEvent::Shortcut:
-    case QEvent::ShortcutOverride:
-    case QEvent::ContextMenu:
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TouchEnd:
-    case QEvent::TabletPress:
-    case QEvent::TabletMove:
-    case QEvent::TabletRelease:
-    case QEvent::NativeGesture:
-    case QEvent::DragEnter:
-    case QEvent::DragMove:
-    case QEvent::Drop:
-    case QEvent::Close:
-      return true;
-    default:
-      return false;
-  }
+  const auto others = { QEvent::Shortcut, QEvent::DragEnter, QEvent::DragMove, QEvent::Drop, QEvent::Close };
+  return dynamic_cast<QInputEvent*>(event) || std::find(others.begin(), others.end(), event->type()) != others.end();
 }
 
 /// Where on the screen an event of the mouse is.

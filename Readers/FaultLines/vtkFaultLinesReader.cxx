@@ -86,7 +86,6 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Choose(info);
-  this->Files.Unmark(info);
   return RunRequest(this, { output },
     FilePrefix(this->Files.GetCurrent()) + "more data than memory, expected a smaller file",
     [&](std::string&, const Monitor&)

@@ -178,7 +178,6 @@ int vtkSEGYCubeReader::RequestInformation(
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Announce(info);
-  this->Files.Choose(info);
   return RunRequest(this, { vtkDataObject::GetData(outputVector) }, NoMemory(this->Files.GetCurrent()),
     TellLater(request,
       [&](std::string&, const Monitor& monitor)
@@ -198,7 +197,6 @@ int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkI
   vtkImageData* const output = vtkImageData::GetData(outputVector);
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Choose(info);
-  this->Files.Unmark(info);
   return RunRequest(this, { output }, NoMemory(this->Files.GetCurrent()),
     [&](std::string&, const Monitor& monitor)
     {
