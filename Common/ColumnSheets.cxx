@@ -30,9 +30,8 @@ struct Contact
 class SheetSplitter
 {
 public:
-  SheetSplitter(const int* i, const int* j, const std::vector<double>& heights)
-    : I(i)
-    , J(j)
+  SheetSplitter(PlanePoints columns, const std::vector<double>& heights)
+    : Columns(columns)
     , Heights(heights)
     , Parts(heights.size())
     , ColumnOf(heights.size())
@@ -43,7 +42,7 @@ public:
       {
         this->Starts.push_back(point);
       }
-      this->ColumnOf[std::size_t(point)] = std::int32_t(this->Starts.size()) - 1;
+      this->ColumnOf[point] = std::int32_t(this->Starts.size()) - 1;
     }
     this->Starts.push_back(Point(heights.size()));
   }
@@ -63,19 +62,13 @@ public:
   }
 
 private:
-  std::pair<int, int> Place(Point point) const { return { this->J[point], this->I[point] }; }
+  std::pair<int, int> Place(Point point) const { return { this->Columns[point].Y, this->Columns[point].X }; }
 
-  int Size(std::int32_t column) const
-  {
-    return this->Starts[std::size_t(column) + 1] - this->Starts[std::size_t(column)];
-  }
+  int Size(std::int32_t column) const { return this->Starts[column + 1] - this->Starts[column]; }
 
   /// One past the points of a column that are joined with others. Each is compared with each, and more than there can
   /// be sheets have no place anyway.
-  Point End(std::int32_t column) const
-  {
-    return this->Starts[std::size_t(column)] + std::min(this->Size(column), MostSheets);
-  }
+  Point End(std::int32_t column) const { return this->Starts[column] + std::min(this->Size(column), MostSheets); }
 
   /// The column at a place, or -1.
   std::int32_t FindColumn(const std::pair<int, int>& place) const
@@ -89,9 +82,9 @@ private:
   /// The point of a column nearest to another one, the first of those as near.
   Point FindNearest(Point point, std::int32_t column) const
   {
-    const double height = this->Heights[std::size_t(point)];
-    const auto distance = [this, height](Point of) { return std::abs(this->Heights[std::size_t(of)] - height); };
-    Point nearest = this->Starts[std::size_t(column)];
+    const double height = this->Heights[point];
+    const auto distance = [this, height](Point of) { return std::abs(this->Heights[of] - height); };
+    Point nearest = this->Starts[column];
     for (Point other = nearest + 1; other < this->End(column); ++other)
     {
       nearest = distance(other) < distance(nearest) ? other : nearest;
@@ -105,7 +98,7 @@ private:
     constexpr std::array<std::array<int, 2>, 4> steps = { { { 0, 1 }, { 1, -1 }, { 1, 0 }, { 1, 1 } } };
     for (std::int32_t column = 0; column + 1 < std::int32_t(this->Starts.size()); ++column)
     {
-      const std::pair<int, int> place = this->Place(this->Starts[std::size_t(column)]);
+      const std::pair<int, int> place = this->Place(this->Starts[column]);
       for (const std::array<int, 2>& step : steps)
       {
         const std::int32_t other = this->FindColumn({ place.first + step[0], place.second + step[1] });
@@ -119,7 +112,7 @@ private:
 
   void JoinColumns(std::int32_t column, std::int32_t other)
   {
-    for (Point point = this->Starts[std::size_t(column)]; point < this->End(column); ++point)
+    for (Point point = this->Starts[column]; point < this->End(column); ++point)
     {
       const Point nearest = this->FindNearest(point, other);
       if (this->FindNearest(nearest, column) != point)
@@ -143,9 +136,9 @@ private:
     this->Above.resize(this->Heights.size());
     for (std::int32_t column = 0; column + 1 < std::int32_t(this->Starts.size()); ++column)
     {
-      for (Point point = this->Starts[std::size_t(column)]; point < this->End(column); ++point)
+      for (Point point = this->Starts[column]; point < this->End(column); ++point)
       {
-        for (Point other = this->Starts[std::size_t(column)]; other < point; ++other)
+        for (Point other = this->Starts[column]; other < point; ++other)
         {
           const Point a = this->Parts.Find(point);
           const Point b = this->Parts.Find(other);
@@ -166,7 +159,7 @@ private:
   /// Layers are above each other in many columns: what is there already goes whenever the list would grow.
   void AddAbove(Point part, Point other)
   {
-    std::vector<Point>& parts = this->Above[std::size_t(part)];
+    std::vector<Point>& parts = this->Above[part];
     if (parts.size() == parts.capacity())
     {
       LeaveOneOfEach(parts);
@@ -209,22 +202,22 @@ private:
   {
     a = this->Parts.Find(a);
     b = this->Parts.Find(b);
-    if (this->Above[std::size_t(a)].size() < this->Above[std::size_t(b)].size())
+    if (this->Above[a].size() < this->Above[b].size())
     {
       std::swap(a, b);
     }
-    std::vector<Point>& few = this->Above[std::size_t(b)];
+    std::vector<Point>& few = this->Above[b];
     const bool isAbove =
       std::any_of(few.begin(), few.end(), [this, a](Point other) { return this->Parts.Find(other) == a; });
     if (a == b || isAbove)
     {
       return;
     }
-    std::vector<Point> all = std::move(this->Above[std::size_t(a)]);
+    std::vector<Point> all = std::move(this->Above[a]);
     all.insert(all.end(), few.begin(), few.end());
     few.clear();
     this->Parts.Join(a, b);
-    this->Above[std::size_t(this->Parts.Find(a))] = std::move(all);
+    this->Above[this->Parts.Find(a)] = std::move(all);
   }
 
   /// Each part goes on the first sheet that has none of its columns, the largest part first.
@@ -236,14 +229,14 @@ private:
     std::vector<std::int64_t> sizes(size, 0);
     for (const Point point : order)
     {
-      ++sizes[std::size_t(this->Parts.Find(point))];
+      ++sizes[this->Parts.Find(point)];
     }
     std::stable_sort(order.begin(), order.end(),
       [this, &sizes](Point a, Point b)
       {
         const Point partA = this->Parts.Find(a);
         const Point partB = this->Parts.Find(b);
-        return std::make_tuple(-sizes[std::size_t(partA)], partA) < std::make_tuple(-sizes[std::size_t(partB)], partB);
+        return std::make_tuple(-sizes[partA], partA) < std::make_tuple(-sizes[partB], partB);
       });
     std::vector<std::uint64_t> taken(this->Starts.size(), 0); // sheets that have a point in the column, as bits
     std::vector<int> sheets(size, -1);
@@ -253,7 +246,7 @@ private:
       std::uint64_t used = 0;
       for (; last < size && this->Parts.Find(order[last]) == this->Parts.Find(order[first]); ++last)
       {
-        used |= taken[std::size_t(this->ColumnOf[std::size_t(order[last])])];
+        used |= taken[this->ColumnOf[order[last]]];
       }
       int sheet = 0;
       while (sheet < MostSheets && (used >> sheet & 1U) != 0)
@@ -262,19 +255,18 @@ private:
       }
       for (; first < last; ++first)
       {
-        std::uint64_t& ofColumn = taken[std::size_t(this->ColumnOf[std::size_t(order[first])])];
+        std::uint64_t& ofColumn = taken[this->ColumnOf[order[first]]];
         if (sheet < MostSheets && (ofColumn >> sheet & 1U) == 0)
         {
           ofColumn |= std::uint64_t(1) << sheet;
-          sheets[std::size_t(order[first])] = sheet;
+          sheets[order[first]] = sheet;
         }
       }
     }
     return sheets;
   }
 
-  const int* const I;
-  const int* const J;
+  const PlanePoints Columns;
   const std::vector<double>& Heights;
   DisjointSets Parts;
   std::vector<Point> Starts; // the first point of each column, and the end
@@ -285,9 +277,24 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<int> FindSheets(const int* i, const int* j, const std::vector<double>& heights)
+ColumnSheets SplitIntoSheets(PlanePoints columns, const std::vector<double>& heights)
 {
-  SheetSplitter splitter(i, j, heights);
-  return splitter.IsSingle() ? std::vector<int>(heights.size(), 0) : splitter.Split();
+  SheetSplitter splitter(columns, heights);
+  const std::vector<int> sheetOf = splitter.IsSingle() ? std::vector<int>(heights.size(), 0) : splitter.Split();
+  const int last = sheetOf.empty() ? 0 : *std::max_element(sheetOf.begin(), sheetOf.end());
+  ColumnSheets sheets;
+  sheets.Points.resize(last + 1);
+  for (std::size_t point = 0; point < sheetOf.size(); ++point)
+  {
+    if (sheetOf[point] < 0)
+    {
+      ++sheets.Dropped;
+    }
+    else
+    {
+      sheets.Points[sheetOf[point]].push_back(Point(point));
+    }
+  }
+  return sheets;
 }
 }

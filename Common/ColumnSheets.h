@@ -14,18 +14,28 @@
 #ifndef SeismicHorizonsColumnSheets_h
 #define SeismicHorizonsColumnSheets_h
 
+#include "Types.h"
+
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
 constexpr int MostSheets = 64;
 
-/// The sheet of each point, from 0, on which the largest part is; -1 for a point that is dropped. Points stand column
-/// by column, by ascending j and then i, with any number in each, and are as many as there are heights; those are
-/// finite, in any unit. Each sheet has at most one point in a column. Of a column with more points than there can be
-/// sheets the first ones stay; besides, what lies above its own part is dropped, and what would take a further sheet.
-/// Time of order n log n.
-std::vector<int> FindSheets(const int* i, const int* j, const std::vector<double>& heights);
+/// The points of each sheet, by their numbers, ascending. There is at least one sheet; the largest part is on the
+/// first.
+struct ColumnSheets
+{
+  std::vector<std::vector<std::int32_t>> Points;
+  std::int64_t Dropped = 0; // points on none of them
+};
+
+/// Splits points that stand column by column, by ascending j and then i, with any number in each, and are as many as
+/// there are heights; those are finite, in any unit. Each sheet has at most one point in a column. Of a column with
+/// more points than there can be sheets the first ones stay; besides, what lies above its own part is dropped, and what
+/// would take a further sheet. Time of order n log n.
+ColumnSheets SplitIntoSheets(PlanePoints columns, const std::vector<double>& heights);
 }
 
 #endif

@@ -11,6 +11,7 @@ namespace SeismicHorizons
 namespace PointArray
 {
 constexpr const char* SurfaceId = "SurfaceId";
+constexpr const char* Column = "Column";
 constexpr const char* Elevation = "Elevation";
 constexpr const char* VerticalIndex = "VerticalIndex";
 constexpr const char* Thickness = "Thickness";

@@ -1,46 +1,261 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// zlib decodes the members of the file and checks them (GzipDecoder), block by block, and the next block on a thread of
+// its own while the one at hand is read (GzipBuffer). Two blocks of some megabytes are in memory.
+//
+// zlib's gzread would find the members itself. But it takes no notice of what follows them: rubbish, a member cut off
+// after one byte, and whole members behind zeros are left out without a word; and where a checksum is wrong, the text
+// before it is lost.
 
 #include "GzipStream.h"
 
+#include "Errors.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <future>
+#include <limits>
+#include <new>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::array<char, 2> Magic = { '\x1F', '\x8B' };
+constexpr std::size_t InputSize = 64 * 1024;
 // As much as readers look at to recognise a file, so that this takes no thread, and no time for more.
 constexpr std::size_t FirstBlockSize = 256 * 1024;
 // As much as readers parse at a time, so that decoding and parsing take turns without waiting.
 constexpr std::size_t BlockSize = 4 * 1024 * 1024;
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-GzipBuffer::GzipBuffer(std::unique_ptr<std::istream> compressed)
-  : Decoder(std::move(compressed))
+class GzipDecoder
 {
-}
+public:
+  explicit GzipDecoder(std::unique_ptr<std::istream> compressed)
+    : Compressed(std::move(compressed))
+    , CompressedSize(CountBytes(*this->Compressed))
+    , Input(InputSize)
+  {
+    constexpr int gzipOnly = 16; // added to the bits of the window
+    if (inflateInit2(&this->Inflation, MAX_WBITS + gzipOnly) != Z_OK)
+    {
+      throw std::bad_alloc();
+    }
+  }
+  ~GzipDecoder() { inflateEnd(&this->Inflation); }
+  GzipDecoder(const GzipDecoder&) = delete;
+  GzipDecoder& operator=(const GzipDecoder&) = delete;
 
-//----------------------------------------------------------------------------------------------------------------------
-GzipBuffer::Block GzipBuffer::Decode(std::vector<char> bytes, std::size_t size)
-{
-  bytes.resize(size);
-  const std::size_t count = this->Decoder.Read(bytes.data(), size);
-  return { std::move(bytes), count, this->Decoder.PartRead() };
-}
+  /// Gives the next bytes: fewer than `count` only before the end or an error, and none at the end. Throws InputError
+  /// when there are none because something is wrong.
+  std::size_t Read(char* bytes, std::size_t count)
+  {
+    const std::size_t most = std::min<std::size_t>(count, std::numeric_limits<uInt>::max());
+    this->Inflation.next_out = reinterpret_cast<Bytef*>(bytes);
+    this->Inflation.avail_out = static_cast<uInt>(most);
+    while (this->Inflation.avail_out > 0 && !this->Now.IsAtEnd && this->Now.Problem.empty())
+    {
+      this->Advance();
+    }
+    const std::size_t made = most - this->Inflation.avail_out;
+    if (made == 0 && !this->Now.Problem.empty())
+    {
+      throw InputError(this->Now.Problem);
+    }
+    return made;
+  }
 
-//----------------------------------------------------------------------------------------------------------------------
-void GzipBuffer::DecodeAhead(std::vector<char> bytes)
-{
-  // Where no thread can be had, the block is decoded when it is asked for.
-  this->Next = std::async(std::launch::async | std::launch::deferred,
-    [this, memory = std::move(bytes)]() mutable { return this->Decode(std::move(memory), BlockSize); });
-}
+  /// Goes back to the first byte.
+  void Rewind()
+  {
+    this->Compressed->clear();
+    this->Compressed->seekg(0);
+    inflateReset(&this->Inflation);
+    this->Inflation.avail_in = 0;
+    this->Now = State();
+  }
 
-//----------------------------------------------------------------------------------------------------------------------
-GzipBuffer::int_type GzipBuffer::underflow()
+  /// Which part of the compressed bytes was used, 0 to 1.
+  double PartRead() const
+  {
+    return SeismicHorizons::PartRead(*this->Compressed, static_cast<double>(this->Position()), this->CompressedSize);
+  }
+
+private:
+  struct State
+  {
+    std::int64_t BytesTaken = 0; // from the stream
+    bool IsInMember = true; // or before the next one, or the end
+    bool IsInPadding = false;
+    bool IsAtEnd = false;
+    std::string Problem; // empty while there is none
+  };
+
+  void Advance()
+  {
+    if (this->Inflation.avail_in == 0 && !this->Fill())
+    {
+      return;
+    }
+    if (!this->Now.IsInMember)
+    {
+      this->FindMember();
+      return;
+    }
+    const int result = inflate(&this->Inflation, Z_NO_FLUSH);
+    if (result == Z_MEM_ERROR)
+    {
+      throw std::bad_alloc();
+    }
+    if (result == Z_STREAM_END)
+    {
+      this->Now.IsInMember = false;
+    }
+    else if (result != Z_OK)
+    {
+      const char* const message = this->Inflation.msg;
+      this->SetProblem(std::string("damaged compressed data (") + (message ? message : "not those of gzip") +
+        "), expected what gzip wrote");
+    }
+  }
+
+  /// Takes the next compressed bytes. False when there are none.
+  bool Fill()
+  {
+    this->Compressed->read(this->Input.data(), static_cast<std::streamsize>(this->Input.size()));
+    const std::streamsize count = this->Compressed->gcount();
+    this->Now.BytesTaken += count;
+    this->Inflation.next_in = reinterpret_cast<Bytef*>(this->Input.data());
+    this->Inflation.avail_in = static_cast<uInt>(count);
+    if (count > 0)
+    {
+      return true;
+    }
+    if (this->Compressed->bad())
+    {
+      this->SetProblem("reading failed, expected the rest of the compressed data");
+    }
+    else if (this->Now.IsInMember)
+    {
+      this->SetProblem("end of file, expected the rest of the compressed data");
+    }
+    this->Now.IsAtEnd = true;
+    return false;
+  }
+
+  /// Looks at the bytes behind a member: the next one begins, or nothing but zeros follows.
+  void FindMember()
+  {
+    for (; this->Inflation.avail_in > 0 && *this->Inflation.next_in == 0; --this->Inflation.avail_in)
+    {
+      ++this->Inflation.next_in;
+      this->Now.IsInPadding = true;
+    }
+    if (this->Inflation.avail_in == 0)
+    {
+      return;
+    }
+    if (this->Now.IsInPadding || static_cast<char>(*this->Inflation.next_in) != Magic[0])
+    {
+      this->SetProblem("more bytes after the compressed data, expected the end of the file");
+      return;
+    }
+    inflateReset(&this->Inflation);
+    this->Now.IsInMember = true;
+  }
+
+  void SetProblem(const std::string& text)
+  {
+    this->Now.Problem = "byte " + std::to_string(this->Position()) + ": " + text;
+  }
+
+  /// The number of compressed bytes that were used.
+  std::int64_t Position() const { return this->Now.BytesTaken - std::int64_t(this->Inflation.avail_in); }
+
+  const std::unique_ptr<std::istream> Compressed;
+  const double CompressedSize; // bytes
+  z_stream Inflation = {};
+  std::vector<char> Input; // the compressed bytes at hand
+  State Now;
+};
+
+class GzipBuffer : public DecodingBuffer
 {
-  if (this->gptr() == this->egptr())
+public:
+  explicit GzipBuffer(std::unique_ptr<std::istream> compressed)
+    : Decoder(std::move(compressed))
+  {
+  }
+
+  double PartRead() const override { return this->Current.PartRead; }
+
+protected:
+  int_type underflow() override
+  {
+    if (this->gptr() == this->egptr())
+    {
+      this->TakeNext();
+    }
+    return this->gptr() == this->egptr() ? traits_type::eof() : traits_type::to_int_type(*this->gptr());
+  }
+
+  pos_type seekoff(off_type offset, std::ios_base::seekdir way, std::ios_base::openmode which) override
+  {
+    if (way == std::ios_base::end)
+    {
+      return pos_type(off_type(-1));
+    }
+    const off_type here = this->BytesBefore + (this->gptr() - this->eback());
+    return this->seekpos(pos_type(way == std::ios_base::cur ? here + offset : offset), which);
+  }
+
+  pos_type seekpos(pos_type position, std::ios_base::openmode) override
+  {
+    const auto target = off_type(position);
+    if (target < 0)
+    {
+      return pos_type(off_type(-1));
+    }
+    if (target < this->BytesBefore)
+    {
+      this->Rewind();
+    }
+    while (target > this->BytesBefore + (this->egptr() - this->eback()))
+    {
+      this->setg(this->eback(), this->egptr(), this->egptr());
+      if (this->underflow() == traits_type::eof())
+      {
+        return pos_type(off_type(-1));
+      }
+    }
+    this->setg(this->eback(), this->eback() + (target - this->BytesBefore), this->egptr());
+    return position;
+  }
+
+private:
+  struct Block
+  {
+    std::vector<char> Bytes;
+    std::size_t Count = 0; // of the bytes that are in use
+    double PartRead = 0.0; // of the file, with this block
+  };
+
+  Block Decode(std::vector<char> bytes, std::size_t size)
+  {
+    bytes.resize(size);
+    const std::size_t count = this->Decoder.Read(bytes.data(), size);
+    return { std::move(bytes), count, this->Decoder.PartRead() };
+  }
+
+  void TakeNext()
   {
     const bool isFirst = this->BytesBefore == 0 && this->Current.Count == 0;
     this->BytesBefore += this->egptr() - this->eback();
@@ -52,67 +267,49 @@ GzipBuffer::int_type GzipBuffer::underflow()
     this->setg(first, first, first + this->Current.Count);
     if (!isFirst && this->Current.Count > 0)
     {
-      this->DecodeAhead(std::move(memory));
+      // Where no thread can be had, the block is decoded when it is asked for.
+      this->Next = std::async(std::launch::async | std::launch::deferred,
+        [this, memory = std::move(memory)]() mutable { return this->Decode(std::move(memory), BlockSize); });
     }
   }
-  return this->gptr() == this->egptr() ? traits_type::eof() : traits_type::to_int_type(*this->gptr());
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-void GzipBuffer::Rewind()
-{
-  if (this->Next.valid())
+  void Rewind()
   {
-    this->Next.wait();
-    this->Next = std::future<Block>();
-  }
-  this->Decoder.Rewind();
-  this->setg(nullptr, nullptr, nullptr);
-  this->Current = Block();
-  this->BytesBefore = 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-GzipBuffer::pos_type GzipBuffer::seekoff(off_type offset, std::ios_base::seekdir way, std::ios_base::openmode which)
-{
-  if (way == std::ios_base::end)
-  {
-    return pos_type(off_type(-1));
-  }
-  const off_type here = this->BytesBefore + (this->gptr() - this->eback());
-  return this->seekpos(pos_type(way == std::ios_base::cur ? here + offset : offset), which);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-GzipBuffer::pos_type GzipBuffer::seekpos(pos_type position, std::ios_base::openmode)
-{
-  const auto target = off_type(position);
-  if (target < 0)
-  {
-    return pos_type(off_type(-1));
-  }
-  if (target < this->BytesBefore)
-  {
-    this->Rewind();
-  }
-  while (target > this->BytesBefore + (this->egptr() - this->eback()))
-  {
-    this->setg(this->eback(), this->egptr(), this->egptr());
-    if (this->underflow() == traits_type::eof())
+    if (this->Next.valid())
     {
-      return pos_type(off_type(-1));
+      this->Next.wait();
+      this->Next = std::future<Block>();
     }
+    this->Decoder.Rewind();
+    this->setg(nullptr, nullptr, nullptr);
+    this->Current = Block();
+    this->BytesBefore = 0;
   }
-  this->setg(this->eback(), this->eback() + (target - this->BytesBefore), this->egptr());
-  return position;
+
+  GzipDecoder Decoder;
+  Block Current;
+  off_type BytesBefore = 0; // the block at hand
+  std::future<Block> Next; // uses the decoder, and waits when it is destroyed: before the decoder
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool BeginsAsGzip(std::istream& stream)
+{
+  const std::istream::pos_type start = stream.tellg();
+  std::array<char, 2> bytes = {};
+  stream.read(bytes.data(), bytes.size());
+  stream.clear(stream.rdstate() & std::ios::badbit);
+  stream.seekg(start);
+  return bytes == Magic;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 GzipStream::GzipStream(std::unique_ptr<std::istream> compressed)
   : std::istream(nullptr)
-  , Buffer(std::move(compressed))
+  , Buffer(std::make_unique<GzipBuffer>(std::move(compressed)))
 {
-  this->rdbuf(&this->Buffer);
+  this->rdbuf(this->Buffer.get());
   this->exceptions(std::ios::badbit); // passes errors of the buffer on
 }
 }

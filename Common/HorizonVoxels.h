@@ -5,6 +5,7 @@
 #define SeismicHorizonsHorizonVoxels_h
 
 #include "HeapArray.h"
+#include "Types.h"
 
 #include <cstdint>
 
@@ -14,8 +15,7 @@ namespace SeismicHorizons
 struct HorizonVoxels
 {
   int SurfaceId = 0;
-  HeapArray<int> I;
-  HeapArray<int> J;
+  HeapArray<PlanePoint> Column;
   HeapArray<int> K;
   HeapArray<double> Thickness;
   HeapArray<double> Amplitude;
@@ -27,8 +27,7 @@ struct HorizonVoxels
 template <typename Visit>
 void ForEachVoxelArray(HorizonVoxels& horizon, Visit&& visit)
 {
-  visit(horizon.I);
-  visit(horizon.J);
+  visit(horizon.Column);
   visit(horizon.K);
   visit(horizon.Thickness);
   visit(horizon.Amplitude);

@@ -20,12 +20,13 @@ FileStamp MakeFileStamp(const std::string& name)
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status))
   {
-    throw InputError("nothing there, expected a file");
+    throw FileError(FileProblem::NotFound, "nothing there, expected a file");
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    throw InputError(std::filesystem::is_directory(status) ? "a directory, expected a file"
-                                                           : "a special file, expected a regular one");
+    throw FileError(FileProblem::CannotOpen,
+      std::filesystem::is_directory(status) ? "a directory, expected a file"
+                                            : "a special file, expected a regular one");
   }
   return { name, std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored) };
 }
@@ -36,7 +37,7 @@ std::unique_ptr<std::istream> OpenInputFile(const std::string& name)
   auto stream = std::make_unique<std::ifstream>(std::filesystem::u8path(name), std::ios::binary);
   if (!*stream)
   {
-    throw InputError("a file that can not be opened, expected a readable one");
+    throw FileError(FileProblem::CannotOpen, "a file that can not be opened, expected a readable one");
   }
   if (BeginsAsGzip(*stream))
   {
@@ -61,7 +62,7 @@ void RequireFileName(const char* name)
 {
   if (!name)
   {
-    throw InputError("no FileName, expected the path of a file");
+    throw FileError(FileProblem::NoName, "no FileName, expected the path of a file");
   }
 }
 

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsInputFile_h
 #define SeismicHorizonsInputFile_h
 
-#include "Errors.h"
+#include "FileErrors.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -45,7 +45,7 @@ void RequireFileName(const char* name);
 /// What errors about a file begin with: its name, and a colon.
 std::string FilePrefix(const char* name);
 
-/// Whether recognise(stream) says so of a regular file that can be opened; false where that throws an InputError.
+/// Whether recognise(stream) says so of a regular file that can be opened; false where that throws.
 template <typename Recognise>
 bool IsRecognised(const char* name, Recognise&& recognise)
 {
@@ -55,7 +55,7 @@ bool IsRecognised(const char* name, Recognise&& recognise)
     MakeFileStamp(text); // refuses what is no regular file
     return recognise(*OpenInputFile(text));
   }
-  catch (const InputError&)
+  catch (const std::exception&)
   {
     return false;
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -76,10 +77,10 @@ public:
   }
 
   /// What an array by point has at these.
-  template <typename Value>
-  std::vector<Value> Select(const std::vector<Value>& values) const
+  template <typename Values>
+  auto Select(const Values& values) const
   {
-    std::vector<Value> selected;
+    std::vector<std::decay_t<decltype(values[0])>> selected;
     selected.reserve(this->Count);
     this->ForEachRun(0, this->Count,
       [&](std::size_t, PointId point, std::size_t length)

@@ -86,6 +86,20 @@ Lattice::Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& to
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double Lattice::LargestCoordinate() const
+{
+  double largest = 0.0;
+  for (const double i : { -0.5, this->Dimensions[0] - 0.5 })
+  {
+    for (const double j : { -0.5, this->Dimensions[1] - 0.5 })
+    {
+      largest = std::max(largest, this->ToWorld({ i, j, 0.0 }).head<2>().cwiseAbs().maxCoeff());
+    }
+  }
+  return largest;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 double Lattice::UniformScale() const
 {
   const Eigen::Matrix3d products = this->IntoWorld.linear().transpose() * this->IntoWorld.linear();

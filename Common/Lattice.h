@@ -4,8 +4,8 @@
 // The regular grid whose columns hold the points of a horizon, and the two units of places on it:
 //  - lattice units: 1 is one column sideways, and one vertical index upwards;
 //  - sub-voxels: coordinates in the plane as integers. Each column is cut into a power of two, 2^20 at most, and fewer
-//  on
-//    lattices of more than 511 columns: coordinates stay below 2^29, so that the predicates are exact (Predicates.h).
+//    on lattices of more than 511 columns: coordinates stay below 2^29, so that the predicates are exact.
+// Points stand on whole columns until a simplification merges some: only then are there sub-voxels.
 
 #ifndef SeismicHorizonsLattice_h
 #define SeismicHorizonsLattice_h
@@ -57,25 +57,33 @@ public:
   /// How many sub-voxels a column has along i and along j: a power of two.
   std::int32_t SubVoxelsPerColumn() const { return std::int32_t(1) << this->SubVoxelBits; }
 
-  /// The sub-voxel nearest to a place in lattice units. Throws InputError when it is not finite, lies outside the
-  /// lattice by more than half a column, or is further up or down than LargestHeight; `point` names it in the message.
-  PlanePoint ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
+  /// The largest size that an x or y in the world has on the lattice.
+  double LargestCoordinate() const;
+
+  /// By how many columns a place moves at most, along i or j, when both its x and y move by one unit of the world.
+  double ColumnsPerUnit() const
+  {
+    return this->FromWorld.linear().topLeftCorner<2, 2>().cwiseAbs().rowwise().sum().maxCoeff();
+  }
+
+  /// Throws InputError when a place in lattice units is not finite, lies outside the lattice by more than half a
+  /// column, or is further up or down than LargestHeight; `point` names it in the message.
+  void CheckInside(const Eigen::Vector3d& lattice, PointId point) const
   {
     if (!this->IsInside(lattice))
     {
       this->ThrowOutside(lattice, point);
     }
+  }
+
+  /// The sub-voxel nearest to a place in lattice units. Throws InputError as CheckInside does.
+  PlanePoint ToSubVoxels(const Eigen::Vector3d& lattice, PointId point) const
+  {
+    this->CheckInside(lattice, point);
     // Halves are rounded away from 0, as std::lround does, which takes several times as long.
     const auto round = [](double value) { return std::int32_t(value + (value < 0.0 ? -0.5 : 0.5)); };
     const double scale = this->SubVoxelsPerColumn();
     return { round(lattice.x() * scale), round(lattice.y() * scale) };
-  }
-
-  /// The column nearest to a sub-voxel; of two as near the one of greater coordinates.
-  PlanePoint NearestColumn(const PlanePoint& subVoxels) const
-  {
-    const std::int32_t half = this->SubVoxelsPerColumn() / 2;
-    return { (subVoxels.X + half) >> this->SubVoxelBits, (subVoxels.Y + half) >> this->SubVoxelBits };
   }
 
   double ToLatticeUnits(std::int32_t subVoxels) const { return double(subVoxels) / this->SubVoxelsPerColumn(); }

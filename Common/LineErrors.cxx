@@ -32,4 +32,10 @@ InputError ErrorAt(std::int64_t line, const std::string& text)
 {
   return InputError("line " + std::to_string(line) + ": " + text);
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+FileError CutOffAt(std::int64_t line, const std::string& text)
+{
+  return FileError(FileProblem::CutOff, ErrorAt(line, text).what());
+}
 }

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsLineErrors_h
 #define SeismicHorizonsLineErrors_h
 
-#include "Errors.h"
+#include "FileErrors.h"
 
 #include <cstdint>
 #include <string>
@@ -23,6 +23,9 @@ std::string Quote(std::string_view text);
 
 /// An error whose text begins with the number of the line, counted from 1: "line 17: ".
 InputError ErrorAt(std::int64_t line, const std::string& text);
+
+/// The same of a file that ends there, and should not.
+FileError CutOffAt(std::int64_t line, const std::string& text);
 }
 
 #endif

@@ -3,6 +3,9 @@
 //
 // Where a surface is torn: a bit for the link from each column to that east of it (i + 1), and one for that to the
 // north (j + 1), whether there are points in the columns or not. A fault is a chain of cut links.
+//
+// Only blocks of 8 by 8 columns that have a cut take memory. They are found by hashing, with open addressing: a table
+// of their keys, of which at most a quarter is taken, so that nearly all look-ups end with the first key.
 
 #ifndef SeismicHorizonsLinkCuts_h
 #define SeismicHorizonsLinkCuts_h
@@ -10,7 +13,10 @@
 #include "PlaneGeometry.h"
 #include "Types.h"
 
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -21,35 +27,107 @@ public:
   /// No link is cut. The links of columns outside the box never are.
   explicit LinkCuts(const PlaneBox& box)
     : Box(box)
-    , Width(std::int64_t(box.Greatest.X) - box.Least.X + 1)
-    , East(std::size_t(Width * (std::int64_t(box.Greatest.Y) - box.Least.Y + 1)), false)
-    , North(East)
   {
   }
 
-  void CutEast(const PlanePoint& column) { this->East[this->Place(column)] = true; }
-  void CutNorth(const PlanePoint& column) { this->North[this->Place(column)] = true; }
+  void CutEast(const PlanePoint& column) { this->Take(column).East |= Bit(column); }
+  void CutNorth(const PlanePoint& column) { this->Take(column).North |= Bit(column); }
 
   bool IsCutEast(const PlanePoint& column) const
   {
-    return this->Box.Contains(column) && this->East[this->Place(column)];
+    const Block* const block = this->Find(column);
+    return block && (block->East & Bit(column)) != 0;
   }
   bool IsCutNorth(const PlanePoint& column) const
   {
-    return this->Box.Contains(column) && this->North[this->Place(column)];
+    const Block* const block = this->Find(column);
+    return block && (block->North & Bit(column)) != 0;
   }
 
 private:
-  std::size_t Place(const PlanePoint& column) const
+  /// A bit for the links of each column, row by row.
+  struct Block
   {
-    return std::size_t(
-      (std::int64_t(column.Y) - this->Box.Least.Y) * this->Width + (std::int64_t(column.X) - this->Box.Least.X));
+    std::uint64_t East = 0;
+    std::uint64_t North = 0;
+  };
+
+  // No key has its greatest bits: coordinates have 32.
+  static constexpr std::uint64_t NoKey = ~std::uint64_t(0);
+
+  static std::uint64_t Bit(const PlanePoint& column)
+  {
+    return std::uint64_t(1) << (8 * (column.Y & 7) + (column.X & 7));
+  }
+
+  static std::uint64_t KeyOf(const PlanePoint& column)
+  {
+    return std::uint64_t(std::uint32_t(column.Y) >> 3) << 32 | std::uint32_t(column.X) >> 3;
+  }
+
+  /// The slot that has a key, or the free one where it would be. There must be a free one.
+  std::size_t SlotOf(std::uint64_t key) const
+  {
+    // The fraction of the golden ratio scatters keys that follow each other (Knuth, 6.4).
+    std::size_t slot = std::size_t((key * 0x9E3779B97F4A7C15U) >> 32) & this->Mask;
+    while (this->Keys[slot] != key && this->Keys[slot] != NoKey)
+    {
+      slot = (slot + 1) & this->Mask;
+    }
+    return slot;
+  }
+
+  const Block* Find(const PlanePoint& column) const
+  {
+    if (!this->Box.Contains(column))
+    {
+      return nullptr;
+    }
+    const std::size_t slot = this->SlotOf(KeyOf(column));
+    return this->Keys[slot] == NoKey ? nullptr : &this->Blocks[slot];
+  }
+
+  Block& Take(const PlanePoint& column)
+  {
+    assert(this->Box.Contains(column));
+    const std::uint64_t key = KeyOf(column);
+    std::size_t slot = this->SlotOf(key);
+    if (this->Keys[slot] == NoKey)
+    {
+      if (4 * ++this->Taken > this->Keys.size())
+      {
+        this->Grow();
+        slot = this->SlotOf(key);
+      }
+      this->Keys[slot] = key;
+    }
+    return this->Blocks[slot];
+  }
+
+  void Grow()
+  {
+    LinkCuts larger(this->Box);
+    larger.Keys.assign(4 * this->Keys.size(), NoKey);
+    larger.Blocks.resize(larger.Keys.size());
+    larger.Mask = larger.Keys.size() - 1;
+    larger.Taken = this->Taken;
+    for (std::size_t slot = 0; slot < this->Keys.size(); ++slot)
+    {
+      if (this->Keys[slot] != NoKey)
+      {
+        const std::size_t place = larger.SlotOf(this->Keys[slot]);
+        larger.Keys[place] = this->Keys[slot];
+        larger.Blocks[place] = this->Blocks[slot];
+      }
+    }
+    *this = std::move(larger);
   }
 
   PlaneBox Box;
-  std::int64_t Width;
-  std::vector<bool> East;
-  std::vector<bool> North;
+  std::vector<std::uint64_t> Keys = std::vector<std::uint64_t>(16, NoKey); // by slot; a power of two of them
+  std::vector<Block> Blocks = std::vector<Block>(16);
+  std::size_t Mask = 15;
+  std::size_t Taken = 0; // slots
 };
 }
 

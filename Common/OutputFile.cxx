@@ -3,7 +3,7 @@
 
 #include "OutputFile.h"
 
-#include "Errors.h"
+#include "FileErrors.h"
 
 #include <filesystem>
 #include <fstream>
@@ -21,13 +21,24 @@ void WriteStream(const fs::path& path, const std::function<void(std::ostream&)>&
   std::ofstream stream(path, std::ios::binary);
   if (!stream)
   {
-    throw InputError("a file that can not be written, expected a folder with permission to");
+    throw FileError(FileProblem::CannotOpen, "a file that can not be written, expected a folder with permission to");
   }
-  write(stream);
+  try
+  {
+    write(stream);
+  }
+  catch (const InputError& error)
+  {
+    if (stream)
+    {
+      throw;
+    }
+    throw FileError(FileProblem::NoRoom, error.what());
+  }
   stream.close();
   if (!stream)
   {
-    throw InputError("a file that could not be written to its end, expected room for it");
+    throw FileError(FileProblem::NoRoom, "a file that could not be written to its end, expected room for it");
   }
 }
 
@@ -49,7 +60,8 @@ void Replace(const fs::path& written, const fs::path& path)
   fs::rename(written, path, error);
   if (error)
   {
-    throw InputError("a file that can not be replaced, expected permission to: " + error.message());
+    throw FileError(
+      FileProblem::CannotOpen, "a file that can not be replaced, expected permission to: " + error.message());
   }
 }
 }
@@ -62,11 +74,11 @@ OutputFile::OutputFile(const std::string& name, const std::function<void(std::os
   this->Path = fs::is_symlink(given, ignored) ? fs::weakly_canonical(given, ignored) : given;
   if (fs::is_directory(this->Path, ignored))
   {
-    throw InputError("a directory, expected a file");
+    throw FileError(FileProblem::CannotOpen, "a directory, expected a file");
   }
   if (this->Path.has_parent_path() && !fs::is_directory(this->Path.parent_path(), ignored))
   {
-    throw InputError("a file in a folder that is not there, expected an existing folder");
+    throw FileError(FileProblem::CannotOpen, "a file in a folder that is not there, expected an existing folder");
   }
   if (fs::exists(this->Path, ignored) && !fs::is_regular_file(this->Path, ignored))
   {

@@ -44,7 +44,7 @@ struct PlaneBox
 {
   PlaneBox() = default;
 
-  explicit PlaneBox(const std::vector<PlanePoint>& places)
+  explicit PlaneBox(PlanePoints places)
   {
     for (const PlanePoint& place : places)
     {

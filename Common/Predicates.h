@@ -8,12 +8,11 @@
 #define SeismicHorizonsPredicates_h
 
 #include "PlaneGeometry.h"
+#include "Portable.h"
 #include "Types.h"
 
 namespace SeismicHorizons
 {
-__extension__ typedef __int128 Int128;
-
 /// Twice the signed area of the triangle a, b, c: positive when it turns counter-clockwise.
 inline std::int64_t SignedArea(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {

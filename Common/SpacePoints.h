@@ -7,6 +7,7 @@
 #include "BoundedHorizon.h"
 #include "Types.h"
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,11 +20,10 @@ namespace SeismicHorizons
 class SpacePoints
 {
 public:
-  SpacePoints(const std::vector<PlanePoint>& plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn)
+  SpacePoints(PlanePoints plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn)
     : Plane(plane)
     , Height(height)
     , PerSubVoxel(1.0 / subVoxelsPerColumn)
-    , Bits(__builtin_ctz(unsigned(subVoxelsPerColumn)))
   {
   }
 
@@ -39,20 +39,17 @@ public:
     return { this->Plane[n].X * this->PerSubVoxel, this->Plane[n].Y * this->PerSubVoxel, this->Height[n] };
   }
 
-  bool IsOnColumn(std::size_t n) const
+  /// The columns of the points, where places are columns.
+  PlanePoints Columns() const
   {
-    const PlanePoint column = this->Column(n);
-    return this->Plane[n].X == column.X << this->Bits && this->Plane[n].Y == column.Y << this->Bits;
+    assert(this->PerSubVoxel == 1.0);
+    return this->Plane;
   }
 
-  /// The column of a point that is on one.
-  PlanePoint Column(std::size_t n) const { return { this->Plane[n].X >> this->Bits, this->Plane[n].Y >> this->Bits }; }
-
 private:
-  const std::vector<PlanePoint>& Plane;
+  const PlanePoints Plane;
   const std::vector<double>& Height;
   const double PerSubVoxel; // exact
-  const int Bits;
 };
 }
 

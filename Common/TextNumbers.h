@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -68,8 +67,8 @@ inline const char* ReadDigits(const char* text, std::uint64_t& number)
 
 /// Reads a number without exponent whose digits, taken as an integer, are at most 2^53. A double holds that integer
 /// exactly, and the power of ten to divide it by as well, so that one division gives the nearest double. Returns the
-/// end of the token, or null when it is anything else. Nearly all numbers are of this kind, and ReadAnyNumber takes
-/// longer.
+/// end of the token, or null when it is anything else. Nearly all numbers are of this kind. With fast_float for these,
+/// too, reading of a file takes a quarter longer.
 inline const char* ReadPlainNumber(const char* text, double& value)
 {
   constexpr std::array<double, 20> powersOfTen = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
@@ -125,28 +124,6 @@ inline std::string_view WithoutPlus(std::string_view token)
   return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
 }
 
-/// The power of ten that the first digit other than 0 counts: 2 for "123", -3 for "0.00123".
-inline std::int64_t LeadingPower(std::string_view digits)
-{
-  const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
-  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
-  return first < point ? point - first - 1 : point - first;
-}
-
-/// Whether a number is too small for a double, when it is known to be too small or too large.
-inline bool IsTiny(std::string_view number)
-{
-  const std::size_t end = std::min(number.find_first_of("eE"), number.size());
-  const std::string_view power = WithoutPlus(number.substr(std::min(end + 1, number.size())));
-  std::int64_t exponent = 0;
-  const auto [last, error] = std::from_chars(power.data(), power.data() + power.size(), exponent);
-  if (error == std::errc::result_out_of_range)
-  {
-    return power[0] == '-'; // no number has so many digits that they make up for it
-  }
-  return exponent < -LeadingPower(number.substr(0, end));
-}
-
 /// What a token is. Numbers too large for a double, infinity and nan are not finite.
 enum class NumberKind
 {
@@ -156,21 +133,7 @@ enum class NumberKind
 };
 
 /// Reads a number of any length, with or without exponent. One too small for a double is 0.
-inline NumberKind ReadAnyNumber(std::string_view token, double& value)
-{
-  const std::string_view number = WithoutPlus(token);
-  const char* const last = number.data() + number.size();
-  const auto [end, error] = std::from_chars(number.data(), last, value);
-  if (error == std::errc::invalid_argument || end != last)
-  {
-    return NumberKind::NotANumber;
-  }
-  if (error == std::errc::result_out_of_range)
-  {
-    value = IsTiny(number) ? 0.0 : std::numeric_limits<double>::infinity();
-  }
-  return std::isfinite(value) ? NumberKind::Finite : NumberKind::NotFinite;
-}
+NumberKind ReadAnyNumber(std::string_view token, double& value);
 
 /// The shortest text that is read as the same number again.
 inline std::string ShortestText(double value)

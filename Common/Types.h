@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace SeismicHorizons
@@ -29,6 +30,40 @@ struct PlanePoint
   friend bool operator!=(const PlanePoint& a, const PlanePoint& b) { return !(a == b); }
   /// By x, and where that is the same by y. Outlines start at the least of their points, as in the thesis.
   friend bool operator<(const PlanePoint& a, const PlanePoint& b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
+};
+
+/// The column of points that have left theirs, as those that a simplification merged.
+constexpr PlanePoint NoColumn = { -1, -1 };
+
+/// Places of points that others own, as a std::vector or an array of VTK.
+class PlanePoints
+{
+public:
+  PlanePoints() = default;
+  PlanePoints(const std::vector<PlanePoint>& places)
+    : PlanePoints(places.data(), places.size())
+  {
+  }
+  PlanePoints(std::initializer_list<PlanePoint> places) // which have to outlive it
+    : PlanePoints(places.begin(), places.size())
+  {
+  }
+  PlanePoints(const PlanePoint* first, std::size_t size)
+    : First(first)
+    , Count(size)
+  {
+  }
+
+  std::size_t size() const { return this->Count; }
+  bool empty() const { return this->Count == 0; }
+  const PlanePoint* begin() const { return this->First; }
+  const PlanePoint* end() const { return this->First + this->Count; }
+  const PlanePoint& operator[](std::size_t n) const { return this->First[n]; }
+  const PlanePoint& front() const { return *this->First; }
+
+private:
+  const PlanePoint* First = nullptr;
+  std::size_t Count = 0;
 };
 
 /// A point of the plane with its height, in lattice units.
@@ -176,9 +211,11 @@ struct Reduction
   /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, because the bits of a
   /// std::vector<bool> can not be written by several threads at a time.
   std::vector<unsigned char> Averaged;
-  /// For each output point its place: in sub-voxels in the plane, in lattice units upwards.
+  /// For each output point its place: in the plane in sub-voxels, of which a column has so many, in lattice units
+  /// upwards.
   std::vector<PlanePoint> Plane;
   std::vector<double> Height;
+  std::int32_t SubVoxelsPerColumn = 1;
   /// The loops over the output points.
   Loops Boundary;
   /// For each output point the cell it comes from. Empty where a stage has no cells.

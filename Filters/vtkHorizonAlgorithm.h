@@ -10,8 +10,8 @@
  *
  * A horizon without points gives an empty one. When a horizon can not be processed, one error names it, and says what
  * was found and what was expected. The whole output is empty then, even if other horizons were processed before;
- * likewise when the user asks to stop. With InvalidHorizons set to LeaveOut, such a horizon only is empty, and a
- * warning tells of it. Progress goes from 0 to 1 over all horizons.
+ * likewise when the user asks to stop. With InvalidHorizons set to LeaveOut, only such a horizon is empty, with a
+ * warning. Progress goes from 0 to 1 over all horizons.
  *
  * In a program of several processes each of them works on the horizons it has, and a horizon must have all its points
  * on one of them. An error on one empties the output of all.
@@ -45,9 +45,10 @@ public:
   vtkPolyData* GetPolyDataOutput();
 
   /**
-   * What the last update made of each horizon, as lines of text for people: points in and out, and the figures that the
-   * stage put into the field data. Of several processes, each has a text of its own horizons. Empty before the first
-   * update, and after an error.
+   * What the last update made of each horizon: points before and after, and the figures that the stage put into the
+   * field data.
+   *
+   * Lines of text. Each process has a text of its own horizons. Empty before the first update, and after an error.
    */
   const char* GetResults() { return this->Results.c_str(); }
 

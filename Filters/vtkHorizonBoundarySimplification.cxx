@@ -31,10 +31,11 @@ void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 void vtkHorizonBoundarySimplification::ProcessHorizon(
-  vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
+  vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   vtkPolyData* const output = outputs.front();
-  LatticePoints points = ReadPoints(input);
+  LatticePoints points = this->Method == FewestPoints ? ReadColumns(horizon, outputs) : ReadPoints(horizon, outputs);
+  vtkPolyData* const input = points.Horizon;
   monitor.Progress(0.2);
   BoundarySimplificationOptions options;
   options.Method = this->Method == Threshold ? OutlineMethod::Threshold : OutlineMethod::FewestPoints;
@@ -42,11 +43,13 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;
   const Loops boundary = ReadBoundary(input);
-  options.Fixed = ReadEndsOfMouths(input, points.Plane, points.Grid, boundary);
+  options.Fixed = ReadEndsOfMouths(input, points.Column, boundary);
+  const std::vector<PlanePoint> plane = points.AreMerged ? ToSubVoxels(points) : std::vector<PlanePoint>();
   const BoundarySimplification simplified =
-    SimplifyBoundary(SpacePoints(points.Plane, points.Height, points.Grid.SubVoxelsPerColumn()), boundary, options,
-      monitor.Step(0.2, 0.7));
-  points = LatticePoints(); // memory that the output can use
+    SimplifyBoundary(points.AreMerged ? SpacePoints(plane, points.Height, points.Grid.SubVoxelsPerColumn())
+                                      : SpacePoints(points.Column, points.Height, 1),
+      boundary, options, monitor.Step(0.2, 0.7));
+  points.Height = std::vector<double>(); // memory that the output can use
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::BoundaryDeviation, simplified.Deviation);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::OutlineDeviation, simplified.OutlineDeviation);

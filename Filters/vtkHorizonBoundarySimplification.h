@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonBoundarySimplification
- * @brief   fewer points on the outlines of a horizon, where they run straight
+ * @brief   drops points from straight stretches of the outlines of a horizon
  *
  * Input: what vtkHorizonExteriorBoundary gives. Output: the same without the boundary points that were dropped, which
  * leave the surface altogether; points inside are untouched. PointCount of a dropped point goes to the nearer end of
@@ -52,7 +52,7 @@ public:
   vtkTypeMacro(vtkHorizonBoundarySimplification, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Which points are dropped.
+  /// Values of Method.
   enum MethodType
   {
     Threshold = 0,
@@ -61,8 +61,9 @@ public:
 
   ///@{
   /**
-   * Which points are dropped: Threshold, one after the other, as long as they are near enough to the line through their
-   * neighbours; FewestPoints, as many as the tolerances allow. Default: Threshold.
+   * Which points are dropped. Threshold: one after the other, while they are near enough to the line through their
+   * neighbours, as in the thesis. FewestPoints: as many as possible, with every dropped point within OutlineTolerance
+   * on the map and within DistanceThreshold in height. Default: Threshold.
    */
   vtkSetClampMacro(Method, int, Threshold, FewestPoints);
   vtkGetMacro(Method, int);
@@ -72,10 +73,10 @@ public:
 
   ///@{
   /**
-   * A boundary point nearer than this to the line through its two neighbours is dropped (thesis: t). In lattice units:
-   * 1 is one column sideways or one vertical index up or down. At least 0, and 0 drops nothing. With the Method
-   * FewestPoints: how far above or below the new outline a dropped point may be; at 0 points go that are exactly on it.
-   * Default: 0.4.
+   * An outline point is dropped when it is nearer than this to the line through its two neighbours (t of the thesis); 0
+   * drops nothing. A unit is one column sideways, or one vertical index up or down. Larger values give shorter and
+   * flatter outlines. With FewestPoints: how far above or below the new outline a dropped point may be; 0 drops points
+   * that are exactly on it. Unit: lattice units. Range: at least 0. Default: 0.4.
    */
   vtkSetMacro(DistanceThreshold, double);
   vtkGetMacro(DistanceThreshold, double);
@@ -83,9 +84,11 @@ public:
 
   ///@{
   /**
-   * Whether every dropped point has to stay within DistanceThreshold of the edge that spans it in the end (of its
-   * height where corners are dropped), and not just of its neighbours at the time. With the Method FewestPoints it
-   * always has to. Default: off, as in the thesis.
+   * Whether every dropped point must stay within DistanceThreshold of the outline that remains. Off: only of the line
+   * through its neighbours when it is dropped, as in the thesis; many drops can add up beyond the threshold.
+   * FewestPoints always does this. Default: off.
+   *
+   * Where corners are dropped it is the height that has to stay within.
    */
   vtkSetMacro(BoundDeviation, bool);
   vtkGetMacro(BoundDeviation, bool);
@@ -94,8 +97,9 @@ public:
 
   ///@{
   /**
-   * How far a dropped point may be from the new outline seen from above. In columns, at least 0; with 0 the outline
-   * seen from above stays as it is, and from about 0.5 staircases become straight lines. Default: 0.
+   * How far a dropped point may be from the new outline on the map. 0 keeps the outline as it is on the map; from about
+   * 0.5, staircases that come from the lattice become straight lines. Outlines never cross, and no point of the horizon
+   * ends up outside. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);

@@ -90,14 +90,15 @@ void vtkHorizonCellSimplification::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
+void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   vtkPolyData* const output = outputs.front();
-  LatticePoints points = ReadPoints(input);
+  LatticePoints points = ReadPoints(horizon, outputs);
+  const vtkSmartPointer<vtkPolyData> input = points.Horizon;
   const Lattice grid = points.Grid;
   monitor.Progress(0.1);
   // The horizon is gone before the output is made.
-  const Reduction reduction = this->Simplify(ReadBoundedHorizon(input, std::move(points)), monitor.Step(0.2, 0.8));
+  const Reduction reduction = this->Simplify(ReadBoundedHorizon(std::move(points)), monitor.Step(0.2, 0.8));
   if (this->ShowCells)
   {
     WriteCells(reduction, this->HasCubes(), grid, output);

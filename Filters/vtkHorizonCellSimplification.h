@@ -5,8 +5,8 @@
  * @brief   what the simplifications of the inside have in common
  *
  * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives. Output: boundary points and loops
- * as they were, then the points that stand for cells. PointCount is summed: it says how many points of the original
- * horizon each point stands for. Where a point is the barycentre of several, arrays of floating point numbers and
+ * as they were, then the points that represent cells. PointCount is summed: it says how many points of the original
+ * horizon each point represents. Where a point is the barycentre of several, arrays of floating point numbers and
  * VerticalIndex are averaged, weighted by PointCount; all other arrays are labels, and are taken from the nearest of
  * the points that were merged. VerticalIndex becomes an array of doubles.
  *
@@ -40,14 +40,15 @@ public:
 
   ///@{
   /**
-   * The side of a cell in columns of the lattice (thesis: s). At least 1. Default: 3 in the rough simplification, 8 in
-   * the elaborate one.
+   * The side of a cell (s of the thesis): of the squares of the rough simplification, where 1 keeps every point inside
+   * the outline and 3 about one in nine, or of the cubes that the elaborate one halves. Unit: lattice units. Range: at
+   * least 1. Default: 3 in vtkHorizonRoughSimplification, 8 in vtkHorizonElaborateSimplification.
    */
   vtkSetMacro(CellSize, int);
   vtkGetMacro(CellSize, int);
   ///@}
 
-  /// What stands for the points of a cell.
+  /// Values of Representative.
   enum RepresentativeChoice
   {
     Barycentre = 0,
@@ -56,9 +57,9 @@ public:
 
   ///@{
   /**
-   * What stands for the points of a cell. Barycentre: their mean (thesis). NearestPoint: the one of them that is
-   * nearest to it in plan, with its own attributes, so that every point of the output is one of the input. Default:
-   * Barycentre.
+   * What represents the points of a cell. Barycentre: their mean, attributes included, as in the thesis. NearestPoint:
+   * the one of them nearest to it on the map, with its own attributes, so that every point of the output is one of the
+   * input. Default: Barycentre.
    */
   vtkSetClampMacro(Representative, int, Barycentre, NearestPoint);
   vtkGetMacro(Representative, int);
@@ -68,7 +69,9 @@ public:
 
   ///@{
   /**
-   * Whether the output is the cells, as wireframe, in place of the points. Default: off.
+   * Whether the output is the cells as wireframe, to look at, in place of the points: squares at the mean height of
+   * their points, or cubes. The cell data array CellOrigin says how often a cell was halved and in which ring it is.
+   * Default: off.
    */
   vtkSetMacro(ShowCells, bool);
   vtkGetMacro(ShowCells, bool);

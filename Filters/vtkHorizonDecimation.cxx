@@ -58,16 +58,17 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
+void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  LatticePoints points = ReadPoints(input);
-  const SeismicHorizons::Lattice grid = points.Grid;
-  BoundedHorizon horizon = ReadBoundedHorizon(input, std::move(points));
-  horizon.Count = std::vector<std::int64_t>(); // which was checked, and is not needed here
+  LatticePoints points = ReadColumns(horizon, outputs);
+  const SeismicHorizons::Lattice& grid = points.Grid;
+  BoundedHorizon bounded = ReadPatchesAndBoundary(points);
+  bounded.Height = std::move(points.Height);
+  ReadCounts(points.Horizon); // refuses wrong ones before the work
   monitor.Progress(0.1);
-  const DecimationOptions options = this->MakeOptions(horizon, grid);
-  Decimation decimation = Decimate(std::move(horizon), options, monitor.Step(0.1, 0.9));
-  WriteDecimation(input, grid, decimation, outputs.front());
+  const DecimationOptions options = this->MakeOptions(bounded, grid);
+  Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
+  WriteDecimation(points.Horizon, grid, decimation, outputs.front());
   if (this->GetCloseFaults())
   {
     const auto& vertices = decimation.Points;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonDecimation
- * @brief   a mesh of few triangles that is nowhere farther from the horizon than an error you choose
+ * @brief   makes a mesh of few triangles that is nowhere farther from the horizon than an error you choose
  *
  * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives, with its points on whole columns.
  *
@@ -53,7 +53,7 @@ public:
   vtkTypeMacro(vtkHorizonDecimation, vtkHorizonReducedMesh);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What decides how many points are left.
+  /// Values of Target.
   enum Targets
   {
     LargestError = 0,
@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * What decides how many points are left: LargestError (MaximumError), NumberOfPoints (MaximumNumberOfPoints) or
-   * Reduction (TargetReduction). Default: LargestError.
+   * What decides how many points are left. LargestError: MaximumError. NumberOfPoints: MaximumNumberOfPoints.
+   * Reduction: TargetReduction. Default: LargestError.
    */
   vtkSetClampMacro(Target, int, LargestError, Reduction);
   vtkGetMacro(Target, int);
@@ -75,8 +75,8 @@ public:
 
   ///@{
   /**
-   * How many points each horizon has at most, those of its loops included, of which there can be no fewer. Default:
-   * 10000.
+   * How many points each horizon has at most, those of its outlines included, which are never dropped. Unit: points.
+   * Range: at least 1. Default: 10000.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);
@@ -84,7 +84,8 @@ public:
 
   ///@{
   /**
-   * Which part of the points of each horizon is dropped, from 0 to 1; loops are kept whatever it is. Default: 0.95.
+   * The fraction of the points of each horizon that is dropped; 0.95 leaves one in twenty. Outlines are kept in any
+   * case. Unit: fraction of the points. Range: 0 to 1. Default: 0.95.
    */
   vtkSetMacro(TargetReduction, double);
   vtkGetMacro(TargetReduction, double);

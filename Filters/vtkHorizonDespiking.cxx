@@ -67,10 +67,10 @@ int vtkHorizonDespiking::RequestData(
 //------------------------------------------------------------------------------
 void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
-  LatticePoints points = ReadPoints(input);
+  const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  vtkPolyData* const input = points.Horizon;
   monitor.Progress(0.2);
-  const std::vector<SpikeKind> kinds = FindSpikes(ToColumns(std::move(points.Plane), points.Grid), points.Height,
+  const std::vector<SpikeKind> kinds = FindSpikes(points.Column, points.Height,
     { this->Threshold, this->NeighborhoodRadius, this->ThreadWidth }, monitor.Step(0.2, 0.9));
   vtkPolyData* const output = outputs.front();
   if (this->Action == Remove)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonDespiking
- * @brief   takes spikes and threads out of a horizon
+ * @brief   removes or flags spikes and narrow spurs of a horizon
  *
  * Input: a horizon before it has an outline, or a composite dataset of such; at most one point in a column of the
  * lattice. Output: with Remove the points that are neither spikes nor on threads, with Flag all of them; a vertex cell
@@ -13,8 +13,8 @@
  * A spike is a point whose height differs from the median of the points around it by more than Threshold. The median
  * goes with the larger side at a fault, so that straight faults are no spikes; at the rim of a steep horizon it is off
  * by about Radius times the dip. A thread is what is at most ThreadWidth columns wide: points that no full square of
- * one column more covers (a morphological opening). What hung on by it becomes a patch of its own, which
- * vtkHorizonExteriorBoundary can drop as a speck.
+ * one column more covers (a morphological opening). What was connected by it alone becomes a patch of its own, which
+ * vtkHorizonExteriorBoundary drops if it is small.
  *
  * Takes time linear in the points and in the square of Radius, on several threads.
  *
@@ -37,7 +37,7 @@ public:
   vtkTypeMacro(vtkHorizonDespiking, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What is done with spikes and threads.
+  /// Values of Action.
   enum Actions
   {
     Remove = 0,
@@ -46,8 +46,8 @@ public:
 
   ///@{
   /**
-   * What is done with spikes and threads: Remove leaves them out, Flag keeps all points and marks them in the array
-   * Spike. Default: Remove.
+   * What is done with spikes and threads. Remove: they are left out. Flag: all points stay, and the array Spike is 1 at
+   * spikes, 2 on threads. Default: Remove.
    */
   vtkSetClampMacro(Action, int, Remove, Flag);
   vtkGetMacro(Action, int);
@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * How far a point may be above or below the median of the points around it, in vertical indices. Finite, at least 0.
-   * Default: 4.
+   * How far a point may be above or below the median of the points around it. Unit: vertical indices. Range: at least
+   * 0. Default: 4.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * How many columns along each axis points count as around, 1 to 16. Clusters of spikes stand out as long as they
-   * cover less than half of that square. Default: 2.
+   * How far around a point the median is taken, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes
+   * are found if they cover less than half of the square. Unit: columns. Range: 1 to 16. Default: 2.
    */
   vtkSetMacro(NeighborhoodRadius, int);
   vtkGetMacro(NeighborhoodRadius, int);
@@ -75,19 +75,17 @@ public:
 
   ///@{
   /**
-   * Strips and spurs that are at most so many columns wide are threads, 0 to 64; 0 looks for none. Default: 0.
+   * Strips and spurs of at most this width are threads; 0 looks for none. Unit: columns. Range: 0 to 64. Default: 0.
    */
   vtkSetMacro(ThreadWidth, int);
   vtkGetMacro(ThreadWidth, int);
   ///@}
 
-  ///@{
-  /**
-   * Of the last update, over all horizons: how many points are spikes, and how many are on threads.
-   */
+  /// How many points are spikes, in all horizons of the last update.
   vtkGetMacro(NumberOfSpikes, vtkIdType);
+
+  /// How many points are on threads, in all horizons of the last update.
   vtkGetMacro(NumberOfThreadPoints, vtkIdType);
-  ///@}
 
 protected:
   vtkHorizonDespiking() = default;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonElaborateSimplification
- * @brief   fewer points where a horizon is flat, in cells whose size changes gradually from the boundary to the inside
+ * @brief   thins out a horizon where it is flat, in cells whose size changes gradually from the outline inwards
  *
  * Input and output: as vtkHorizonCellSimplification describes. It can follow vtkHorizonRoughSimplification, which makes
  * it faster (the thesis's global method), or be used alone.
@@ -49,8 +49,8 @@ public:
   ///@{
   /**
    * How curved the points of a cell may be: the least eigenvalue of their covariance divided by the sum of the three
-   * (thesis: eq. 4.5). From 0, only a plane is flat, to 1/3, everything is. The thesis uses 0.03 to 0.20. Default:
-   * 0.12.
+   * (thesis, eq. 4.5). 0: only a plane is flat; 1/3: everything is. Smaller values keep more points; the thesis uses
+   * 0.03 to 0.20. Range: 0 to 1/3. Default: 0.12.
    */
   vtkSetMacro(FlatnessThreshold, double);
   vtkGetMacro(FlatnessThreshold, double);
@@ -58,8 +58,9 @@ public:
 
   ///@{
   /**
-   * A cell with boundary points is halved unless it has more of them than this for each lattice unit of its side
-   * (thesis: PD, eq. 4.2). At least 0. Default: 0.25.
+   * A cell with outline points is halved unless it has more of them than this for each lattice unit of its side (PD of
+   * the thesis, eq. 4.2), and BoundaryExtentThreshold is exceeded too. Unit: points per lattice unit. Range: at least
+   * 0. Default: 0.25.
    */
   vtkSetMacro(BoundaryDensityThreshold, double);
   vtkGetMacro(BoundaryDensityThreshold, double);
@@ -67,8 +68,8 @@ public:
 
   ///@{
   /**
-   * And unless two of its boundary points are farther apart than this, in lattice units (thesis: d_max, eq. 4.1 and
-   * 4.2). At least 0. Default: 2.
+   * A cell with outline points is halved unless two of them are farther apart than this (d_max of the thesis, eq. 4.1
+   * and 4.2), and BoundaryDensityThreshold is exceeded too. Unit: lattice units. Range: at least 0. Default: 2.
    */
   vtkSetMacro(BoundaryExtentThreshold, double);
   vtkGetMacro(BoundaryExtentThreshold, double);
@@ -76,8 +77,8 @@ public:
 
   ///@{
   /**
-   * A cell with boundary points that is not halved keeps these, and one point for all others when its side is larger
-   * than this, in lattice units. At least 0. Default: 2.
+   * A cell with outline points that is not halved keeps these; one larger than this keeps one point for all its others
+   * as well. Unit: lattice units. Range: at least 0. Default: 2.
    */
   vtkSetMacro(BoundaryCellSizeThreshold, double);
   vtkGetMacro(BoundaryCellSizeThreshold, double);
@@ -85,15 +86,14 @@ public:
 
   ///@{
   /**
-   * No cell is halved to a side below this, in lattice units; one that would have to be, as it is not flat or its
-   * boundary points are not dense, stays as it is. At least 1. Where it is more than half of CellSize no cell is halved
-   * at all. Default: 1.
+   * No cell is halved to a side below this; one that would need it stays as it is. Where it is more than half of
+   * CellSize, no cell is halved at all. Unit: lattice units. Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestCellSize, double);
   vtkGetMacro(SmallestCellSize, double);
   ///@}
 
-  /// What counts once in the mean size of neighbours.
+  /// Values of NeighbourMean.
   enum NeighbourMeanChoice
   {
     OverCubes = 0,
@@ -102,9 +102,9 @@ public:
 
   ///@{
   /**
-   * What the mean size of the neighbours in the ring before is taken over. OverCubes: each neighbouring cube counts
-   * once, with the mean size of the cells it was cut into (thesis: eq. 4.3). OverPieces: each of these cells counts, so
-   * that a cube in 16 pieces counts 16 times, and cells are smaller further inside. Default: OverCubes.
+   * What the mean size of the neighbours one ring further out is taken over. OverCubes: each neighbouring cube counts
+   * once, with the mean size of the cells it was cut into (thesis, eq. 4.3). OverPieces: each of these cells counts, so
+   * that cubes in many small cells count more, and cells are smaller further inside. Default: OverCubes.
    */
   vtkSetClampMacro(NeighbourMean, int, OverCubes, OverPieces);
   vtkGetMacro(NeighbourMean, int);
@@ -114,8 +114,11 @@ public:
 
   ///@{
   /**
-   * How many times as large as its neighbours in the ring before, in the mean, a cell may be, up to the nearest size
-   * that halving gives. At least 1, as in the thesis (eq. 4.3). With 2 cells may double from ring to ring. Default: 1.
+   * How many times as large as the mean of its neighbours one ring further out a cell may be. 1: sizes stay as they are
+   * at the outline, or shrink, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1.
+   * Default: 1.
+   *
+   * Up to the nearest size that halving gives.
    */
   vtkSetMacro(GrowthPerRing, double);
   vtkGetMacro(GrowthPerRing, double);

@@ -3,7 +3,6 @@
 
 #include "vtkHorizonExteriorBoundary.h"
 
-#include "Boundary/BoundaryMarks.h"
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/Parameters.h"
@@ -57,10 +56,9 @@ std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea)
 //------------------------------------------------------------------------------
 void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
-  LatticePoints points = ReadPoints(input);
+  LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   points.Height = std::vector<double>(); // which no boundary needs
-  const std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid);
+  vtkPolyData* const input = points.Horizon;
   monitor.Progress(0.3);
   BoundaryOptions options;
   options.Radius = this->Radius;
@@ -68,15 +66,15 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   options.HoleBoundaries = this->HoleBoundaries;
   options.SmallestHoleSize = this->FindSmallestHoleSize(points.Grid.ColumnArea());
   options.MinimumPatchSize = this->MinimumPatchSize;
-  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(columns)) : std::nullopt;
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
   const auto type = static_cast<SeismicHorizons::BoundaryType>(this->BoundaryType);
-  auto found = FindExteriorBoundary(columns, OptionsFor(type, options), monitor.Step(0.3, 0.9));
+  auto found = FindExteriorBoundary(points.Column, OptionsFor(type, options), monitor.Step(0.3, 0.9));
   if (found.NumberOfPatches == 0)
   {
     vtkWarningMacro(<< NothingLeft(input, this->MinimumPatchSize));
   }
-  const std::vector<BoundaryKind> marks = MarkBoundary(type, columns, found);
+  const std::vector<BoundaryKind> marks = MarkBoundary(type, points.Column, found);
   const KeptPoints kept = DropPointsWithoutPatch(found);
   WriteBoundary(input, kept, found, kept.Select(marks), outputs.front());
   if (!this->UseCuts)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonExteriorBoundary
- * @brief   the closed outline of each patch of a horizon
+ * @brief   finds the closed outline of each patch of a horizon
  *
  * Input: a horizon, or a composite dataset of them; at most one point in a column of the lattice.
  * Output: the same points with all their arrays, a vertex cell for each, and closed polylines over them (first point
@@ -47,7 +47,7 @@ public:
   vtkTypeMacro(vtkHorizonExteriorBoundary, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Which boundary is looked for.
+  /// Values of BoundaryType.
   enum BoundaryTypes
   {
     Exterior = 0,
@@ -55,7 +55,7 @@ public:
     Topological8 = 2
   };
 
-  /// How an outline of a radius above 1 grows.
+  /// Values of GrowthStrategy.
   enum GrowthStrategies
   {
     Distance = 0,
@@ -64,11 +64,13 @@ public:
 
   ///@{
   /**
-   * What counts as boundary. Exterior: the loops that the other parameters describe. Topological4: every point with an
-   * empty column on one of its four sides (thesis Def. 3.2); loops run through just these points, around patches of
-   * neighbouring columns and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are.
-   * Topological8: as well every point with an empty column at one of its corners; the loops are the same, and Boundary
-   * is that of the points beside. Default: Exterior.
+   * What counts as boundary. Exterior: the outline of every patch, as set below. Topological4: every point with an
+   * empty column on one of its four sides, at the outside and at every hole. Topological8: also points with an empty
+   * column at one of their corners. See "Topological boundaries" in HorizonExteriorBoundary.md. Default: Exterior.
+   *
+   * Topological4 is Def. 3.2 of the thesis: loops run through just these points, around patches of neighbouring columns
+   * and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are. With Topological8 the
+   * loops are the same, and Boundary is that of the points beside.
    */
   vtkSetClampMacro(BoundaryType, int, Exterior, Topological8);
   vtkGetMacro(BoundaryType, int);
@@ -79,8 +81,9 @@ public:
 
   ///@{
   /**
-   * How many columns a hop of a loop may lead along each axis (thesis: k), 1 to 32. Gaps of up to Radius - 1 empty
-   * columns part no patch. Default: 1.
+   * How far the outline may hop from one point to the next along each axis (k of the thesis). Gaps of up to Radius - 1
+   * missing columns do not break a horizon into patches: 1 follows neighbouring points only, 2 spans one missing
+   * column. Larger values give fewer patches and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -88,9 +91,11 @@ public:
 
   ///@{
   /**
-   * The rule by which a loop goes on where Radius leaves a choice. Distance (thesis Alg. 3.1): it follows the border of
-   * neighbouring columns, and bridges gaps there and back. Clockwise (Alg. 3.2): it takes the first hop of a clockwise
-   * sweep, and so cuts bays short. With a Radius of 1 they are the same. Default: Clockwise.
+   * How the outline continues where the radius leaves a choice. Distance: from neighbour to neighbour, with single
+   * bridges over gaps; every detail stays. Clockwise: by the outermost hop; narrow bays and gaps are cut short. With a
+   * Radius of 1 they are the same. Default: Clockwise.
+   *
+   * Thesis, Alg. 3.1 and 3.2. Clockwise takes the first hop of a clockwise sweep.
    */
   vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
   vtkGetMacro(GrowthStrategy, int);
@@ -100,8 +105,9 @@ public:
 
   ///@{
   /**
-   * Whether holes have loops, which the later stages keep open. A hole is what the hops of the chosen rule leave open
-   * inside a patch, with at least one column strictly inside. Default: off.
+   * Whether holes have an outline, and stay open in the mesh; all others are closed by it. Default: off.
+   *
+   * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
   vtkSetMacro(HoleBoundaries, bool);
   vtkGetMacro(HoleBoundaries, bool);
@@ -110,8 +116,10 @@ public:
 
   ///@{
   /**
-   * Holes with fewer columns strictly inside their loop, those of islands included, have no loop. At least 1, which
-   * keeps all holes. Default: 1.
+   * Holes with fewer columns strictly inside are closed, as single missing points are no holes. 1 keeps every hole
+   * open. Unit: columns. Range: at least 1. Default: 1.
+   *
+   * Columns of islands in the hole count.
    */
   vtkSetMacro(SmallestHoleSize, int);
   vtkGetMacro(SmallestHoleSize, int);
@@ -119,8 +127,10 @@ public:
 
   ///@{
   /**
-   * The same as an area: columns strictly inside times the area of a column, in square units of the world. Holes that
-   * are below either limit have no loop. At least 0, which sets no limit. Default: 0.
+   * Holes smaller than this area are closed; 0 sets no limit. A hole must pass both limits to stay open. Unit: square
+   * units of the world. Range: at least 0. Default: 0.
+   *
+   * The area is that of the columns strictly inside.
    */
   vtkSetMacro(SmallestHoleArea, double);
   vtkGetMacro(SmallestHoleArea, double);
@@ -128,8 +138,7 @@ public:
 
   ///@{
   /**
-   * Patches of fewer points are dropped as specks, and their points leave the horizon. At least 1, which keeps all.
-   * Default: 1.
+   * Patches of fewer points are dropped. 1 keeps every patch. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);
@@ -137,9 +146,11 @@ public:
 
   ///@{
   /**
-   * Whether the cut links that the horizon carries (field data CutLinks) part it: cracks are loops around both lips,
-   * whatever HoleBoundaries and the smallest hole are, and the later stages leave them open. Off: the horizon is not
-   * cut from here on, and the output has no CutLinks. Default: on.
+   * Whether the horizon is split along the faults that it carries (field data CutLinks). A fault that ends inside is a
+   * crack: an outline around both of its sides, which stays open in the mesh whatever its size. Off: faults are ignored
+   * from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   *
+   * Off: the output has no CutLinks.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);

@@ -6,8 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Faults/FaultDetection.h"
-#include "Faults/FaultPolylines.h"
-#include "Faults/FaultSticks.h"
+#include "Faults/FaultLines.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/FaultPolyData.h"
 #include "Marshalling/HorizonPoints.h"
@@ -17,6 +16,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -116,9 +116,8 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
 {
   const FaultDetectionOptions options = this->MakeOptions();
   CheckOptions(options);
-  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
-  LatticePoints points = ReadPoints(input);
-  const ColumnHeights heights(ToColumns(std::move(points.Plane), points.Grid), points.Height);
+  const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
   FaultLines lines;
   if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
@@ -129,7 +128,10 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
     this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
   }
   vtkPolyData* const output = outputs[0];
-  output->ShallowCopy(input);
+  vtkNew<vtkFieldData> figures; // with what was found of the columns
+  figures->ShallowCopy(output->GetFieldData());
+  output->ShallowCopy(points.Horizon);
+  output->SetFieldData(figures);
   if (this->Detect)
   {
     const FaultDetection detection = DetectFaults(heights, options, monitor.Step(0.2, 0.95));

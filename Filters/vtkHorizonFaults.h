@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFaults
- * @brief   where faults tear a horizon: found in its heights, or along given lines
+ * @brief   detects faults in a horizon, or uses fault lines that you supply
  *
  * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1, which may
  * be left out: fault traces or polygons, as lines or polygons of vtkPolyData in world coordinates; only their places on
@@ -14,8 +14,8 @@
  *    (i, j + 1). By j, i and side, each once. Columns may be missing
  *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan where it is not known
  *  - CutLine (int): the number of the fault line that the link belongs to
- *  - FaultNoise (double, one value): standard deviation of height differences by noise alone, in vertical indices
- * The stages after it mesh each side of the cuts for itself.
+ *  - FaultNoise (double, one value): standard deviation of height differences due to noise alone, in vertical indices
+ * Later stages mesh each side of the cuts independently.
  *
  * Output 1: the fault lines as polylines, with the point data array Throw (double): how much larger the vertical index
  * is on the left of the line than on its right; lines run so that it is positive on the whole. Cell data: FaultLine
@@ -28,8 +28,8 @@
  * LargestGap missing columns are cut in the middle when planes through the points on both sides are as far apart there.
  * Faults that bend by ramps of several columns show as bundles of lines, or are missed where no single step is large.
  *
- * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box
- * and 16 per point beyond input and output.
+ * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box,
+ * wide bands without points left out, and 16 per point beyond input and output.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
  * parameter out of its range, a line with a point that is not finite. A warning where no given line passes the horizon.
@@ -57,7 +57,7 @@ public:
 
   ///@{
   /**
-   * Whether faults are looked for in the heights. Off: only given lines cut. Default: on.
+   * Whether faults are detected in the heights. Off: only the lines that you supply cut. Default: on.
    */
   vtkSetMacro(Detect, bool);
   vtkGetMacro(Detect, bool);
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Only faults that somewhere throw by this much are found, in vertical indices; at least 0. Their ends, with smaller
-   * throws down to half of it, are found with them. Default: 4.
+   * Only faults whose throw reaches this somewhere are found; their ends, with throws down to half of it, are found
+   * with them. Unit: vertical indices. Range: at least 0. Default: 4.
    */
   vtkSetMacro(SmallestThrow, double);
   vtkGetMacro(SmallestThrow, double);
@@ -75,8 +75,9 @@ public:
 
   ///@{
   /**
-   * The standard deviation of differences between neighbouring columns by noise alone, in vertical indices; 0 to
-   * measure it on each horizon. Default: 0.
+   * Standard deviation of height differences between neighbouring columns due to noise alone; 0 measures it on each
+   * horizon. Only throws of several times the noise can be told from it. Unit: vertical indices. Range: at least 0.
+   * Default: 0.
    */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
@@ -84,7 +85,7 @@ public:
 
   ///@{
   /**
-   * How many columns a fault spans along i or j at least. Default: 20.
+   * How many columns a fault spans at least, along i or j. Unit: columns. Range: at least 0. Default: 20.
    */
   vtkSetMacro(SmallestExtent, int);
   vtkGetMacro(SmallestExtent, int);
@@ -92,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Branches of a fault that cut fewer links are left out. Default: 10.
+   * Branches of a fault that cut fewer links are left out. Unit: links. Range: at least 0. Default: 10.
    */
   vtkSetMacro(SmallestBranch, int);
   vtkGetMacro(SmallestBranch, int);
@@ -100,23 +101,26 @@ public:
 
   ///@{
   /**
-   * A fault is followed through gaps of at most so many missing columns, along i or j. Default: 5.
+   * A fault is followed through gaps of at most this many missing columns in a row; planes through the points on both
+   * sides give the throw. 0 follows none. Unit: columns. Range: at least 0. Default: 5.
    */
   vtkSetMacro(LargestGap, int);
   vtkGetMacro(LargestGap, int);
   ///@}
 
-  ///@{
   /**
-   * Figures of the last update, all horizons together: the largest noise, the number of fault lines, and how many links
-   * they cut.
+   * Standard deviation of height differences due to noise alone, in vertical indices; the largest of all horizons of
+   * the last update.
    */
   vtkGetMacro(MeasuredNoise, double);
-  vtkGetMacro(NumberOfFaultLines, vtkIdType);
-  vtkGetMacro(NumberOfCutLinks, vtkIdType);
-  ///@}
 
-  /// What given lines are.
+  /// How many lines cut links, in all horizons of the last update.
+  vtkGetMacro(NumberOfFaultLines, vtkIdType);
+
+  /// How many links between columns are cut, in all horizons of the last update.
+  vtkGetMacro(NumberOfCutLinks, vtkIdType);
+
+  /// Values of LineType.
   enum LineTypes
   {
     Traces = 0,
@@ -125,10 +129,11 @@ public:
 
   ///@{
   /**
-   * What given lines are. Traces: they run along the horizon, seen from above, as fault traces and polygons do. Sticks:
-   * they run down faults, and the trace of a fault goes through the places where its sticks, one after the other, pass
-   * through the horizon; sticks of one fault agree in all words of the cell array FaultName but the last. Default:
-   * Traces.
+   * What the fault lines are. Traces: they run along the horizon, seen from above, as fault traces and polygons do.
+   * Sticks: they run down faults; the trace of a fault goes through the points where its sticks, one after the other,
+   * pass through the horizon. Default: Traces.
+   *
+   * Sticks of one fault agree in all words of the cell array FaultName but the last.
    */
   vtkSetClampMacro(LineType, int, Traces, Sticks);
   vtkGetMacro(LineType, int);
@@ -138,7 +143,11 @@ public:
 
   ///@{
   /**
-   * The fault traces, polygons or sticks, input 1; none when they are removed.
+   * Fault traces, polygons or sticks in the coordinates of the horizon, such as those of vtkFaultLinesReader; optional.
+   * Links are cut where lines pass between two columns, seen from above; polygons are cut all around. Unit: world
+   * units. Range: lines, polygons. Default: none.
+   *
+   * Input 1.
    */
   void SetFaultLinesConnection(vtkAlgorithmOutput* lines) { this->SetInputConnection(1, lines); }
   void RemoveFaultLines() { this->SetInputConnection(1, nullptr); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFromImage
- * @brief   makes a horizon of a map: an image with z as an array
+ * @brief   makes a horizon from a map, an image with z as an array
  *
  * The input is a vtkImageData of one layer, turned or not, as from ParaView's readers of GeoTIFF, BAG and DEM files.
  * Its points are the columns of the lattice, or the centres of its cells where z is an array of these. Columns that are
@@ -26,8 +26,8 @@ public:
 
   ///@{
   /**
-   * The name of the array with z, of points or cells. Default: empty, for the active scalars, or where there are none
-   * the first array of one component; arrays of points go before those of cells.
+   * The array with z, of points or cells. Empty: the active scalars, or where there are none the first array of one
+   * component, those of points before those of cells. Range: a name. Default: empty.
    */
   vtkSetStringMacro(ZArray);
   vtkGetStringMacro(ZArray);
@@ -35,11 +35,19 @@ public:
 
   ///@{
   /**
-   * Numbers that stand for "no value", separated by blanks or commas. Besides these, nan, infinity and numbers of 1e30
-   * and more do so always. Default: empty.
+   * Numbers that stand for no value, besides nan, infinity, and numbers of 1e30 and more. Points without z are left
+   * out, and counted in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas.
+   * Default: empty.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);
+  ///@}
+
+  ///@{
+  /**
+   * The map.
+   */
+  vtkHorizonInputMacro();
   ///@}
 
 protected:

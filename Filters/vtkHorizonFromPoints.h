@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFromPoints
- * @brief   makes horizons of any points or table: puts them on the lattice they stand on
+ * @brief   makes horizons from any points or table, on the lattice of their survey
  *
  * The input is a vtkPointSet or a vtkTable, as from ParaView's readers of CSV or LAS files, or from a Calculator. The
  * coordinates of points are x, y and z. Other arrays, and those of a table, are taken by their names: "X" or "Easting",
@@ -31,30 +31,75 @@ public:
 
   ///@{
   /**
-   * The names of the arrays with x, y, z, inline, crossline, and the name of the horizon. An array that is named has to
-   * be there. Default: empty, for the coordinates of points, and for arrays by their usual names.
+   * The array with x. Empty: the coordinates of points, or an array with a usual name, such as x or easting. Range: a
+   * name. Default: empty.
+   *
+   * An array that is named has to be there; this holds for all of these.
    */
   vtkSetStringMacro(XArray);
   vtkGetStringMacro(XArray);
+  ///@}
+
+  ///@{
+  /**
+   * The array with y. Empty: the coordinates of points, or an array with a usual name, such as y or northing. Range: a
+   * name. Default: empty.
+   */
   vtkSetStringMacro(YArray);
   vtkGetStringMacro(YArray);
+  ///@}
+
+  ///@{
+  /**
+   * The array with z. Empty: the coordinates of points, or an array with a usual name, such as z, depth or time. Range:
+   * a name. Default: empty.
+   */
   vtkSetStringMacro(ZArray);
   vtkGetStringMacro(ZArray);
+  ///@}
+
+  ///@{
+  /**
+   * The array with inline numbers. Empty: one with a usual name, such as inline or il, if there is one. Range: a name.
+   * Default: empty.
+   */
   vtkSetStringMacro(InlineArray);
   vtkGetStringMacro(InlineArray);
+  ///@}
+
+  ///@{
+  /**
+   * The array with crossline numbers. Empty: one with a usual name, such as crossline or xl, if there is one. Range: a
+   * name. Default: empty.
+   */
   vtkSetStringMacro(CrosslineArray);
   vtkGetStringMacro(CrosslineArray);
+  ///@}
+
+  ///@{
+  /**
+   * The array with the names of horizons, numbers or texts. Empty: one called name or horizon; without it all points
+   * are one horizon, Horizon 1. Range: a name. Default: empty.
+   */
   vtkSetStringMacro(NameArray);
   vtkGetStringMacro(NameArray);
   ///@}
 
   ///@{
   /**
-   * Numbers that stand for "no value", separated by blanks or commas. Besides these, nan, infinity and numbers of 1e30
-   * and more do so always. Points without z are left out, attributes become nan. Default: empty.
+   * Numbers that stand for no value, besides nan, infinity, and numbers of 1e30 and more. Points without z are left
+   * out, and counted in the field data DroppedNulls; attributes become nan. Unit: that of z. Range: numbers, separated
+   * by blanks or commas. Default: empty.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);
+  ///@}
+
+  ///@{
+  /**
+   * The points or the table.
+   */
+  vtkHorizonInputMacro();
   ///@}
 
 protected:

@@ -72,14 +72,13 @@ int vtkHorizonHoleFilling::RequestData(
 //------------------------------------------------------------------------------
 void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
-  LatticePoints points = ReadPoints(input);
+  const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  vtkPolyData* const input = points.Horizon;
   const HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
   const std::vector<FilledArray> arrays = ListFilledArrays(input, points.Height, this->Attributes == FromRim);
-  const std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid);
-  const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(columns));
+  const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(points.Column));
   monitor.Progress(0.2);
-  const FilledColumns filled = FillHoles(columns, points.Height, ListFilledValues(arrays, points.Height), options,
+  const FilledColumns filled = FillHoles(points.Column, points.Height, ListFilledValues(arrays, points.Height), options,
     cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
   WriteFilledHorizon(input, points.Grid, arrays, filled, outputs.front());
   this->NumberOfFilledHoles += vtkIdType(filled.FilledGaps);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonHoleFilling
- * @brief   new points in the gaps of a horizon
+ * @brief   fills holes of a horizon with a smooth continuation of the surrounding surface
  *
  * Input: a horizon before it has an outline, or a composite dataset of such; at most one point in a column of the
  * lattice. Output: the same points with their arrays, bit by bit, and after them a new point on each column of the
@@ -19,8 +19,8 @@
  * Field data, one vtkIdType each: NumberOfFilledHoles, NumberOfFilledPoints, and NumberOfOpenHoles, those that are too
  * large.
  *
- * Each hole is filled for itself; where the field data array CutLinks (Documentation/DataModel.md) cuts links of the
- * lattice, each side of the cuts alone. With Plate, the least energy of bending of a thin plate over the hole and a
+ * Each hole is filled independently; where the field data array CutLinks (Documentation/DataModel.md) cuts links of the
+ * lattice, so is each side of the cuts. With Plate, the least energy of bending of a thin plate over the hole and a
  * ring of known columns around it, held to their heights by springs (Briggs 1974; of RimSmoothing 0 it goes through
  * them), and then a membrane that carries what is left at the rim inwards. With Membrane, each new point is the mean of
  * its four neighbours (Laplace's equation). Holes of few columns are solved directly, large ones by multigrid: time is
@@ -51,14 +51,14 @@ public:
   vtkTypeMacro(vtkHorizonHoleFilling, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// By what surface holes are filled.
+  /// Values of Method.
   enum Methods
   {
     Plate = 0,
     Membrane = 1
   };
 
-  /// What new points get in the arrays of the input.
+  /// Values of Attributes.
   enum AttributeChoices
   {
     FromRim = 0,
@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Holes of more columns stay open. The error of a filled column grows with its distance from the rim. At least 1.
-   * Default: 2500, which is a square of 50 columns.
+   * Holes of more columns stay open. The wider a hole, the less is known of it: the error grows with the distance from
+   * the rim. Unit: columns. Range: at least 1. Default: 2500.
    */
   vtkSetMacro(LargestHoleSize, vtkIdType);
   vtkGetMacro(LargestHoleSize, vtkIdType);
@@ -76,8 +76,10 @@ public:
 
   ///@{
   /**
-   * The same as an area: columns of the hole times the area of a column, in square units of the world. Holes above
-   * either limit stay open. At least 0, which sets no limit. Default: 0.
+   * Holes larger than this area stay open; 0 sets no limit. A hole must pass both limits to be filled. Unit: square
+   * units of the world. Range: at least 0. Default: 0.
+   *
+   * The area is that of the columns of the hole.
    */
   vtkSetMacro(LargestHoleArea, double);
   vtkGetMacro(LargestHoleArea, double);
@@ -85,8 +87,8 @@ public:
 
   ///@{
   /**
-   * The surface over a hole. Plate goes on with the dip and the bend of the rim; Membrane rises and falls no further
-   * than the rim does. Default: Plate.
+   * The surface over a hole. Plate: a thin plate, which continues the slope and curvature of the rim. Membrane: like a
+   * skin over the hole, never above or below its rim; faster on very large holes. Default: Plate.
    */
   vtkSetClampMacro(Method, int, Plate, Membrane);
   vtkGetMacro(Method, int);
@@ -96,9 +98,12 @@ public:
 
   ///@{
   /**
-   * How much the plate smooths the heights of the ring: the inverse of the strength of its springs. 0 (and all below a
-   * millionth) makes it go through all heights, for data without noise; 16 suits heights with a noise of more than half
-   * a vertical index. Known points keep their heights in any case. 0 to 1e6. Default: 1.
+   * How much noise of the rim the plate smooths; known points are never moved. 0: none, for clean data such as grids
+   * and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default:
+   * 1.
+   *
+   * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
+   * heights.
    */
   vtkSetMacro(RimSmoothing, double);
   vtkGetMacro(RimSmoothing, double);
@@ -106,8 +111,10 @@ public:
 
   ///@{
   /**
-   * How many columns wide the ring of known columns is that a plate goes on from. 1 to 64; below 2 it has no dip from a
-   * rim that is straight. Default: 3.
+   * How many columns of known points around a hole the plate continues. More, together with more smoothing, suit noisy
+   * data. Unit: columns. Range: 1 to 64. Default: 3.
+   *
+   * Below 2 it has no slope from a rim that is straight.
    */
   vtkSetMacro(RimWidth, int);
   vtkGetMacro(RimWidth, int);
@@ -115,8 +122,11 @@ public:
 
   ///@{
   /**
-   * What attributes of floating point numbers are at new points. FromRim: carried inwards from the rim by a membrane,
-   * where values that are not finite count as unknown. NotANumber: nan. Default: FromRim.
+   * What amplitudes and other attributes of floating point numbers are at new points. FromRim: values between those of
+   * the rim. NotANumber: nan, so that nothing is there that was not measured. IDs and other integers are those of the
+   * nearest point. Default: FromRim.
+   *
+   * FromRim carries them inwards by a membrane, where values that are not finite count as unknown.
    */
   vtkSetClampMacro(Attributes, int, FromRim, NotANumber);
   vtkGetMacro(Attributes, int);
@@ -124,14 +134,14 @@ public:
   void SetAttributesToNotANumber() { this->SetAttributes(NotANumber); }
   ///@}
 
-  ///@{
-  /**
-   * Of the last update, over all horizons: how many holes were filled, with how many points, and how many are left.
-   */
+  /// How many holes were filled, in all horizons of the last update.
   vtkGetMacro(NumberOfFilledHoles, vtkIdType);
+
+  /// How many points were added, in all horizons of the last update.
   vtkGetMacro(NumberOfFilledPoints, vtkIdType);
+
+  /// How many holes stay open, as they are too large, in all horizons of the last update.
   vtkGetMacro(NumberOfOpenHoles, vtkIdType);
-  ///@}
 
 protected:
   vtkHorizonHoleFilling() = default;

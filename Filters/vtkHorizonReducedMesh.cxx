@@ -35,8 +35,8 @@ DecimationQuality vtkHorizonReducedMesh::MakeQuality() const
 
 //------------------------------------------------------------------------------
 double vtkHorizonReducedMesh::FindMaximumError(
-  const std::vector<PlanePoint>& plane, const std::vector<double>& height, const SeismicHorizons::Lattice& grid) const
+  PlanePoints columns, const std::vector<double>& height, const SeismicHorizons::Lattice& grid) const
 {
   return ErrorInLatticeUnits(
-    this->MaximumError, static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), plane, height, grid);
+    this->MaximumError, static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), columns, height, grid);
 }

@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 class Lattice;
 struct DecimationQuality;
-struct PlanePoint;
+class PlanePoints;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonReducedMesh : public vtkHorizonAlgorithm
@@ -32,14 +32,15 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point from the mesh, in ErrorUnit; at least 0. For horizons of whole voxels,
-   * whose heights are rounded by up to half a voxel, 0.75 brings the mesh nearest to what was rounded. Default: 0.75.
+   * The largest vertical distance of a point of the horizon from the mesh. For heights in whole voxels, which are
+   * rounded by up to half a voxel, 0.75 brings the mesh nearest to the true surface; 1 or 2 need far fewer triangles.
+   * Unit: ErrorUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
   ///@}
 
-  /// The unit of MaximumError.
+  /// Values of ErrorUnit.
   enum ErrorUnits
   {
     Lattice = 0,
@@ -49,8 +50,8 @@ public:
 
   ///@{
   /**
-   * The unit of MaximumError: Lattice (1 is one vertical index), World (that of z), or Diagonal (1 is the diagonal of
-   * the bounding box of the horizon, in lattice units). Default: Lattice.
+   * The unit of MaximumError. Lattice: 1 is one vertical index, a voxel. World: the unit of z. Diagonal: 1 is the
+   * diagonal of the bounding box of the horizon, in lattice units. Default: Lattice.
    */
   vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
   vtkGetMacro(ErrorUnit, int);
@@ -62,14 +63,14 @@ public:
   ///@{
   /**
    * Whether heights of vertices inside are fitted to the points around them, which takes fewer vertices for the same
-   * error; attributes are then averaged. Off: every vertex is a point of the input with its attributes. Default: on.
+   * error; attributes are averaged. Off: every vertex is a point of the horizon, with its attributes. Default: on.
    */
   vtkSetMacro(FitHeights, bool);
   vtkGetMacro(FitHeights, bool);
   vtkBooleanMacro(FitHeights, bool);
   ///@}
 
-  /// How much is done for few points.
+  /// Values of Effort.
   enum Efforts
   {
     Fast = 0,
@@ -79,8 +80,8 @@ public:
   ///@{
   /**
    * How much is done for few points. Fast: points are inserted where the mesh is farthest from the horizon. Best: then
-   * edges are flipped, heights fitted and vertices removed, which takes some times as long and a quarter to a half
-   * fewer points for an error, or a smaller mean error for a number of points. Default: Best.
+   * edges are flipped, heights fitted and vertices removed, which takes several times as long and a quarter to a half
+   * fewer points for the same error, or gives a smaller mean error for a number of points. Default: Best.
    */
   vtkSetClampMacro(Effort, int, Fast, Best);
   vtkGetMacro(Effort, int);
@@ -88,7 +89,7 @@ public:
   void SetEffortToBest() { this->SetEffort(Best); }
   ///@}
 
-  /// Which error becomes small where the target is a number.
+  /// Values of Priority.
   enum Priorities
   {
     LargestErrors = 0,
@@ -97,8 +98,8 @@ public:
 
   ///@{
   /**
-   * With another target than LargestError, which error becomes small: the largest one (LargestErrors), or the sum of
-   * the squares of all (SumOfSquares), and with it the mean. Default: SumOfSquares.
+   * Which error is minimised where the target is not LargestError. LargestErrors: the largest one. SumOfSquares: the
+   * sum of the squares of all errors, and with it their mean. Default: SumOfSquares.
    */
   vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
   vtkGetMacro(Priority, int);
@@ -108,8 +109,9 @@ public:
 
   ///@{
   /**
-   * With the Effort Best, in degrees, seen from above on the lattice, from 0 to 60: no flip and no removal makes a
-   * smaller angle, but where there was a smaller one before. Large ones take more points. Default: 2.
+   * With the Effort Best, no edge that is flipped and no vertex that is removed makes a smaller angle, seen from above
+   * on the lattice, unless there was a smaller one before. Large values take more points: 5 one in twenty, 10 one in
+   * five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -117,10 +119,12 @@ public:
 
   ///@{
   /**
-   * Whether cracks of cut links (vtkHorizonFaults) are closed by triangles between their lips. These come last, with 1
-   * in the new cell data array Fault, 0 of all other cells, and share the vertices of the lips; all else is as without
-   * them, and no other figure or array counts them: the new FaultTriangleCount (vtkIdType) tells how many there are.
-   * Gaps of missing points stay open. Default: off.
+   * Whether cracks at faults are closed by steep triangles between their two sides, with 1 in the array Fault. The rest
+   * of the mesh is as without them; gaps of missing points stay open. See "Closed meshes" in HorizonFaults.md. Default:
+   * off.
+   *
+   * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
+   * other figure or array counts them; the new FaultTriangleCount (vtkIdType) has their number.
    */
   vtkSetMacro(CloseFaults, bool);
   vtkGetMacro(CloseFaults, bool);
@@ -133,7 +137,7 @@ protected:
 
   SeismicHorizons::DecimationQuality MakeQuality() const;
   /// MaximumError in lattice units, for a horizon with these places, in sub-voxels, and heights.
-  double FindMaximumError(const std::vector<SeismicHorizons::PlanePoint>& plane, const std::vector<double>& height,
+  double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
     const SeismicHorizons::Lattice& grid) const;
 
 private:

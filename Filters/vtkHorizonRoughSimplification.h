@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonRoughSimplification
- * @brief   one point per square cell inside the outline of a horizon
+ * @brief   thins out a horizon to one point per square cell inside its outline
  *
  * Input and output: as vtkHorizonCellSimplification describes. One point for each cell of the inside, row by row.
  *
  * The plane of the lattice is cut into square cells of CellSize columns, from the least corner of the bounding box of
- * the horizon. A cell with boundary points keeps these and nothing else; any other is replaced by the barycentre of
- * its points (thesis 4.3.1, Alg. 4.1), or by the point nearest to that. Points of different patches are never merged.
- * Where a boundary edge crosses the cell so that the barycentre lies outside, the nearest point of the cell stands for
- * it, with its own attributes; so every point stays strictly inside the boundary. A cell size of 1 changes nothing.
+ * the horizon. A cell with boundary points keeps these and nothing else; any other is replaced by the barycentre of its
+ * points (thesis 4.3.1, Alg. 4.1), or by the point nearest to that. Points of different patches are never merged. Where
+ * a boundary edge crosses the cell so that the barycentre lies outside, the nearest point of the cell represents it,
+ * with its own attributes; so every point stays strictly inside the boundary. A cell size of 1 changes nothing.
  *
  * Linear in the points and the cells of the bounding box; cells run in parallel (vtkSMPTools), and the result is the
  * same to the bit for any number of threads. How curved the surface is does not matter: use small cells, to thin out a

@@ -25,7 +25,7 @@ public:
   vtkTypeMacro(vtkHorizonStage, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What to do about a horizon that can not be processed.
+  /// Values of InvalidHorizons.
   enum InvalidHorizonsActions
   {
     Stop = 0,
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Whether one horizon that can not be processed stops the work on all (Stop: an error, and an empty output), or gives
-   * an empty horizon and a warning (LeaveOut). Default: Stop.
+   * What to do about a horizon that cannot be processed. Stop: an error and no output. LeaveOut: a warning, and an
+   * empty horizon in its place. Default: Stop.
    */
   vtkSetClampMacro(InvalidHorizons, int, Stop, LeaveOut);
   vtkGetMacro(InvalidHorizons, int);

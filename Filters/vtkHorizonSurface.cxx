@@ -3,7 +3,7 @@
 
 #include "vtkHorizonSurface.h"
 
-#include "Boundary/BoundaryMarks.h"
+#include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Parameters.h"
@@ -17,7 +17,6 @@
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/SeamData.h"
-#include "Surface/GapHistogram.h"
 #include "Surface/Surface.h"
 
 #include "vtkDoubleArray.h"
@@ -51,7 +50,7 @@ std::optional<std::int32_t> ToSeam(int row)
 }
 
 /// The points on the lower seam, where there is one.
-std::vector<PointId> FindPointsOn(const std::optional<std::int32_t>& row, const std::vector<PlanePoint>& columns)
+std::vector<PointId> FindPointsOn(const std::optional<std::int32_t>& row, PlanePoints columns)
 {
   std::vector<PointId> found;
   for (std::size_t point = 0; row && point < columns.size(); ++point)
@@ -130,8 +129,7 @@ int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
     {
       if (horizon && horizon->GetNumberOfPoints() > 0)
       {
-        LatticePoints points = ReadPoints(WithoutHiddenPoints(horizon));
-        radius = SeismicHorizons::ChooseRadius(ToColumns(std::move(points.Plane), points.Grid));
+        radius = SeismicHorizons::ChooseRadius(ReadColumns(WithoutHiddenPoints(horizon), {}).Column);
       }
     });
   return radius;
@@ -144,7 +142,7 @@ SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(points.Plane, points.Height, points.Grid);
+    options.MaximumError = this->FindMaximumError(points.Column, points.Height, points.Grid);
   }
   else
   {
@@ -164,18 +162,15 @@ SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
 //------------------------------------------------------------------------------
 void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const vtkSmartPointer<vtkPolyData> input = WithoutHiddenPoints(horizon);
-  LatticePoints points = ReadPoints(input);
+  LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  vtkPolyData* const input = points.Horizon;
   SurfaceOptions options = this->MakeOptions(points);
   options.Seams = this->MakeSeams();
-  const std::int32_t size = points.Grid.SubVoxelsPerColumn();
-  std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid, ColumnTolerance::None);
-  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(columns)) : std::nullopt;
+  const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
-  const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, columns);
+  const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, points.Column);
   monitor.Progress(0.1);
-  Surface surface =
-    MakeSurface({ std::move(columns), {}, std::move(points.Height), size }, options, monitor.Step(0.1, 0.9));
+  Surface surface = MakeSurface({ points.Column, std::move(points.Height) }, options, monitor.Step(0.1, 0.9));
   vtkPolyData* const outlines = outputs[OutlinePort];
   WriteBoundary(
     input, surface.Kept, surface.Boundary, MarkBoundary(BoundaryType::Exterior, {}, surface.Boundary), outlines);

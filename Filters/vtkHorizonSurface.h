@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSurface
- * @brief   from the points of a horizon to a mesh of few triangles, with parameters that choose themselves
+ * @brief   makes a mesh of few triangles from the points of a horizon, with automatically chosen parameters
  *
  * Input: what vtkHorizonExteriorBoundary takes. Output 0: the mesh, as vtkHorizonDecimation gives it. Output 1: the
  * outlines over all points, as vtkHorizonExteriorBoundary gives them: what to measure the mesh against.
@@ -51,7 +51,7 @@ public:
   vtkTypeMacro(vtkHorizonSurface, vtkHorizonReducedMesh);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What decides how many triangles the mesh has.
+  /// Values of Target.
   enum Targets
   {
     LargestError = 0,
@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * What decides how many triangles the mesh has: LargestError (MaximumError) or NumberOfTriangles
-   * (MaximumNumberOfTriangles). Default: LargestError.
+   * What decides how many triangles the mesh has. LargestError: MaximumError. NumberOfTriangles:
+   * MaximumNumberOfTriangles. Default: LargestError.
    */
   vtkSetClampMacro(Target, int, LargestError, NumberOfTriangles);
   vtkGetMacro(Target, int);
@@ -71,7 +71,8 @@ public:
 
   ///@{
   /**
-   * How many triangles each horizon has at most; at least what its outlines take alone. Default: 20000.
+   * How many triangles each horizon has at most; fewer than its outlines take are an error. Unit: triangles. Range: at
+   * least 1. Default: 20000.
    */
   vtkSetMacro(MaximumNumberOfTriangles, int);
   vtkGetMacro(MaximumNumberOfTriangles, int);
@@ -79,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Whether the radius of the boundary is chosen: the least one that spans 95 % of the steps from point to point along
-   * rows, and of those along columns. Off: Radius. Default: on.
+   * Whether the radius is chosen: the least one that spans 95 % of the steps from point to point, along rows and along
+   * columns; 1 where points are neighbours, 2 where every second line is there. Off: Radius. Default: on.
    */
   vtkSetMacro(AutomaticRadius, bool);
   vtkGetMacro(AutomaticRadius, bool);
@@ -89,13 +90,15 @@ public:
 
   ///@{
   /**
-   * Without AutomaticRadius, how many columns a hop of a loop may lead along each axis, 1 to 32. Default: 1.
+   * Without AutomaticRadius, how far outlines may hop from one point to the next along each axis, as in
+   * vtkHorizonExteriorBoundary. Gaps that a hop can span do not break a horizon into patches. Unit: columns. Range: 1
+   * to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
   ///@}
 
-  /// How a loop goes on.
+  /// Values of GrowthStrategy.
   enum GrowthStrategies
   {
     Distance = 0,
@@ -104,7 +107,8 @@ public:
 
   ///@{
   /**
-   * The rule by which a loop goes on where the radius leaves a choice (vtkHorizonExteriorBoundary). Default: Clockwise.
+   * How outlines continue where the radius leaves a choice. Distance: from neighbour to neighbour, with single bridges
+   * over gaps. Clockwise: by the outermost hop; narrow bays and gaps are cut short. Default: Clockwise.
    */
   vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
   vtkGetMacro(GrowthStrategy, int);
@@ -114,7 +118,7 @@ public:
 
   ///@{
   /**
-   * Whether holes that are not too small stay open. Default: on.
+   * Whether holes stay open that are not too small. Off: all are closed. Default: on.
    */
   vtkSetMacro(HoleBoundaries, bool);
   vtkGetMacro(HoleBoundaries, bool);
@@ -123,9 +127,11 @@ public:
 
   ///@{
   /**
-   * Whether the cut links that the horizon carries (field data CutLinks) part it: cracks are loops around both lips,
-   * whatever HoleBoundaries and the smallest hole are, and the mesh leaves them open unless CloseFaults is on. Off: the
-   * horizon is not cut from here on, and the outputs have no CutLinks. Default: on.
+   * Whether the horizon is split along the faults that it carries (field data CutLinks). A fault that ends inside is a
+   * crack: an outline around both of its sides, which stays open in the mesh, whatever its size, unless CloseFaults is
+   * on. Off: faults are ignored from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   *
+   * Off: the outputs have no CutLinks.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);
@@ -134,8 +140,8 @@ public:
 
   ///@{
   /**
-   * Whether the size of the smallest hole that stays open is chosen: a square with the larger one of two sides, twice
-   * the radius plus one, and twice the outline tolerance. Off: SmallestHoleSize. Default: on.
+   * Whether the smallest hole that stays open is chosen: a square whose side is twice the radius plus one, or twice the
+   * outline tolerance where that is larger. Off: SmallestHoleSize. Default: on.
    */
   vtkSetMacro(AutomaticSmallestHoleSize, bool);
   vtkGetMacro(AutomaticSmallestHoleSize, bool);
@@ -144,7 +150,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticSmallestHoleSize: holes with fewer columns strictly inside are closed; at least 1. Default: 1.
+   * Without AutomaticSmallestHoleSize, holes with fewer columns strictly inside are closed. 1 keeps every hole open.
+   * Unit: columns. Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestHoleSize, int);
   vtkGetMacro(SmallestHoleSize, int);
@@ -152,7 +159,7 @@ public:
 
   ///@{
   /**
-   * Patches of fewer points are dropped as specks. At least 1, which keeps all. Default: 1.
+   * Patches of fewer points are dropped. 1 keeps every patch. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);
@@ -160,7 +167,8 @@ public:
 
   ///@{
   /**
-   * Whether outlines may be as far off, seen from above, as the mesh is vertically. Off: OutlineTolerance. Default: on.
+   * Whether outlines may be as far off on the map, in columns, as the mesh is vertically. Off: OutlineTolerance.
+   * Default: on.
    */
   vtkSetMacro(AutomaticOutlineTolerance, bool);
   vtkGetMacro(AutomaticOutlineTolerance, bool);
@@ -169,8 +177,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticOutlineTolerance, how far a point that is dropped from an outline may be from it, seen from above.
-   * In columns, at least 0. Default: 0.
+   * Without AutomaticOutlineTolerance, how far a point that is dropped from an outline may be from it on the map. 0
+   * keeps the outline as it is on the map. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);
@@ -187,8 +195,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticDistanceThreshold, how far a point that is dropped from an outline may be above or below it. In
-   * lattice units, at least 0. Default: 0.4.
+   * Without AutomaticDistanceThreshold, how far a point that is dropped from an outline may be above or below it. Unit:
+   * lattice units. Range: at least 0. Default: 0.4.
    */
   vtkSetMacro(DistanceThreshold, double);
   vtkGetMacro(DistanceThreshold, double);
@@ -196,12 +204,14 @@ public:
 
   ///@{
   /**
-   * For a part of a horizon, to be joined to others by vtkHorizonSurfaceJoin: the rows (j) of the lattice where other
-   * parts go on, below the part and above it, -1 for none. The parts on both sides have the points of such a row, and
-   * the part none beyond. The target is the error then, not of unit Diagonal, holes have boundaries, MinimumPatchSize
-   * is 1 and growth clockwise where the radius is not 1. The mesh has two arrays more: SeamRows (int, 2 components),
-   * these rows, as field data, and SeamGap (unsigned char) at points, 1 to the left of gaps along a seam that are not
-   * filled. PointCount leaves out the points of the row below. Default: -1, -1.
+   * For a part of a horizon that vtkHorizonSurfaceJoin joins to others: the rows of the lattice where other parts
+   * continue, below and above, which have these rows too; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
+   *
+   * The parts on both sides have the points of such a row (j), and this part none beyond. The target is the error then,
+   * not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.
+   * The mesh has two arrays more: SeamRows (int, 2 components), these rows, as field data, and SeamGap (unsigned char)
+   * at points, 1 to the left of gaps along a seam that are not filled. PointCount leaves out the points of the row
+   * below.
    */
   vtkSetVector2Macro(SeamRows, int);
   vtkGetVector2Macro(SeamRows, int);

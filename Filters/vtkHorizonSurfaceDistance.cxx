@@ -8,7 +8,6 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
-#include "Marshalling/DistanceReport.h"
 #include "Marshalling/HorizonPairs.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/SurfacePair.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSurfaceDistance
- * @brief   distances between a mesh and the horizon it stands for, in both directions
+ * @brief   measures the distances between a mesh and the horizon it represents, in both directions
  *
  * Input 0, the reference: a triangle mesh, or a horizon without triangles, which is meshed at full resolution inside
  * its loops, or where it has none inside its exterior boundary of the given Radius, holes closed. Input 1: a triangle
@@ -71,7 +71,7 @@ public:
   vtkTypeMacro(vtkHorizonSurfaceDistance, vtkHorizonStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The unit of the point arrays.
+  /// Values of DistanceUnit.
   enum DistanceUnits
   {
     Lattice = 0,
@@ -80,8 +80,8 @@ public:
 
   ///@{
   /**
-   * In which unit Distance and VerticalDistance are: Lattice (1 is one column sideways and one vertical index up, the
-   * unit of all thresholds) or World. The figures come in both. Default: Lattice.
+   * The unit of the arrays Distance and VerticalDistance; figures come in both. Lattice: 1 is one column sideways and
+   * one vertical index up, as for all thresholds. World: the unit of the coordinates. Default: Lattice.
    */
   vtkSetClampMacro(DistanceUnit, int, Lattice, World);
   vtkGetMacro(DistanceUnit, int);
@@ -91,9 +91,10 @@ public:
 
   ///@{
   /**
-   * How many samples there are on the faces of each surface, for each point of the surface that has more points. There
-   * are at least 10,000 on each surface, and at least one on each triangle. Edges are sampled at the same spacing. From
-   * 0.01 to 1000. Default: 2, about one on each triangle at full resolution.
+   * How many places on the faces of each surface are measured, for each point of the surface that has more points; at
+   * least 10,000 on each surface and one on each triangle. Edges are sampled at the same spacing. More take longer, and
+   * find the largest distance more reliably; 2 is about one place on each triangle at full resolution. Unit: places per
+   * point. Range: 0.01 to 1000. Default: 2.
    */
   vtkSetMacro(SamplesPerPoint, double);
   vtkGetMacro(SamplesPerPoint, double);
@@ -101,7 +102,8 @@ public:
 
   ///@{
   /**
-   * The seed of the random places of the samples: with another one they are elsewhere. At least 0. Default: 1.
+   * The seed of the random places: another one puts them elsewhere, the same one gives the same result. Range: at least
+   * 0. Default: 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -109,8 +111,8 @@ public:
 
   ///@{
   /**
-   * For a reference with neither triangles nor loops: the radius of its exterior boundary, in columns, 1 to 32
-   * (vtkHorizonExteriorBoundary). Default: 1.
+   * For a reference with neither triangles nor outlines: how far its outline may hop from one point to the next along
+   * each axis, as in vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -118,9 +120,9 @@ public:
 
   ///@{
   /**
-   * Whether the figures count what vtkHorizonHoleFilling has put in: points whose array Filled is not 0, on either
-   * surface, and the edges and triangles at them. When off, distances to these are measured, and all points have their
-   * Distance and VerticalDistance, but no figure counts from them. Default: off.
+   * Whether figures count the points that vtkHorizonHoleFilling has added (array Filled), on either surface, and the
+   * edges and triangles at them. Off: they are excluded, as nothing was known there. All points have their distances in
+   * any case. Default: off.
    */
   vtkSetMacro(IncludeFilledPoints, bool);
   vtkGetMacro(IncludeFilledPoints, bool);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSurfaceJoin
- * @brief   one mesh out of those of the parts of a horizon
+ * @brief   joins the meshes of the parts of a horizon into one
  *
  * For horizons larger than memory. Inputs, in any order: the meshes that vtkHorizonSurface gives for the parts that a
  * horizon was cut into at some rows of its lattice (SeamRows), which neighbouring parts share. All were made with the
  * same parameters, the radius included. Output: one mesh, as vtkHorizonSurface gives it for the whole.
  *
  * Vertices on a seam become one, edges along it are those of two triangles, with no gap and no overlap, and patches and
- * holes that the seam cut are whole again. The largest error of the parts is that of the mesh. What differs from the
- * mesh of a horizon that was not cut is told in Documentation/HorizonSurfaceJoin.md; all of it is near the seams.
+ * holes that the seam cut are whole again. The largest error of the parts is that of the mesh. It differs from the mesh
+ * of a horizon that was not cut only near the seams, see Documentation/HorizonSurfaceJoin.md.
  *
  * Field data, beside those of the parts (largest values, sums and means of these):
  *  - NumberOfParts (int);
@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * Patches of fewer points are dropped as specks. At least 1, which keeps all. Default: 1.
+   * Patches of fewer points are dropped. 1 keeps every patch. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);

@@ -34,28 +34,30 @@ namespace
 {
 using namespace SeismicHorizons;
 
-BoundedHorizon MakeHull(std::vector<PlanePoint> plane, const Lattice& grid)
+BoundedHorizon MakeHull(const LatticePoints& points)
 {
   BoundedHorizon horizon;
-  horizon.SubVoxelsPerColumn = grid.SubVoxelsPerColumn();
-  horizon.Patch.assign(plane.size(), 0);
-  horizon.Boundary = FindConvexHull(plane);
-  horizon.Plane = std::move(plane);
+  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+  horizon.Plane = ToSubVoxels(points);
+  horizon.Patch.assign(horizon.Plane.size(), 0);
+  horizon.Boundary = FindConvexHull(horizon.Plane);
   return horizon;
 }
 
 /// The voxels as squares at the height of the horizon's first point.
-void WriteWalk(const std::vector<TracedVoxel>& walk, const Lattice& grid, double height, vtkPolyData* output)
+void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerColumn, const Lattice& grid,
+  double height, vtkPolyData* output)
 {
+  const double perSubVoxel = 1.0 / subVoxelsPerColumn; // exact
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> squares;
   for (const TracedVoxel& voxel : walk)
   {
-    const double x0 = grid.ToLatticeUnits(voxel.Least.X);
-    const double y0 = grid.ToLatticeUnits(voxel.Least.Y);
-    const double x1 = grid.ToLatticeUnits(voxel.Greatest.X);
-    const double y1 = grid.ToLatticeUnits(voxel.Greatest.Y);
+    const double x0 = voxel.Least.X * perSubVoxel;
+    const double y0 = voxel.Least.Y * perSubVoxel;
+    const double x1 = voxel.Greatest.X * perSubVoxel;
+    const double y1 = voxel.Greatest.Y * perSubVoxel;
     std::array<vtkIdType, 4> ids;
     const std::array<Eigen::Vector3d, 4> corners = { Eigen::Vector3d(x0, y0, height), { x1, y0, height },
       { x1, y1, height }, { x0, y1, height } };
@@ -94,14 +96,14 @@ void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const Monitor& monitor)
+void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& outputs, const Monitor& monitor)
 {
-  LatticePoints points = ReadPoints(input);
-  const Lattice grid = points.Grid;
+  LatticePoints points = ReadPoints(given, outputs);
+  vtkPolyData* const input = points.Horizon;
+  const Lattice& grid = points.Grid;
   const double height = points.Height.front();
   points.Height = std::vector<double>();
-  BoundedHorizon horizon = this->ConvexHull ? MakeHull(std::move(points.Plane), grid)
-                                            : ReadPatchesAndBoundary(input, std::move(points.Plane), grid);
+  BoundedHorizon horizon = this->ConvexHull ? MakeHull(points) : ReadPatchesAndBoundary(points);
   monitor.Progress(0.1);
   CheckAtLeast("maximum number of triangles", this->MaximumNumberOfTriangles, 0, " (all)");
   TriangulationOptions options;
@@ -130,5 +132,5 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* input, const Outputs& 
   {
     CloseMesh(horizon.Plane, grid, horizon.Boundary, output, monitor.Step(0.95, 1.0));
   }
-  WriteWalk(mesh.Walk, grid, height, outputs[1]);
+  WriteWalk(mesh.Walk, horizon.SubVoxelsPerColumn, grid, height, outputs[1]);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonTriangulation
- * @brief   the constrained Delaunay triangulation of a horizon inside its outlines
+ * @brief   makes the constrained Delaunay triangulation of a horizon within its outlines
  *
  * Input: what vtkHorizonExteriorBoundary or any simplification after it gives; with ConvexHull any horizon.
  *
@@ -17,7 +17,7 @@
  *  - SmallestAngle (double): in degrees
  *
  * Output 1, with MaximumNumberOfTriangles: the voxels that the search for the last triangle looked into, as squares, in
- * their order, with the cell data Dilatation (int): 0 on the perpendicular bisector, n on its n-th dilatation, -1 in
+ * their order, with the cell data Dilatation (int): 0 on the perpendicular bisector, n on its n-th dilation, -1 in
  * the box of the edge for the strategy Compactness, in squares around it, or in the circle of a candidate. Empty
  * otherwise.
  *
@@ -57,7 +57,7 @@ public:
   vtkTypeMacro(vtkHorizonTriangulation, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How the third point of a triangle is looked for.
+  /// Values of SearchStrategy.
   enum SearchStrategyType
   {
     VoxelTraversal = 0,
@@ -66,9 +66,9 @@ public:
 
   ///@{
   /**
-   * How the first candidate for the third point of a triangle is found: VoxelTraversal, along the perpendicular
-   * bisector of the edge and its dilatations (thesis 5.3.6), or Compactness, as the point in the square box of the edge
-   * that makes the most compact triangle (5.4). Both give the same mesh. Default: VoxelTraversal.
+   * How the third point of a triangle is looked for. VoxelTraversal: along the perpendicular bisector of the edge and
+   * its dilations (thesis 5.3.6). Compactness: among all points in the square box of the edge, by how compact their
+   * triangles are (5.4). Both give the same mesh; the time differs. Default: VoxelTraversal.
    */
   vtkSetClampMacro(SearchStrategy, int, VoxelTraversal, Compactness);
   vtkGetMacro(SearchStrategy, int);
@@ -78,8 +78,10 @@ public:
 
   ///@{
   /**
-   * Mesh the convex hull of all points of a horizon, whatever its patches and loops are, and whether it has any; the
-   * polylines of the output are then the hull, or what the limits below leave of it. Default: off.
+   * Whether the convex hull of all points of a horizon is meshed, whether it has outlines or not. Gaps between patches
+   * and bays of the outline are then closed as well. Default: off.
+   *
+   * The polylines of the output are then the hull, or what the limits below leave of it.
    */
   vtkSetMacro(ConvexHull, bool);
   vtkGetMacro(ConvexHull, bool);
@@ -88,11 +90,14 @@ public:
 
   ///@{
   /**
-   * With ConvexHull: take off a triangle when the angle that faces its edge on the boundary is larger than this (thesis
-   * 5.3.8), and so on inwards, the longest edge first. A triangle stays when it would leave a point without one, or let
-   * the boundary pass a point twice: the mesh keeps all points and stays in one piece. In degrees in plan, from 0 to
-   * 180, which takes off nothing. A bay whose sides spread by some angle opens about below 90 plus half of it: below 90
-   * with parallel sides, the narrower the later. Not applied with MaximumNumberOfTriangles. Default: 180.
+   * With ConvexHull, triangles are removed from the hull, from the outside inwards, when the angle that faces their
+   * edge on the boundary is larger. 180 removes nothing; with 100, bays open that widen outwards, and below 90 those
+   * with parallel sides. All points stay in the mesh, and it stays in one piece. Not with MaximumNumberOfTriangles.
+   * Unit: degrees on the map. Range: 0 to 180. Default: 180.
+   *
+   * Thesis 5.3.8. The longest edge goes first; a triangle stays when it would leave a point without one, or let the
+   * boundary pass a point twice. A bay whose sides spread by some angle opens about below 90 plus half of it: below 90
+   * with parallel sides, the narrower the later.
    */
   vtkSetMacro(MaximumBoundaryAngle, double);
   vtkGetMacro(MaximumBoundaryAngle, double);
@@ -100,9 +105,9 @@ public:
 
   ///@{
   /**
-   * With ConvexHull: take off triangles in the same way when their edge on the boundary is longer than this. In lattice
-   * units in plan, at least 0, and 0 takes off nothing; 1.5 leaves of a full lattice what its outline holds.
-   * Triangles that exceed either limit are taken off. Not applied with MaximumNumberOfTriangles. Default: 0.
+   * With ConvexHull, triangles are also removed from the hull when their edge on the boundary is longer. 0 removes
+   * nothing; 1.5 opens all that is open in a horizon with a point in every column. All points stay in the mesh, and it
+   * stays in one piece. Not with MaximumNumberOfTriangles. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MaximumBoundaryEdgeLength, double);
   vtkGetMacro(MaximumBoundaryEdgeLength, double);
@@ -110,8 +115,11 @@ public:
 
   ///@{
   /**
-   * For inspection: stop each patch after so many triangles, and show in output 1 how the last one was found. Full
-   * lattices are searched as well then. At least 0, and 0 makes all triangles. Default: 0.
+   * For inspection: each patch stops after this many triangles, and the second output shows the voxels in which the
+   * third point of the last one was looked for, coloured by dilation. 0 makes all triangles. Unit: triangles. Range: at
+   * least 0. Default: 0.
+   *
+   * Full lattices are searched as well then.
    */
   vtkSetMacro(MaximumNumberOfTriangles, int);
   vtkGetMacro(MaximumNumberOfTriangles, int);
@@ -119,10 +127,12 @@ public:
 
   ///@{
   /**
-   * Whether cracks of cut links (vtkHorizonFaults) are closed by triangles between their lips. These come last, with 1
-   * in the new cell data array Fault, 0 of all other cells, and share the vertices of the lips; all else is as without
-   * them, and no other figure counts them: the new FaultTriangleCount (vtkIdType) tells how many there are. Gaps of
-   * missing points stay open. Not applied with ConvexHull or MaximumNumberOfTriangles. Default: off.
+   * Whether cracks at faults are closed by steep triangles between their two sides, with 1 in the array Fault. The rest
+   * of the mesh is as without them; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles.
+   * See "Closed meshes" in HorizonFaults.md. Default: off.
+   *
+   * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
+   * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.
    */
   vtkSetMacro(CloseFaults, bool);
   vtkGetMacro(CloseFaults, bool);

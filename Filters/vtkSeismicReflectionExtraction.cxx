@@ -137,7 +137,7 @@ std::vector<std::int64_t> vtkSeismicReflectionExtraction::CountHorizonPoints()
   std::vector<std::int64_t> sizes;
   for (const HorizonVoxels& surface : this->Found->Result.Surfaces)
   {
-    sizes.push_back(static_cast<std::int64_t>(surface.I.size()));
+    sizes.push_back(static_cast<std::int64_t>(surface.Column.size()));
   }
   return sizes;
 }
@@ -173,10 +173,10 @@ namespace
 void Place(HorizonVoxels& voxels, const ImageCube& cube)
 {
   const int sign = static_cast<int>(cube.Direction);
-  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {
-    voxels.I[n] += cube.FirstIndex[0];
-    voxels.J[n] += cube.FirstIndex[1];
+    voxels.Column[n].X += cube.FirstIndex[0];
+    voxels.Column[n].Y += cube.FirstIndex[1];
     voxels.K[n] += cube.FirstIndex[2];
     voxels.RealZ[n] = sign * (cube.ToWorld[10] * (voxels.RealZ[n] + cube.FirstIndex[2]) + cube.ToWorld[11]);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSeismicReflectionExtraction
- * @brief   makes horizons of a seismic cube: reflections of neighbouring traces joined to surfaces
+ * @brief   extracts horizons from a seismic cube: reflections of neighbouring traces joined to surfaces
  *
  * The input is a vtkImageData with amplitudes at its points, of any type of numbers (SetInputArrayToProcess; by default
  * the active scalars, or where there are none the point array Amplitude). Traces run along k, which has to be vertical.
@@ -59,7 +59,7 @@ public:
   vtkTypeMacro(vtkSeismicReflectionExtraction, vtkHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Which runs are taken.
+  /// Values of Polarity.
   enum Polarities
   {
     Both = 0,
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Which runs are taken: those of both signs, or of one. Default: Both.
+   * Which reflections are taken: those of both signs, or of one. Default: Both.
    */
   vtkSetClampMacro(Polarity, int, Both, Negative);
   vtkGetMacro(Polarity, int);
@@ -78,7 +78,7 @@ public:
   void SetPolarityToNegative() { this->SetPolarity(Negative); }
   ///@}
 
-  /// Where the pick of a run is.
+  /// Values of Position.
   enum Positions
   {
     Middle = 0,
@@ -87,8 +87,9 @@ public:
 
   ///@{
   /**
-   * Where the pick of a run is. Middle: in the middle of its samples at or above the threshold, as in the thesis. Peak:
-   * at each local maximum of the absolute amplitude, to parts of a sample by a parabola. Default: Peak.
+   * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold, as in the
+   * thesis. Peak: at each local maximum of the absolute amplitude, to a fraction of a sample by a parabola. Default:
+   * Peak.
    */
   vtkSetClampMacro(Position, int, Middle, Peak);
   vtkGetMacro(Position, int);
@@ -96,7 +97,7 @@ public:
   void SetPositionToPeak() { this->SetPosition(Peak); }
   ///@}
 
-  /// What the threshold is.
+  /// Values of ThresholdType.
   enum ThresholdTypes
   {
     Amplitude = 0,
@@ -105,7 +106,7 @@ public:
 
   ///@{
   /**
-   * Whether picks are strong enough by AmplitudeThreshold or by AmplitudePercentile. Default: Percentile.
+   * Whether AmplitudeThreshold or AmplitudePercentile decides which reflections are strong enough. Default: Percentile.
    */
   vtkSetClampMacro(ThresholdType, int, Amplitude, Percentile);
   vtkGetMacro(ThresholdType, int);
@@ -115,8 +116,8 @@ public:
 
   ///@{
   /**
-   * The least absolute amplitude, in units of the input: of the sample at a peak; with the middle, of all samples of a
-   * run. At least 0. Default: 0.
+   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection. Unit: that of the
+   * amplitudes. Range: at least 0. Default: 0.
    */
   vtkSetMacro(AmplitudeThreshold, double);
   vtkGetMacro(AmplitudeThreshold, double);
@@ -124,14 +125,14 @@ public:
 
   ///@{
   /**
-   * The part of the peaks of the polarity that are too weak, in percent; with the middle, of the samples that are not
-   * 0. 0 to 100. High ones lose surfaces where they fade. Default: 25.
+   * How many of the peaks of the polarity are too weak; with Middle, of the samples that are not 0. High values lose
+   * surfaces where they fade. Unit: percent. Range: 0 to 100. Default: 25.
    */
   vtkSetMacro(AmplitudePercentile, double);
   vtkGetMacro(AmplitudePercentile, double);
   ///@}
 
-  /// How picks are joined to surfaces.
+  /// Values of Joining.
   enum Joinings
   {
     BestFirst = 0,
@@ -141,11 +142,11 @@ public:
 
   ///@{
   /**
-   * How picks are joined to surfaces. BestFirst: by the links whose waveforms are most alike first; parts that lie over
-   * each other, or face each other with few links, stay apart, as at faults. Continuous: surfaces grow one after the
-   * other, each from the strongest pick left as far as links lead; strong events come out whole, some over faults.
+   * How picks become surfaces. BestFirst: those with the most similar waveforms are linked first; parts that lie over
+   * each other, or face each other with few links, as at faults, stay apart. Continuous: surfaces grow one after the
+   * other, each from the strongest pick left as far as links lead; strong events come out whole, some across faults.
    * Components: whatever touches, as in the thesis; of several picks in a column the one of largest absolute amplitude
-   * stays. Default: BestFirst.
+   * stays. See "Three ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
    */
   vtkSetClampMacro(Joining, int, BestFirst, Components);
   vtkGetMacro(Joining, int);
@@ -154,7 +155,7 @@ public:
   void SetJoiningToComponents() { this->SetJoining(Components); }
   ///@}
 
-  /// Which columns are neighbours.
+  /// Values of Connectivity.
   enum Connectivities
   {
     Four = 0,
@@ -173,8 +174,9 @@ public:
 
   ///@{
   /**
-   * How far a pick may be above or below the next one of its surface, in samples: at least 0. 0: 0.3 of the dominant
-   * period, at least 2. Default: 0.
+   * How far a pick may be above or below the next one of its surface. 0: 0.3 of the dominant period, at least 2.
+   * Surfaces do not cross faults of a larger throw where nothing faces them. Unit: samples. Range: 0 to 262143.
+   * Default: 0.
    */
   vtkSetMacro(LargestStep, double);
   vtkGetMacro(LargestStep, double);
@@ -182,8 +184,8 @@ public:
 
   ///@{
   /**
-   * How much alike the waveforms around two picks have to be: their correlation, as a part of the median over all
-   * links. 0 to 1. Components do not look at it. Default: 0.85.
+   * How similar the waveforms of neighbouring picks must be: their correlation, as a fraction of its median over all
+   * links. 0: any. Components ignores it. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
    */
   vtkSetMacro(SmallestCorrelation, double);
   vtkGetMacro(SmallestCorrelation, double);
@@ -191,8 +193,8 @@ public:
 
   ///@{
   /**
-   * With BestFirst, the part of the picks along which two parts face each other that has to be linked, 0 to 1. Default:
-   * 0.5.
+   * With BestFirst, the fraction of the pairs of picks along which two parts of a surface face each other that must be
+   * linked. Smaller values let surfaces grow across tears. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
    */
   vtkSetMacro(SmallestContact, double);
   vtkGetMacro(SmallestContact, double);
@@ -200,7 +202,7 @@ public:
 
   ///@{
   /**
-   * Surfaces of fewer picks are left out. At least 1. Default: 100.
+   * Surfaces of fewer picks are left out. Unit: picks. Range: at least 1. Default: 100.
    */
   vtkSetMacro(SmallestSize, vtkIdType);
   vtkGetMacro(SmallestSize, vtkIdType);
@@ -208,13 +210,13 @@ public:
 
   ///@{
   /**
-   * How many surfaces there are at most: the largest ones. At least 1. Default: 100.
+   * How many horizons there are at most: the largest surfaces. Unit: surfaces. Range: at least 1. Default: 100.
    */
   vtkSetMacro(LargestNumber, int);
   vtkGetMacro(LargestNumber, int);
   ///@}
 
-  /// Where the z coordinate of a point comes from.
+  /// Values of Elevation.
   enum ElevationSource
   {
     VerticalIndex = 0,
@@ -223,7 +225,7 @@ public:
 
   ///@{
   /**
-   * The z coordinate of the points: that of the nearest sample (VerticalIndex), or that of the pick itself (RealZ).
+   * z of the points. VerticalIndex: that of the nearest sample. RealZ: that of the pick itself, between samples.
    * Default: RealZ.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
@@ -233,7 +235,8 @@ public:
   ///@}
 
   /**
-   * What was found, for people: lines of text with the figures below. Empty before the first update.
+   * What was found in the cube: samples, picks and the threshold used, the dominant period, and surfaces. Empty before
+   * the first update.
    */
   const char* GetDescription() { return this->Description.c_str(); }
 
@@ -250,6 +253,13 @@ public:
   vtkGetMacro(DominantPeriod, double);
   vtkGetMacro(UsedStep, double);
   vtkGetMacro(MedianCorrelation, double);
+  ///@}
+
+  ///@{
+  /**
+   * The cube.
+   */
+  vtkHorizonInputMacro();
   ///@}
 
 protected:

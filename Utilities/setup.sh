@@ -9,9 +9,11 @@ set -eu
 
 # mkdocs-material and doxygen make the site of the documentation.
 # libjs-three turns meshes around in reports.
+# dpkg-dev and file find out what the Debian packages depend on.
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
-packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libsegyio-dev zlib1g-dev
-  libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb mkdocs-material doxygen libjs-three xdotool"
+packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libfast-float-dev libsegyio-dev
+  zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb mkdocs-material doxygen libjs-three
+  xdotool dpkg-dev file"
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build_folder=$source_folder/build/release
 log=$(mktemp)

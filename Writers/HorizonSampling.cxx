@@ -72,31 +72,33 @@ public:
     : Horizon(horizon)
     , Sign(sign)
   {
-    this->Grid.Lattice = ReadSurveyLattice(horizon);
-    this->Grid.Survey = ReadSurveyFields(horizon->GetFieldData());
-    this->Grid.Z.assign(CountColumns(this->Grid.Lattice.Columns[0], this->Grid.Lattice.Columns[1]), Null);
+    this->Columns.Lattice = ReadSurveyLattice(horizon);
+    this->Columns.Survey = ReadSurveyFields(horizon->GetFieldData());
   }
 
-  HorizonGrid SamplePoints()
+  HorizonColumns SamplePoints()
   {
-    LatticePoints points = ReadPoints(this->Horizon);
-    const std::vector<PlanePoint> columns = ToColumns(std::move(points.Plane), points.Grid);
-    for (std::size_t point = 0; point < columns.size(); ++point)
+    const LatticePoints points = ReadColumns(this->Horizon, {});
+    std::vector<std::size_t> places;
+    places.reserve(points.Column.size());
+    for (const PlanePoint& column : points.Column)
     {
-      this->Grid.Z[this->Node(columns[point])] = this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2];
+      double& z = this->ZAt(column.X, column.Y);
+      z = this->WorldZ(vtkIdType(places.size()));
+      places.push_back(&z - this->Columns.Z.data());
     }
     vtkPointData* const data = this->Horizon->GetPointData();
     for (int n = 0; n < data->GetNumberOfArrays(); ++n)
     {
       if (IsAttribute(data->GetArray(n)))
       {
-        this->AddAttribute(data->GetArray(n), columns);
+        this->AddAttribute(data->GetArray(n), places);
       }
     }
-    return this->Grid;
+    return std::move(this->Columns);
   }
 
-  HorizonGrid SampleTriangles(const Monitor& monitor)
+  HorizonColumns SampleTriangles(const Monitor& monitor)
   {
     const Lattice lattice = ReadLattice(this->Horizon);
     std::vector<SpacePoint> points;
@@ -105,37 +107,42 @@ public:
       const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(this->Horizon->GetPoint(point)));
       points.push_back({ place.x(), place.y(), place.z() });
     }
-    const std::vector<double> heights =
-      SampleMesh(points, ReadTriangles(this->Horizon), this->Grid.Lattice.Columns, monitor);
-    for (std::size_t node = 0; node < heights.size(); ++node)
+    SampleMesh(
+      points, ReadTriangles(this->Horizon), this->Columns.Lattice.Columns,
+      [this](int i, int j) -> double& { return this->ZAt(i, j); }, monitor);
+    for (double& z : this->Columns.Z)
     {
-      this->Grid.Z[node] = this->Sign * lattice.ToWorld({ 0.0, 0.0, heights[node] }).z();
+      z = this->Sign * lattice.ToWorld({ 0.0, 0.0, z }).z();
     }
     this->AddBarePoints(points);
-    return this->Grid;
+    return std::move(this->Columns);
   }
 
 private:
-  std::size_t Node(const PlanePoint& column) const
+  double& ZAt(int i, int j)
   {
-    return std::size_t(column.X) + std::size_t(column.Y) * std::size_t(this->Grid.Lattice.Columns[0]);
+    const std::size_t place = this->Columns.Tiles.Place(i, j);
+    this->Columns.Z.resize(this->Columns.Tiles.Size(), Null);
+    return this->Columns.Z[place];
   }
+
+  double WorldZ(vtkIdType point) const { return this->Sign * this->Horizon->GetPoint(point)[2]; }
 
   /// Spurs of a horizon have no triangles.
   void AddBarePoints(const std::vector<SpacePoint>& points)
   {
     constexpr double nearness = 1e-6; // columns: what world coordinates of surveys are rounded by
-    const auto [columns, rows] = this->Grid.Lattice.Columns;
+    const auto [columns, rows] = this->Columns.Lattice.Columns;
     for (std::size_t point = 0; point < points.size(); ++point)
     {
       const double i = std::round(points[point].X);
       const double j = std::round(points[point].Y);
       const bool isOnColumn = std::abs(points[point].X - i) <= nearness && std::abs(points[point].Y - j) <= nearness &&
         i >= 0.0 && i < columns && j >= 0.0 && j < rows;
-      double* const z = isOnColumn ? &this->Grid.Z[this->Node({ int(i), int(j) })] : nullptr;
+      double* const z = isOnColumn ? &this->ZAt(int(i), int(j)) : nullptr;
       if (z && std::isnan(*z))
       {
-        *z = this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2];
+        *z = this->WorldZ(vtkIdType(point));
       }
     }
   }
@@ -148,40 +155,63 @@ private:
         OwnArrays.begin(), OwnArrays.end(), [array](const char* own) { return array->GetName() == std::string(own); });
   }
 
-  void AddAttribute(vtkDataArray* array, const std::vector<PlanePoint>& columns)
+  /// Takes the place of each point.
+  void AddAttribute(vtkDataArray* array, const std::vector<std::size_t>& places)
   {
     RequireTuples(array, this->Horizon->GetNumberOfPoints(), "points");
-    PickAttribute attribute = { array->GetName(), std::vector<double>(this->Grid.Z.size(), Null) };
-    for (std::size_t point = 0; point < columns.size(); ++point)
+    PickAttribute attribute = { array->GetName(), std::vector<double>(this->Columns.Z.size(), Null) };
+    for (std::size_t point = 0; point < places.size(); ++point)
     {
-      attribute.Values[this->Node(columns[point])] = array->GetComponent(vtkIdType(point), 0);
+      attribute.Values[places[point]] = array->GetComponent(vtkIdType(point), 0);
     }
-    this->Grid.Attributes.push_back(std::move(attribute));
+    this->Columns.Attributes.push_back(std::move(attribute));
   }
 
   vtkPolyData* const Horizon;
   const int Sign;
-  HorizonGrid Grid;
+  HorizonColumns Columns;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::size_t CountColumns(int columns, int rows)
+std::size_t CountColumns(int columns, int rows, std::int64_t points)
 {
   const std::int64_t count = std::int64_t(columns) * rows;
   if (count > std::numeric_limits<std::int32_t>::max())
   {
     throw InputError("lattice of " + std::to_string(columns) + " x " + std::to_string(rows) +
-      " columns, expected less than 2^31 in all for a file that lists them");
+      " columns, expected less than 2^31 in all for a file that lists them; the horizon has " + std::to_string(points) +
+      " points");
   }
   return std::size_t(count);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonGrid SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor)
+HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor)
 {
   monitor.Progress(0.0);
   Sampler sampler(horizon, sign);
   return horizon->GetNumberOfPolys() > 0 ? sampler.SampleTriangles(monitor) : sampler.SamplePoints();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& monitor)
+{
+  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
+  const std::size_t nodes = CountColumns(dimensions[0], dimensions[1], horizon->GetNumberOfPoints());
+  const HorizonColumns sampled = SampleHorizon(horizon, sign, monitor);
+  HorizonGrid grid;
+  grid.Survey = sampled.Survey;
+  grid.Lattice = sampled.Lattice;
+  grid.Z.assign(nodes, Null);
+  sampled.Tiles.ForEachPlace(
+    [&](int i, int j, std::size_t place)
+    {
+      if (!std::isnan(sampled.Z[place]))
+      {
+        grid.Z[std::size_t(i) + std::size_t(j) * std::size_t(dimensions[0])] = sampled.Z[place];
+      }
+    });
+  return grid;
 }
 }

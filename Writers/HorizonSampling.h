@@ -10,19 +10,23 @@
 #include "Common/Survey/HorizonGrid.h"
 
 #include <cstddef>
+#include <cstdint>
 
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// How many columns a lattice has. Throws InputError from 2^31 on: a file with something for each of them would fill
-/// disks, and mostly is of a few points that are far apart.
-std::size_t CountColumns(int columns, int rows);
+/// How many columns the lattice of a horizon of some points has. Throws InputError from 2^31 on: a file with something
+/// for each of them would fill disks, and mostly is of a few points that are far apart.
+std::size_t CountColumns(int columns, int rows, std::int64_t points);
 
-/// The horizon over its whole lattice, with z as `sign` times world z. Point arrays of real numbers, other than those
-/// that stages keep for themselves, are attributes; meshes have none. Throws InputError on a horizon without a lattice,
-/// on points off its columns where there are no triangles, and on polygons that are no triangles.
-HorizonGrid SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor);
+/// The horizon on the columns that it has, with z as `sign` times world z. Point arrays of real numbers, other than
+/// those that stages keep for themselves, are attributes; meshes have none. Throws InputError on a horizon without a
+/// lattice, on points off its columns where there are no triangles, and on polygons that are no triangles.
+HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor);
+
+/// The same over its whole lattice, without attributes. Throws InputError on a lattice of 2^31 columns or more.
+HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& monitor);
 }
 
 #endif

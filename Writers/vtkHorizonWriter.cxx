@@ -3,13 +3,12 @@
 
 #include "vtkHorizonWriter.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/OutputFile.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/HorizonTree.h"
 
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkPolyData.h"
 
@@ -96,7 +95,7 @@ void vtkHorizonWriter::WriteData()
   {
     if (file.empty())
     {
-      throw InputError("no FileName, expected the path of a file");
+      throw FileError(FileProblem::NoName, "no FileName, expected the path of a file");
     }
     subject = file;
     const std::vector<HorizonLeaf> leaves = ListHorizons(this->GetInput(), {});
@@ -121,10 +120,9 @@ void vtkHorizonWriter::WriteData()
     {
       this->WriteFiles(NameFiles(file, horizons), horizons, monitor, subject);
     }
-    this->SetErrorCode(vtkErrorCode::NoError);
   };
-  this->SetErrorCode(vtkErrorCode::UnknownError); // unless the work comes to its end
-  RunRequest(this, {}, file + ": more data than memory, expected fewer or smaller horizons", write);
+  RunRequest(
+    this, {}, file + ": more data than memory, expected fewer or smaller horizons", write, Ranks(), &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

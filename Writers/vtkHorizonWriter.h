@@ -10,7 +10,8 @@
  * writing was stopped, and a file of that name stays as it was. Several files are all written, or none.
  *
  * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
- * file; Write() returns 0 then, and GetErrorCode() gives vtkErrorCode::UnknownError.
+ * file; Write() returns 0 then, and GetErrorCode() gives one of vtkErrorCode: NoFileNameError, CannotOpenFileError,
+ * OutOfDiskSpaceError, or UnknownError for all else.
  */
 
 #ifndef vtkHorizonWriter_h
@@ -37,7 +38,7 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Default: none.
+   * The file to write. Range: a path in UTF-8. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);

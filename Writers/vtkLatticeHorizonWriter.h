@@ -22,7 +22,7 @@ public:
   vtkTypeMacro(vtkLatticeHorizonWriter, vtkHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where z of the file grows to.
+  /// Values of VerticalPositive.
   enum VerticalSense
   {
     AsRead = 0,
@@ -32,8 +32,8 @@ public:
 
   ///@{
   /**
-   * Where z of the file grows to. AsRead: to where it did in the file that the horizon comes from, as its field data
-   * VerticalDirection say; upwards where there are none. Elevation: upwards, as world z. Depth: downwards; z is the
+   * The direction in which z of the file increases. AsRead: as in the file that the horizon comes from (field data
+   * VerticalDirection), upwards where there is none. Elevation: upwards, as world z. Depth: downwards; z is the
    * negative of world z. Default: AsRead.
    */
   vtkSetClampMacro(VerticalPositive, int, AsRead, Depth);

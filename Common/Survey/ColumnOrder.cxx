@@ -78,10 +78,10 @@ std::vector<ColumnOrder> ListPicks(const PickTable& picks)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& columns, const PlacementOptions& options)
+void OrderPicks(
+  ColumnOrder& order, const PickTable& picks, const std::vector<PlanePoint>& columns, const PlacementOptions& options)
 {
-  const auto column = [&columns](std::int32_t pick)
-  { return std::pair<int, int>(columns.J[std::size_t(pick)], columns.I[std::size_t(pick)]); };
+  const auto column = [&columns](std::int32_t pick) { return std::make_pair(columns[pick].Y, columns[pick].X); };
   const Preference preference(picks, options);
   const bool keepsAll = options.Policy == DuplicatePolicy::Sheets;
   const auto isBefore = [&](std::int32_t a, std::int32_t b)
@@ -114,22 +114,17 @@ void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& co
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<ColumnOrder> SplitIntoSheets(ColumnOrder order, const PickTable& picks, const ColumnList& columns)
+std::vector<ColumnOrder> SplitIntoSheets(
+  ColumnOrder order, const PickTable& picks, const std::vector<PlanePoint>& columns)
 {
-  const std::vector<int> i = Gather(columns.I, order.Picks);
-  const std::vector<int> j = Gather(columns.J, order.Picks);
-  const std::vector<int> sheetOf = FindSheets(i.data(), j.data(), Gather(picks.Z, order.Picks));
-  const int last = sheetOf.empty() ? 0 : *std::max_element(sheetOf.begin(), sheetOf.end());
-  std::vector<ColumnOrder> sheets(std::size_t(last) + 1);
-  sheets.front().Duplicates = order.Duplicates + std::count(sheetOf.begin(), sheetOf.end(), -1);
-  sheets.front().Nulls = order.Nulls;
-  for (std::size_t n = 0; n < sheetOf.size(); ++n)
+  const ColumnSheets split = SplitIntoSheets(Gather(columns, order.Picks), Gather(picks.Z, order.Picks));
+  std::vector<ColumnOrder> sheets;
+  for (const std::vector<std::int32_t>& points : split.Points)
   {
-    if (sheetOf[n] >= 0)
-    {
-      sheets[std::size_t(sheetOf[n])].Picks.push_back(order.Picks[n]);
-    }
+    sheets.push_back({ Gather(order.Picks, points) });
   }
+  sheets.front().Duplicates = order.Duplicates + split.Dropped;
+  sheets.front().Nulls = order.Nulls;
   return sheets;
 }
 }

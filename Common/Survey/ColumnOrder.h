@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsColumnOrder_h
 #define SeismicHorizonsColumnOrder_h
 
+#include "Common/Types.h"
 #include "PickTable.h"
 #include "PlacementOptions.h"
 
@@ -14,12 +15,6 @@
 
 namespace SeismicHorizons
 {
-/// The column of each pick.
-struct ColumnList
-{
-  std::vector<int> I, J;
-};
-
 /// Picks of a horizon.
 struct ColumnOrder
 {
@@ -31,14 +26,16 @@ struct ColumnOrder
 /// The picks of each horizon that have a z, in the order they come.
 std::vector<ColumnOrder> ListPicks(const PickTable& picks);
 
-/// Orders the picks of a horizon by ascending j and then i, one for each column. Of several in one column the policy of
-/// the options says which stays; where it asks for amplitudes and there is no attribute of that name, the topmost does.
-/// For sheets all of different z stay, the topmost of a column first.
-void OrderPicks(ColumnOrder& order, const PickTable& picks, const ColumnList& columns, const PlacementOptions& options);
+/// Orders the picks of a horizon, of each of which the column is given, by ascending j and then i, one for each column.
+/// Of several in one column the policy of the options says which stays; where it asks for amplitudes and there is no
+/// attribute of that name, the topmost does. For sheets all of different z stay, the topmost of a column first.
+void OrderPicks(
+  ColumnOrder& order, const PickTable& picks, const std::vector<PlanePoint>& columns, const PlacementOptions& options);
 
 /// The picks of each sheet (Common/ColumnSheets.h) of a horizon that is ordered for them, at least one. What was left
 /// out is counted by the first.
-std::vector<ColumnOrder> SplitIntoSheets(ColumnOrder order, const PickTable& picks, const ColumnList& columns);
+std::vector<ColumnOrder> SplitIntoSheets(
+  ColumnOrder order, const PickTable& picks, const std::vector<PlanePoint>& columns);
 
 /// The values of some picks, in their order.
 template <typename Value>

@@ -51,8 +51,7 @@ SurveyHorizons PlaceGrid(HorizonGrid grid)
       if (!std::isnan(grid.Z[node]))
       {
         nodes.push_back(node);
-        horizon.I.push_back(i);
-        horizon.J.push_back(j);
+        horizon.Column.push_back({ i, j });
       }
     }
   }

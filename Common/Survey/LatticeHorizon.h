@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsLatticeHorizon_h
 #define SeismicHorizonsLatticeHorizon_h
 
+#include "Common/Types.h"
 #include "PickTable.h"
 
 #include <cstdint>
@@ -17,7 +18,7 @@ struct LatticeHorizon
 {
   std::string Name;
   int Number = 0; // from 0, in the order of names; sheets of one horizon have the same
-  std::vector<int> I, J;
+  std::vector<PlanePoint> Column;
   std::vector<double> Z; // in the unit and with the sign of the file; finite
   std::vector<PickAttribute> Attributes;
   std::int64_t DroppedDuplicates = 0; // left out because another one is in their column

@@ -85,11 +85,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<double> SampleMesh(const std::vector<SpacePoint>& points,
-  const std::vector<std::array<PointId, 3>>& triangles, const std::array<int, 2>& columns, const Monitor& monitor)
+void SampleMesh(const std::vector<SpacePoint>& points, const std::vector<std::array<PointId, 3>>& triangles,
+  const std::array<int, 2>& columns, const std::function<double&(int i, int j)>& heightAt, const Monitor& monitor)
 {
-  std::vector<double> heights(
-    std::size_t(columns[0]) * std::size_t(columns[1]), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t number = 0; number < triangles.size(); ++number)
   {
     if (number % 4096 == 0)
@@ -97,18 +95,17 @@ std::vector<double> SampleMesh(const std::vector<SpacePoint>& points,
       monitor.Progress(double(number) / double(triangles.size()));
     }
     const auto& [a, b, c] = triangles[number];
-    const TriangleRow triangle(points[std::size_t(a)], points[std::size_t(b)], points[std::size_t(c)]);
+    const TriangleRow triangle(points[a], points[b], points[c]);
     const std::array<int, 2> rows = triangle.IsFlat() ? std::array<int, 2>{ 0, -1 } : triangle.Rows(columns[1]);
     for (int j = rows[0]; j <= rows[1]; ++j)
     {
       const std::array<int, 2> run = triangle.Columns(j, columns[0]);
       for (int i = run[0]; i <= run[1]; ++i)
       {
-        double& height = heights[std::size_t(i) + std::size_t(j) * std::size_t(columns[0])];
+        double& height = heightAt(i, j);
         height = std::isnan(height) ? triangle.Height(i, j) : height;
       }
     }
   }
-  return heights;
 }
 }

@@ -146,32 +146,30 @@ SurveyLattice MakeLattice(const SurveyMap& map, const ColumnRange& range)
 }
 
 /// Puts each pick on its column.
-ColumnList ListColumns(
+std::vector<PlanePoint> ListColumns(
   const ColumnFinder& columns, std::int64_t picks, const Eigen::Vector2d& first, const Monitor& monitor)
 {
-  ColumnList list = { std::vector<int>(std::size_t(picks)), std::vector<int>(std::size_t(picks)) };
+  std::vector<PlanePoint> list(picks);
   ForEachChunk(picks, ChunkSize, monitor,
     [&](std::size_t, std::int64_t begin, std::int64_t end)
     {
       for (auto pick = std::size_t(begin); pick < std::size_t(end); ++pick)
       {
         const Eigen::Vector2d index = columns.Index(pick) - first;
-        list.I[pick] = int(index.x());
-        list.J[pick] = int(index.y());
+        list[pick] = { int(index.x()), int(index.y()) };
       }
     });
   return list;
 }
 
 /// The horizon of some picks, which are in the order of their columns.
-LatticeHorizon MakeHorizon(const PickTable& picks, const ColumnList& columns, const ColumnOrder& order)
+LatticeHorizon MakeHorizon(const PickTable& picks, const std::vector<PlanePoint>& columns, const ColumnOrder& order)
 {
   const std::vector<std::int32_t>& kept = order.Picks;
   LatticeHorizon horizon;
   horizon.DroppedDuplicates = order.Duplicates;
   horizon.DroppedNulls = order.Nulls;
-  horizon.I = Gather(columns.I, kept);
-  horizon.J = Gather(columns.J, kept);
+  horizon.Column = Gather(columns, kept);
   horizon.Z = Gather(picks.Z, kept);
   for (const PickAttribute& attribute : picks.Attributes)
   {
@@ -204,7 +202,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(map, range);
   placed.LargestDistance = range.LargestDistance;
-  const ColumnList columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
+  const std::vector<PlanePoint> columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
   Free(picks.X);
   Free(picks.Y);
   Free(picks.Inline);

@@ -31,17 +31,18 @@ public:
     std::size_t above = 0; // runs along the row after that of the column
     for (std::size_t n = 0; n < horizon.Z.size(); ++n)
     {
-      const int i = horizon.I[n];
-      const int j = horizon.J[n];
-      if (n + 1 < horizon.Z.size() && horizon.J[n + 1] == j && horizon.I[n + 1] == i + 1)
+      const int i = horizon.Column[n].X;
+      const int j = horizon.Column[n].Y;
+      if (n + 1 < horizon.Z.size() && horizon.Column[n + 1].Y == j && horizon.Column[n + 1].X == i + 1)
       {
         this->Add(horizon.Z[n + 1] - horizon.Z[n]);
       }
-      while (above < horizon.Z.size() && (horizon.J[above] <= j || (horizon.J[above] == j + 1 && horizon.I[above] < i)))
+      while (above < horizon.Z.size() &&
+        (horizon.Column[above].Y <= j || (horizon.Column[above].Y == j + 1 && horizon.Column[above].X < i)))
       {
         ++above;
       }
-      if (above < horizon.Z.size() && horizon.J[above] == j + 1 && horizon.I[above] == i)
+      if (above < horizon.Z.size() && horizon.Column[above].Y == j + 1 && horizon.Column[above].X == i)
       {
         this->Add(horizon.Z[above] - horizon.Z[n]);
       }

@@ -4,41 +4,73 @@
 #ifndef SeismicHorizonsColumnPoints_h
 #define SeismicHorizonsColumnPoints_h
 
+#include "Common/DataModel.h"
 #include "Common/LatticePlacement.h"
 #include "Common/Parallel.h"
+#include "Common/Types.h"
 #include "DataArrays.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace SeismicHorizons
 {
-/// Points over the columns (i[n], j[n]) of a lattice, at the world z that elevation(n) gives, in double precision.
-/// Arrays are vectors of any kind.
-template <typename Indices, typename Elevation>
-vtkSmartPointer<vtkPoints> MakeColumnPoints(
-  const Indices& i, const Indices& j, const LatticeMatrix& toWorld, Elevation&& elevation)
+/// Points over columns of a lattice, at the world z that elevation(n) gives, in double precision.
+template <typename Elevation>
+vtkSmartPointer<vtkPoints> MakeColumnPoints(PlanePoints columns, const LatticeMatrix& toWorld, Elevation&& elevation)
 {
   constexpr std::int64_t grain = 1 << 14; // points that a thread makes at a time
-  auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(i.size()), 3);
+  auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(columns.size()), 3);
   double* const world = coordinates->GetPointer(0);
-  ParallelFor(static_cast<std::int64_t>(i.size()), grain,
+  ParallelFor(static_cast<std::int64_t>(columns.size()), grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n)
       {
-        world[3 * n] = toWorld[0] * i[n] + toWorld[1] * j[n] + toWorld[3];
-        world[3 * n + 1] = toWorld[4] * i[n] + toWorld[5] * j[n] + toWorld[7];
+        world[3 * n] = toWorld[0] * columns[n].X + toWorld[1] * columns[n].Y + toWorld[3];
+        world[3 * n + 1] = toWorld[4] * columns[n].X + toWorld[5] * columns[n].Y + toWorld[7];
         world[3 * n + 2] = elevation(n);
       }
     });
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(coordinates);
   return points;
+}
+
+/// An array Column without points.
+inline vtkSmartPointer<vtkIntArray> NewColumnArray()
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(PointArray::Column);
+  array->SetNumberOfComponents(2);
+  array->SetComponentName(0, "I");
+  array->SetComponentName(1, "J");
+  return array;
+}
+
+/// The array Column of such points, which takes over the memory of a HeapArray, and copies that of a vector.
+inline vtkSmartPointer<vtkIntArray> MoveToColumnArray(HeapArray<PlanePoint>& columns)
+{
+  auto array = NewColumnArray();
+  const auto size = static_cast<vtkIdType>(columns.size());
+  array->SetArray(reinterpret_cast<int*>(columns.Release()), 2 * size, 0, vtkIntArray::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
+inline vtkSmartPointer<vtkIntArray> MoveToColumnArray(std::vector<PlanePoint>& columns)
+{
+  auto array = NewColumnArray();
+  array->SetNumberOfTuples(static_cast<vtkIdType>(columns.size()));
+  std::copy(columns.begin(), columns.end(), reinterpret_cast<PlanePoint*>(array->GetPointer(0)));
+  columns = std::vector<PlanePoint>();
+  return array;
 }
 }
 

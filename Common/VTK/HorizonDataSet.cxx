@@ -30,13 +30,13 @@ void AddHorizonFields(vtkFieldData* data, const HorizonPlacement& placement, std
 vtkSmartPointer<vtkPolyData> MakeHorizonPoints(HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   auto horizon = vtkSmartPointer<vtkPolyData>::New();
-  horizon->SetPoints(MakeColumnPoints(
-    voxels.I, voxels.J, placement.ToWorld, [&](std::size_t voxel) { return placement.Elevation(voxels, voxel); }));
-  voxels.I = HeapArray<int>();
-  voxels.J = HeapArray<int>();
+  horizon->SetPoints(MakeColumnPoints({ voxels.Column.data(), voxels.Column.size() }, placement.ToWorld,
+    [&](std::size_t voxel) { return placement.Elevation(voxels, voxel); }));
+  const auto columns = MoveToColumnArray(voxels.Column);
 
   const vtkIdType numberOfPoints = horizon->GetNumberOfPoints();
   vtkPointData* const data = horizon->GetPointData();
+  data->AddArray(columns);
   AddConstant<vtkIntArray>(data, PointArray::SurfaceId, numberOfPoints, voxels.SurfaceId);
   MoveToArray<vtkIntArray>(data, PointArray::VerticalIndex, voxels.K);
   MoveToArray<vtkDoubleArray>(data, PointArray::Thickness, voxels.Thickness);

@@ -3,15 +3,19 @@
 
 #include "PipelineRequest.h"
 
-#include "ProgressMonitor.h"
+#include "Common/FileErrors.h"
+#include "VersionDifferences.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace SeismicHorizons
@@ -26,6 +30,90 @@ void Empty(const std::vector<vtkDataObject*>& outputs)
     {
       output->Initialize();
     }
+  }
+}
+
+/// How the work of a request ended.
+struct Outcome
+{
+  bool IsDone = false;
+  std::string Problem; // empty where it is done, or was asked to stop
+  unsigned long Code = vtkErrorCode::UnknownError;
+};
+
+unsigned long CodeOf(const InputError& error)
+{
+  const auto* const ofFile = dynamic_cast<const FileError*>(&error);
+  if (!ofFile)
+  {
+    return vtkErrorCode::UnknownError;
+  }
+  switch (ofFile->Problem())
+  {
+    case FileProblem::NoName:
+      return vtkErrorCode::NoFileNameError;
+    case FileProblem::NotFound:
+      return vtkErrorCode::FileNotFoundError;
+    case FileProblem::CannotOpen:
+      return vtkErrorCode::CannotOpenFileError;
+    case FileProblem::CutOff:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case FileProblem::WrongContent:
+      return vtkErrorCode::FileFormatError;
+    case FileProblem::NoRoom:
+      return vtkErrorCode::OutOfDiskSpaceError;
+  }
+  return vtkErrorCode::UnknownError;
+}
+
+Outcome Fail(const std::string& problem)
+{
+  return { false, problem, vtkErrorCode::UnknownError };
+}
+
+/// A monitor that reports to an algorithm, and stops when that is aborted.
+Monitor MakeMonitor(vtkAlgorithm* algorithm)
+{
+  return Monitor(
+    [algorithm](double part)
+    {
+      algorithm->UpdateProgress(part);
+      return !IsAborted(algorithm);
+    });
+}
+
+Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestWork& work, std::string& subject)
+{
+  try
+  {
+    work(subject, MakeMonitor(algorithm));
+    return { true, {}, vtkErrorCode::NoError };
+  }
+  catch (const Aborted&)
+  {
+    return {};
+  }
+  catch (const InputError& error)
+  {
+    // A stage upstream that was stopped leaves nothing, which is no wrong input.
+    return IsAborted(algorithm) ? Outcome() : Outcome{ false, error.what(), CodeOf(error) };
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail(noMemory);
+  }
+  catch (const std::length_error&) // more than any memory could hold
+  {
+    return Fail(noMemory);
+  }
+  catch (const std::system_error& error) // a thread that can not be started, a file that went away
+  {
+    return Fail("the system reports \"" + std::string(error.what()) + "\", expected enough threads and files for this");
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(
+      "an error of the program itself, \"" + std::string(error.what()) + "\", expected none: please report it");
   }
 }
 
@@ -52,42 +140,26 @@ bool IsWithin(const int* part, const std::array<int, 6>& whole)
 
 //----------------------------------------------------------------------------------------------------------------------
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
-  const RequestWork& work, const Ranks& ranks)
+  const RequestWork& work, const Ranks& ranks, unsigned long* errorCode)
 {
   std::string subject;
-  std::string problem;
-  bool isDone = false;
-  try
+  const Outcome outcome = Run(algorithm, noMemory, work, subject);
+  const bool areAllDone = !ranks.Any(!outcome.IsDone);
+  if (errorCode)
   {
-    work(subject, MakeMonitor(algorithm));
-    isDone = true;
+    *errorCode = outcome.IsDone && !areAllDone ? Outcome().Code : outcome.Code;
   }
-  catch (const Aborted&)
-  {
-  }
-  catch (const InputError& error)
-  {
-    // A stage upstream that was stopped leaves nothing, which is no wrong input.
-    problem = IsAborted(algorithm) ? std::string() : error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = noMemory;
-  }
-  catch (const std::length_error&) // more than any memory could hold
-  {
-    problem = noMemory;
-  }
-  if (!ranks.Any(!isDone))
+  if (areAllDone)
   {
     return 1;
   }
   Empty(outputs);
-  problem = problem.empty() || subject.empty() ? problem : subject + ": " + problem;
-  const std::vector<std::string> problems = ranks.Gather(problem);
+  const std::string& problem = outcome.Problem;
+  const std::vector<std::string> problems =
+    ranks.Gather(problem.empty() || subject.empty() ? problem : subject + ": " + problem);
   if (IsFirst(problems, ranks.Own()))
   {
-    vtkErrorWithObjectMacro(algorithm, << problem);
+    vtkErrorWithObjectMacro(algorithm, << problems[ranks.Own()]);
   }
   return std::all_of(problems.begin(), problems.end(), [](const std::string& other) { return other.empty(); });
 }

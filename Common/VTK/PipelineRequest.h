@@ -24,14 +24,15 @@ namespace SeismicHorizons
 /// "Horizon 7".
 using RequestWork = std::function<void(std::string& subject, const Monitor& monitor)>;
 
-/// Runs the work and gives what the request has to return: 1, or 0 after an error. An InputError that the work throws
-/// becomes one error of `algorithm`; so does a lack of memory, with the text `noMemory`. Both leave all outputs empty,
-/// and so does a request to stop, which is no error. Outputs may be null.
+/// Runs the work and gives what the request has to return: 1, or 0 after an error. What the work throws becomes one
+/// error of `algorithm`, a lack of memory one with the text `noMemory`. All of them leave the outputs empty, and so
+/// does a request to stop, which is no error. Outputs may be null. `errorCode`, that of a reader or writer, becomes the
+/// vtkErrorCode of what happened; the member of the algorithm, as setting it would mark the algorithm as changed.
 ///
 /// What empties the outputs of one rank empties those of all, and where one has to return 0 all do, so that all go on
 /// or none does. An error that several have is reported by the first of them. Collective.
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
-  const RequestWork& work, const Ranks& ranks = Ranks());
+  const RequestWork& work, const Ranks& ranks = Ranks(), unsigned long* errorCode = nullptr);
 
 /// Whether a request is for the information of a certain time: in a series, another file may have that time than the
 /// one that the information was taken from.

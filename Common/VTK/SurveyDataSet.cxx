@@ -69,9 +69,8 @@ vtkSmartPointer<vtkPolyData> MakeSurveyPoints(LatticeHorizon horizon, int surfac
   auto points = vtkSmartPointer<vtkPolyData>::New();
   const int sign = static_cast<int>(axes.Direction);
   points->SetPoints(
-    MakeColumnPoints(horizon.I, horizon.J, axes.ToWorld(), [&](std::size_t point) { return sign * horizon.Z[point]; }));
-  horizon.I = std::vector<int>();
-  horizon.J = std::vector<int>();
+    MakeColumnPoints(horizon.Column, axes.ToWorld(), [&](std::size_t point) { return sign * horizon.Z[point]; }));
+  const auto columns = MoveToColumnArray(horizon.Column);
 
   const vtkIdType numberOfPoints = points->GetNumberOfPoints();
   vtkPointData* const data = points->GetPointData();
@@ -81,6 +80,7 @@ vtkSmartPointer<vtkPolyData> MakeSurveyPoints(LatticeHorizon horizon, int surfac
     MoveToArray<vtkDoubleArray>(data, attribute.Name.c_str(), attribute.Values);
   }
   // After the attributes, so that none of them takes the place of one of these.
+  data->AddArray(columns);
   AddConstant<vtkIntArray>(data, PointArray::SurfaceId, numberOfPoints, surfaceId);
   AddArray<vtkIntArray>(data, PointArray::VerticalIndex, horizon.Z,
     [&sampling](double z) { return static_cast<int>(std::lround((z - sampling.First) / sampling.Step)); });

@@ -47,7 +47,7 @@ bool FileSeries::Clear()
 //----------------------------------------------------------------------------------------------------------------------
 const char* FileSeries::GetName(int index) const
 {
-  return index >= 0 && index < this->GetSize() ? this->Names[static_cast<std::size_t>(index)].c_str() : nullptr;
+  return index >= 0 && index < this->GetSize() ? this->Names[index].c_str() : nullptr;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

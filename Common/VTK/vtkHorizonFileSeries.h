@@ -3,7 +3,7 @@
 /**
  * @file
  * The files of a reader: one, or a series of them, one for each time. ParaView's own class for series,
- * vtkFileSeriesReader, is not used: it goes on after an error of the reader, which then is told a second time; a stop
+ * vtkFileSeriesReader, is not used: it continues after an error of the reader, which is then reported twice; a stop
  * does not reach the reader within; and without ParaView there are no series.
  */
 
@@ -66,6 +66,8 @@ private:
 
 /**
  * The methods by which a reader is given its files, for a class with a member `Files` of the type FileSeries.
+ * SetFileName() takes one file in place of all, AddFileName() one more; GetFileName() without an index gives the first.
+ * The output is that of the time which is asked for.
  */
 #define vtkHorizonFileNamesMacro()                                                                                     \
   virtual void SetFileName(VTK_FILEPATH const char* fileName)                                                          \

@@ -7,7 +7,7 @@
 #include "vtkHorizonSource.h"
 
 #include "Common/DealOut.h"
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "HorizonName.h"
@@ -17,6 +17,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
+#include "vtkDataAssembly.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -114,7 +115,7 @@ std::vector<std::int64_t> Choose(const std::vector<std::int64_t>& sizes, const s
   std::vector<std::int64_t> chosen;
   for (const int number : numbers)
   {
-    chosen.push_back(sizes.empty() ? 1 : sizes[static_cast<std::size_t>(number)]);
+    chosen.push_back(sizes.empty() ? 1 : sizes[number]);
   }
   return chosen;
 }
@@ -148,13 +149,24 @@ void RequireSameList(const std::string& prefix, const std::vector<std::string>& 
   }
 }
 
-/// Adds an empty partitioned dataset with a name.
+/// What a node of an assembly can be called.
+std::string NodeName(const std::string& name)
+{
+  const bool isTaken = name.empty() || vtkDataAssembly::IsNodeNameReserved(name.c_str());
+  return vtkDataAssembly::MakeValidNodeName((isTaken ? '_' + name : name).c_str());
+}
+
+/// Adds an empty partitioned dataset with a name, and a node of the assembly for it.
 void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name)
 {
   const unsigned int position = collection->GetNumberOfPartitionedDataSets();
   vtkNew<vtkPartitionedDataSet> partitions;
   collection->SetPartitionedDataSet(position, partitions);
   collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  vtkDataAssembly* const assembly = collection->GetDataAssembly();
+  const int node = assembly->AddNode(NodeName(name).c_str());
+  assembly->AddDataSetIndex(node, position);
+  assembly->SetAttribute(node, "label", name.c_str());
 }
 }
 
@@ -239,15 +251,36 @@ vtkTypeBool vtkHorizonSource::ProcessRequest(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::AnnouncePieces(vtkInformationVector* outputs)
+{
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonSource::AskForWholeInput(vtkInformationVector** inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (vtkInformation* const input = inputs[0]->GetInformationObject(0))
+  {
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    if (input->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      std::array<int, 6> whole;
+      input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+      input->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
+    }
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonSource::RequestInformation(
   vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  if (this->GetNumberOfInputPorts() > 0)
-  {
-    return 1;
-  }
+  AnnouncePieces(outputVector);
   if (FileSeries* const files = this->GetFiles())
   {
     files->Announce(info);
@@ -260,7 +293,8 @@ int vtkHorizonSource::RequestInformation(
         const std::vector<std::string> names = this->NameHorizons(monitor);
         this->List(names);
         this->DescribeOutput(Select(names, this->HorizonSelection), info);
-      }));
+      }),
+    Ranks(), &this->ErrorCode);
   // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
   return done || FindController(vtkDataObject::GetData(info)) ? 1 : 0;
 }
@@ -277,7 +311,7 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
     // Selections and metadata would cut the name there.
     if (names[number].find('\0') != std::string::npos)
     {
-      throw InputError(
+      throw FileError(FileProblem::WrongContent,
         this->ErrorPrefix() + "a byte of 0 in the name of horizon " + std::to_string(number + 1) + ", expected text");
     }
   }
@@ -302,11 +336,14 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
     std::max(1, outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
   const std::vector<int> pieceOf = DealOut(Choose(this->CountHorizonPoints(), numbers), numberOfPieces);
   vtkNew<vtkPartitionedDataSetCollection> horizons;
+  vtkNew<vtkDataAssembly> assembly;
+  assembly->SetRootNodeName("Horizons");
+  horizons->SetDataAssembly(assembly);
   std::vector<int> own;
   std::vector<unsigned int> positions; // of the same in the collection
   for (std::size_t n = 0; n < numbers.size(); ++n)
   {
-    AddName(horizons, names[static_cast<std::size_t>(numbers[n])]);
+    AddName(horizons, names[numbers[n]]);
     if (pieceOf[n] == piece)
     {
       own.push_back(numbers[n]);
@@ -319,25 +356,6 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
     horizons->SetPartition(positions[n], 0, made[n]);
   }
   vtkDataObject::GetData(outputInformation)->ShallowCopy(horizons);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-int vtkHorizonSource::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* const info = this->GetNumberOfInputPorts() > 0 ? inputVector[0]->GetInformationObject(0) : nullptr;
-  if (info)
-  {
-    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  }
-  if (info && info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    std::array<int, 6> whole;
-    info->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-    info->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
-  }
-  return 1;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -369,7 +387,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
     }
   };
   return RunRequest(this, { vtkDataObject::GetData(info) },
-    this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons", work, ranks);
+    this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons", work, ranks, &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

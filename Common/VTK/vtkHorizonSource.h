@@ -5,14 +5,17 @@
  * @brief   base of what horizons come from: the choice of horizons, and the collection they are put in
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, which has its
- * name.
+ * name. Its vtkDataAssembly has a node for each, below the root "Horizons": the name without the characters that names
+ * of nodes can not have, and as it is in the attribute "label".
  *
  * When pieces are asked for, the selected horizons are dealt out by size: the one with the most points first, each to
  * the piece that has the fewest points so far; of equal horizons the first goes first, of equal pieces the first takes
  * it. Where sizes are not known before the horizons are made, they are dealt out in turn. In each piece the horizons of
  * others are partitioned datasets without a partition.
  *
- * What is wrong with a file or with a parameter gives one error; the output is empty then.
+ * What is wrong with a file or with a parameter gives one error; the output is empty then, and GetErrorCode() says what
+ * it was: NoFileNameError, FileNotFoundError, CannotOpenFileError, PrematureEndOfFileError, FileFormatError, or
+ * UnknownError for all else (vtkErrorCode.h).
  */
 
 #ifndef vtkHorizonSource_h
@@ -45,9 +48,11 @@ public:
 
   ///@{
   /**
-   * Which horizons are loaded, by their names. UpdateInformation() fills the list; where horizons come from an input,
-   * Update() does. A choice is kept when another file has a horizon of that name too, or when the horizon comes back
-   * that a window left out, and it may be made before the list is filled. Default: all enabled.
+   * Which horizons are loaded, by name (SetHorizonStatus in Python and C++). Range: on, off. Default: all on.
+   *
+   * UpdateInformation() fills the list; where horizons come from an input, Update() does. A choice is kept when another
+   * file has a horizon of that name too, or when the horizon comes back that a window left out, and it may be made
+   * before the list is filled.
    */
   vtkDataArraySelection* GetHorizonSelection();
   int GetNumberOfHorizons();
@@ -59,8 +64,8 @@ public:
   ///@}
 
   /**
-   * How large the horizons of that list are, in its order: points, or what a source can tell that is about in
-   * proportion to them before they are made. Empty where nothing is known.
+   * The number of points of each horizon, in the order of the list, or an estimate in proportion to it. Empty where
+   * nothing is known.
    */
   vtkIdTypeArray* GetHorizonSizes();
 
@@ -73,9 +78,13 @@ protected:
 
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /// Asks for the whole input on each process, of which each makes its horizons.
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// Tells of an output only that it can be made in pieces.
+  static int AnnouncePieces(vtkInformationVector* outputs);
+
+  /// Asks for the whole input, out of which each process makes its own horizons.
+  static int AskForWholeInput(vtkInformationVector** inputs);
 
   // The following throw InputError (Common/Errors.h).
 
@@ -119,5 +128,30 @@ private:
   vtkNew<vtkIdTypeArray> HorizonSizes;
   std::unordered_set<std::string> Disabled; // names of horizons, of those that are not listed
 };
+
+/**
+ * What makes a source with one input port a filter: the methods by which it is given data, and those by which it asks
+ * for them. Its horizons are known when the data are there.
+ */
+#define vtkHorizonInputMacro()                                                                                         \
+public:                                                                                                                \
+  void SetInputData(vtkDataObject* input)                                                                              \
+  {                                                                                                                    \
+    this->SetInputData(0, input);                                                                                      \
+  }                                                                                                                    \
+  void SetInputData(int port, vtkDataObject* input)                                                                    \
+  {                                                                                                                    \
+    this->SetInputDataInternal(port, input);                                                                           \
+  }                                                                                                                    \
+                                                                                                                       \
+protected:                                                                                                             \
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override              \
+  {                                                                                                                    \
+    return AnnouncePieces(outputs);                                                                                    \
+  }                                                                                                                    \
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) override              \
+  {                                                                                                                    \
+    return AskForWholeInput(inputs);                                                                                   \
+  }
 
 #endif

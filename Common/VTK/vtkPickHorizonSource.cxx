@@ -3,9 +3,11 @@
 
 #include "vtkPickHorizonSource.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/Monitor.h"
 #include "Common/Survey/PickPlacement.h"
+
+#include "vtkHorizonFileSeries.h"
 
 #include "vtkTimeStamp.h"
 
@@ -91,7 +93,7 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
   std::vector<std::string> ofSheets;
   for (const int number : this->ListedSheets->Numbers)
   {
-    ofSheets.push_back(names[std::size_t(number)]);
+    ofSheets.push_back(names[number]);
   }
   return ofSheets;
 }
@@ -117,14 +119,9 @@ SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
 {
   PickTable picks = this->ReadPicks(monitor.Step(0.0, 0.6));
-  try
-  {
-    return PlacePicks(std::move(picks), this->MakeOptions(), monitor.Step(0.6, 1.0));
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(this->ErrorPrefix() + error.what());
-  }
+  const auto place = [&]() { return PlacePicks(std::move(picks), this->MakeOptions(), monitor.Step(0.6, 1.0)); };
+  FileSeries* const files = this->GetFiles();
+  return files ? PrefixFileErrors(files->GetCurrent(), place) : place();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -133,7 +130,7 @@ void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 3> sources = { "FromPoints", "CornerPoints", "OriginAndSteps" };
   constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "LatticeSource: " << sources[static_cast<std::size_t>(this->LatticeSource)] << '\n';
+  os << indent << "LatticeSource: " << sources[this->LatticeSource] << '\n';
   os << indent << "FirstCorner: " << ToText(Eigen::Vector4d(this->FirstCorner)) << '\n';
   os << indent << "SecondCorner: " << ToText(Eigen::Vector4d(this->SecondCorner)) << '\n';
   os << indent << "ThirdCorner: " << ToText(Eigen::Vector4d(this->ThirdCorner)) << '\n';
@@ -141,5 +138,5 @@ void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColumnStep: " << ToText(Eigen::Vector2d(this->ColumnStep)) << '\n';
   os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';
   os << indent << "LatticeTolerance: " << this->LatticeTolerance << '\n';
-  os << indent << "DuplicatePolicy: " << policies[static_cast<std::size_t>(this->DuplicatePolicy)] << '\n';
+  os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
 }

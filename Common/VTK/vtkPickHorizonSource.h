@@ -14,7 +14,7 @@
  *   The step along i is that nearer to the direction of x.
  * - With line numbers alone x is the crossline and y the inline.
  *
- * Points are moved to their columns; LatticeDeviation tells how far at most.
+ * Points are moved to their columns; LatticeDeviation is the largest distance.
  */
 
 #ifndef vtkPickHorizonSource_h
@@ -37,7 +37,7 @@ public:
   vtkTypeMacro(vtkPickHorizonSource, vtkSurveyHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the lattice comes from.
+  /// Values of LatticeSource.
   enum LatticeSourceKind
   {
     FromPoints = 0,
@@ -47,9 +47,12 @@ public:
 
   ///@{
   /**
-   * Where the lattice comes from. FromPoints: it is found. CornerPoints: from three points of the survey, for points
-   * with line numbers. OriginAndSteps: from Origin, ColumnStep and RowStep. Places of the points have to agree with the
-   * latter two. Default: FromPoints.
+   * Where the lattice of columns comes from. FromPoints: it is found from line numbers, from x and y, or from both.
+   * CornerPoints: from the line numbers and coordinates of three points that you know, for data with line numbers.
+   * OriginAndSteps: from the coordinates of a column and the steps to its neighbours. See "Lattice" in
+   * HorizonTextReader.md. Default: FromPoints.
+   *
+   * The points have to agree with a lattice that is given.
    */
   vtkSetClampMacro(LatticeSource, int, FromPoints, OriginAndSteps);
   vtkGetMacro(LatticeSource, int);
@@ -60,21 +63,35 @@ public:
 
   ///@{
   /**
-   * Inline, crossline, x and y of three points of the survey that are not on one line. Used with CornerPoints. Default:
-   * 0 0 0 0; 0 1 1 0; 1 0 0 1.
+   * Inline, crossline, x and y of a point of the survey, used with CornerPoints. Unit: line numbers, world units.
+   * Range: finite, the three corners not on one line. Default: 0, 0, 0, 0.
    */
   vtkSetVector4Macro(FirstCorner, double);
   vtkGetVector4Macro(FirstCorner, double);
+  ///@}
+
+  ///@{
+  /**
+   * Inline, crossline, x and y of a second point of the survey, used with CornerPoints. Unit: line numbers, world
+   * units. Range: finite, the three corners not on one line. Default: 0, 1, 1, 0.
+   */
   vtkSetVector4Macro(SecondCorner, double);
   vtkGetVector4Macro(SecondCorner, double);
+  ///@}
+
+  ///@{
+  /**
+   * Inline, crossline, x and y of a third point of the survey, used with CornerPoints. Unit: line numbers, world units.
+   * Range: finite, the three corners not on one line. Default: 1, 0, 0, 1.
+   */
   vtkSetVector4Macro(ThirdCorner, double);
   vtkGetVector4Macro(ThirdCorner, double);
   ///@}
 
   ///@{
   /**
-   * World x and y of a column: for points with line numbers that of the first inline and crossline there is, for others
-   * any. Used with OriginAndSteps. Finite. Default: 0, 0.
+   * World x and y of a column, used with OriginAndSteps: of the first inline and crossline that the data have where
+   * they have line numbers, else of any column. Unit: world units. Range: finite. Default: 0, 0.
    */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
@@ -82,26 +99,34 @@ public:
 
   ///@{
   /**
-   * The steps in world x and y from a column to the next along i, and along j: for points with line numbers from a
-   * crossline there is to the next, and from an inline to the next. Used with OriginAndSteps. Finite, and not parallel.
-   * Default: 1, 0 and 0, 1.
+   * The step in world x and y from a column to the next along i, used with OriginAndSteps; where the data have line
+   * numbers, from a crossline that they have to the next one. Unit: world units. Range: finite, not parallel to
+   * RowStep. Default: 1, 0.
    */
   vtkSetVector2Macro(ColumnStep, double);
   vtkGetVector2Macro(ColumnStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * The step in world x and y from a row to the next along j, used with OriginAndSteps; where the data have line
+   * numbers, from an inline that they have to the next one. Unit: world units. Range: finite, not parallel to
+   * ColumnStep. Default: 0, 1.
+   */
   vtkSetVector2Macro(RowStep, double);
   vtkGetVector2Macro(RowStep, double);
   ///@}
 
   ///@{
   /**
-   * How far points may be off their columns, as a part of the step, along each of the two steps. A point that is
-   * farther away is an error, which says how many there are. More than 0, less than 0.5. Default: 0.1.
+   * How far points may be off their columns along each of the two steps, as a fraction of the step. A point farther off
+   * is an error. Unit: columns. Range: more than 0, less than 0.5. Default: 0.1.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
   ///@}
 
-  /// Which point is kept when a horizon has several in one column.
+  /// Values of DuplicatePolicy.
   enum DuplicateChoice
   {
     StrongestAmplitude = 0,
@@ -112,10 +137,13 @@ public:
 
   ///@{
   /**
-   * Which point is kept when a horizon has several in one column. StrongestAmplitude: the one of largest absolute value
-   * of the attribute Amplitude; of equal ones, and where there is no such attribute, the topmost. The others are left
-   * out and counted in DroppedDuplicates. Sheets: all, as at reverse faults: each sheet is a horizon of its own, the
-   * second named "Top (2)", told apart by connection in space (ColumnSheets.h). Default: StrongestAmplitude.
+   * Which point is kept where a horizon has several in one column (a bin of the survey). StrongestAmplitude: the one
+   * with the largest absolute value of the attribute Amplitude; of equal ones, and without that attribute, the topmost.
+   * Topmost, Lowest: the highest, the lowest one. Sheets: all of them, as at reverse faults; what is connected in space
+   * is a sheet, and each becomes a horizon of its own. Points left out are counted in the field data DroppedDuplicates.
+   * See "Sheets" in HorizonTextReader.md. Default: StrongestAmplitude.
+   *
+   * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
   vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
   vtkGetMacro(DuplicatePolicy, int);

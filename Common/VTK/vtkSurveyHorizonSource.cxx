@@ -102,7 +102,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
-    LatticeHorizon& horizon = survey.Horizons[static_cast<std::size_t>(number)];
+    LatticeHorizon& horizon = survey.Horizons[number];
     const int surfaceId = horizon.Number + 1;
     horizons.push_back(MakeSurveyPoints(std::move(horizon), surfaceId, axes));
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));

@@ -48,16 +48,18 @@ public:
 
   ///@{
   /**
-   * The length of a vertical index, in the unit of z. 0: one that suits the data, which is the median of the
-   * differences in z between neighbouring columns where they differ, rounded to the nearest of 1, 2 and 5 times a power
-   * of ten; 1 where there are none. It is found for all horizons together, whether they are selected or not. Finite, at
-   * least 0. Default: 0.
+   * The length of a vertical index, in which the stages count errors and thresholds. 0: one that suits the data, the
+   * rounded median of the differences in z between neighbouring columns. See "Vertical indices" in
+   * HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
+   *
+   * The median is of the differences that are not 0, over all horizons together, selected or not, rounded to the
+   * nearest of 1, 2 and 5 times a power of ten; 1 where there are none.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
   ///@}
 
-  /// Where z grows to.
+  /// Values of VerticalDirection.
   enum VerticalSense
   {
     Down = 0,
@@ -66,9 +68,12 @@ public:
 
   ///@{
   /**
-   * Where z grows to. Down: to smaller world z, as time and depth do. Up: to larger world z, as elevation does. Data
-   * mostly do not say, and it is not guessed; where all z are negative and the direction is Down there is a warning.
+   * The direction in which z of the data increases. Down: world z decreases with it, as for time and depth, so that
+   * horizons are the right way up. Up: world z increases with it, as for elevation, which is negative below the sea.
    * Default: Down.
+   *
+   * Data mostly do not say, and it is not guessed; where all z are negative and the direction is Down there is a
+   * warning.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -78,23 +83,41 @@ public:
 
   ///@{
   /**
-   * What is put into the field data: the unit of z ("ms", "s", "m", "ft"), whether z is "time" or "depth", the unit of
-   * x and y, and the name of their coordinate system. They change no number. Default: empty, for what the data say.
+   * The unit of z for the field data: ms, s, m or ft. Numbers are not converted. Empty: what the data say. Range: any
+   * text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
+  ///@}
+
+  ///@{
+  /**
+   * Whether z is time or depth, for the field data. Numbers are not converted. Empty: what the data say. Range: any
+   * text. Default: empty.
+   */
   vtkSetStringMacro(VerticalDomain);
   vtkGetStringMacro(VerticalDomain);
+  ///@}
+
+  ///@{
+  /**
+   * The unit of x and y for the field data: m or ft. Numbers are not converted. Empty: what the data say. Range: any
+   * text. Default: empty.
+   */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
+  ///@}
+
+  ///@{
+  /**
+   * The name of the coordinate system of x and y, for the field data. Numbers are not converted. Empty: what the data
+   * say. Range: any text. Default: empty.
+   */
   vtkSetStringMacro(CoordinateSystem);
   vtkGetStringMacro(CoordinateSystem);
   ///@}
 
-  /**
-   * What was found in the data, for people: lines of text about their format, lattice and vertical indices. Empty
-   * before the first update.
-   */
+  /// What was found in the data: format and columns, lattice, and vertical indices. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }
 
 protected:

@@ -9,6 +9,7 @@
 #include "FaultClosing/FaultClosing.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
+#include "LatticePoints.h"
 #include "Triangulation/TriangleQuality.h"
 
 #include "vtkCellArray.h"
@@ -40,14 +41,6 @@ bool HasCuts(vtkFieldData* data)
 {
   vtkDataArray* const links = FindNumbers(data, FieldArray::CutLinks);
   return links && links->GetNumberOfTuples() > 0;
-}
-
-std::array<int, 2> ColumnOf(vtkPolyData* horizon, const Lattice& grid, PointId point)
-{
-  Eigen::Vector3d world;
-  horizon->GetPoint(point, world.data());
-  const Eigen::Vector3d place = grid.ToLattice(world);
-  return { int(std::lround(place.x())), int(std::lround(place.y())) };
 }
 
 /// A whole number, at least 0, of an array.
@@ -92,8 +85,7 @@ std::vector<std::array<PlanePoint, 2>> ReadMouths(vtkFieldData* data)
 class MouthPoints
 {
 public:
-  MouthPoints(const std::vector<std::array<PlanePoint, 2>>& mouths, const std::vector<PlanePoint>& plane,
-    std::int32_t columnSize, const Loops& boundary)
+  MouthPoints(const std::vector<std::array<PlanePoint, 2>>& mouths, PlanePoints columns, const Loops& boundary)
   {
     for (const std::array<PlanePoint, 2>& mouth : mouths)
     {
@@ -108,10 +100,8 @@ public:
     boundary.ForEachPoint(
       [&](PointId point)
       {
-        const PlanePoint& place = plane[std::size_t(point)];
-        const PlanePoint column{ place.X / columnSize, place.Y / columnSize };
-        const std::size_t slot = this->SlotOf(column);
-        if (slot < this->Columns.size() && place == PlanePoint{ column.X * columnSize, column.Y * columnSize })
+        const std::size_t slot = this->SlotOf(columns[point]);
+        if (slot < this->Columns.size())
         {
           this->Points[slot] = point;
         }
@@ -154,12 +144,11 @@ void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
   }
 }
 
-Cracks ReadCracks(
-  vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary)
+Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
 {
   Cracks cracks;
   const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
-  const MouthPoints points(mouths, plane, grid.SubVoxelsPerColumn(), boundary);
+  const MouthPoints points(mouths, ColumnsOf(horizon), boundary);
   for (const std::array<PlanePoint, 2>& mouth : mouths)
   {
     cracks.Mouths.push_back({ points.At(mouth[0]), points.At(mouth[1]) });
@@ -215,13 +204,13 @@ void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
     data->RemoveArray(FieldArray::CrackLoops);
     return;
   }
-  const Lattice grid = ReadLattice(horizon);
+  const PlanePoints columns = ColumnsOf(horizon);
   std::vector<std::array<int, MouthComponents>> tuples;
   for (const Edge& mouth : cracks.Mouths)
   {
-    const std::array<int, 2> from = ColumnOf(horizon, grid, mouth.From);
-    const std::array<int, 2> to = ColumnOf(horizon, grid, mouth.To);
-    tuples.push_back({ from[0], from[1], to[0], to[1] });
+    const PlanePoint from = columns[mouth.From];
+    const PlanePoint to = columns[mouth.To];
+    tuples.push_back({ from.X, from.Y, to.X, to.Y });
   }
   std::sort(tuples.begin(), tuples.end()); // whatever the order of the points
   auto mouths = NewArray<vtkIntArray>(FieldArray::CutMouths, vtkIdType(tuples.size()), MouthComponents);
@@ -234,18 +223,17 @@ void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PointId> ReadEndsOfMouths(
-  vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary)
+std::vector<PointId> ReadEndsOfMouths(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary)
 {
   const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
-  return MouthPoints(mouths, plane, grid.SubVoxelsPerColumn(), boundary).All();
+  return MouthPoints(mouths, columns, boundary).All();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor)
 {
-  RawVector<PointId> triangles = CloseFaults(plane, boundary, ReadCracks(mesh, plane, grid, boundary), monitor);
+  RawVector<PointId> triangles = CloseFaults(plane, boundary, ReadCracks(mesh, boundary), monitor);
   const std::size_t size = triangles.size() / 3;
   auto marks = NewArray<vtkUnsignedCharArray>(CellArray::Fault, mesh->GetNumberOfCells() + vtkIdType(size));
   std::fill_n(marks->GetPointer(0), mesh->GetNumberOfCells(), static_cast<unsigned char>(0));

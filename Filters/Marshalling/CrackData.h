@@ -22,15 +22,14 @@ namespace SeismicHorizons
 /// and loses those that it has.
 void WriteCracks(const Cracks& cracks, vtkPolyData* horizon);
 
-/// The points of loops in which mouths of cracks end, to be kept: those that are there. `plane` holds the places of the
-/// points. Throws InputError on an array of another form.
-std::vector<PointId> ReadEndsOfMouths(
-  vtkPolyData* horizon, const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary);
+/// The points of loops in which mouths of cracks end, to be kept: those that are there. Throws InputError on an array
+/// of another form.
+std::vector<PointId> ReadEndsOfMouths(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary);
 
-/// Adds the triangles that close its cracks to a mesh that has all else: loops, triangles with their cell data, and
-/// field data. They have Compactness and Quality, nan in other arrays, and 1 in the new one, Fault, where all other
-/// cells have 0. Their number is the figure FaultTriangleCount. Throws InputError on arrays of another form, and where
-/// they do not fit the loops, as when some are gone.
+/// Adds the triangles that close its cracks to a mesh that has all else: points, whose places in plan are `plane`,
+/// loops, triangles with their cell data, and field data. They have Compactness and Quality, nan in other arrays, and 1
+/// in the new one, Fault, where all other cells have 0. Their number is the figure FaultTriangleCount. Throws
+/// InputError on arrays of another form, and where they do not fit the loops, as when some are gone.
 void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor);
 }

@@ -39,8 +39,8 @@ void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double ErrorInLatticeUnits(double error, ErrorUnit unit, const std::vector<PlanePoint>& plane,
-  const std::vector<double>& height, const Lattice& grid)
+double ErrorInLatticeUnits(
+  double error, ErrorUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& grid)
 {
   CheckAtLeast("maximum error", error, 0.0, "");
   if (unit == ErrorUnit::World)
@@ -50,10 +50,10 @@ double ErrorInLatticeUnits(double error, ErrorUnit unit, const std::vector<Plane
   }
   if (unit == ErrorUnit::Diagonal)
   {
-    const PlaneBox box(plane);
+    const PlaneBox box(columns);
     const auto ends = std::minmax_element(height.begin(), height.end());
-    const Eigen::Vector3d diagonal(grid.ToLatticeUnits(box.Greatest.X) - grid.ToLatticeUnits(box.Least.X),
-      grid.ToLatticeUnits(box.Greatest.Y) - grid.ToLatticeUnits(box.Least.Y), *ends.second - *ends.first);
+    const Eigen::Vector3d diagonal(
+      double(box.Greatest.X) - box.Least.X, double(box.Greatest.Y) - box.Least.Y, *ends.second - *ends.first);
     return error * diagonal.norm();
   }
   return error;

@@ -22,10 +22,10 @@ enum class ErrorUnit
   Diagonal = 2 // 1 is the diagonal of the bounding box of all points, in lattice units
 };
 
-/// An error in lattice units. Throws InputError when it is negative or not finite. `plane` and `height` are the places
-/// of all points in sub-voxels and lattice units.
-double ErrorInLatticeUnits(double error, ErrorUnit unit, const std::vector<PlanePoint>& plane,
-  const std::vector<double>& height, const Lattice& grid);
+/// An error in lattice units. Throws InputError when it is negative or not finite. `columns` and `height` are the
+/// places of all points.
+double ErrorInLatticeUnits(
+  double error, ErrorUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& grid);
 
 /// Makes `output` the mesh of the decimated `input`: points with their data, loops, triangles and figures. Moves the
 /// triangles away.

@@ -8,8 +8,6 @@
 
 #include "Common/Lattice.h"
 #include "Faults/FaultLines.h"
-#include "Faults/FaultPolylines.h"
-#include "Faults/FaultSticks.h"
 
 #include <vector>
 

@@ -12,6 +12,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -141,7 +142,7 @@ void WriteOtherValues(vtkAbstractArray* input, const FilledColumns& filled, vtkA
   to->SetNumberOfIds(from->GetNumberOfIds());
   for (vtkIdType n = 0; n < from->GetNumberOfIds(); ++n)
   {
-    from->SetId(n, filled.Nearest[std::size_t(n)]);
+    from->SetId(n, filled.Nearest[n]);
     to->SetId(n, known + n);
   }
   output->InsertTuples(to, from, input);
@@ -209,7 +210,7 @@ std::vector<PointValue> ListFilledValues(const std::vector<FilledArray>& arrays,
     for (int component = 0; component < filled.Array->GetNumberOfComponents(); ++component)
     {
       result.push_back([array = filled.Array.Get(), slope = filled.Slope, component, &height](PointId point)
-        { return array->GetComponent(point, component) - slope * height[std::size_t(point)]; });
+        { return array->GetComponent(point, component) - slope * height[point]; });
     }
   }
   return result;
@@ -235,7 +236,13 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vect
     CopyTuples(array, result);
     const auto found =
       std::find_if(arrays.begin(), arrays.end(), [array](const FilledArray& one) { return one.Array == array; });
-    if (found != arrays.end())
+    if (HasName(array, { PointArray::Column }))
+    {
+      const auto* const columns = &filled.Column.data()->X;
+      std::copy_n(columns, 2 * filled.Column.size(),
+        vtkIntArray::SafeDownCast(result)->GetPointer(2 * input->GetNumberOfPoints()));
+    }
+    else if (found != arrays.end())
     {
       WriteFilledValues(*found, filled, first, vtkDataArray::FastDownCast(result));
       first += std::size_t(array->GetNumberOfComponents());

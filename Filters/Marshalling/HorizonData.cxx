@@ -176,7 +176,7 @@ std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon)
       throw InputError(std::string(FieldArray::LatticeDimensions) + " with " + Text(cells) +
         " cells along an axis, expected a whole number of 32 bits");
     }
-    dimensions[std::size_t(axis)] = int(cells);
+    dimensions[axis] = int(cells);
   }
   return dimensions;
 }
@@ -300,23 +300,34 @@ std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid)
+BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points)
 {
   BoundedHorizon result;
-  result.SubVoxelsPerColumn = grid.SubVoxelsPerColumn();
-  result.Plane = std::move(plane);
-  result.Patch = ReadPatches(horizon);
-  result.Boundary = ReadBoundary(horizon);
+  if (points.AreMerged)
+  {
+    result.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+    result.Plane = ToSubVoxels(points);
+  }
+  else
+  {
+    result.Plane.assign(points.Column.begin(), points.Column.end());
+  }
+  result.Patch = ReadPatches(points.Horizon);
+  result.Boundary = ReadBoundary(points.Horizon);
   return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points)
+BoundedHorizon ReadBoundedHorizon(LatticePoints points)
 {
-  BoundedHorizon result = ReadPatchesAndBoundary(horizon, std::move(points.Plane), points.Grid);
+  BoundedHorizon result;
+  result.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+  result.Plane = ToSubVoxels(points);
   result.Height = std::move(points.Height);
-  result.Count = ReadCounts(horizon);
-  if (std::optional<LinkCuts> cuts = FindCuts(horizon, ColumnsAround(result.Plane, result.SubVoxelsPerColumn)))
+  result.Patch = ReadPatches(points.Horizon);
+  result.Boundary = ReadBoundary(points.Horizon);
+  result.Count = ReadCounts(points.Horizon);
+  if (std::optional<LinkCuts> cuts = FindCuts(points.Horizon, ColumnsAround(result.Plane, result.SubVoxelsPerColumn)))
   {
     result.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
   }

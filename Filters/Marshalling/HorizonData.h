@@ -50,10 +50,11 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
 /// The corners of all polygons of a mesh, which must be triangles.
 std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh);
 
-/// Without heights and counts, which no mesh needs.
-BoundedHorizon ReadPatchesAndBoundary(vtkPolyData* horizon, std::vector<PlanePoint> plane, const Lattice& grid);
+/// In columns, or in sub-voxels where points were merged; without heights and counts, which no mesh needs.
+BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points);
 
-BoundedHorizon ReadBoundedHorizon(vtkPolyData* horizon, LatticePoints points);
+/// In sub-voxels, for stages that merge points.
+BoundedHorizon ReadBoundedHorizon(LatticePoints points);
 }
 
 #endif

@@ -4,8 +4,10 @@
 #include "HorizonPoints.h"
 
 #include "Common/DataModel.h"
+#include "Common/Errors.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/VertexCells.h"
+#include "HorizonData.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -18,9 +20,13 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <sstream>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -60,6 +66,34 @@ void GetTuples(vtkAbstractArray* from, const KeptPoints& kept, vtkAbstractArray*
 bool HasPlainTuples(vtkAbstractArray* array)
 {
   return vtkDataArray::SafeDownCast(array) && array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT;
+}
+
+/// How many lattice units points rise for each vertical index, by a line through some of them; 1 when they are too
+/// level to tell, or there are no vertical indices.
+double MeasureStretch(vtkPolyData* horizon, const std::vector<double>& height)
+{
+  vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
+  if (!index || index->GetNumberOfTuples() != vtkIdType(height.size()))
+  {
+    return 1.0;
+  }
+  constexpr std::size_t Enough = 1000;
+  std::vector<Eigen::Vector2d> pairs;
+  for (std::size_t point = 0; point < height.size(); point += height.size() / Enough + 1)
+  {
+    pairs.emplace_back(index->GetComponent(vtkIdType(point), 0), height[point]);
+  }
+  const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
+  const Eigen::Vector2d mean = sum / double(pairs.size());
+  double square = 0.0;
+  double product = 0.0;
+  for (const Eigen::Vector2d& pair : pairs)
+  {
+    square += (pair.x() - mean.x()) * (pair.x() - mean.x());
+    product += (pair.x() - mean.x()) * (pair.y() - mean.y());
+  }
+  constexpr double LeastDeviation = 2.0; // vertical indices: with less, rounding and real z could decide
+  return square > LeastDeviation * LeastDeviation * double(pairs.size()) ? product / square : 1.0;
 }
 }
 
@@ -155,6 +189,22 @@ void ActivateHeight(vtkPolyData* horizon)
   if (horizon->GetPointData()->HasArray(PointArray::VerticalIndex))
   {
     horizon->GetPointData()->SetActiveScalars(PointArray::VerticalIndex);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
+{
+  // Real z is not a multiple of the vertical index, but in a survey about as long everywhere.
+  constexpr double MostStretch = 2.0;
+  const double stretch = MeasureStretch(horizon, height);
+  if (stretch < 1.0 / MostStretch || stretch > MostStretch)
+  {
+    std::ostringstream text;
+    text << "points rise by " << stretch
+         << " lattice units for each vertical index, expected 1: where points were moved or scaled, as by Transform, "
+            "the lattice in LatticeToWorld is no longer theirs";
+    throw InputError(text.str());
   }
 }
 }

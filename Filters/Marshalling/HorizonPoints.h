@@ -11,6 +11,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <vector>
+
 class vtkAbstractArray;
 class vtkPolyData;
 
@@ -31,6 +33,10 @@ void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyDat
 /// Gives `output` some of the points of `input`, with their arrays and a vertex cell for each. Where all are kept, both
 /// share the arrays.
 void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output);
+
+/// Throws InputError when heights, in lattice units, do not rise with the vertical index: Transform moves points, and
+/// leaves the lattice in the field data as it is.
+void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height);
 
 /// Makes the vertical index, where there is one, the active scalars, by which windows colour.
 void ActivateHeight(vtkPolyData* horizon);

@@ -118,7 +118,7 @@ LatticeMatrix ToRows(const Eigen::Matrix4d& map)
   LatticeMatrix rows;
   for (int n = 0; n < 16; ++n)
   {
-    rows[std::size_t(n)] = map(n / 4, n % 4);
+    rows[n] = map(n / 4, n % 4);
   }
   return rows;
 }

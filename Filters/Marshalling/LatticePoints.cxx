@@ -5,21 +5,27 @@
 
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/FixedChunks.h"
 #include "Common/Parallel.h"
+#include "Common/VTK/ColumnPoints.h"
+#include "Common/VTK/DataArrays.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -29,49 +35,6 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
 
-/// How many lattice units points rise for each vertical index, by a line through some of them; 1 when they are too
-/// level to tell, or there are no vertical indices.
-double MeasureStretch(vtkPolyData* horizon, const std::vector<double>& height)
-{
-  vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
-  if (!index || index->GetNumberOfTuples() != vtkIdType(height.size()))
-  {
-    return 1.0;
-  }
-  constexpr std::size_t Enough = 1000;
-  std::vector<Eigen::Vector2d> pairs;
-  for (std::size_t point = 0; point < height.size(); point += height.size() / Enough + 1)
-  {
-    pairs.emplace_back(index->GetComponent(vtkIdType(point), 0), height[point]);
-  }
-  const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
-  const Eigen::Vector2d mean = sum / double(pairs.size());
-  double square = 0.0;
-  double product = 0.0;
-  for (const Eigen::Vector2d& pair : pairs)
-  {
-    square += (pair.x() - mean.x()) * (pair.x() - mean.x());
-    product += (pair.x() - mean.x()) * (pair.y() - mean.y());
-  }
-  constexpr double LeastDeviation = 2.0; // vertical indices: with less, rounding and real z could decide
-  return square > LeastDeviation * LeastDeviation * double(pairs.size()) ? product / square : 1.0;
-}
-
-/// Transform moves points, and leaves the lattice in the field data as it is.
-void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
-{
-  // Real z is not a multiple of the vertical index, but in a survey about as long everywhere.
-  constexpr double MostStretch = 2.0;
-  const double stretch = MeasureStretch(horizon, height);
-  if (stretch < 1.0 / MostStretch || stretch > MostStretch)
-  {
-    std::ostringstream text;
-    text << "points rise by " << stretch
-         << " lattice units for each vertical index, expected 1: where points were moved or scaled, as by Transform, "
-            "the lattice in LatticeToWorld is no longer theirs";
-    throw InputError(text.str());
-  }
-}
 void CheckPoints(vtkPolyData* horizon)
 {
   const vtkIdType size = horizon->GetNumberOfPoints();
@@ -91,63 +54,30 @@ void CheckPoints(vtkPolyData* horizon)
   }
 }
 
-/// Puts points on the lattice, on threads. `world(point)` gives the coordinates of one.
-template <typename World>
-void PutOnLattice(LatticePoints& points, World&& world)
+/// Gives world(point) to work(world), as fast as the type of the coordinates allows.
+template <typename Work>
+void WithCoordinates(vtkPolyData* horizon, Work&& work)
 {
-  ParallelFor(std::int64_t(points.Plane.size()), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      const Lattice grid = points.Grid; // a copy, which no write to the arrays can change
-      for (std::int64_t point = first; point < last; ++point)
-      {
-        const Eigen::Vector3d place = grid.ToLattice(world(point));
-        points.Plane[std::size_t(point)] = grid.ToSubVoxels(place, PointId(point));
-        points.Height[std::size_t(point)] = place.z();
-      }
-    });
-}
-
-/// The coordinates in an array, three numbers for each point.
-template <typename Number>
-auto Coordinates(const Number* numbers)
-{
-  return [numbers](std::int64_t point)
+  const auto of = [](const auto* numbers)
   {
-    const Number* const place = numbers + 3 * point;
-    return Eigen::Vector3d(double(place[0]), double(place[1]), double(place[2]));
+    return [numbers](std::int64_t point)
+    {
+      const auto* const place = numbers + 3 * point;
+      return Eigen::Vector3d(double(place[0]), double(place[1]), double(place[2]));
+    };
   };
-}
-
-/// What is wrong with a point that is on no column.
-InputError BesideColumn(std::size_t point, const PlanePoint& place, const Lattice& grid)
-{
-  return InputError("point " + std::to_string(point) + " at (" + std::to_string(grid.ToLatticeUnits(place.X)) + ", " +
-    std::to_string(grid.ToLatticeUnits(place.Y)) +
-    ") in lattice units, expected whole columns, as points have them before they are merged");
-}
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadPoints(vtkPolyData* horizon)
-{
-  CheckPoints(horizon);
-  LatticePoints points;
-  points.Grid = ReadLattice(horizon);
-  points.Plane.resize(std::size_t(horizon->GetNumberOfPoints()));
-  points.Height.resize(points.Plane.size());
   vtkDataArray* const coordinates = horizon->GetNumberOfPoints() > 0 ? horizon->GetPoints()->GetData() : nullptr;
   if (auto* const doubles = vtkDoubleArray::FastDownCast(coordinates))
   {
-    PutOnLattice(points, Coordinates(doubles->GetPointer(0)));
+    work(of(doubles->GetPointer(0)));
   }
   else if (auto* const floats = vtkFloatArray::FastDownCast(coordinates))
   {
-    PutOnLattice(points, Coordinates(floats->GetPointer(0)));
+    work(of(floats->GetPointer(0)));
   }
   else
   {
-    PutOnLattice(points,
+    work(
       [horizon](std::int64_t point)
       {
         Eigen::Vector3d world;
@@ -155,32 +85,309 @@ LatticePoints ReadPoints(vtkPolyData* horizon)
         return world;
       });
   }
-  CheckHeights(horizon, points.Height);
-  return points;
+}
+
+bool IsInSinglePrecision(vtkPolyData* horizon)
+{
+  return horizon->GetNumberOfPoints() > 0 && horizon->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
+/// How far from its column a point may stand, in columns: far enough for the rounding of world coordinates, and near
+/// enough that no other column could be meant.
+double FindTolerance(vtkPolyData* horizon, const Lattice& grid)
+{
+  constexpr double Hundredth = 0.01;
+  constexpr double Most = 0.25;
+  if (!IsInSinglePrecision(horizon))
+  {
+    return Hundredth;
+  }
+  const double rounding = grid.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice what it is at most
+  const double columns = rounding * grid.ColumnsPerUnit();
+  if (columns > Most)
+  {
+    std::ostringstream text;
+    text << "points in single precision, whose rounding by up to " << rounding / 2.0 << " is " << columns / 2.0
+         << " columns of the lattice, expected double precision";
+    throw InputError(text.str());
+  }
+  return std::max(Hundredth, columns);
+}
+
+PlanePoint* Columns(vtkIntArray* array)
+{
+  static_assert(sizeof(PlanePoint) == 2 * sizeof(int), "columns share the memory of the array");
+  return reinterpret_cast<PlanePoint*>(array->GetPointer(0));
+}
+
+/// The array Column of a horizon; null when there is none that could be it.
+vtkIntArray* FindGivenColumns(vtkPolyData* horizon)
+{
+  auto* const given = vtkIntArray::SafeDownCast(horizon->GetPointData()->GetAbstractArray(PointArray::Column));
+  const bool fits =
+    given && given->GetNumberOfComponents() == 2 && given->GetNumberOfTuples() == horizon->GetNumberOfPoints();
+  return fits ? given : nullptr;
+}
+
+double DistanceToColumn(const Eigen::Vector3d& place, const PlanePoint& column)
+{
+  return std::max(std::abs(place.x() - column.X), std::abs(place.y() - column.Y));
+}
+
+/// What is found out of some points.
+struct Placement
+{
+  double Deviation = 0.0; // the largest distance of a point to its column
+  bool AreMerged = false; // whether some have no column
+
+  void Add(const Placement& other)
+  {
+    this->Deviation = std::max(this->Deviation, other.Deviation);
+    this->AreMerged = this->AreMerged || other.AreMerged;
+  }
+};
+
+/// Puts the points of a horizon on columns: on those that it names if they stand there, else on the nearest ones.
+class ColumnFinder
+{
+public:
+  ColumnFinder(vtkPolyData* horizon, bool mayBeMerged, const std::vector<vtkPolyData*>& outputs)
+    : MayBeMerged(mayBeMerged)
+    , Outputs(outputs)
+    , Given(FindGivenColumns(horizon))
+  {
+    CheckPoints(horizon);
+    this->Result.Horizon = horizon;
+    this->Result.Grid = ReadLattice(horizon);
+    this->Result.Height.resize(horizon->GetNumberOfPoints());
+    this->Tolerance = FindTolerance(horizon, this->Result.Grid);
+  }
+
+  LatticePoints Run()
+  {
+    if (!this->Given || !this->TakeGiven())
+    {
+      this->FindNearest();
+    }
+    if (IsInSinglePrecision(this->Result.Horizon))
+    {
+      this->MakeExactPoints();
+    }
+    CheckHeights(this->Result.Horizon, this->Result.Height);
+    return std::move(this->Result);
+  }
+
+private:
+  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads, and keeps heights.
+  template <typename Visit>
+  Placement Place(Visit&& visit)
+  {
+    Placement all;
+    WithCoordinates(this->Result.Horizon,
+      [&](auto&& world)
+      {
+        all = AddUpChunks<Placement>(std::int64_t(this->Result.Height.size()), Grain, Monitor(),
+          [&](Placement& placement, std::int64_t first, std::int64_t last)
+          {
+            const Lattice grid = this->Result.Grid; // a copy, which no write to the arrays can change
+            for (std::int64_t point = first; point < last; ++point)
+            {
+              const Eigen::Vector3d place = grid.ToLattice(world(point));
+              grid.CheckInside(place, PointId(point));
+              this->Result.Height[point] = place.z();
+              visit(placement, point, place);
+            }
+          });
+      });
+    return all;
+  }
+
+  /// False when points do not stand where the array says, as when they were moved, or came from another horizon.
+  bool TakeGiven()
+  {
+    const PlanePoint* const columns = Columns(this->Given);
+    const Placement placement = this->Place(
+      [&](Placement& part, std::int64_t point, const Eigen::Vector3d& place)
+      {
+        const bool isMerged = columns[point] == NoColumn;
+        part.Add({ isMerged ? 0.0 : DistanceToColumn(place, columns[point]), isMerged });
+      });
+    if (placement.Deviation > this->Tolerance)
+    {
+      return false;
+    }
+    // Points that others were merged into have counts.
+    if (placement.AreMerged && !this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount))
+    {
+      return false;
+    }
+    this->Result.Column = { columns, this->Result.Height.size() };
+    this->Result.AreMerged = placement.AreMerged;
+    if (placement.AreMerged && !this->MayBeMerged)
+    {
+      const auto merged = std::find(this->Result.Column.begin(), this->Result.Column.end(), NoColumn);
+      throw InputError("point " + std::to_string(merged - this->Result.Column.begin()) +
+        ", into which others were merged, expected whole columns, as points have them before they are merged");
+    }
+    return true;
+  }
+
+  void FindNearest()
+  {
+    const vtkSmartPointer<vtkIntArray> array = NewColumnArray();
+    array->SetNumberOfTuples(this->Result.Horizon->GetNumberOfPoints());
+    PlanePoint* const columns = Columns(array);
+    const Placement placement = this->Place(
+      [&](Placement& part, std::int64_t point, const Eigen::Vector3d& place)
+      {
+        columns[point] = { std::int32_t(std::floor(place.x() + 0.5)), std::int32_t(std::floor(place.y() + 0.5)) };
+        const double distance = DistanceToColumn(place, columns[point]);
+        const bool isBeside = distance > this->Tolerance;
+        if (isBeside && (!this->MayBeMerged || this->Given))
+        {
+          throw this->BesideColumn(point, place);
+        }
+        part.Add({ distance, isBeside });
+      });
+    vtkNew<vtkPolyData> horizon;
+    horizon->ShallowCopy(this->Result.Horizon);
+    horizon->GetPointData()->AddArray(array);
+    if (placement.AreMerged)
+    {
+      this->LeaveMerged(columns);
+    }
+    else
+    {
+      this->TellDeviation(placement.Deviation);
+    }
+    this->Result.Horizon = horizon;
+    this->Result.Column = { columns, this->Result.Height.size() };
+    this->Result.AreMerged = placement.AreMerged;
+  }
+
+  /// Of points some of which were merged, those that are known to stand on a column are others: boundary points, say.
+  /// Nearly on one is not enough, as any point may be.
+  void LeaveMerged(PlanePoint* columns)
+  {
+    constexpr double rounding = 1e-6; // columns: what world coordinates of surveys are rounded by in double precision
+    const double nearest = IsInSinglePrecision(this->Result.Horizon) ? this->Tolerance : rounding;
+    this->Place(
+      [&](Placement&, std::int64_t point, const Eigen::Vector3d& place)
+      {
+        if (DistanceToColumn(place, columns[point]) > nearest)
+        {
+          columns[point] = NoColumn;
+        }
+      });
+  }
+
+  void TellDeviation(double deviation) const
+  {
+    for (vtkPolyData* const output : this->Outputs)
+    {
+      vtkFieldData* const figures = output->GetFieldData();
+      vtkDataArray* const before = figures->GetArray(FieldArray::LatticeDeviation);
+      if (!before || before->GetNumberOfValues() < 1 || before->GetComponent(0, 0) < deviation)
+      {
+        AddValue<vtkDoubleArray>(figures, FieldArray::LatticeDeviation, deviation);
+      }
+    }
+  }
+
+  /// From here on coordinates are double, and those of points on columns exact: the next stage must find them there.
+  void MakeExactPoints()
+  {
+    auto exact = NewArray<vtkDoubleArray>("Points", vtkIdType(this->Result.Height.size()), 3);
+    double* const places = exact->GetPointer(0);
+    WithCoordinates(this->Result.Horizon,
+      [&](auto&& world)
+      {
+        ParallelFor(std::int64_t(this->Result.Height.size()), Grain,
+          [&](std::int64_t first, std::int64_t last)
+          {
+            for (std::int64_t point = first; point < last; ++point)
+            {
+              const PlanePoint column = this->Result.Column[point];
+              Eigen::Vector3d place = world(point);
+              if (column != NoColumn)
+              {
+                place.head<2>() = this->Result.Grid.ToWorld({ double(column.X), double(column.Y), 0.0 }).head<2>();
+              }
+              std::copy_n(place.data(), 3, places + 3 * point);
+            }
+          });
+      });
+    vtkNew<vtkPoints> points;
+    points->SetData(exact);
+    vtkNew<vtkPolyData> horizon;
+    horizon->ShallowCopy(this->Result.Horizon);
+    horizon->SetPoints(points);
+    this->Result.Horizon = horizon;
+  }
+
+  InputError BesideColumn(std::int64_t point, const Eigen::Vector3d& place) const
+  {
+    std::ostringstream text;
+    text << "point " << point << " at (" << place.x() << ", " << place.y() << ") in lattice units, expected ";
+    if (this->Given)
+    {
+      const PlanePoint column = Columns(this->Given)[point];
+      text << "column (" << column.X << ", " << column.Y << "), which its array Column names, or another whole column";
+    }
+    else
+    {
+      text << "whole columns, as points have them before they are merged";
+    }
+    return InputError(text.str());
+  }
+
+  const bool MayBeMerged;
+  const std::vector<vtkPolyData*>& Outputs;
+  vtkIntArray* const Given;
+  double Tolerance = 0.0; // columns
+  LatticePoints Result;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PlanePoint> ToColumns(std::vector<PlanePoint> plane, const Lattice& grid, ColumnTolerance tolerance)
+LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs)
 {
-  const std::int32_t size = grid.SubVoxelsPerColumn();
-  const std::int32_t farthest = size / 100;
-  ParallelFor(std::int64_t(plane.size()), Grain,
-    [&](std::int64_t first, std::int64_t last)
+  return ColumnFinder(horizon, false, outputs).Run();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs)
+{
+  return ColumnFinder(horizon, true, outputs).Run();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlanePoints ColumnsOf(vtkPolyData* horizon)
+{
+  vtkIntArray* const array = FindGivenColumns(horizon);
+  assert(array || horizon->GetNumberOfPoints() == 0);
+  return array ? PlanePoints(Columns(array), std::size_t(array->GetNumberOfTuples())) : PlanePoints();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
+{
+  std::vector<PlanePoint> plane(points.Column.size());
+  const std::int32_t size = points.Grid.SubVoxelsPerColumn();
+  WithCoordinates(points.Horizon,
+    [&](auto&& world)
     {
-      for (auto point = std::size_t(first); point < std::size_t(last); ++point)
-      {
-        const PlanePoint place = plane[point];
-        const PlanePoint column = grid.NearestColumn(place);
-        if (std::abs(place.X - column.X * size) > farthest || std::abs(place.Y - column.Y * size) > farthest)
+      ParallelFor(std::int64_t(plane.size()), Grain,
+        [&](std::int64_t first, std::int64_t last)
         {
-          throw BesideColumn(point, place, grid);
-        }
-        if (tolerance == ColumnTolerance::None && (place.X != column.X * size || place.Y != column.Y * size))
-        {
-          throw InputError("point " + std::to_string(point) + " stands beside its column, expected whole columns");
-        }
-        plane[point] = column;
-      }
+          for (std::int64_t point = first; point < last; ++point)
+          {
+            const PlanePoint column = points.Column[point];
+            plane[point] = column == NoColumn
+              ? points.Grid.ToSubVoxels(points.Grid.ToLattice(world(point)), PointId(point))
+              : PlanePoint{ column.X * size, column.Y * size };
+          }
+        });
     });
   return plane;
 }

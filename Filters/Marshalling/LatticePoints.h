@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the points of a horizon are on its lattice. All functions throw InputError on a horizon that breaks the data
-// model (Documentation/DataModel.md).
+// Where the points of a horizon are on its lattice: the one place where points are put on columns. All functions throw
+// InputError on a horizon that breaks the data model (Documentation/DataModel.md).
 
 #ifndef SeismicHorizonsLatticePoints_h
 #define SeismicHorizonsLatticePoints_h
 
 #include "Common/Lattice.h"
 #include "Common/Types.h"
+
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -19,25 +21,28 @@ namespace SeismicHorizons
 /// The points of a horizon on their lattice.
 struct LatticePoints
 {
+  vtkSmartPointer<vtkPolyData> Horizon; // as it was given, with the array Column, and in double precision
   Lattice Grid;
-  std::vector<PlanePoint> Plane; // sub-voxels
+  PlanePoints Column; // the memory of that array; NoColumn where points were merged
   std::vector<double> Height; // lattice units
+  bool AreMerged = false; // whether any were
 };
 
-/// All points, none of which may be hidden (HorizonPoints.h).
-LatticePoints ReadPoints(vtkPolyData* horizon);
+/// Of points none of which was merged: all stand on a column, within a hundredth of it, or within the rounding of their
+/// coordinates where these are in single precision. Of a horizon without the array Column, and of one whose points do
+/// not stand where the array says, the column of each point is the nearest one, and LatticeDeviation in the field data
+/// of `outputs` says how far off points are at most. None of the points may be hidden (HorizonPoints.h).
+LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs);
 
-/// How far from its column a point may stand.
-enum class ColumnTolerance
-{
-  Hundredth, // of a column, which is far above the rounding of world coordinates; no other column could be meant
-  None // beyond that rounding, as places are known in sub-voxels
-};
+/// The same for stages that take merged points. Of a horizon without the array Column, points are seen as merged when
+/// one of them stands on no column: all but those that stand on theirs to the rounding of coordinates.
+LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs);
 
-/// The column of each of some places in sub-voxels, for stages before points leave their columns. Takes the memory of
-/// the places.
-std::vector<PlanePoint> ToColumns(
-  std::vector<PlanePoint> plane, const Lattice& grid, ColumnTolerance tolerance = ColumnTolerance::Hundredth);
+/// The array Column of a horizon that ReadColumns or ReadPoints gave, or that a stage made of one.
+PlanePoints ColumnsOf(vtkPolyData* horizon);
+
+/// The places in sub-voxels, also of points that were merged.
+std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points);
 }
 
 #endif

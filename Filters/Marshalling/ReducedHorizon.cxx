@@ -59,10 +59,10 @@ public:
   vtkIdType Size() const { return vtkIdType(this->Merged.Source.size()); }
   const PointId* begin(vtkIdType target) const { return this->Points.begin(target); }
   const PointId* end(vtkIdType target) const { return this->Points.end(target); }
-  PointId Nearest(vtkIdType target) const { return this->Merged.Source[std::size_t(target)]; }
-  bool IsAveraged(vtkIdType target) const { return this->Merged.Averaged[std::size_t(target)] != 0; }
+  PointId Nearest(vtkIdType target) const { return this->Merged.Source[target]; }
+  bool IsAveraged(vtkIdType target) const { return this->Merged.Averaged[target] != 0; }
 
-  std::int64_t Count(PointId point) const { return this->Counts.empty() ? 1 : this->Counts[std::size_t(point)]; }
+  std::int64_t Count(PointId point) const { return this->Counts.empty() ? 1 : this->Counts[point]; }
   std::int64_t SumCounts(vtkIdType target) const
   {
     if (this->Counts.empty())
@@ -196,6 +196,20 @@ void ReduceAttributes(
   }
 }
 
+/// Points that were merged have left their columns, but for those whose heights alone were.
+void WriteColumns(const Reduction& reduction, vtkPolyData* output)
+{
+  int* const columns = vtkIntArray::SafeDownCast(output->GetPointData()->GetArray(PointArray::Column))->GetPointer(0);
+  for (std::size_t point = 0; point < reduction.Averaged.size(); ++point)
+  {
+    if (reduction.Averaged[point] != 0 && reduction.SubVoxelsPerColumn > 1)
+    {
+      columns[2 * point] = NoColumn.X;
+      columns[2 * point + 1] = NoColumn.Y;
+    }
+  }
+}
+
 /// The counts of the points that are kept, with those of the others.
 vtkSmartPointer<vtkIdTypeArray> AddDropped(
   const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
@@ -212,7 +226,7 @@ vtkSmartPointer<vtkIdTypeArray> AddDropped(
     });
   for (const DroppedPoint& one : dropped)
   {
-    values[NumberWithout(dropped, one.Target)] += counts.empty() ? 1 : counts[std::size_t(one.Point)];
+    values[NumberWithout(dropped, one.Target)] += counts.empty() ? 1 : counts[one.Point];
   }
   return sums;
 }
@@ -257,6 +271,7 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, c
   places->SetNumberOfComponents(3);
   places->SetNumberOfTuples(vtkIdType(reduction.Source.size()));
   double* const values = places->GetPointer(0);
+  const double perSubVoxel = 1.0 / reduction.SubVoxelsPerColumn; // exact
   ParallelFor(places->GetNumberOfTuples(), Grain,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -268,7 +283,7 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, c
         Eigen::Vector3d world;
         if (reduction.Averaged[point])
         {
-          world = grid.ToWorld({ grid.ToLatticeUnits(place.X), grid.ToLatticeUnits(place.Y), reduction.Height[point] });
+          world = grid.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[point] });
         }
         else
         {
@@ -291,6 +306,7 @@ void WriteReduction(vtkPolyData* input, const Lattice& grid, const Reduction& re
   vtkPointData* const data = output->GetPointData();
   const MergedPoints points(reduction, ReadCounts(input));
   ReduceAttributes(input, reduction.Source, points, output);
+  WriteColumns(reduction, output);
   if (input->GetPointData()->HasArray(PointArray::PointCount) ||
     output->GetNumberOfPoints() < input->GetNumberOfPoints())
   {

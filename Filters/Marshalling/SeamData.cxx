@@ -3,7 +3,7 @@
 
 #include "SeamData.h"
 
-#include "Boundary/BoundaryMarks.h"
+#include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
@@ -106,8 +106,8 @@ void WritePoints(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& j
   points->SetNumberOfPoints(size);
   for (vtkIdType point = 0; point < size; ++point)
   {
-    const PartItem& source = joined.Sources[std::size_t(point)];
-    vtkPolyData* const mesh = meshes[std::size_t(source.Part)];
+    const PartItem& source = joined.Sources[point];
+    vtkPolyData* const mesh = meshes[source.Part];
     std::array<double, 3> place;
     mesh->GetPoint(source.Item, place.data());
     points->SetPoint(point, place.data());
@@ -137,7 +137,7 @@ std::vector<double> GatherErrors(const std::vector<vtkPolyData*>& meshes, const 
   std::vector<double> errors;
   for (const PartItem& source : joined.TriangleSources)
   {
-    vtkPolyData* const mesh = meshes[std::size_t(source.Part)];
+    vtkPolyData* const mesh = meshes[source.Part];
     vtkDataArray* const array = mesh->GetCellData()->GetArray(CellArray::Error);
     errors.push_back(array ? array->GetComponent(mesh->GetNumberOfLines() + source.Item, 0)
                            : std::numeric_limits<double>::quiet_NaN());
@@ -218,23 +218,22 @@ void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface
   std::vector<unsigned char> isBesideGap(std::size_t(mesh->GetNumberOfPoints()), 0);
   for (const PointId point : surface.OpenGaps)
   {
-    isBesideGap[std::size_t(vertices.Target[std::size_t(point)])] = 1;
+    isBesideGap[vertices.Target[point]] = 1;
   }
   AddArray<vtkUnsignedCharArray>(mesh->GetPointData(), PointArray::SeamGap, isBesideGap);
   for (const SeamPin& pin : surface.Pins)
   {
-    const PointId vertex = vertices.Target[std::size_t(pin.Point)];
-    const PlanePoint& place = vertices.Plane[std::size_t(vertex)];
-    const Eigen::Vector3d world =
-      grid.ToWorld({ grid.ToLatticeUnits(place.X), grid.ToLatticeUnits(place.Y), pin.Height });
+    const PointId vertex = vertices.Target[pin.Point];
+    const PlanePoint& place = vertices.Plane[vertex];
+    const Eigen::Vector3d world = grid.ToWorld({ double(place.X), double(place.Y), pin.Height });
     mesh->GetPoints()->SetPoint(vertex, world.data());
   }
   const std::vector<std::int64_t> counts = ReadCounts(points);
   std::vector<std::int64_t> sums = CountsOf(mesh);
   for (const PointId point : onLowerSeam)
   {
-    const std::size_t vertex = std::size_t(vertices.Target[std::size_t(point)]);
-    sums[vertex] -= counts.empty() ? 1 : counts[std::size_t(point)];
+    const std::size_t vertex = std::size_t(vertices.Target[point]);
+    sums[vertex] -= counts.empty() ? 1 : counts[point];
   }
   AddArray<vtkIdTypeArray>(mesh->GetPointData(), PointArray::PointCount, sums);
 }
@@ -243,11 +242,11 @@ void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface
 SurfacePart ReadSurfacePart(vtkPolyData* mesh)
 {
   vtkDataArray* const rows = RequireSeamRows(mesh);
-  LatticePoints points = ReadPoints(mesh);
+  LatticePoints points = ReadColumns(mesh, {});
   SurfacePart part;
   part.Seams.Lower = FromRow(FieldValue(rows, 0));
   part.Seams.Upper = FromRow(FieldValue(rows, 1));
-  part.Vertices = ToColumns(std::move(points.Plane), points.Grid);
+  part.Vertices.assign(points.Column.begin(), points.Column.end());
   part.Height = std::move(points.Height);
   part.Count = CountsOf(mesh);
   part.Boundary = ReadBoundary(mesh);
@@ -262,12 +261,7 @@ void WriteJoinedSurface(
 {
   WritePoints(meshes, joined, output);
   WriteBoundary(joined, output);
-  std::vector<PlanePoint> plane;
-  std::transform(joined.Vertices.begin(), joined.Vertices.end(), std::back_inserter(plane),
-    [&grid](const PlanePoint& column) {
-      return PlanePoint{ column.X * grid.SubVoxelsPerColumn(), column.Y * grid.SubVoxelsPerColumn() };
-    });
-  const double smallestAngle = WriteTriangles(plane, grid, joined.Triangles, output);
+  const double smallestAngle = WriteTriangles(joined.Vertices, grid, joined.Triangles, output);
   AddTriangleArray<vtkDoubleArray>(CellArray::Error, GatherErrors(meshes, joined), output);
   WriteFigures(meshes, joined, smallestAngle, output);
   ActivateHeight(output);

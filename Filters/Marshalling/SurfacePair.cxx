@@ -17,15 +17,19 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,30 +37,22 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t PointsPerThread = 16384; // that a thread takes at a time
-
-bool HasTriangles(vtkPolyData* data)
-{
-  return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
-}
+// ---- The reference as a mesh ----------------------------------------------------------------------------------------
 
 /// What the triangulation needs of a horizon; the boundary is found when the horizon has no loops.
-BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monitor)
+BoundedHorizon ReadHorizon(const LatticePoints& points, int radius, const Monitor& monitor)
 {
-  LatticePoints points = ReadPoints(input);
-  if (input->GetNumberOfLines() > 0)
+  if (points.Horizon->GetNumberOfLines() > 0)
   {
-    return ReadPatchesAndBoundary(input, std::move(points.Plane), points.Grid);
+    return ReadPatchesAndBoundary(points);
   }
   BoundaryOptions options;
   options.Radius = radius;
-  const std::vector<PlanePoint> columns = ToColumns(points.Plane, points.Grid);
-  const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(columns));
+  const std::optional<LinkCuts> cuts = FindCuts(points.Horizon, PlaneBox(points.Column));
   options.Cuts = cuts ? &*cuts : nullptr;
-  ExteriorBoundary found = FindExteriorBoundary(columns, options, monitor);
+  ExteriorBoundary found = FindExteriorBoundary(points.Column, options, monitor);
   BoundedHorizon horizon;
-  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
-  horizon.Plane = std::move(points.Plane);
+  horizon.Plane.assign(points.Column.begin(), points.Column.end());
   horizon.Patch = std::move(found.Patch);
   horizon.Boundary = std::move(found.Boundary);
   return horizon;
@@ -65,26 +61,21 @@ BoundedHorizon ReadHorizon(vtkPolyData* input, int radius, const Monitor& monito
 /// The horizon with all its points as a mesh.
 void MeshHorizon(vtkPolyData* input, int radius, vtkPolyData* output, const Monitor& monitor)
 {
-  const BoundedHorizon horizon = ReadHorizon(input, radius, monitor.Step(0.0, 0.5));
-  Triangulation mesh = Triangulate(horizon, TriangulationOptions(), monitor.Step(0.5, 1.0));
-  FaceUp(ReadLattice(input), mesh.Triangles);
-  output->SetPoints(input->GetPoints());
-  output->GetPointData()->PassData(input->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
+  const LatticePoints points =
+    input->GetNumberOfLines() > 0 ? ReadPoints(input, { output }) : ReadColumns(input, { output });
+  const BoundedHorizon horizon = ReadHorizon(points, radius, monitor.Step(0.0, 0.5));
+  Triangulation mesh = Triangulate(horizon, TriangulationOptions(), monitor.Step(0.5, 1.0));
+  FaceUp(points.Grid, mesh.Triangles);
+  output->SetPoints(points.Horizon->GetPoints());
+  output->GetPointData()->PassData(points.Horizon->GetPointData());
   output->SetLines(MakePolylines(horizon.Boundary));
   output->SetPolys(MakeTriangles(mesh.Triangles));
 }
 
-/// Numbers of points and triangles have 32 bits in the algorithms, and an edge list three entries for each triangle.
-void CheckSize(vtkPolyData* data)
-{
-  constexpr vtkIdType Most = vtkIdType(1) << 30;
-  if (data->GetNumberOfPoints() >= Most || data->GetNumberOfPolys() >= Most)
-  {
-    throw InputError(std::to_string(data->GetNumberOfPoints()) + " points and " +
-      std::to_string(data->GetNumberOfPolys()) + " triangles, expected less than 2^30 of each");
-  }
-}
+// ---- Surfaces -------------------------------------------------------------------------------------------------------
+
+constexpr std::int64_t PointsPerThread = 16384; // that a thread takes at a time
 
 /// Calls work(point, place) for the points of a surface, on several threads.
 template <typename Work>
@@ -93,7 +84,7 @@ void ForEachPoint(TriangleSurface& surface, Work&& work)
   ParallelFor(std::int64_t(surface.Points.size()), PointsPerThread,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (std::size_t point = std::size_t(first); point < std::size_t(last); ++point)
+      for (std::int64_t point = first; point < last; ++point)
       {
         work(point, surface.Points[point]);
       }
@@ -109,18 +100,18 @@ std::vector<unsigned char> ReadFilled(vtkPolyData* data)
     return {};
   }
   RequireTuples(filled, data->GetNumberOfPoints(), "points");
-  std::vector<unsigned char> marks(std::size_t(data->GetNumberOfPoints()));
-  for (std::size_t point = 0; point < marks.size(); ++point)
+  std::vector<unsigned char> marks(data->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
   {
-    marks[point] = filled->GetComponent(vtkIdType(point), 0) != 0.0 ? 1 : 0;
+    marks[point] = filled->GetComponent(point, 0) != 0.0 ? 1 : 0;
   }
   return marks;
 }
 
 /// The triangles of a mesh but for those that close faults, which are no part of a surface.
-std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
+std::vector<Corners> ReadOpenTriangles(vtkPolyData* mesh)
 {
-  std::vector<std::array<PointId, 3>> triangles = ReadTriangles(mesh);
+  std::vector<Corners> triangles = ReadTriangles(mesh);
   vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
   if (!faults)
   {
@@ -128,7 +119,7 @@ std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
   }
   RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
   const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  std::vector<std::array<PointId, 3>> open;
+  std::vector<Corners> open;
   for (std::size_t n = 0; n < triangles.size(); ++n)
   {
     if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
@@ -142,11 +133,15 @@ std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
 /// A mesh in world coordinates.
 TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
 {
-  CheckSize(data);
+  constexpr vtkIdType Most = vtkIdType(1) << 30; // numbers have 32 bits, and there are three edges for each triangle
+  if (data->GetNumberOfPoints() >= Most || data->GetNumberOfPolys() >= Most)
+  {
+    throw InputError(std::to_string(data->GetNumberOfPoints()) + " points and " +
+      std::to_string(data->GetNumberOfPolys()) + " triangles, expected less than 2^30 of each");
+  }
   TriangleSurface surface;
-  surface.Points.resize(std::size_t(data->GetNumberOfPoints()));
-  ForEachPoint(
-    surface, [data](std::size_t point, Eigen::Vector3d& place) { data->GetPoint(vtkIdType(point), place.data()); });
+  surface.Points.resize(data->GetNumberOfPoints());
+  ForEachPoint(surface, [data](std::int64_t point, Eigen::Vector3d& place) { data->GetPoint(point, place.data()); });
   surface.Triangles = ReadOpenTriangles(data);
   if (!withFilledPoints)
   {
@@ -168,6 +163,8 @@ std::optional<Lattice> FindLattice(vtkPolyData* reference, vtkPolyData* mesh)
   return std::nullopt;
 }
 
+// ---- Units ----------------------------------------------------------------------------------------------------------
+
 std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distance)
 {
   return { distance.ReferenceToMesh, distance.MeshToReference, distance.TwoSided };
@@ -185,35 +182,6 @@ DistanceFigures Scaled(DistanceFigures figures, double scale)
   }
   return figures;
 }
-
-void Scale(std::vector<double>& distances, double scale)
-{
-  std::transform(distances.begin(), distances.end(), distances.begin(), [scale](double d) { return scale * d; });
-}
-
-/// Both surfaces of a pair, in world coordinates until they are moved.
-struct Surfaces
-{
-  TriangleSurface Reference;
-  TriangleSurface Mesh;
-
-  Surfaces(const HorizonPair& pair, bool withFilledPoints)
-    : Reference(PrefixErrors("reference", [&]() { return ReadSurface(pair.ReferenceOutput, withFilledPoints); }))
-    , Mesh(PrefixErrors("mesh", [&]() { return ReadSurface(pair.Mesh, withFilledPoints); }))
-  {
-    CheckSurface(this->Reference, "reference");
-    CheckSurface(this->Mesh, "mesh");
-  }
-
-  template <typename Map>
-  void Move(const Map& map)
-  {
-    for (TriangleSurface* const surface : { &this->Reference, &this->Mesh })
-    {
-      ForEachPoint(*surface, [&map](std::size_t, Eigen::Vector3d& place) { place = map(place); });
-    }
-  }
-};
 
 /// Distances on the lattice, and in the world where these do not follow from them.
 std::vector<Metric> MakeMetrics(const Lattice& lattice, bool isUniform)
@@ -237,8 +205,10 @@ void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
     [scale](const DistanceFigures& figures) { return Scaled(figures, scale); });
   if (inWorldUnits)
   {
-    Scale(measured.Points.Reference.Distance, scale);
-    Scale(measured.Points.Mesh.Distance, scale);
+    for (std::vector<double>* const distances : { &measured.Points.Reference.Distance, &measured.Points.Mesh.Distance })
+    {
+      std::transform(distances->begin(), distances->end(), distances->begin(), [scale](double d) { return scale * d; });
+    }
   }
 }
 
@@ -252,12 +222,60 @@ void TakeWorld(SurfaceDistance& inWorld, bool inWorldUnits, MeasuredPair& measur
     measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
   }
 }
+
+// ---- Figures --------------------------------------------------------------------------------------------------------
+
+constexpr std::array<const char*, Directions> DirectionNames = { "Reference to mesh", "Mesh to reference",
+  "Two-sided" };
+
+// The units, in their order in tuples and rows.
+constexpr std::size_t WorldUnit = 1;
+constexpr std::size_t DiagonalUnit = 2;
+constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
+
+constexpr const char* GradingMedian = "GradingMedian";
+constexpr const char* Grading95 = "Grading95";
+constexpr const char* Samples = "Samples";
+
+using Figure = std::pair<std::string, double>;
+
+std::vector<Figure> ListFigures(const DistanceFigures& figures)
+{
+  std::vector<Figure> list = { { FieldArray::LargestDistance, figures.Largest },
+    { FieldArray::MeanDistance, figures.Mean }, { FieldArray::RmsDistance, figures.Rms } };
+  for (std::size_t n = 0; n < Percentiles.size(); ++n)
+  {
+    list.emplace_back(FieldArray::DistancePercentile + std::to_string(Percentiles[n]), figures.Percentile[n]);
+  }
+  list.emplace_back(FieldArray::OutlineDistance, figures.Outline);
+  return list;
+}
+
+/// The figures of a direction in one of the units. The diagonal is in lattice units.
+std::vector<Figure> ListFigures(const DistanceReport& report, std::size_t direction, std::size_t unit)
+{
+  std::vector<Figure> list = ListFigures(unit == WorldUnit ? report.World[direction] : report.Lattice[direction]);
+  for (Figure& figure : list)
+  {
+    figure.second = unit == DiagonalUnit ? figure.second / report.Diagonal : figure.second;
+  }
+  return list;
+}
+
+template <typename Array>
+void AddColumn(const std::string& name, vtkTable* table)
+{
+  vtkNew<Array> column;
+  column->SetName(name.c_str());
+  table->AddColumn(column);
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
 {
-  if (HasTriangles(pair.Reference) || pair.Reference->GetNumberOfPoints() == 0)
+  const bool hasTriangles = pair.Reference->GetNumberOfPolys() + pair.Reference->GetNumberOfStrips() > 0;
+  if (hasTriangles || pair.Reference->GetNumberOfPoints() == 0)
   {
     pair.ReferenceOutput->ShallowCopy(pair.Reference);
     return;
@@ -269,22 +287,29 @@ void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
 MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits,
   bool withFilledPoints, const Monitor& monitor)
 {
-  Surfaces surfaces(pair, withFilledPoints);
+  TriangleSurface reference =
+    PrefixErrors("reference", [&]() { return ReadSurface(pair.ReferenceOutput, withFilledPoints); });
+  TriangleSurface mesh = PrefixErrors("mesh", [&]() { return ReadSurface(pair.Mesh, withFilledPoints); });
+  CheckSurface(reference, "reference");
+  CheckSurface(mesh, "mesh");
   const std::optional<Lattice> lattice = FindLattice(pair.Reference, pair.Mesh);
-  const Eigen::Vector3d origin = surfaces.Reference.Points.front(); // so that coordinates are small in the world, too
-  surfaces.Move([&](const Eigen::Vector3d& world)
-    { return Eigen::Vector3d(lattice ? lattice->ToLattice(world) : world - origin); });
+  const Eigen::Vector3d origin = reference.Points.front(); // so that coordinates are small in the world, too
+  for (TriangleSurface* const surface : { &reference, &mesh })
+  {
+    ForEachPoint(*surface,
+      [&](std::int64_t, Eigen::Vector3d& place)
+      { place = lattice ? lattice->ToLattice(place) : Eigen::Vector3d(place - origin); });
+  }
   const double scale = lattice ? lattice->UniformScale() : 1.0;
   const bool isUniform = scale > 0.0;
   const std::vector<Metric> metrics = lattice ? MakeMetrics(*lattice, isUniform) : std::vector<Metric>{ Metric() };
-  std::vector<SurfaceDistance> distances =
-    MeasureSurfaceDistances(surfaces.Reference, surfaces.Mesh, metrics, options, monitor);
+  std::vector<SurfaceDistance> distances = MeasureSurfaceDistances(reference, mesh, metrics, options, monitor);
   MeasuredPair measured;
   measured.Points = std::move(distances.front());
   measured.Report.Lattice = FiguresOf(measured.Points);
   measured.Report.World = measured.Report.Lattice;
-  measured.Report.Diagonal = MeasureDiagonal(surfaces.Reference);
-  measured.Report.Surfaces = { MeasureGrading(surfaces.Reference), MeasureGrading(surfaces.Mesh) };
+  measured.Report.Diagonal = MeasureDiagonal(reference);
+  measured.Report.Surfaces = { MeasureGrading(reference), MeasureGrading(mesh) };
   if (lattice)
   {
     const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
@@ -292,5 +317,73 @@ MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptio
     isUniform ? ScaleToWorld(scale, inWorldUnits, measured) : TakeWorld(distances.back(), inWorldUnits, measured);
   }
   return measured;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteFieldData(const DistanceReport& report, const Grading& grading, vtkPolyData* output)
+{
+  const std::vector<Figure> names = ListFigures(DistanceFigures());
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    auto array = NewArray<vtkDoubleArray>(names[n].first.c_str(), vtkIdType(Directions), int(UnitNames.size()));
+    for (std::size_t unit = 0; unit < UnitNames.size(); ++unit)
+    {
+      array->SetComponentName(vtkIdType(unit), UnitNames[unit]);
+      for (std::size_t direction = 0; direction < Directions; ++direction)
+      {
+        array->SetComponent(vtkIdType(direction), int(unit), ListFigures(report, direction, unit)[n].second);
+      }
+    }
+    output->GetFieldData()->AddArray(array);
+  }
+  auto array = NewArray<vtkDoubleArray>(FieldArray::Grading, 1, 2);
+  array->SetComponentName(0, "Median");
+  array->SetComponentName(1, "Percentile95");
+  array->SetTuple2(0, grading.Median, grading.Percentile95);
+  output->GetFieldData()->AddArray(array);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MakeColumns(vtkTable* table)
+{
+  for (const char* name : { "Horizon", "Direction", "Unit" })
+  {
+    AddColumn<vtkStringArray>(name, table);
+  }
+  for (const Figure& figure : ListFigures(DistanceFigures()))
+  {
+    AddColumn<vtkDoubleArray>(figure.first, table);
+  }
+  AddColumn<vtkDoubleArray>(GradingMedian, table);
+  AddColumn<vtkDoubleArray>(Grading95, table);
+  AddColumn<vtkIdTypeArray>(Samples, table);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTable* table)
+{
+  const auto text = [table](const char* column)
+  { return vtkStringArray::SafeDownCast(table->GetColumnByName(column)); };
+  const auto number = [table](const std::string& column)
+  { return vtkDoubleArray::SafeDownCast(table->GetColumnByName(column.c_str())); };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t unit = 0; unit < UnitNames.size(); ++unit)
+  {
+    for (std::size_t direction = 0; direction < Directions; ++direction)
+    {
+      text("Horizon")->InsertNextValue(horizon);
+      text("Direction")->InsertNextValue(DirectionNames[direction]);
+      text("Unit")->InsertNextValue(UnitNames[unit]);
+      for (const Figure& figure : ListFigures(report, direction, unit))
+      {
+        number(figure.first)->InsertNextValue(figure.second);
+      }
+      const bool ofOne = direction < report.Surfaces.size();
+      number(GradingMedian)->InsertNextValue(ofOne ? report.Surfaces[direction].Median : none);
+      number(Grading95)->InsertNextValue(ofOne ? report.Surfaces[direction].Percentile95 : none);
+      vtkIdTypeArray::SafeDownCast(table->GetColumnByName(Samples))
+        ->InsertNextValue(report.Lattice[direction].Samples); // the same in all units
+    }
+  }
 }
 }

@@ -29,7 +29,7 @@ FaultLineFile ReadLines(const std::vector<NumberedLine>& lines)
     std::find_if(lines.begin(), lines.end(), [](const NumberedLine& line) { return !IsSkipped(line.Text); });
   if (first == lines.end())
   {
-    throw ErrorAt(std::max<std::int64_t>(1, std::int64_t(lines.size())), "end of file, expected fault lines");
+    throw CutOffAt(std::max<std::int64_t>(1, std::int64_t(lines.size())), "end of file, expected fault lines");
   }
   const std::string_view text = Trim(first->Text);
   return StartsWith(text, "GOCAD") ? ReadPLines(lines)
@@ -56,7 +56,7 @@ FaultLineFile ReadFaultLines(std::string text)
   FaultLineFile file = ReadLines(lines);
   if (file.Ends.empty())
   {
-    throw ErrorAt(std::int64_t(lines.size()), "end of file, expected a fault line of two points at least");
+    throw CutOffAt(std::int64_t(lines.size()), "end of file, expected a fault line of two points at least");
   }
   return file;
 }

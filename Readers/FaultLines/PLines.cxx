@@ -63,13 +63,17 @@ public:
   {
     if (this->IsPLine)
     {
-      throw ErrorAt(this->Line, "end of file, expected END of the GOCAD object");
+      throw CutOffAt(this->Line, "end of file, expected END of the GOCAD object");
     }
   }
 
 private:
   void StartObject(const std::vector<std::string_view>& words)
   {
+    if (this->IsPLine)
+    {
+      throw ErrorAt(this->Line, Quote("GOCAD") + ", expected END of the GOCAD object");
+    }
     this->IsPLine = words.size() > 1 && ToLower(words[1]) == "pline";
     this->IsDepth = false;
     this->Name.clear();

@@ -4,7 +4,7 @@
 #include "vtkFaultLinesReader.h"
 
 #include "Common/DataModel.h"
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "FaultLineFile.h"
@@ -86,12 +86,12 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Choose(info);
-  return RunRequest(this, { output },
-    FilePrefix(this->Files.GetCurrent()) + "more data than memory, expected a smaller file",
+  return RunRequest(
+    this, { output }, FilePrefix(this->Files.GetCurrent()) + "more data than memory, expected a smaller file",
     [&](std::string&, const Monitor&)
     {
       RequireFileName(this->Files.GetCurrent());
-      PrefixErrors(this->Files.GetCurrent(),
+      PrefixFileErrors(this->Files.GetCurrent(),
         [&]()
         {
           MakeFileStamp(this->Files.GetCurrent()); // refuses what is no regular file
@@ -101,7 +101,8 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
             this->VerticalDirection == Up ? 1.0 : -1.0, output);
         });
       this->Files.Mark(info);
-    });
+    },
+    Ranks(), &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,8 @@
  * name or number that the file gives the line, where it gives any. Lines of a single point are left out.
  *
  * A file that is missing or breaks its format gives one error, which starts with the name of the file and has the
- * number of the line; the output is empty then. The whole file is held in memory.
+ * number of the line; the output is empty then, and GetErrorCode() says what kind, as that of vtkHorizonSource does.
+ * The whole file is held in memory.
  *
  * @sa vtkHorizonFaults
  */
@@ -33,14 +34,13 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
-   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
-   * in place of all. GetFileName() without an index gives the first. Default: none.
+   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
+   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
-  /// Where z grows to.
+  /// Values of VerticalDirection.
   enum VerticalSense
   {
     Down = 0,
@@ -49,8 +49,9 @@ public:
 
   ///@{
   /**
-   * Where z grows to. Down: to smaller world z, as time and depth do. Up: to larger world z, as elevation does. GOCAD
-   * files say it themselves. It counts for sticks alone, and has to be that of the horizon's reader. Default: Down.
+   * The direction in which z of sticks increases, which must be that of the horizon's reader. Down: world z decreases
+   * with it, as for time and depth. Up: world z increases with it, as for elevation. GOCAD files state their own.
+   * Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);

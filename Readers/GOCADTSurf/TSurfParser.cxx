@@ -100,12 +100,12 @@ public:
     const std::int64_t last = std::max<std::int64_t>(this->Line - 1, 1);
     if (this->BlockLine != 0)
     {
-      throw ErrorAt(last,
+      throw CutOffAt(last,
         "end of file, expected " + Quote(this->BlockEnd) + " of the block of line " + std::to_string(this->BlockLine));
     }
     if (this->ObjectLine != 0)
     {
-      throw ErrorAt(last, "end of file, " + this->ExpectedEnd());
+      throw CutOffAt(last, "end of file, " + this->ExpectedEnd());
     }
     if (this->List.Names.empty())
     {

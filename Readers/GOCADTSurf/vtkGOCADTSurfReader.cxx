@@ -5,7 +5,7 @@
 
 #include "vtkGOCADTSurfReader.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "TSurfDataSet.h"
@@ -67,7 +67,7 @@ int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
 std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monitor)
 {
   RequireFileName(this->Files.GetCurrent());
-  PrefixErrors(this->Files.GetCurrent(),
+  PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
@@ -95,7 +95,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
 {
   const auto isChosen = [&numbers](std::size_t number)
   { return std::binary_search(numbers.begin(), numbers.end(), static_cast<int>(number)); };
-  std::vector<TSurf> surfaces = PrefixErrors(this->Files.GetCurrent(),
+  std::vector<TSurf> surfaces = PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());

@@ -48,9 +48,8 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
-   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
-   * in place of all. GetFileName() without an index gives the first. Default: none.
+   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
+   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}

@@ -29,7 +29,7 @@ void GridBytes::Read(char* bytes, std::size_t count, const std::string& name)
   }
   if (static_cast<std::size_t>(this->Stream.gcount()) != count)
   {
-    throw this->Error("end of file, expected " + name);
+    throw FileError(FileProblem::CutOff, this->Place() + ": end of file, expected " + name);
   }
 }
 

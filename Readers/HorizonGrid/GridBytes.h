@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsGridBytes_h
 #define SeismicHorizonsGridBytes_h
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/Monitor.h"
 #include "GridLayout.h"
 

@@ -125,15 +125,15 @@ std::vector<double> GridText::Values(std::int64_t count, const NullRule& isNull)
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Behind the last newline there is one more line, an empty one.
-InputError GridText::EndError(const std::string& expected) const
+FileError GridText::EndError(const std::string& expected) const
 {
-  return ErrorAt(std::max<std::int64_t>(this->LineNumber - 1, 1), "end of file, expected " + expected);
+  return CutOffAt(std::max<std::int64_t>(this->LineNumber - 1, 1), "end of file, expected " + expected);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InputError GridText::EndError(std::int64_t found, std::int64_t expected) const
+FileError GridText::EndError(std::int64_t found, std::int64_t expected) const
 {
-  return ErrorAt(this->LineNumber - 1,
+  return CutOffAt(this->LineNumber - 1,
     "end of file after " + std::to_string(found) + " values, expected " + std::to_string(expected));
 }
 

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsGridText_h
 #define SeismicHorizonsGridText_h
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/LineBuffer.h"
 #include "Common/Monitor.h"
 #include "Common/TextNumbers.h"
@@ -51,8 +51,8 @@ public:
   std::vector<double> Values(std::int64_t count, const NullRule& isNull);
 
   /// The errors for a file that ends too early, in its header or after some values.
-  InputError EndError(const std::string& expected) const;
-  InputError EndError(std::int64_t found, std::int64_t expected) const;
+  FileError EndError(const std::string& expected) const;
+  FileError EndError(std::int64_t found, std::int64_t expected) const;
 
   /// Throws InputError when anything follows but blank lines, and lines that begin with one of `comments`.
   void RequireEnd(std::string_view comments = {});

@@ -3,7 +3,7 @@
 
 #include "vtkHorizonGridReader.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "Common/Survey/GridPlacement.h"
@@ -57,7 +57,7 @@ int vtkHorizonGridReader::CanReadFile(const char* fileName)
 std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monitor)
 {
   RequireFileName(this->Files.GetCurrent());
-  PrefixErrors(this->Files.GetCurrent(),
+  PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
@@ -82,7 +82,7 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
 {
-  return PrefixErrors(this->Files.GetCurrent(),
+  return PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonGridReader
- * @brief   reads a horizon from a grid file, as gridding programs write them
+ * @brief   reads a horizon from a grid file of a gridding program
  *
  * Grids of IRAP (classic ASCII and binary), STORM, ZMAP+, CPS-3, EarthVision, Surfer 6 and 7, GXF and Esri (ASCII) are
  * recognised by what is in them, never by their extension (Documentation/HorizonGridFormats.md). Rotation, flipped axes
@@ -34,9 +34,8 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
-   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
-   * in place of all. GetFileName() without an index gives the first. Default: none.
+   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
+   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}

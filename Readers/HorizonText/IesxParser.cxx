@@ -151,7 +151,7 @@ PickTable IesxParser::Take()
 {
   if (!this->HasEnded)
   {
-    throw ErrorAt(this->Line, "end of file without a line EOD, expected one");
+    throw CutOffAt(this->Line, "end of file without a line EOD, expected one");
   }
   const bool hasAmplitudes =
     std::any_of(this->Amplitudes.begin(), this->Amplitudes.end(), [](double value) { return !std::isnan(value); });

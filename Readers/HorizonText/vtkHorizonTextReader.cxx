@@ -3,7 +3,7 @@
 
 #include "vtkHorizonTextReader.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "HorizonTextParser.h"
@@ -61,7 +61,7 @@ int vtkHorizonTextReader::CanReadFile(const char* fileName)
 void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
 {
   RequireFileName(this->Files.GetCurrent());
-  PrefixErrors(this->Files.GetCurrent(),
+  PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       const TextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "" };
@@ -120,7 +120,7 @@ PickTable vtkHorizonTextReader::ReadPicks(const Monitor& monitor)
   {
     return std::move(*picks);
   }
-  return PrefixErrors(this->Files.GetCurrent(),
+  return PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonTextReader
- * @brief   reads horizons from lines of text, as interpretation programs write them
+ * @brief   reads horizons from text files of interpretation programs
  *
  * A line is a pick: inline and crossline, x and y, or all four; z; any number of attributes; and in front of them
  * perhaps the name of the horizon. Files have no header, a line of names, or a header of many lines; fields are
@@ -37,9 +37,8 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
-   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
-   * in place of all. GetFileName() without an index gives the first. Default: none.
+   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
+   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
@@ -52,9 +51,9 @@ public:
 
   ///@{
   /**
-   * What the columns hold, by names that are separated by commas, or where there is none by blanks: "X", "Y", "Z",
-   * "Inline", "Crossline", "Name" for that of the horizon, "-" for what is left out; anything else is the name of an
-   * attribute. Empty: what the header says, or the values are like. Default: empty.
+   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), a minus sign for what is left out, or the
+   * name of an attribute. Empty: what the header says, or what the values look like. See "Columns" in
+   * HorizonTextReader.md. Range: names, separated by commas, or without any by blanks. Default: empty.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);
@@ -62,9 +61,10 @@ public:
 
   ///@{
   /**
-   * Numbers and words that stand for "no value", separated by blanks or commas. Besides these, nothing, stars, nan,
-   * null, none, undef and numbers of 1e30 and more do so always. Points without z are left out, attributes become nan.
-   * Default: -999.25 -99999 9999900.
+   * Numbers and words that stand for no value, besides nothing, stars, nan, null, none, undef, and numbers of 1e30 and
+   * more. Points without z are left out, and counted in the field data DroppedNulls; attributes become nan. See "No
+   * value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or commas. Default: -999.25 -99999
+   * 9999900.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);

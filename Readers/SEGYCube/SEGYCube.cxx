@@ -3,7 +3,7 @@
 
 #include "SEGYCube.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/Lattice.h"
 #include "Common/Parameters.h"
@@ -54,7 +54,7 @@ std::ifstream OpenPlainFile(const std::string& name)
   std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
   if (!stream)
   {
-    throw InputError("a file that can not be opened, expected a readable one");
+    throw FileError(FileProblem::CannotOpen, "a file that can not be opened, expected a readable one");
   }
   constexpr int gzipBegin[2] = { 0x1f, 0x8b };
   if (stream.get() == gzipBegin[0] && stream.get() == gzipBegin[1])

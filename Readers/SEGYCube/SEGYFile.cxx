@@ -6,7 +6,7 @@
 
 #include "SEGYFile.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 
 #include <segyio/segy.h>
 
@@ -26,7 +26,7 @@ SEGYFile::SEGYFile(const std::string& name, const SEGYHeader& header)
 {
   if (!this->File)
   {
-    throw InputError("a file that can not be opened, expected a readable one");
+    throw FileError(FileProblem::CannotOpen, "a file that can not be opened, expected a readable one");
   }
   segy_set_format(this->File.get(), SEGY_SIGNED_CHAR_1_BYTE);
 }

@@ -3,7 +3,7 @@
 
 #include "SEGYHeader.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 
 #include <segyio/segy.h>
 
@@ -178,7 +178,7 @@ void CheckWhole(const SEGYHeader& header, std::int64_t fileSize, int firstSample
   {
     text << "a file of " << fileSize << " bytes, expected at least " << header.FirstTrace + traceSize
          << " for the header and a trace of " << header.Samples << " samples (" << FormatName(header.Format) << ')';
-    throw InputError(text.str());
+    throw FileError(FileProblem::CutOff, text.str());
   }
   if (size % traceSize != 0)
   {
@@ -189,7 +189,7 @@ void CheckWhole(const SEGYHeader& header, std::int64_t fileSize, int firstSample
     {
       text << "; the first trace says " << firstSamples << " samples: traces of different lengths are not read";
     }
-    throw InputError(text.str());
+    throw FileError(FileProblem::CutOff, text.str());
   }
   if (size / traceSize >= MostTraces)
   {
@@ -260,8 +260,9 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int forma
   const HeaderBytes bytes = ReadBytes(stream, 0, HeaderSize);
   if (bytes.size() < std::size_t(HeaderSize))
   {
-    throw InputError("a file of " + std::to_string(bytes.size()) +
-      " bytes, expected SEG-Y, which begins with a header of " + std::to_string(HeaderSize));
+    throw FileError(FileProblem::CutOff,
+      "a file of " + std::to_string(bytes.size()) + " bytes, expected SEG-Y, which begins with a header of " +
+        std::to_string(HeaderSize));
   }
   BinaryHeader binary(bytes);
   binary.FindOrder();

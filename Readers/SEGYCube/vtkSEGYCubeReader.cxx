@@ -140,7 +140,7 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
   CheckSEGYOptions(this->MakeOptions());
   CheckAtLeast("ImageTolerance", this->ImageTolerance, 0.0, " columns");
   RequireFileName(this->Files.GetCurrent());
-  PrefixErrors(this->Files.GetCurrent(),
+  PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
@@ -188,7 +188,8 @@ int vtkSEGYCubeReader::RequestInformation(
         const CubeExtent extent =
           PrefixErrors(this->Files.GetCurrent(), [&]() { return FindExtent(this->Content->Cube, ranges); });
         Announce(this->MakeView(), extent, info);
-      }));
+      }),
+    Ranks(), &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -197,7 +198,8 @@ int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkI
   vtkImageData* const output = vtkImageData::GetData(outputVector);
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Choose(info);
-  return RunRequest(this, { output }, NoMemory(this->Files.GetCurrent()),
+  return RunRequest(
+    this, { output }, NoMemory(this->Files.GetCurrent()),
     [&](std::string&, const Monitor& monitor)
     {
       output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
@@ -205,7 +207,7 @@ int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkI
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;
       info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
-      const std::int64_t notFinite = PrefixErrors(this->Files.GetCurrent(),
+      const std::int64_t notFinite = PrefixFileErrors(this->Files.GetCurrent(),
         [&]() { return FillImage(this->Content->Cube, this->MakeView(), extent, output, monitor.Step(0.1, 1.0)); });
       if (notFinite > 0)
       {
@@ -213,7 +215,8 @@ int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkI
                         << " samples that are nan or beyond the range of a float; is SampleFormat right?");
       }
       this->Files.Mark(info);
-    });
+    },
+    Ranks(), &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

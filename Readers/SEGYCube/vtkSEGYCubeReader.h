@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSEGYCubeReader
- * @brief   reads a seismic cube after stacking, or a line of one, from a SEG-Y file
+ * @brief   reads a post-stack seismic cube, or a line of one, from a SEG-Y file
  *
  * Every trace is put where its header says: by its inline and crossline number, whatever the order of the file, so that
  * lines may be missing, cut short or in any order. The bytes of the line numbers and places are found
@@ -32,7 +32,8 @@
  * several threads, and by several processes each its own part. Memory is the window's and some megabytes for each
  * thread, and 4 bytes for each trace of the file; up to 100 for each while headers are looked at.
  *
- * What is no cube after stacking gives one error, which starts with the name of the file.
+ * What is no cube after stacking gives one error, which starts with the name of the file; GetErrorCode() says what
+ * kind, as that of vtkHorizonSource does.
  *
  * @sa vtkHorizonTextReader
  */
@@ -63,9 +64,8 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. Several are a series: each is that of a time, 0, 1, 2 and so on in the
-   * order in which they were added, and the output is that of the time which is asked for. SetFileName() takes one file
-   * in place of all. GetFileName() without an index gives the first. Default: none.
+   * The SEG-Y file. Several are a series: the first for time 0, the second for time 1, and so on. See "Series of files"
+   * in Window.md. Range: a path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
@@ -78,47 +78,74 @@ public:
 
   ///@{
   /**
-   * The bytes of the trace headers, counted from 1, where the numbers of inline and crossline begin (integers of 4
-   * bytes). 0 for both: they are found. -1: there are none, all traces are on one line; only one of the two. Default:
-   * 0.
+   * The byte of the trace headers, counted from 1, where the inline number begins, an integer of 4 bytes: 189 by the
+   * standard, 9 or 5 in many files. 0 here and for the crossline: found. -1: there is none, all traces are on one
+   * inline. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(InlineByte, int);
   vtkGetMacro(InlineByte, int);
+  ///@}
+
+  ///@{
+  /**
+   * The byte of the trace headers, counted from 1, where the crossline number begins, an integer of 4 bytes: 193 by the
+   * standard, 21 or 13 in many files. 0 here and for the inline: found. -1: there is none, all traces are on one
+   * crossline. Range: -1 to 237. Default: 0.
+   *
+   * Only one of the two can be -1.
+   */
   vtkSetMacro(CrosslineByte, int);
   vtkGetMacro(CrosslineByte, int);
   ///@}
 
   ///@{
   /**
-   * The bytes of the trace headers, counted from 1, where x and y begin (integers of 4 bytes, with the scalar of byte
-   * 71). 0 for both: they are found. -1 for both: x is the crossline, and y the inline. Default: 0.
+   * The byte of the trace headers, counted from 1, where x begins, an integer of 4 bytes with the scalar of byte 71:
+   * 181 by the standard, 73 or 81 in many files. 0 for x and y: found. -1 for both: x is the crossline, and y the
+   * inline. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(XByte, int);
   vtkGetMacro(XByte, int);
+  ///@}
+
+  ///@{
+  /**
+   * The byte of the trace headers, counted from 1, where y begins, an integer of 4 bytes with the scalar of byte 71:
+   * 185 by the standard, 77 or 85 in many files. 0 for x and y: found. -1 for both: x is the crossline, and y the
+   * inline. Range: -1 to 237. Default: 0.
+   */
   vtkSetMacro(YByte, int);
   vtkGetMacro(YByte, int);
   ///@}
 
   ///@{
   /**
-   * The first and last inline and crossline that are read, by their numbers; all where the first is the larger one.
+   * The first and the last inline to read; all where the first is larger than the last. Unit: line numbers. Range: any.
    * Default: 0, -1.
    */
   vtkSetVector2Macro(InlineRange, int);
   vtkGetVector2Macro(InlineRange, int);
+  ///@}
+
+  ///@{
+  /**
+   * The first and the last crossline to read; all where the first is larger than the last. Unit: line numbers. Range:
+   * any. Default: 0, -1.
+   */
   vtkSetVector2Macro(CrosslineRange, int);
   vtkGetVector2Macro(CrosslineRange, int);
   ///@}
 
   ///@{
   /**
-   * The first and last vertical index (k) that are read, from 0; -1 stands for the last there is. Default: 0, -1.
+   * The first and the last sample (k) to read; -1 stands for the last there is. Unit: vertical indices. Range: at least
+   * 0, or -1 for the end. Default: 0, -1.
    */
   vtkSetVector2Macro(SampleRange, int);
   vtkGetVector2Macro(SampleRange, int);
   ///@}
 
-  /// How samples are stored. The values are the codes of SEG-Y.
+  /// Values of SampleFormat: the codes of SEG-Y.
   enum SampleFormatCode
   {
     FromFile = 0,
@@ -137,7 +164,8 @@ public:
 
   ///@{
   /**
-   * How samples are stored, where the file says something else than it has. Default: FromFile.
+   * How samples are stored, for files that have another format than they state: amplitudes around 1e30, or that look
+   * like noise, are a sign of that. Default: FromFile.
    */
   vtkSetMacro(SampleFormat, int);
   vtkGetMacro(SampleFormat, int);
@@ -145,14 +173,14 @@ public:
 
   ///@{
   /**
-   * The step from a sample to the next, in the unit of z. 0: a thousandth of the interval of the file, which is
-   * milliseconds for time, and metres or feet in most files of depth. Finite, at least 0. Default: 0.
+   * The step from a sample to the next. 0: a thousandth of the interval in the file, which is milliseconds for time,
+   * and metres or feet in most files of depth. Unit: that of z. Range: finite, at least 0. Default: 0.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
   ///@}
 
-  /// Where time or depth grows to.
+  /// Values of VerticalDirection.
   enum VerticalSense
   {
     Down = 0,
@@ -161,7 +189,8 @@ public:
 
   ///@{
   /**
-   * Where time or depth grows to. Down: to smaller world z. Up: to larger world z. Default: Down.
+   * The direction in which time or depth increases. Down: world z decreases with it, so that the cube is the right way
+   * up. Up: world z increases with it. Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -171,24 +200,45 @@ public:
 
   ///@{
   /**
-   * What is put into the field data: the unit of z ("ms", "s", "m", "ft"), whether z is "time" or "depth", the unit of
-   * x and y, and the name of their coordinate system. They change no number. Default: empty, for what the file says; it
-   * says "ms" and "time" always, as its standard does.
+   * The unit of z for the field data: ms, s, m or ft. Numbers are not converted. Empty: ms, as in the standard; choose
+   * m or ft for a cube of depth. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
+  ///@}
+
+  ///@{
+  /**
+   * Whether z is time or depth, for the field data. Numbers are not converted. Empty: what the unit says. Range: any
+   * text. Default: empty.
+   */
   vtkSetStringMacro(VerticalDomain);
   vtkGetStringMacro(VerticalDomain);
+  ///@}
+
+  ///@{
+  /**
+   * The unit of x and y for the field data: m or ft. Numbers are not converted. Empty: what the file says. Range: any
+   * text. Default: empty.
+   */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
+  ///@}
+
+  ///@{
+  /**
+   * The name of the coordinate system of x and y, for the field data. Numbers are not converted. Range: any text.
+   * Default: empty.
+   */
   vtkSetStringMacro(CoordinateSystem);
   vtkGetStringMacro(CoordinateSystem);
   ///@}
 
   ///@{
   /**
-   * How far traces may be off their columns, as a part of the step, for x and y to be used: whole metres are up to
-   * 0.1 off where lines are 6 m apart. More than 0, less than 0.5. Default: 0.25.
+   * How far x and y of traces may be off the lattice, as a fraction of the step; where they are farther off, line
+   * numbers take their place. Whole metres are up to 0.1 off where lines are 6 m apart. Unit: columns. Range: more than
+   * 0, less than 0.5. Default: 0.25.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
@@ -196,15 +246,16 @@ public:
 
   ///@{
   /**
-   * How far, in columns, points of the image may be from where LatticeToWorld has them. A survey whose steps are too
-   * far from perpendicular for that is an error, which says how far they are. At least 0. Default: 0.5.
+   * How far points of the image may be from their true places. Images can be rotated, but not sheared: a survey whose
+   * lines are too far from perpendicular for this is an error. Unit: columns. Range: at least 0. Default: 0.5.
    */
   vtkSetMacro(ImageTolerance, double);
   vtkGetMacro(ImageTolerance, double);
   ///@}
 
   /**
-   * What was found in the file, for people: lines of text. Empty before the first update.
+   * What was found in the headers: format and byte order, the inlines and crosslines and the bytes of their numbers,
+   * missing and dead traces, coordinates, and vertical indices. Empty before the first update.
    */
   const char* GetDescription() { return this->Description.c_str(); }
 

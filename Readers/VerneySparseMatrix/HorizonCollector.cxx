@@ -24,8 +24,7 @@ void Copy(const HorizonPart& part)
 {
   const auto copy = [&part](const auto& from, auto& to)
   { std::copy(from.begin(), from.end(), to.begin() + part.First); };
-  copy(part.Part->I, part.Whole->I);
-  copy(part.Part->J, part.Whole->J);
+  copy(part.Part->Column, part.Whole->Column);
   copy(part.Part->K, part.Whole->K);
   copy(part.Part->Thickness, part.Whole->Thickness);
   copy(part.Part->Amplitude, part.Whole->Amplitude);
@@ -52,12 +51,12 @@ void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t
   {
     for (const HorizonVoxels& part : blocks[block].List())
     {
-      if (!part.I.empty())
+      if (!part.Column.empty())
       {
         HorizonVoxels& whole = this->HorizonOf(part.SurfaceId);
-        parts.push_back({ &part, &whole, whole.I.size() });
+        parts.push_back({ &part, &whole, whole.Column.size() });
         whole.DroppedDuplicates += part.DroppedDuplicates;
-        ForEachVoxelArray(whole, [&part](auto& values) { values.Extend(part.I.size()); });
+        ForEachVoxelArray(whole, [&part](auto& values) { values.Extend(part.Column.size()); });
       }
     }
   }
@@ -72,7 +71,7 @@ std::vector<HorizonVoxels> HorizonCollector::Take(std::int64_t smallestSize)
   std::vector<HorizonVoxels> horizons;
   for (HorizonVoxels& horizon : this->Horizons)
   {
-    if (std::int64_t(horizon.I.size()) >= smallestSize)
+    if (std::int64_t(horizon.Column.size()) >= smallestSize)
     {
       horizons.push_back(std::move(horizon));
     }

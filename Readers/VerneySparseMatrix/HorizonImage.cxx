@@ -4,6 +4,7 @@
 #include "HorizonImage.h"
 
 #include "Common/DataModel.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/VTK/DataArrays.h"
 #include "ImageFrame.h"
 
@@ -27,14 +28,13 @@ class HorizonPixels
 public:
   HorizonPixels(const HorizonVoxels& voxels, vtkImageData* image)
   {
-    const auto i = std::minmax_element(voxels.I.begin(), voxels.I.end());
-    const auto j = std::minmax_element(voxels.J.begin(), voxels.J.end());
-    image->SetExtent(*i.first, *i.second, *j.first, *j.second, 0, 0);
+    const PlaneBox box({ voxels.Column.data(), voxels.Column.size() });
+    image->SetExtent(box.Least.X, box.Greatest.X, box.Least.Y, box.Greatest.Y, 0, 0);
     this->Size = image->GetNumberOfPoints();
-    const vtkIdType width = vtkIdType(*i.second) - *i.first + 1;
-    for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
+    const vtkIdType width = vtkIdType(box.Greatest.X) - box.Least.X + 1;
+    for (const PlanePoint& column : voxels.Column)
     {
-      this->Pixels.push_back((vtkIdType(voxels.J[voxel]) - *j.first) * width + voxels.I[voxel] - *i.first);
+      this->Pixels.push_back((vtkIdType(column.Y) - box.Least.Y) * width + column.X - box.Least.X);
     }
   }
 
@@ -70,7 +70,7 @@ void AddPixels(const HorizonVoxels& voxels, const HorizonPlacement& placement, v
 {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   const HorizonPixels pixels(voxels, image);
-  std::vector<double> elevation(voxels.I.size());
+  std::vector<double> elevation(voxels.Column.size());
   for (std::size_t voxel = 0; voxel < elevation.size(); ++voxel)
   {
     elevation[voxel] = placement.Elevation(voxels, voxel);
@@ -83,7 +83,7 @@ void AddPixels(const HorizonVoxels& voxels, const HorizonPlacement& placement, v
   pixels.Add<vtkDoubleArray>(data, PointArray::Amplitude, voxels.Amplitude, missing);
   pixels.Add<vtkDoubleArray>(data, PointArray::RealZ, voxels.RealZ, missing);
   data->SetActiveScalars(PointArray::Elevation); // what ParaView colours by at first
-  const std::vector<unsigned char> shown(voxels.I.size(), 0);
+  const std::vector<unsigned char> shown(voxels.Column.size(), 0);
   pixels.Add<vtkUnsignedCharArray>(
     data, vtkDataSetAttributes::GhostArrayName(), shown, vtkDataSetAttributes::HIDDENPOINT);
 }
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkImageData> MakeHorizonImage(const HorizonVoxels& voxels, cons
   auto image = vtkSmartPointer<vtkImageData>::New();
   PlaceOnLattice(placement.ToWorld, image);
   AddHorizonFields(image->GetFieldData(), placement, voxels.DroppedDuplicates);
-  if (!voxels.I.empty())
+  if (!voxels.Column.empty())
   {
     AddPixels(voxels, placement, image);
   }

@@ -5,17 +5,60 @@
 #define SeismicHorizonsHorizonSorter_h
 
 #include "SparseMatrixParser.h"
-#include "SurfacePositions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <unordered_map>
 #include <vector>
 
 namespace SeismicHorizons
 {
+/// Finds the position of a horizon, in a list of them, by its surface ID. All columns of a file have the same few IDs,
+/// so the last answers are kept: looking at them is quicker than the map.
+class SurfacePositions
+{
+public:
+  static constexpr int None = -1;
+
+  /// The position of a surface ID, or None.
+  int Find(int surfaceId)
+  {
+    Answer& answer = this->LastAnswer(surfaceId);
+    if (!answer.IsKnown || answer.SurfaceId != surfaceId)
+    {
+      const auto found = this->Positions.find(surfaceId);
+      answer = { true, surfaceId, found == this->Positions.end() ? None : found->second };
+    }
+    return answer.Position;
+  }
+
+  void Insert(int surfaceId, int position)
+  {
+    this->Positions.emplace(surfaceId, position);
+    this->LastAnswer(surfaceId) = { true, surfaceId, position };
+  }
+
+private:
+  struct Answer
+  {
+    bool IsKnown = false;
+    int SurfaceId = 0;
+    int Position = None;
+  };
+
+  Answer& LastAnswer(int surfaceId)
+  {
+    return this->Answers[static_cast<unsigned int>(surfaceId) % this->Answers.size()];
+  }
+
+  std::unordered_map<int, int> Positions;
+  std::array<Answer, 64> Answers; // one for all IDs of the same remainder
+};
+
 /// Deals the voxels of columns out to their horizons, and leaves one in each column of a horizon unless they are to be
-/// sheets, in the ranges of the options only. Functions are defined
-/// inside the class, where compilers inline them: they take a part of the time of reading.
+/// sheets, in the ranges of the options only. Functions are defined inside the class, where compilers inline them: they
+/// take a part of the time of reading.
 class HorizonSorter
 {
 public:
@@ -48,8 +91,8 @@ public:
     }
     HorizonVoxels& horizon = this->HorizonOf(voxel.SurfaceId);
     // All voxels of a column come at once, so a duplicate can only be one of the voxel added last.
-    if (this->Options.Policy != DuplicatePolicy::Sheets && !horizon.I.empty() && horizon.I.back() == i &&
-      horizon.J.back() == j)
+    if (this->Options.Policy != DuplicatePolicy::Sheets && !horizon.Column.empty() && horizon.Column.back().X == i &&
+      horizon.Column.back().Y == j)
     {
       ++horizon.DroppedDuplicates;
       if (!this->Prefers(voxel, horizon))
@@ -58,8 +101,7 @@ public:
       }
       ForEachVoxelArray(horizon, [](auto& values) { values.pop_back(); });
     }
-    horizon.I.push_back(i);
-    horizon.J.push_back(j);
+    horizon.Column.push_back({ i, j });
     horizon.K.push_back(voxel.VerticalIndex);
     horizon.Thickness.push_back(voxel.Thickness);
     horizon.Amplitude.push_back(voxel.Amplitude);
@@ -90,7 +132,7 @@ private:
       this->Positions.Insert(surfaceId, position);
       this->Horizons.emplace_back().SurfaceId = surfaceId;
     }
-    return this->Horizons[static_cast<std::size_t>(position)];
+    return this->Horizons[position];
   }
 
   /// Whether a voxel replaces the last one of the horizon.

@@ -77,12 +77,12 @@ HeapArray<T> Fill(std::int64_t size, T value)
 template <typename Write>
 void ForEachVoxel(const HorizonVoxels& horizon, const VolumePoints& points, Write&& write)
 {
-  ParallelFor(std::int64_t(horizon.I.size()), Grain,
+  ParallelFor(std::int64_t(horizon.Column.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto voxel = std::size_t(first); voxel < std::size_t(last); ++voxel)
       {
-        const std::int64_t point = points.Find(horizon.I[voxel], horizon.J[voxel], horizon.K[voxel]);
+        const std::int64_t point = points.Find(horizon.Column[voxel].X, horizon.Column[voxel].Y, horizon.K[voxel]);
         if (point >= 0)
         {
           write(std::size_t(point), voxel);
@@ -109,8 +109,8 @@ float ToSingle(const HorizonVoxels& horizon, std::size_t voxel, VoxelValues valu
   if (std::abs(value) > std::numeric_limits<float>::max())
   {
     std::ostringstream text;
-    text << name << ' ' << value << " at (" << horizon.I[voxel] << ", " << horizon.J[voxel] << ", " << horizon.K[voxel]
-         << "), expected at most " << std::numeric_limits<float>::max() << " for volumes";
+    text << name << ' ' << value << " at (" << horizon.Column[voxel].X << ", " << horizon.Column[voxel].Y << ", "
+         << horizon.K[voxel] << "), expected at most " << std::numeric_limits<float>::max() << " for volumes";
     throw InputError(text.str());
   }
   return static_cast<float>(value);

@@ -9,8 +9,7 @@
 #include "Common/Monitor.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "ImageFrame.h"
-#include "SparseMatrixParser.h"
-#include "VoxelExtent.h"
+#include "SparseMatrixFile.h"
 
 #include "vtkSmartPointer.h"
 

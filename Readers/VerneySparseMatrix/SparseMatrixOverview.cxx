@@ -17,18 +17,18 @@ namespace
 {
 void Count(const HorizonVoxels& voxels, HorizonOverview& horizon)
 {
-  if (voxels.J.empty())
+  if (voxels.Column.empty())
   {
     return;
   }
   if (horizon.RowSizes.empty())
   {
-    horizon.FirstRow = voxels.J.front();
+    horizon.FirstRow = voxels.Column.front().Y;
   }
-  horizon.RowSizes.resize(std::size_t(voxels.J.back() - horizon.FirstRow) + 1, 0);
-  for (const int row : voxels.J)
+  horizon.RowSizes.resize(std::size_t(voxels.Column.back().Y - horizon.FirstRow) + 1, 0);
+  for (const PlanePoint& column : voxels.Column)
   {
-    ++horizon.RowSizes[std::size_t(row - horizon.FirstRow)];
+    ++horizon.RowSizes[column.Y - horizon.FirstRow];
   }
 }
 
@@ -63,50 +63,6 @@ SparseMatrixOptions ForAllRows(SparseMatrixOptions options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<int> ListSurfaces(const SparseMatrixOverview& overview, const SparseMatrixOptions& options)
-{
-  std::vector<int> surfaceIds;
-  for (const auto& [surfaceId, horizon] : overview.Horizons)
-  {
-    if (horizon.CountVoxels(options.RowRange[0], options.RowRange[1]) >= options.SmallestSize)
-    {
-      surfaceIds.push_back(surfaceId);
-    }
-  }
-  return surfaceIds;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOverview& overview,
-  SparseMatrixOptions options, const std::vector<int>& surfaceIds, const std::vector<int>& chosen,
-  const Monitor& monitor)
-{
-  SparseMatrix matrix;
-  matrix.Size = overview.Size;
-  for (const int position : chosen)
-  {
-    options.Surfaces.push_back(surfaceIds[std::size_t(position)]);
-  }
-  if (!chosen.empty())
-  {
-    matrix = ReadSparseMatrixRows(stream, overview, options, monitor);
-  }
-  std::vector<HorizonVoxels> horizons(surfaceIds.size());
-  auto read = matrix.Horizons.begin();
-  for (const int position : chosen)
-  {
-    HorizonVoxels& horizon = horizons[std::size_t(position)];
-    horizon.SurfaceId = surfaceIds[std::size_t(position)];
-    if (read != matrix.Horizons.end() && read->SurfaceId == horizon.SurfaceId)
-    {
-      horizon = std::move(*read++);
-    }
-  }
-  matrix.Horizons = std::move(horizons);
-  return matrix;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 SparseMatrixOverview ReadSparseMatrixOverview(
   std::istream& stream, const SparseMatrixOptions& options, const Monitor& monitor, std::size_t bufferSize)
 {
@@ -129,7 +85,7 @@ SparseMatrixOverview ReadSparseMatrixOverview(
       {
         for (const HorizonVoxels& voxels : blocks[block].List())
         {
-          if (!voxels.J.empty())
+          if (!voxels.Column.empty())
           {
             Count(voxels, overview.Horizons[voxels.SurfaceId]);
           }

@@ -42,16 +42,13 @@ struct SparseMatrixOverview
   std::vector<Line> Lines; // some of them, in their order, the first one included
 };
 
-/// Reads a whole file, and keeps about 4 bytes for each row of each horizon, from its first to its last one. Rows, sizes
-/// and surfaces of the options are not looked at: what is told is that of all.
+/// Reads a whole file, and keeps about 4 bytes for each row of each horizon, from its first to its last one. Rows,
+/// sizes and surfaces of the options are not looked at: what is told is that of all.
 SparseMatrixOverview ReadSparseMatrixOverview(std::istream& stream, const SparseMatrixOptions& options,
   const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 
 /// The options of an overview: those without what it does not depend on.
 SparseMatrixOptions ForAllRows(SparseMatrixOptions options);
-
-/// The IDs of the horizons that the options leave, ascending.
-std::vector<int> ListSurfaces(const SparseMatrixOverview& overview, const SparseMatrixOptions& options);
 
 /// Gives what ReadSparseMatrix() gives, but for the vertical fit, which is that of the overview, and reads no more of
 /// the file than the rows of the options, or a few megabytes beyond. `stream` is at the begin of the file that the
@@ -59,12 +56,6 @@ std::vector<int> ListSurfaces(const SparseMatrixOverview& overview, const Sparse
 SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOverview& overview,
   const SparseMatrixOptions& options, const Monitor& monitor = Monitor(),
   std::size_t bufferSize = SparseMatrixBufferSize);
-
-/// The same with a horizon for each of a list of surface IDs, ascending, in its order. Those that are not among the
-/// chosen positions in the list are empty.
-SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOverview& overview,
-  SparseMatrixOptions options, const std::vector<int>& surfaceIds, const std::vector<int>& chosen,
-  const Monitor& monitor);
 }
 
 #endif

@@ -3,12 +3,12 @@
 
 #include "SparseMatrixParser.h"
 
+#include "Common/ColumnSheets.h"
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
 #include "Common/TextNumbers.h"
 #include "Common/TextWords.h"
 #include "HorizonCollector.h"
-#include "HorizonSheets.h"
 #include "PieceParser.h"
 #include "VerticalFit.h"
 
@@ -55,19 +55,46 @@ SparseMatrixSize ParseHeader(const std::string& line)
   return size;
 }
 
-/// All sheets of at least that many voxels.
+/// Some voxels of a horizon, in their order.
+HorizonVoxels TakeVoxels(const HorizonVoxels& horizon, const std::vector<std::int32_t>& voxels)
+{
+  HorizonVoxels some;
+  some.SurfaceId = horizon.SurfaceId;
+  for (const std::int32_t voxel : voxels)
+  {
+    some.Column.push_back({ horizon.Column[voxel].X, horizon.Column[voxel].Y });
+    some.K.push_back(horizon.K[voxel]);
+    some.Thickness.push_back(horizon.Thickness[voxel]);
+    some.Amplitude.push_back(horizon.Amplitude[voxel]);
+    some.RealZ.push_back(horizon.RealZ[voxel]);
+  }
+  return some;
+}
+
+/// All sheets of at least that many voxels. The first sheet of a horizon counts the voxels that are dropped.
 std::vector<HorizonVoxels> SplitAll(std::vector<HorizonVoxels> horizons, std::int64_t smallestSize)
 {
   std::vector<HorizonVoxels> all;
   for (HorizonVoxels& horizon : horizons)
   {
-    for (HorizonVoxels& sheet : SplitIntoSheets(std::move(horizon)))
+    const ColumnSheets sheets =
+      SplitIntoSheets({ horizon.Column.data(), horizon.Column.size() }, { horizon.K.begin(), horizon.K.end() });
+    if (sheets.Points.front().size() == horizon.Column.size())
     {
-      if (std::int64_t(sheet.I.size()) >= smallestSize)
-      {
-        all.push_back(std::move(sheet));
-      }
+      all.push_back(std::move(horizon));
+      continue;
     }
+    std::int64_t dropped = sheets.Dropped;
+    for (const std::vector<std::int32_t>& voxels : sheets.Points)
+    {
+      if (std::int64_t(voxels.size()) >= smallestSize)
+      {
+        all.push_back(TakeVoxels(horizon, voxels));
+        all.back().DroppedDuplicates = dropped;
+      }
+      dropped = 0;
+    }
+    horizon = HorizonVoxels();
   }
   return all;
 }
@@ -88,7 +115,7 @@ SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream)
   const std::string line(WithoutByteOrderMark(std::string_view(text.data(), length)));
   if (!isComplete && line.empty())
   {
-    throw ErrorAt(1, std::string("empty file") + ExpectedHeader);
+    throw CutOffAt(1, std::string("empty file") + ExpectedHeader);
   }
   if (!isComplete && !stream.eof())
   {

@@ -18,7 +18,7 @@ std::optional<ReferenceVoxel> FindReference(const std::vector<HorizonVoxels>& ho
 {
   const HorizonVoxels* first = nullptr;
   const auto place = [](const HorizonVoxels& voxels)
-  { return std::make_tuple(voxels.J.front(), voxels.I.front(), voxels.SurfaceId); };
+  { return std::make_tuple(voxels.Column.front().Y, voxels.Column.front().X, voxels.SurfaceId); };
   for (const HorizonVoxels& horizon : horizons)
   {
     if (!horizon.K.empty() && (!first || place(horizon) < place(*first)))

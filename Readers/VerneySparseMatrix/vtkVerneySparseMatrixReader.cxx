@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parser reads files, and HorizonDataSet, HorizonImage and HorizonVolume make datasets of what it gives; here
+// SparseMatrixFile reads files, and HorizonDataSet, HorizonImage and HorizonVolume make datasets of what it gives; here
 // parameters become what they are asked for.
 
 #include "vtkVerneySparseMatrixReader.h"
 
-#include "Common/Errors.h"
+#include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/LatticePlacement.h"
 #include "Common/Monitor.h"
@@ -18,9 +18,8 @@
 #include "HorizonImage.h"
 #include "HorizonVolume.h"
 #include "ImageFrame.h"
-#include "SparseMatrixOverview.h"
+#include "SparseMatrixFile.h"
 #include "SparseMatrixParser.h"
-#include "VoxelExtent.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkImageData.h"
@@ -36,7 +35,6 @@
 #include <cstdint>
 #include <istream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +51,23 @@ bool HasOwnExtension(const std::string& name)
   return endsIn(".vsm") || endsIn(".vsm.gz");
 }
 
+/// The bounding box of two boxes.
+VoxelExtent Unite(const VoxelExtent& a, const VoxelExtent& b)
+{
+  if (a == EmptyExtent || b == EmptyExtent)
+  {
+    return a == EmptyExtent ? b : a;
+  }
+  return { std::min(a[0], b[0]), std::max(a[1], b[1]), std::min(a[2], b[2]), std::max(a[3], b[3]), std::min(a[4], b[4]),
+    std::max(a[5], b[5]) };
+}
+
+/// All voxels of a lattice.
+VoxelExtent WholeExtent(const SparseMatrixSize& size)
+{
+  return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
+}
+
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
 {
   if (asImage)
@@ -64,30 +79,13 @@ vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, c
 }
 
 // ---- The class ---------------------------------------------------------------------------------------------------
-struct vtkVerneySparseMatrixReader::FileContent
-{
-  FileStamp Stamp;
-  SparseMatrixOptions Options; // with which it was read
-  std::vector<std::string> Names; // of the horizons
-  std::vector<VoxelExtent> Extents; // theirs
-  std::vector<std::int64_t> Sizes; // theirs: points in the ranges
-  SparseMatrixSize Size = {};
-  std::vector<int> SurfaceIds; // of the same, with the least memory
-  SparseMatrixVerticalFit VerticalFit;
-  std::optional<SparseMatrix> Matrix; // until it is used
-  std::optional<SparseMatrixOverview> Overview; // in its place, with the least memory
-
-  void Add(int surfaceId, std::int64_t size)
-  {
-    this->Names.push_back(HorizonName(surfaceId));
-    this->Sizes.push_back(size);
-  }
-};
-
 vtkStandardNewMacro(vtkVerneySparseMatrixReader);
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkVerneySparseMatrixReader::vtkVerneySparseMatrixReader() = default;
+vtkVerneySparseMatrixReader::vtkVerneySparseMatrixReader()
+  : File(MakeSparseMatrixFile(this->FileHasOverview))
+{
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader() = default;
@@ -117,88 +115,20 @@ SparseMatrixOptions vtkVerneySparseMatrixReader::MakeOptions() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::UpdateContent(const Monitor& monitor)
-{
-  RequireFileName(this->Files.GetCurrent());
-  const SparseMatrixOptions options = this->MakeOptions();
-  PrefixErrors(this->Files.GetCurrent(),
-    [&]()
-    {
-      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
-      if (this->Content && !this->Content->Overview && this->Content->Stamp == stamp &&
-        this->Content->Options == options)
-      {
-        return;
-      }
-      this->Content.reset();
-      auto content = std::make_unique<FileContent>();
-      content->Stamp = stamp;
-      content->Options = options;
-      content->Matrix = ReadSparseMatrix(*OpenInputFile(this->Files.GetCurrent()), options, monitor);
-      content->Size = content->Matrix->Size;
-      content->VerticalFit = content->Matrix->VerticalFit;
-      for (const HorizonVoxels& horizon : content->Matrix->Horizons)
-      {
-        content->Add(horizon.SurfaceId, static_cast<std::int64_t>(horizon.I.size()));
-        content->Extents.push_back(FindExtent(horizon));
-      }
-      this->Content = std::move(content);
-    });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// Reads the file when the overview is not that of the file and the options.
-void vtkVerneySparseMatrixReader::UpdateOverview(const Monitor& monitor)
-{
-  RequireFileName(this->Files.GetCurrent());
-  const SparseMatrixOptions options = this->MakeOptions();
-  const SparseMatrixOptions ofOverview = ForAllRows(options);
-  PrefixErrors(this->Files.GetCurrent(),
-    [&]()
-    {
-      const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
-      if (!this->FindOverview() || !(this->Content->Stamp == stamp) || !(this->Content->Options == ofOverview))
-      {
-        this->Content = std::make_unique<FileContent>();
-        const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-        SparseMatrixOverview overview = ReadSparseMatrixOverview(*stream, ofOverview, monitor);
-        this->Content->Stamp = stamp;
-        this->Content->Options = ofOverview;
-        this->Content->Size = overview.Size;
-        this->Content->VerticalFit = overview.VerticalFit;
-        this->Content->Overview = std::move(overview);
-      }
-    });
-  this->Content->SurfaceIds = ListSurfaces(*this->Content->Overview, options);
-  this->Content->Names.clear();
-  this->Content->Sizes.clear();
-  for (const int surfaceId : this->Content->SurfaceIds)
-  {
-    const HorizonOverview& horizon = this->FindOverview()->Horizons.at(surfaceId);
-    this->Content->Add(surfaceId, horizon.CountVoxels(options.RowRange[0], options.RowRange[1]));
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-const SparseMatrixOverview* vtkVerneySparseMatrixReader::FindOverview() const
-{
-  return this->Content && this->Content->Overview ? &*this->Content->Overview : nullptr;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 vtkIdType vtkVerneySparseMatrixReader::GetNumberOfPointsInRows(const char* name, int firstRow, int lastRow)
 {
-  const auto& names = this->Content ? this->Content->Names : std::vector<std::string>();
-  const std::size_t number = std::size_t(std::find(names.begin(), names.end(), name ? name : "") - names.begin());
-  return !this->FindOverview() || number == names.size()
+  const auto& horizons = this->File->Horizons();
+  const auto place = std::find_if(horizons.begin(), horizons.end(),
+    [name](const ListedHorizon& horizon) { return name && HorizonName(horizon.SurfaceId) == name; });
+  return place == horizons.end()
     ? 0
-    : this->FindOverview()->Horizons.at(this->Content->SurfaceIds[number]).CountVoxels(firstRow, lastRow);
+    : static_cast<vtkIdType>(this->File->CountVoxels(place - horizons.begin(), firstRow, lastRow));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::GetNumberOfRows()
 {
-  return this->FindOverview() ? this->FindOverview()->Size[1] : 0;
+  return this->File->CountRows();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -219,13 +149,13 @@ LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
 HorizonPlacement vtkVerneySparseMatrixReader::MakeHorizonPlacement() const
 {
   LatticePlacement placement = this->MakePlacement();
-  const SparseMatrixVerticalFit& fit = this->Content->VerticalFit;
+  const SparseMatrixVerticalFit& fit = this->File->VerticalFit();
   if (this->Elevation == RealZ && fit.Step != 0.0)
   {
     placement.Origin.z() = static_cast<int>(placement.Direction) * fit.Offset;
     placement.VerticalStep = fit.Step;
   }
-  return { this->Content->Size, placement.ToWorld(), placement.Direction, this->Elevation == RealZ };
+  return { this->File->Size(), placement.ToWorld(), placement.Direction, this->Elevation == RealZ };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -240,34 +170,39 @@ void vtkVerneySparseMatrixReader::CheckParameters()
 std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor& monitor)
 {
   // A volume takes far more memory than what it is made from.
-  this->LeastMemory&& this->OutputType != Volume ? this->UpdateOverview(monitor) : this->UpdateContent(monitor);
-  return this->Content->Names;
+  const bool withOverview = this->LeastMemory && this->OutputType != Volume;
+  if (withOverview != this->FileHasOverview)
+  {
+    this->File = MakeSparseMatrixFile(withOverview);
+    this->FileHasOverview = withOverview;
+  }
+  const char* const name = this->Files.GetCurrent();
+  RequireFileName(name);
+  const SparseMatrixOptions options = this->MakeOptions();
+  PrefixFileErrors(name, [&]() { this->File->List(name, options, monitor); });
+  std::vector<std::string> names;
+  for (const ListedHorizon& horizon : this->File->Horizons())
+  {
+    names.push_back(HorizonName(horizon.SurfaceId));
+  }
+  return names;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::int64_t> vtkVerneySparseMatrixReader::CountHorizonPoints()
 {
-  return this->Content->Sizes;
+  std::vector<std::int64_t> sizes;
+  for (const ListedHorizon& horizon : this->File->Horizons())
+  {
+    sizes.push_back(horizon.Size);
+  }
+  return sizes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Voxels of at least the horizons of some numbers in the list, in its order. What the list was made from is used once:
-/// kept, it would take as much memory as the output.
 SparseMatrix vtkVerneySparseMatrixReader::TakeMatrix(const std::vector<int>& numbers, const Monitor& monitor)
 {
-  std::optional<SparseMatrix> kept = std::exchange(this->Content->Matrix, std::nullopt);
-  if (kept)
-  {
-    return std::move(*kept);
-  }
-  return PrefixErrors(this->Files.GetCurrent(),
-    [&]()
-    {
-      const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-      return this->FindOverview() ? ReadSparseMatrixRows(*stream, *this->FindOverview(), this->MakeOptions(),
-                                      this->Content->SurfaceIds, numbers, monitor)
-                                  : ReadSparseMatrix(*stream, this->MakeOptions(), monitor);
-    });
+  return PrefixFileErrors(this->Files.GetCurrent(), [&]() { return this->File->Take(numbers, monitor); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -280,7 +215,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
   for (const int number : numbers)
   {
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
-    HorizonVoxels& voxels = matrix.Horizons[static_cast<std::size_t>(number)];
+    HorizonVoxels& voxels = matrix.Horizons[number];
     horizons.push_back(MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
     monitor.Progress(0.8 + 0.2 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
@@ -321,10 +256,10 @@ void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers
     return;
   }
   this->CheckParameters();
-  VoxelExtent extent = this->VolumeExtent == Whole ? WholeExtent(this->Content->Size) : EmptyExtent;
+  VoxelExtent extent = this->VolumeExtent == Whole ? WholeExtent(this->File->Size()) : EmptyExtent;
   for (const int number : numbers)
   {
-    extent = Unite(extent, this->Content->Extents[static_cast<std::size_t>(number)]);
+    extent = Unite(extent, this->File->Horizons()[number].Extent);
   }
   const ImageFrame frame = MakeVolumeFrame(this->MakeHorizonPlacement().ToWorld);
   AnnounceExtent(ToImageExtent(extent, frame), outputInformation);
@@ -355,7 +290,7 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
   std::vector<const HorizonVoxels*> horizons;
   for (const int number : numbers)
   {
-    horizons.push_back(&matrix.Horizons[static_cast<std::size_t>(number)]);
+    horizons.push_back(&matrix.Horizons[number]);
   }
   vtkDataObject::GetData(outputInformation)
     ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeHorizonPlacement(), extent, options, monitor.Step(0.6, 1.0)));
@@ -372,21 +307,21 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
   this->Superclass::PrintSelf(os, indent);
   this->Files.Print(os, indent);
-  os << indent << "OutputType: " << types[static_cast<std::size_t>(this->OutputType)] << '\n';
-  os << indent << "VolumeExtent: " << extents[static_cast<std::size_t>(this->VolumeExtent)] << '\n';
-  os << indent << "VolumeArray: " << volumeArrays[static_cast<std::size_t>(this->VolumeArray)] << '\n';
+  os << indent << "OutputType: " << types[this->OutputType] << '\n';
+  os << indent << "VolumeExtent: " << extents[this->VolumeExtent] << '\n';
+  os << indent << "VolumeArray: " << volumeArrays[this->VolumeArray] << '\n';
   os << indent << "BackgroundValue: " << this->BackgroundValue << '\n';
   os << indent << "VolumeMemoryLimit: " << this->VolumeMemoryLimit << '\n';
   os << indent << "SmallestHorizonSize: " << this->SmallestHorizonSize << '\n';
   os << indent << "ColumnRange: " << this->ColumnRange[0] << " to " << this->ColumnRange[1] << '\n';
   os << indent << "LeastMemory: " << (this->LeastMemory ? "on" : "off") << '\n';
   os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';
-  os << indent << "Elevation: " << elevations[static_cast<std::size_t>(this->Elevation)] << '\n';
+  os << indent << "Elevation: " << elevations[this->Elevation] << '\n';
   const LatticePlacement placement = this->MakePlacement();
   os << indent << "Origin: " << ToText(placement.Origin) << '\n';
   os << indent << "ColumnStep: " << ToText(placement.ColumnStep) << '\n';
   os << indent << "RowStep: " << ToText(placement.RowStep) << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
-  os << indent << "VerticalDirection: " << directions[static_cast<std::size_t>(this->VerticalDirection)] << '\n';
-  os << indent << "DuplicatePolicy: " << policies[static_cast<std::size_t>(this->DuplicatePolicy)] << '\n';
+  os << indent << "VerticalDirection: " << directions[this->VerticalDirection] << '\n';
+  os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
 }

@@ -67,11 +67,11 @@
 
 namespace SeismicHorizons
 {
+class SparseMatrixFile;
 struct HorizonPlacement;
 struct LatticePlacement;
 struct SparseMatrix;
 struct SparseMatrixOptions;
-struct SparseMatrixOverview;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixReader : public vtkHorizonSource
@@ -83,10 +83,8 @@ public:
 
   ///@{
   /**
-   * The path of the file, in UTF-8. It may be compressed by gzip, whatever its name. Several are a series: each is that
-   * of a time, 0, 1, 2 and so on in the order in which they were added, and the output is that of the time which is
-   * asked for. SetFileName() takes one file in place of all. GetFileName() without an index gives the first. Default:
-   * none.
+   * The file; it may be compressed by gzip, whatever its name. Several are a series: the first for time 0, the second
+   * for time 1, and so on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
@@ -101,7 +99,8 @@ public:
 
   ///@{
   /**
-   * Horizons of fewer points, those in the ranges below, are not in the list. At least 1. Default: 1.
+   * Horizons of fewer points in the ranges below are left out of the list. 1 keeps every horizon. Unit: points. Range:
+   * at least 1. Default: 1.
    */
   vtkSetMacro(SmallestHorizonSize, vtkIdType);
   vtkGetMacro(SmallestHorizonSize, vtkIdType);
@@ -109,21 +108,31 @@ public:
 
   ///@{
   /**
-   * The first and last column (i) and row (j) of the lattice that are loaded, counted from 0; -1 stands for the last
-   * there is. The lattice stays that of the whole file. Default: 0, -1.
+   * The first and the last column (i) to load, counted from 0; -1 stands for the last there is. The lattice stays that
+   * of the whole file, and all of the file is checked. Unit: columns. Range: at least 0, or -1 for the end. Default: 0,
+   * -1.
    */
   vtkSetVector2Macro(ColumnRange, int);
   vtkGetVector2Macro(ColumnRange, int);
+  ///@}
+
+  ///@{
+  /**
+   * The first and the last row (j) to load, counted from 0; -1 stands for the last there is. The lattice stays that of
+   * the whole file. Unit: rows. Range: at least 0, or -1 for the end. Default: 0, -1.
+   */
   vtkSetVector2Macro(RowRange, int);
   vtkGetVector2Macro(RowRange, int);
   ///@}
 
   ///@{
   /**
-   * Whether as little memory is used as can be, for files larger than it. On: a pass over the file lists the horizons,
-   * and keeps nothing else but how many points each has in each row. Then only the selected ones are read, and of the
-   * file only the RowRange. Listing and reading then takes two passes instead of one, but for other rows and horizons
-   * the list is kept. It counts for nothing with a volume. Default: off.
+   * Whether as little memory as possible is used, for files larger than memory: a pass over the file lists the
+   * horizons, and then only the selected ones, and only the rows asked for, are read. A volume ignores it. Default:
+   * off.
+   *
+   * The list has nothing else but how many points each horizon has in each row. It takes two passes instead of one, but
+   * for other rows and horizons it is kept.
    */
   vtkSetMacro(LeastMemory, bool);
   vtkGetMacro(LeastMemory, bool);
@@ -141,7 +150,7 @@ public:
    */
   int GetNumberOfRows();
 
-  /// What horizons become.
+  /// Values of OutputType.
   enum OutputKind
   {
     Points = 0,
@@ -151,9 +160,13 @@ public:
 
   ///@{
   /**
-   * What horizons become. Points: a vtkPolyData each, for the stages. Images: a map each, as vtkImageData. Volume: the
-   * output is one vtkImageData with all of them, and GetOutput() gives null; use GetOutputDataObject(0). For the last
-   * two ColumnStep and RowStep must be perpendicular. Default: Points.
+   * What horizons become. Points: the points of each in space, which the stages take. Images: a map of each at z = 0,
+   * with a pixel for every column and attributes as arrays; columns without the horizon are blank. Warp it by the array
+   * Elevation to see the surface. Volume: all horizons in one image, for slices and volume rendering. For the last two,
+   * ColumnStep and RowStep must be perpendicular. Default: Points.
+   *
+   * Points are a vtkPolyData for each horizon, images a vtkImageData for each, a volume is one vtkImageData;
+   * GetOutput() gives null for that, use GetOutputDataObject(0).
    */
   vtkSetClampMacro(OutputType, int, Points, Volume);
   vtkGetMacro(OutputType, int);
@@ -162,7 +175,7 @@ public:
   void SetOutputTypeToVolume() { this->SetOutputType(Volume); }
   ///@}
 
-  /// What a volume covers.
+  /// Values of VolumeExtent.
   enum VolumeBox
   {
     Whole = 0,
@@ -171,8 +184,8 @@ public:
 
   ///@{
   /**
-   * What a volume covers. Whole: all cells of the lattice, whatever is chosen. BoundingBox: the least box with all
-   * voxels of the chosen horizons. Default: Whole.
+   * What a volume covers. Whole: all cells of the lattice. BoundingBox: the least box with all voxels of the selected
+   * horizons. Default: Whole.
    */
   vtkSetClampMacro(VolumeExtent, int, Whole, BoundingBox);
   vtkGetMacro(VolumeExtent, int);
@@ -180,7 +193,7 @@ public:
   void SetVolumeExtentToBoundingBox() { this->SetVolumeExtent(BoundingBox); }
   ///@}
 
-  /// What a volume shows.
+  /// Values of VolumeArray.
   enum VolumeContent
   {
     SurfaceId = 0,
@@ -190,8 +203,8 @@ public:
 
   ///@{
   /**
-   * The active scalars of a volume. SurfaceId is there always, each of the others when it is chosen. Default:
-   * SurfaceId.
+   * The active scalars of a volume. Its array SurfaceId has the ID of the horizon at each voxel; with Amplitude or
+   * Thickness there is an array of these as well, 0 where there is no voxel. Default: SurfaceId.
    */
   vtkSetClampMacro(VolumeArray, int, SurfaceId, Thickness);
   vtkGetMacro(VolumeArray, int);
@@ -202,7 +215,8 @@ public:
 
   ///@{
   /**
-   * The SurfaceId of a volume where there is no voxel. It must not be the ID of a horizon that is loaded. Default: 0.
+   * The array SurfaceId of a volume where there is no voxel. Range: an integer that is not the ID of a selected
+   * horizon. Default: 0.
    */
   vtkSetMacro(BackgroundValue, int);
   vtkGetMacro(BackgroundValue, int);
@@ -210,14 +224,14 @@ public:
 
   ///@{
   /**
-   * The most memory that the arrays of a volume may take on a process, in MB (2^20 bytes). A larger volume is an error
-   * that says how much it takes. At least 1. Default: 2048.
+   * The most memory that the arrays of a volume may take, on each process. A larger volume is an error that says how
+   * much it takes. Unit: MB (2^20 bytes). Range: at least 1. Default: 2048.
    */
   vtkSetMacro(VolumeMemoryLimit, int);
   vtkGetMacro(VolumeMemoryLimit, int);
   ///@}
 
-  /// Where the z coordinate of a point comes from.
+  /// Values of Elevation.
   enum ElevationSource
   {
     VerticalIndex = 0,
@@ -226,13 +240,15 @@ public:
 
   ///@{
   /**
-   * The z coordinate of the points. VerticalIndex: Origin's z, minus or plus VerticalStep times the vertical index.
-   * RealZ: minus or plus the real z of the voxel, in the unit of the file; in place of Origin's z and VerticalStep,
-   * LatticeToWorld then holds the straight line that fits it over the vertical index best, for all voxels in the ranges
-   * (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units is one vertical index all the
-   * same. (Where real z or the index is the same everywhere there is no such line, and Origin and VerticalStep hold.)
-   * The sign is that of VerticalDirection. The voxels of a volume always lie where LatticeToWorld puts their vertical
-   * index. Default: VerticalIndex.
+   * World z of the points. VerticalIndex: from the vertical index, Origin and VerticalStep. RealZ: the time or depth in
+   * the file; z of Origin and VerticalStep then do not matter. VerticalDirection gives the sign. The voxels of a volume
+   * stay in their cells, and the stages measure distances and cell sizes in the lattice either way. Default:
+   * VerticalIndex.
+   *
+   * With RealZ, LatticeToWorld holds the straight line that fits real z over the vertical index best, for all voxels in
+   * the ranges (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units is one vertical
+   * index all the same. Where real z or the index is the same everywhere there is no such line, and Origin and
+   * VerticalStep hold. The voxels of a volume always lie where LatticeToWorld puts their vertical index.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
   vtkGetMacro(Elevation, int);
@@ -242,7 +258,8 @@ public:
 
   ///@{
   /**
-   * The world coordinates of the centre of cell (0, 0, 0). Finite. Default: 0, 0, 0.
+   * World coordinates of the centre of cell (0, 0, 0), the first voxel of the cube. Unit: world units. Range: finite.
+   * Default: 0, 0, 0.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -250,8 +267,8 @@ public:
 
   ///@{
   /**
-   * The step in x and y from a cell to the next one along i, in world units. Finite, and not parallel to RowStep.
-   * Default: 1, 0.
+   * The step in world x and y from a column to the next along i, which runs fastest in the file. Unit: world units.
+   * Range: finite, not parallel to RowStep. Default: 1, 0.
    */
   vtkSetVector2Macro(ColumnStep, double);
   vtkGetVector2Macro(ColumnStep, double);
@@ -259,8 +276,8 @@ public:
 
   ///@{
   /**
-   * The step in x and y from a cell to the next one along j, in world units. Finite, and not parallel to ColumnStep.
-   * Default: 0, 1.
+   * The step in world x and y from a row to the next along j. Unit: world units. Range: finite, not parallel to
+   * ColumnStep. Default: 0, 1.
    */
   vtkSetVector2Macro(RowStep, double);
   vtkGetVector2Macro(RowStep, double);
@@ -268,15 +285,16 @@ public:
 
   ///@{
   /**
-   * The length along z from a vertical index to the next one, in world units: z is Origin's z minus (VerticalDirection
-   * Down) or plus (Up) VerticalStep times the index. Finite, not 0; a negative one turns the direction around. Default:
-   * 1.
+   * The length along z from a vertical index to the next; a negative one reverses the direction. Unit: world units.
+   * Range: finite, not 0. Default: 1.
+   *
+   * z is Origin's z minus (VerticalDirection Down) or plus (Up) VerticalStep times the index.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
   ///@}
 
-  /// Where vertical indices and real z grow to.
+  /// Values of VerticalDirection.
   enum VerticalSense
   {
     Down = 0,
@@ -285,8 +303,8 @@ public:
 
   ///@{
   /**
-   * Where vertical indices and real z grow to. Down: to smaller z, as time and depth do. Up: to larger z. Default:
-   * Down.
+   * The direction in which vertical indices and real z increase. Down: world z decreases with them, as for time and
+   * depth, so that horizons are the right way up. Up: world z increases with them. Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -294,7 +312,7 @@ public:
   void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
   ///@}
 
-  /// Which voxel is kept when a horizon has several in one column.
+  /// Values of DuplicatePolicy.
   enum DuplicateChoice
   {
     StrongestAmplitude = 0,
@@ -305,11 +323,13 @@ public:
 
   ///@{
   /**
-   * Which voxel is kept when a horizon has several in one column. StrongestAmplitude: the one of largest absolute
-   * amplitude, of equal ones that of smallest vertical index. Topmost: that of smallest vertical index. Lowest: that of
-   * largest vertical index. The others are left out and counted in DroppedDuplicates. Sheets: all, as at reverse
-   * faults: each sheet is a horizon of its own, the second named "Horizon 7 (2)", told apart by connection in space
-   * (ColumnSheets.h). Not with LeastMemory. Default: StrongestAmplitude.
+   * Which voxel is kept where a horizon has several in one column. StrongestAmplitude: the one with the largest
+   * absolute amplitude, of equal ones the topmost. Topmost: the one with the smallest vertical index. Lowest: the one
+   * with the largest. Sheets: all of them, as at reverse faults; what is connected in space is a sheet, and each
+   * becomes a horizon of its own; not with LeastMemory. Voxels left out are counted in the field data
+   * DroppedDuplicates. See "Sheets" in VerneySparseMatrixReader.md. Default: StrongestAmplitude.
+   *
+   * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */
   vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
   vtkGetMacro(DuplicatePolicy, int);
@@ -344,9 +364,6 @@ private:
   SeismicHorizons::LatticePlacement MakePlacement() const;
   SeismicHorizons::HorizonPlacement MakeHorizonPlacement() const;
   SeismicHorizons::SparseMatrixOptions MakeOptions() const;
-  void UpdateContent(const SeismicHorizons::Monitor& monitor);
-  void UpdateOverview(const SeismicHorizons::Monitor& monitor);
-  const SeismicHorizons::SparseMatrixOverview* FindOverview() const;
   SeismicHorizons::SparseMatrix TakeMatrix(const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor);
 
   SeismicHorizons::FileSeries Files;
@@ -367,8 +384,8 @@ private:
   int VerticalDirection = Down;
   int DuplicatePolicy = StrongestAmplitude;
 
-  struct FileContent;
-  std::unique_ptr<FileContent> Content; // what was found when the file was read last
+  bool FileHasOverview = false;
+  std::unique_ptr<SeismicHorizons::SparseMatrixFile> File; // the one that was read last, and what was found in it
 };
 
 #endif

@@ -80,9 +80,9 @@ inline SeismicHorizons::BoundedHorizon MakeGenerated(std::int64_t numberOfPoints
   options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
   const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
   std::vector<PlanePoint> columns;
-  for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
+  for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)
   {
-    columns.push_back({ voxels.I[voxel], voxels.J[voxel] });
+    columns.push_back({ voxels.Column[voxel].X, voxels.Column[voxel].Y });
   }
   return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
 }

@@ -88,9 +88,9 @@ public:
     options.Size = HorizonGenerator::FindSize(options, points);
     this->Cells = std::int64_t(options.Size[0]) * options.Size[1];
     const HorizonVoxels horizon = HorizonGenerator(options).MakeHorizon(0);
-    for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
+    for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
     {
-      this->Columns.push_back({ horizon.I[voxel], horizon.J[voxel] });
+      this->Columns.push_back({ horizon.Column[voxel].X, horizon.Column[voxel].Y });
       this->Horizon.Height.push_back(double(horizon.K[voxel]));
     }
     this->Horizon.Plane = this->Columns;

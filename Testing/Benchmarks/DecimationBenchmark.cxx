@@ -79,7 +79,7 @@ struct Surface
     options.Method = OutlineMethod::FewestPoints;
     options.DistanceThreshold = tolerance;
     options.OutlineTolerance = tolerance;
-    return TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, options));
+    return TestHorizons::Drop(horizon, SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, options));
   }
 
   BoundedHorizon Horizon;
@@ -154,8 +154,8 @@ DecimationOptions AtMost(std::size_t vertices, DecimationEffort effort)
 void RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
 {
   Decimation decimation;
-  const double seconds =
-    BenchmarkTools::Time([&]() { decimation = Decimate(surface.Horizon, options); }, CLOCK_MONOTONIC);
+  const double seconds = BenchmarkTools::Time(
+    [&]() { decimation = Decimate(TestHorizons::OnColumns(surface.Horizon), options); }, CLOCK_MONOTONIC);
   PrintRow(name, surface, ToMesh(surface, decimation), seconds);
 }
 
@@ -321,7 +321,7 @@ void RunErrors(const Patches::Columns& columns, const std::vector<double>& heigh
     DecimationOptions options;
     options.MaximumError = error;
     Decimation result;
-    const auto decimate = [&]() { result = Decimate(horizon, options); };
+    const auto decimate = [&]() { result = Decimate(TestHorizons::OnColumns(horizon), options); };
     const double best = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
     std::printf("| %g | %zu |", error, result.Points.Source.size());
     options.Effort = DecimationEffort::Fast;
@@ -357,9 +357,9 @@ void RunGenerated(std::int64_t points)
   options.Size = HorizonGenerator::FindSize(options, points);
   const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
   Patches::Columns columns;
-  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {
-    columns.push_back({ voxels.I[n], voxels.J[n] });
+    columns.push_back({ voxels.Column[n].X, voxels.Column[n].Y });
   }
   std::printf("\nGenerated, real heights\n");
   Run(columns, std::vector<double>(voxels.RealZ.begin(), voxels.RealZ.end()));

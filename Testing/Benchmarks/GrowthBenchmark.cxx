@@ -128,7 +128,7 @@ Work FewestOutlinePoints(const Patches::Columns& columns)
   options.Method = OutlineMethod::FewestPoints;
   options.OutlineTolerance = 2.0;
   return [horizon = TestHorizons::MakeHorizon(columns, heights), options]()
-  { SimplifyBoundary(horizon, horizon.Boundary, options); };
+  { SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, options); };
 }
 
 Work Mesh(const BoundedHorizon& horizon)

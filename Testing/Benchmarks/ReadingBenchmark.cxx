@@ -149,7 +149,7 @@ std::size_t CountVoxels(const SparseMatrix& matrix)
   std::size_t voxels = 0;
   for (const HorizonVoxels& horizon : matrix.Horizons)
   {
-    voxels += horizon.I.size();
+    voxels += horizon.Column.size();
   }
   return voxels;
 }

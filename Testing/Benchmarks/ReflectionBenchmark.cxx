@@ -10,10 +10,8 @@
 #include "BenchmarkTools.h"
 #include "Common/Parallel.h"
 #include "Generator/CubeGenerator.h"
-#include "Reflections/BestFirstJoining.h"
-#include "Reflections/ConnectedPicks.h"
-#include "Reflections/ContinuousJoining.h"
 #include "Reflections/ReflectionExtraction.h"
+#include "Reflections/SurfaceJoining.h"
 
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
@@ -117,8 +115,7 @@ void MeasureSteps(const Cube& cube)
       {
         for (std::size_t sign = 0; sign < 2; ++sign)
         {
-          SurfaceSets sets(found.BySign[sign]);
-          BestFirstJoining(found.BySign[sign], sets).Run(links[sign], JoiningRules(), Monitor());
+          BestFirstJoining(found.BySign[sign]).Run(links[sign], JoiningRules(), Monitor());
         }
       }),
     picks, "picks");
@@ -201,9 +198,9 @@ void MeasureExtraction(const Cube& cube, const char* name, const ExtractionOptio
   Parts parts(cube);
   for (const HorizonVoxels& surface : result.Surfaces)
   {
-    for (std::size_t n = 0; n < surface.I.size(); ++n)
+    for (std::size_t n = 0; n < surface.Column.size(); ++n)
     {
-      parts.Add(surface.SurfaceId, surface.I[n], surface.J[n], surface.RealZ[n]);
+      parts.Add(surface.SurfaceId, surface.Column[n].X, surface.Column[n].Y, surface.RealZ[n]);
     }
   }
   parts.Print(name, seconds, bytes, 4.0 * cube.Samples());

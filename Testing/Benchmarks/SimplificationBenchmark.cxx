@@ -132,7 +132,7 @@ std::size_t RunFilter(Filter* filter, vtkDataObject* input)
 void BenchmarkMethods(vtkPolyData* bounded)
 {
   const vtkIdType size = bounded->GetNumberOfPoints();
-  const BoundedHorizon horizon = ReadBoundedHorizon(bounded, ReadPoints(bounded));
+  const BoundedHorizon horizon = ReadBoundedHorizon(ReadPoints(bounded, {}));
   for (const int cell : { 3, 6, 8 })
   {
     Report("rough " + std::to_string(cell) + ", method alone", size,

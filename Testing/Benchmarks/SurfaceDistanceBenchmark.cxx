@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Speed of the searches for the nearest triangle, beside VTK's in the same run, all on one thread: from every point of a
-// generated horizon to a mesh of about a tenth of its points. Prints Markdown: processor seconds, the least of several
-// runs, and by how much results differ. Then both our searches at places on faces, both ways and in two metrics, and
-// the whole measure on one and on two threads with the memory that it takes.
+// Speed of the searches for the nearest triangle, beside VTK's in the same run, all on one thread: from every point of
+// a generated horizon to a mesh of about a tenth of its points. Prints Markdown: processor seconds, the least of
+// several runs, and by how much results differ. Then both our searches at places on faces, both ways and in two
+// metrics, and the whole measure on one and on two threads with the memory that it takes.
 //
 //   SurfaceDistanceBenchmark [--ours] [POINTS ...]      sizes of the horizons; without them 886639; --ours: without VTK
 
@@ -13,8 +13,6 @@
 #include "Common/Parallel.h"
 #include "SurfaceDistance/DistanceProbe.h"
 #include "SurfaceDistance/SurfaceDistance.h"
-#include "SurfaceDistance/SurfaceSamples.h"
-#include "SurfaceDistance/TriangleTree.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"
 
@@ -245,15 +243,16 @@ void ReportFaces(const char* name, const TriangleSurface& from, const TriangleSu
   const auto inOne = [&](const Metric& metric)
   {
     const std::vector<Metric> one = { metric };
-    return 0.5 * perSecond(Time(
-      [&]()
-      {
-        DistanceProbe probe(search, one);
-        for (const Eigen::Vector3d& place : places)
+    return 0.5 *
+      perSecond(Time(
+        [&]()
         {
-          probe(place);
-        }
-      }));
+          DistanceProbe probe(search, one);
+          for (const Eigen::Vector3d& place : places)
+          {
+            probe(place);
+          }
+        }));
   };
   double difference = 0.0;
   for (std::size_t n = 0; n < byTree.size(); ++n)
@@ -270,7 +269,8 @@ void ReportWhole(const TriangleSurface& full, const TriangleSurface& mesh)
 {
   std::printf("\n| metrics | threads | seconds | bytes per triangle | samples on faces | largest | mean |\n"
               "| --- | --- | --- | --- | --- | --- | --- |\n");
-  for (const std::vector<Metric>& metrics : { std::vector<Metric>{ Metric() }, std::vector<Metric>{ Metric(), World() } })
+  for (const std::vector<Metric>& metrics :
+    { std::vector<Metric>{ Metric() }, std::vector<Metric>{ Metric(), World() } })
   {
     for (const int threads : { 1, 2 })
     {
@@ -297,8 +297,9 @@ void Benchmark(std::int64_t size, bool withPeers)
   std::printf("%zu points and %zu triangles to %zu points and %zu triangles\n\n", full.Points.size(),
     full.Triangles.size(), mesh.Points.size(), mesh.Triangles.size());
   ReportPoints(full, mesh, withPeers);
-  std::printf("\n| million distances/s from places on faces | places | tree, both metrics | raster, both | first | second "
-              "| largest difference |\n| --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf(
+    "\n| million distances/s from places on faces | places | tree, both metrics | raster, both | first | second "
+    "| largest difference |\n| --- | --- | --- | --- | --- | --- | --- |\n");
   const double count = 2.0 * double(full.Points.size());
   ReportFaces("full to mesh", full, mesh, count);
   ReportFaces("mesh to full", mesh, full, count);

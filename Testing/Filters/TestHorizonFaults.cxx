@@ -74,7 +74,7 @@ void TestOutputs()
   filter->Update();
   vtkPolyData* const output = filter->GetPolyDataOutput();
   CHECK(output->GetPoints() == input->GetPoints());
-  CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays());
+  CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays() + 1); // Column
   auto* const links = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutLinks"));
   auto* const throws = vtkDoubleArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutThrow"));
   auto* const lines = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutLine"));

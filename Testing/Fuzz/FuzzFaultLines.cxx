@@ -7,8 +7,7 @@
 #include "Require.h"
 
 #include "FaultLines/FaultLineFile.h"
-#include "Faults/FaultPolylines.h"
-#include "Faults/FaultSticks.h"
+#include "Faults/FaultLines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -100,11 +100,12 @@ void CheckHorizon(const LatticeHorizon& horizon, const SurveyLattice& lattice)
 {
   for (std::size_t n = 0; n < horizon.Z.size(); ++n)
   {
-    const int i = horizon.I[n];
-    const int j = horizon.J[n];
+    const int i = horizon.Column[n].X;
+    const int j = horizon.Column[n].Y;
     Require(std::isfinite(horizon.Z[n]), "a point without z");
     Require(i >= 0 && i < lattice.Columns[0] && j >= 0 && j < lattice.Columns[1], "a point outside the lattice");
-    Require(n == 0 || horizon.J[n - 1] < j || (horizon.J[n - 1] == j && horizon.I[n - 1] < i), "points not in order");
+    Require(n == 0 || horizon.Column[n - 1].Y < j || (horizon.Column[n - 1].Y == j && horizon.Column[n - 1].X < i),
+      "points not in order");
   }
 }
 

@@ -48,7 +48,7 @@ bool IsSame(const HeapArray<double>& a, const HeapArray<double>& b)
 
 bool IsSame(const HorizonVoxels& a, const HorizonVoxels& b)
 {
-  return a.SurfaceId == b.SurfaceId && a.I == b.I && a.J == b.J && a.K == b.K && IsSame(a.Thickness, b.Thickness) &&
+  return a.SurfaceId == b.SurfaceId && a.Column == b.Column && a.K == b.K && IsSame(a.Thickness, b.Thickness) &&
     IsSame(a.Amplitude, b.Amplitude) && IsSame(a.RealZ, b.RealZ) && a.DroppedDuplicates == b.DroppedDuplicates;
 }
 
@@ -70,15 +70,16 @@ bool IsInside(int index, int size)
 
 void CheckVoxels(const HorizonVoxels& horizon, const SparseMatrixSize& size)
 {
-  for (std::size_t n = 0; n < horizon.I.size(); ++n)
+  for (std::size_t n = 0; n < horizon.Column.size(); ++n)
   {
-    Require(IsInside(horizon.I[n], size[0]) && IsInside(horizon.J[n], size[1]) && IsInside(horizon.K[n], size[2]),
+    Require(IsInside(horizon.Column[n].X, size[0]) && IsInside(horizon.Column[n].Y, size[1]) &&
+        IsInside(horizon.K[n], size[2]),
       "voxel outside the lattice");
     Require(
       std::isfinite(horizon.Thickness[n]) && std::isfinite(horizon.Amplitude[n]) && std::isfinite(horizon.RealZ[n]),
       "voxel with a number that is not finite");
-    Require(n == 0 || horizon.J[n - 1] < horizon.J[n] ||
-        (horizon.J[n - 1] == horizon.J[n] && horizon.I[n - 1] < horizon.I[n]),
+    Require(n == 0 || horizon.Column[n - 1].Y < horizon.Column[n].Y ||
+        (horizon.Column[n - 1].Y == horizon.Column[n].Y && horizon.Column[n - 1].X < horizon.Column[n].X),
       "voxels of a horizon not in the order of the columns");
   }
 }
@@ -90,7 +91,7 @@ void CheckMatrix(const Outcome& outcome)
   for (std::size_t n = 0; n < outcome.Matrix.Horizons.size(); ++n)
   {
     const HorizonVoxels& horizon = outcome.Matrix.Horizons[n];
-    Require(!horizon.I.empty() && (n == 0 || outcome.Matrix.Horizons[n - 1].SurfaceId < horizon.SurfaceId),
+    Require(!horizon.Column.empty() && (n == 0 || outcome.Matrix.Horizons[n - 1].SurfaceId < horizon.SurfaceId),
       "horizons without voxels, or not by ascending ID");
     CheckVoxels(horizon, outcome.Matrix.Size);
   }

@@ -106,7 +106,7 @@ BoundedHorizon SimplifyLoops(const BoundedHorizon& horizon, StageInput& input)
 {
   const BoundarySimplificationOptions options = input.TakeBoundarySimplificationOptions();
   const auto result = RunOn(IsValid(options), "boundary simplification",
-    [&]() { return SimplifyBoundary(horizon, horizon.Boundary, options); });
+    [&]() { return SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, options); });
   if (!result)
   {
     return horizon;
@@ -157,7 +157,7 @@ void DecimateWhole(const BoundedHorizon& horizon, StageInput& input)
   const DecimationOptions options = input.TakeDecimationOptions();
   const auto isSame = [](const Decimation& a, const Decimation& b)
   { return a.Triangles == b.Triangles && a.Points.Height == b.Points.Height && a.Errors == b.Errors; };
-  const auto decimate = [&]() { return Decimate(horizon, options); };
+  const auto decimate = [&]() { return Decimate(TestHorizons::OnColumns(horizon), options); };
   const std::vector<unsigned char> marks = horizon.Boundary.MarkPoints(horizon.Plane.size());
   const auto least = std::size_t(std::count(marks.begin(), marks.end(), 1));
   const bool isNumber = options.MaximumNumberOfPoints > 0;

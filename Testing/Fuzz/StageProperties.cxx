@@ -3,10 +3,10 @@
 
 #include "StageProperties.h"
 
+#include "Common/MeshChecker.h"
 #include "Common/Predicates.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/CutChecker.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/ReductionChecker.h"
 #include "Tools/TriangleSets.h"
 

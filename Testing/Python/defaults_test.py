@@ -1,24 +1,29 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Defaults and reach of every property: C++ class, plugin XML and documentation have to agree.
+"""Every property has a text, and what it says of default, range and choices is so in the C++ class and the plugin's XML; the
+tables of the pages are those that the texts make.
 
-Arguments: the folder of the XML files and the folder of the documentation.
+Argument: the source tree.
 """
 
 import pathlib
 import re
 import sys
-import xml.etree.ElementTree as ElementTree
 
 import seismichorizons
+
+TREE = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(TREE / "Utilities" / "CMake"))
+
+import property_texts  # noqa: E402
 
 # Setters that a proxy reaches in another way than by a property of their own.
 REACHED_OTHERWISE = {
     "SetHorizonStatus": "GetHorizonSelection",
     "SetFileName": "AddFileName",
 }
-# Setters that ParaView has no use for: the controller is its own from the start.
-NOT_REACHED = {"SetController"}
+# Setters that ParaView has no use for: the controller is its own from the start, and inputs are connections.
+NOT_REACHED = {"SetController", "SetInputData"}
 # Setters of VTK itself that have no getter.
 NO_GETTER = {"SetInputArrayToProcess"}
 
@@ -39,49 +44,45 @@ def getter_value(algorithm, command):
     return list(value) if isinstance(value, (tuple, list)) else [value]
 
 
-def documented_defaults(page):
-    """The table with the columns Property, Default, Range, Unit, Meaning as a dictionary."""
-    found = {}
-    columns = None
-    for line in page.read_text(encoding="utf-8").splitlines():
-        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
-        if not line.lstrip().startswith("|"):
-            columns = None
-        elif cells[:5] == ["Property", "Default", "Range", "Unit", "Meaning"]:
-            columns = cells
-        elif columns and not set(line) <= set("|-: "):
-            expect(all(cells[:5]) and len(cells) >= 5, "%s: a cell is empty: %s" % (page.name, line))
-            found[cells[0].strip("`")] = cells[1].strip("`")
-    return found
+def said_default(text, prop, values):
+    """The default that a text has, as the XML would."""
+    if prop.find("BooleanDomain") is not None:
+        return {"off": "0", "on": "1"}.get(text.default)
+    return dict(values).get(text.default, text.default)
 
 
-def check_default(where, prop, algorithm, documented):
-    name, command = prop.get("name"), prop.get("command")
-    actual = getter_value(algorithm, command)
+def check_default(where, prop, algorithm, text, values):
+    actual = getter_value(algorithm, prop.get("command"))
     default = prop.get("default_values")
     if default is None:
-        expect(actual in ([None], [""]), "%s: %s has no default in the XML, but %s in C++" % (where, name, actual))
+        expect(actual in ([None], [""]) and text.default in ("none", "empty"),
+               "%s has no default in the XML, but %s in C++, and %r in its text" % (where, actual, text.default))
         return
-    text = documented.get(name, "")
+    said = said_default(text, prop, values)
     if prop.tag == "StringVectorProperty":
-        expect([default] == actual and text == default,
-               "%s: %s is %s in the XML, %s in C++, and %r in the documentation" % (where, name, default, actual, text))
-        return
-    expect(numbers(default) == [float(v) for v in actual],
-           "%s: %s is %s in the XML, but %s in C++" % (where, name, default, actual))
-    entries = {e.get("value"): e.get("text").replace(" ", "") for e in prop.iter("Entry")}
-    if entries:
-        expect(text in (default, entries[default]),
-               "%s: %s is %s in the XML, but %r in the documentation" % (where, name, entries[default], text))
+        expect([default] == actual == [said],
+               "%s is %s in the XML, %s in C++, and %r in its text" % (where, default, actual, said))
     else:
-        expect(numbers(text) == numbers(default),
-               "%s: %s is %s in the XML, but %r in the documentation" % (where, name, default, text))
+        expect(numbers(default) == [float(v) for v in actual] == numbers(said or ""),
+               "%s is %s in the XML, %s in C++, and %r in its text" % (where, default, actual, text.default))
 
 
-def check_help(where, element):
-    help_text = element.find("Documentation")
-    expect(help_text is not None and len((help_text.text or "").split()) >= 4,
-           "%s: %s has no documentation" % (where, element.get("name")))
+def check_range(where, prop, text, values):
+    """The choices of the panel are the enumerators, and its sliders stay within the range of the text."""
+    entries = {entry.get("value"): entry.get("text").replace(" ", "").lower() for entry in prop.iter("Entry")}
+    expect(entries == {value: name.lower() for name, value in values},
+           "%s: choices %s in the XML, %s in C++" % (where, entries, values))
+    for domain in prop:
+        if domain.tag in ("IntRangeDomain", "DoubleRangeDomain"):
+            expect(text.range, "%s has no range" % where)
+            ends = re.fullmatch(r"(?:finite, )?(?:at least )?([-\d.e]+)(?: to ([-\d.e/]+))?", text.range or "")
+            if ends:
+                low, high = ends.group(1), ends.group(2)
+                expect(numbers(domain.get("min", "-inf"))[:1] >= numbers(low),
+                       "%s: from %s in the XML, %s in its text" % (where, domain.get("min"), low))
+                if high and "/" not in high:
+                    expect(numbers(domain.get("max", "inf"))[:1] <= numbers(high) and domain.get("max"),
+                           "%s: to %s in the XML, %s in its text" % (where, domain.get("max"), high))
 
 
 def check_setters(where, cls, commands):
@@ -94,46 +95,36 @@ def check_setters(where, cls, commands):
                    "%s: no property reaches %s::%s" % (where, cls.__name__, name))
 
 
-def list_properties(proxy, proxies):
-    """The properties of a proxy, those of its bases first."""
-    base = proxy.get("base_proxyname")
-    inherited = list_properties(proxies[base], proxies) if base else []
-    return inherited + [element for element in proxy if element.tag.endswith("Property")]
-
-
-def check_proxy(proxy, properties, documentation):
-    where = proxy.get("name")
-    cls = getattr(seismichorizons, proxy.get("class"))
+def check_proxy(proxy, texts):
+    cls = getattr(seismichorizons, proxy.class_name)
     algorithm = cls()
-    help_text = proxy.find("Documentation")
-    expect(help_text is not None and help_text.get("short_help") and help_text.get("long_help"),
-           "%s: short_help or long_help is missing" % where)
-    check_help(where, proxy)
-    page = documentation / (where + ".md")
-    expect(page.is_file(), "%s: there is no page %s" % (where, page.name))
-    documented = documented_defaults(page) if page.is_file() else {}
-    commands = set()
-    for prop in properties:
-        check_help(where, prop)
+    help_text = proxy.element.find("Documentation")
+    expect(help_text is not None and help_text.get("long_help") and len((help_text.text or "").split()) >= 4,
+           "%s: long_help or help is missing" % proxy.name)
+    expect(texts.headers[proxy.class_name].brief, "%s has no brief" % proxy.class_name)
+    for prop in proxy.properties:
+        where = "%s: %s" % (proxy.name, prop.get("name"))
+        text = texts.find(proxy, prop)
+        expect(text and len(text.meaning.split()) >= 4, "%s has no text" % where)
         command = prop.get("command", "")
-        commands.add(command)
-        if prop.tag == "InputProperty" or prop.get("information_only") == "1":
+        if not text or not command.startswith("Set") or prop.get("information_only") == "1":
             continue
-        expect(prop.get("name") in documented or command == "GetHorizonSelection",
-               "%s: %s is not in the table of %s" % (where, prop.get("name"), page.name))
-        if command.startswith("Set") and command not in NO_GETTER:
-            check_default(where, prop, algorithm, documented)
-    check_setters(where, cls, commands)
+        expect(text.default or command == "SetInputConnection", "%s has no default in its text" % where)
+        if prop.tag != "InputProperty" and command not in NO_GETTER:
+            values = texts.values(proxy, prop)
+            check_default(where, prop, algorithm, text, values)
+            check_range(where, prop, text, values)
+    check_setters(proxy.name, cls, {prop.get("command") for prop in proxy.properties})
 
 
 def main():
-    xml_folder, documentation = (pathlib.Path(argument) for argument in sys.argv[1:3])
-    proxies = {proxy.get("name"): proxy for file in sorted(xml_folder.glob("*.xml"))
-               for kind in ("SourceProxy", "WriterProxy") for proxy in ElementTree.parse(file).iter(kind)}
-    expect(len(proxies) >= 5, "only %d proxies in %s" % (len(proxies), xml_folder))
-    for proxy in proxies.values():
-        if proxy.get("class"):  # others are bases
-            check_proxy(proxy, list_properties(proxy, proxies), documentation)
+    texts = property_texts.Texts(TREE)
+    proxies = [proxy for proxy in texts.proxies.values() if not proxy.is_base]
+    expect(len(proxies) >= 20, "only %d proxies" % len(proxies))
+    for proxy in proxies:
+        check_proxy(proxy, texts)
+    for path, text, fresh in texts.pages():
+        expect(text == fresh, "%s: its table is not that of the texts: build the target texts" % path.name)
     for problem in problems:
         print(problem)
     sys.exit(1 if problems else 0)

@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The collection of help pages that the "?" button opens has a page for each proxy.
+"""The collection of help pages that the "?" button opens has a page for each proxy, with the text of each property.
 
-Arguments: the folder of the XML files and the compiled collection (.qch, a database of SQLite).
+Arguments: the folder of the XML files with help, and the compiled collection (.qch, a database of SQLite).
 """
 
+import html
 import pathlib
+import re
 import sqlite3
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -29,6 +31,10 @@ def main():
                 page = pages["%s.%s.html" % (group.get("name"), proxy.get("name"))]
                 assert proxy.get("label") in page, proxy.get("name")
                 assert proxy.find("Documentation").get("long_help") in page, proxy.get("name")
+                shown = " ".join(html.unescape(re.sub("<[^>]*>", " ", page)).split())
+                for prop in (element for element in proxy if element.tag.endswith("Property")):
+                    text = " ".join(prop.find("Documentation").text.split())
+                    assert text in shown, (proxy.get("name"), prop.get("name"))
                 proxies += 1
     assert proxies >= 5, proxies
     print("%d pages" % proxies)

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The rooms of Documentation/Architecture.md, and what each may include, are those of the code. Argument: source tree.
 
-Every folder with C++ sources is a row of the table there. A file includes files of its own room by their names, and
-others by paths that lead to rooms its row names; only rooms with VTK in their row include it. Files and functions keep
-within their budgets.
+Every folder with C++ sources of the product is in a row of the table there. A file includes files of its own room by
+their names, and others by paths that lead to rooms its row names; only rooms with VTK in their row include it. Files and
+functions keep within their budgets.
 """
 
 import ast
@@ -12,7 +12,9 @@ import pathlib
 import re
 import sys
 
+FREE = ("Testing", "Utilities")  # these may use all
 MOST_LINES = 400
+MOST_LINES_OF_METHOD = 900  # a file of plain C++, which reads from top to bottom
 MOST_LINES_OF_FUNCTION = 60
 
 
@@ -21,8 +23,9 @@ def read_table(page):
     rooms = {}
     for line in page.read_text(encoding="utf-8").splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if len(cells) == 3 and re.fullmatch(r"`[\w/]+`", cells[0]):
-            rooms[cells[0].strip("`")] = set(re.findall(r"`([\w/]+)`", cells[2]) + re.findall(r"\bVTK\b", cells[2]))
+        if len(cells) == 3 and cells[0].startswith("`"):
+            for room in re.findall(r"`([\w/]+)`", cells[0]):
+                rooms[room] = set(re.findall(r"`([\w/]+)`", cells[2]) + re.findall(r"\bVTK\b", cells[2]))
     return rooms
 
 
@@ -65,7 +68,9 @@ def check_file(tree, path, rooms):
 def check_length(tree, path):
     where = path.relative_to(tree).as_posix()
     lines = len(path.read_text(encoding="utf-8").splitlines())
-    return ["%s: %d lines, expected at most %d" % (where, lines, MOST_LINES)] if lines > MOST_LINES else []
+    is_method = where.startswith("Filters/Algorithms/") and path.suffix == ".cxx"
+    most = MOST_LINES_OF_METHOD if is_method else MOST_LINES
+    return ["%s: %d lines, expected at most %d" % (where, lines, most)] if lines > most else []
 
 
 def functions_of(path):
@@ -110,7 +115,8 @@ def main():
     wrong = ["the room %s is not there" % room for room in rooms if not (tree / room).is_dir()]
     wrong += check_cycles(rooms)
     for path in sources:
-        wrong += check_file(tree, path, rooms)
+        if path.relative_to(tree).parts[0] not in FREE:
+            wrong += check_file(tree, path, rooms)
     for path in sources + scripts:
         wrong += check_length(tree, path) + check_functions(tree, path)
     print("\n".join(wrong) or "%d files in %d rooms" % (len(sources), len(rooms)))

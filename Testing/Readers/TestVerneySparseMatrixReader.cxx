@@ -40,7 +40,9 @@ void ArraysAreComplete()
   vtkPolyData* const horizon = GetHorizon(reader, 1);
   vtkPointData* const data = horizon->GetPointData();
   CHECK(horizon->GetNumberOfPoints() == 2 && horizon->GetPoints()->GetDataType() == VTK_DOUBLE);
-  CHECK(data->GetNumberOfArrays() == 5);
+  CHECK(data->GetNumberOfArrays() == 6);
+  const auto* const column = GetArray<vtkIntArray>(data, "Column", 2, 2)->GetPointer(2);
+  CHECK(column[0] == 1 && column[1] == 1);
   CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 2, 1)->GetValue(1) == 7);
   CHECK(GetArray<vtkIntArray>(data, "VerticalIndex", 2, 1)->GetValue(1) == 6);
   CHECK(data->GetScalars() == data->GetArray("VerticalIndex"));

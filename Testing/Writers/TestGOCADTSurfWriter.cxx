@@ -256,11 +256,12 @@ void PartsComeBack()
   CheckSameTriangles(GetHorizon(back, 0), GetHorizon(again, 0));
 }
 
-void CheckError(vtkGOCADTSurfWriter* writer, const std::string& message)
+void CheckError(
+  vtkGOCADTSurfWriter* writer, const std::string& message, unsigned long code = vtkErrorCode::UnknownError)
 {
   const Errors errors(writer);
   CHECK_EQUAL(writer->Write(), 0);
-  CHECK_EQUAL(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UnknownError));
+  CHECK_EQUAL(writer->GetErrorCode(), code);
   CHECK_EQUAL(errors.Count(), 1u);
   CHECK(errors.FirstContains(message));
   if (!errors.FirstContains(message))
@@ -302,13 +303,16 @@ void WrongPlacesGiveOneErrorEach()
   const auto mesh = MakeMesh(0);
   vtkNew<vtkGOCADTSurfWriter> nameless;
   nameless->SetInputData(mesh);
-  CheckError(nameless, "no FileName, expected the path of a file");
-  CheckError(MakeWriter(mesh, "none/x.ts"), "/none/x.ts: a file in a folder that is not there");
+  CheckError(nameless, "no FileName, expected the path of a file", vtkErrorCode::NoFileNameError);
+  CheckError(MakeWriter(mesh, "none/x.ts"), "/none/x.ts: a file in a folder that is not there",
+    vtkErrorCode::CannotOpenFileError);
   const auto full = MakeWriter(mesh, "x");
   full->SetFileName("/dev/full");
-  CheckError(full, "/dev/full: Horizon 7: writing failed behind 0 bytes, expected room for the rest of the file");
+  CheckError(full, "/dev/full: Horizon 7: writing failed behind 0 bytes, expected room for the rest of the file",
+    vtkErrorCode::OutOfDiskSpaceError);
   full->SetFileName((Folder + "/x.ts").c_str());
   Write(full); // works after an error
+  CHECK_EQUAL(full->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 }
 
 void AllIsPrinted()

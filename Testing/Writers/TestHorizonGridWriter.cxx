@@ -270,8 +270,29 @@ void BrokenHorizonsAreRefused()
     "point ids 0 to 36 in triangle 0, expected 0 to 35");
   check([](vtkPolyData* data) { data->GetFieldData()->GetArray("LineNumbers")->FillComponent(1, 0.0); },
     "LineNumbers (100, 0, 7, 1), expected finite numbers, and steps other than 0");
-  check([](vtkPolyData* data) { data->GetFieldData()->GetArray("LatticeDimensions")->Fill(100000.0); },
-    "lattice of 100000 x 100000 columns, expected less than 2^31");
+}
+
+/// A grid would have a value for each of 10^10 columns; text has a line for each point, and the same as in a small
+/// lattice.
+void FarColumnsAreOnlyListed()
+{
+  const auto picks = ReadPicks(MakePicks("Top", false));
+  vtkPolyData* const horizon = GetHorizon(picks->GetOutput(), 0);
+  auto far = vtkSmartPointer<vtkPolyData>::New();
+  far->DeepCopy(horizon);
+  far->GetFieldData()->GetArray("LatticeDimensions")->Fill(100000.0);
+  vtkNew<vtkHorizonGridWriter> grid;
+  CheckRefused(grid, far,
+    "lattice of 100000 x 100000 columns, expected less than 2^31 in all for a file that lists them; "
+    "the horizon has 35 points");
+  for (const bool isFar : { false, true })
+  {
+    vtkNew<vtkHorizonTextWriter> text;
+    text->SetInputDataObject(isFar ? far.Get() : horizon);
+    text->SetFileName((Folder + (isFar ? "/far.dat" : "/near.dat")).c_str());
+    CHECK_EQUAL(text->Write(), 1);
+  }
+  CHECK_EQUAL(ReadText(Folder + "/far.dat"), ReadText(Folder + "/near.dat"));
 }
 
 /// What can not be printed has no place in a name, and would not be read again.
@@ -302,6 +323,7 @@ int TestHorizonGridWriter(int argc, char* argv[])
   TextOfOneWithoutLines();
   WhatCanNotBeIsRefused();
   BrokenHorizonsAreRefused();
+  FarColumnsAreOnlyListed();
   NamesCanBePrinted();
   return Check::Result();
 }

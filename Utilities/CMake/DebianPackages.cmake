@@ -41,7 +41,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
 
 seismichorizons_package(development libvtkseismichorizons-dev
-  "C++ headers of the VTK module VTK::SeismicHorizons, and its description for CMake.")
+  "C++ headers of the VTK module SeismicHorizons::SeismicHorizons, and its description for CMake.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${same_library}, paraview-dev")
 

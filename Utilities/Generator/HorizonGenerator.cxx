@@ -75,7 +75,7 @@ SparseMatrixSize HorizonGenerator::FindSize(const HorizonGeneratorOptions& optio
   double occupied = 0.0;
   for (int position = 0; position < options.NumberOfHorizons; ++position)
   {
-    occupied += static_cast<double>(generator.MakeHorizon(position).I.size());
+    occupied += static_cast<double>(generator.MakeHorizon(position).Column.size());
   }
   occupied /= static_cast<double>(probe.Size[0]) * probe.Size[1];
   const double scale = std::sqrt(static_cast<double>(numberOfVoxels) / occupied / options.Size[0] / options.Size[1]);
@@ -158,8 +158,7 @@ HorizonVoxels HorizonGenerator::MakeHorizon(int position) const
     this->MakeRow(position, j, row);
     for (const RowVoxel& entry : row)
     {
-      horizon.I.push_back(entry.I);
-      horizon.J.push_back(j);
+      horizon.Column.push_back({ entry.I, j });
       horizon.K.push_back(entry.Voxel.VerticalIndex);
       horizon.Thickness.push_back(entry.Voxel.Thickness);
       horizon.Amplitude.push_back(entry.Voxel.Amplitude);

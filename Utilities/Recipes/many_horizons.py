@@ -32,6 +32,7 @@ def mesh_file(path, folder, error):
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(folder / file_name(path, str(name))))
         writer.SetInputData(mesh)
+        writer.SetDataModeToBinary()  # some readers of VTK stumble over appended data
         if not writer.Write():
             raise OSError("%s can not be written" % writer.GetFileName())
         yield {"file": path.name, "horizon": name, "points": points.GetNumberOfPoints(),

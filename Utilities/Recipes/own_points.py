@@ -57,6 +57,7 @@ def main():
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(arguments.mesh)
     writer.SetInputData(mesh)
+    writer.SetDataModeToBinary()  # some readers of VTK stumble over appended data
     writer.Write()
 
 

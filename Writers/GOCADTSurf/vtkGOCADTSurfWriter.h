@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGOCADTSurfWriter
- * @brief   writes meshes of horizons as triangulated surfaces of GOCAD (.ts)
+ * @brief   writes horizon meshes as triangulated surfaces of GOCAD (.ts)
  *
  * Each horizon becomes an object of the type TSurf, all of them in one file, in text
  * (Documentation/GOCADTSurfWriter.md). It has the name of its block, else "Horizon <ID>" by the surface ID of its first
@@ -36,7 +36,7 @@ public:
   vtkTypeMacro(vtkGOCADTSurfWriter, vtkHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where z of the file grows to.
+  /// Values of VerticalPositive.
   enum VerticalSense
   {
     Elevation = 0,
@@ -45,9 +45,9 @@ public:
 
   ///@{
   /**
-   * Where z of the file grows to, its ZPOSITIVE. z of the input always grows upwards. Elevation: upwards, as it is.
-   * Depth: downwards; z is written as its negative, and triangles are turned around, so that they face the same side.
-   * Default: Elevation.
+   * The direction in which z of the file increases (ZPOSITIVE); z of the data always increases upwards. Elevation:
+   * upwards, with z as it is. Depth: downwards, for depth or time; z is written as its negative, and triangles are
+   * flipped so that they face the same side. Default: Elevation.
    */
   vtkSetClampMacro(VerticalPositive, int, Elevation, Depth);
   vtkGetMacro(VerticalPositive, int);
@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * The unit of z that the file states, as "m", "ft", "ms" or "s". Numbers are not converted. Default: empty, which
-   * takes the field data VerticalUnit of each horizon, and "m" where there are none.
+   * The unit of z that the file states, such as m, ft, ms or s; numbers are not converted. Empty: that of the data
+   * (field data VerticalUnit), else m. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * The unit of x and y that the file states. Numbers are not converted. Default: empty, which takes the field data
-   * HorizontalUnit of each horizon, and "m" where there are none.
+   * The unit of x and y that the file states, such as m or ft; numbers are not converted. Empty: that of the data
+   * (field data HorizontalUnit), else m. Range: any text. Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
@@ -75,8 +75,8 @@ public:
 
   ///@{
   /**
-   * The name of the coordinate system that the file states. Coordinates are not converted. Default: empty, which takes
-   * the field data CoordinateSystem of each horizon, and "Default", GOCAD's own word, where there are none.
+   * The name of the coordinate system that the file states; coordinates are not converted. Empty: that of the data
+   * (field data CoordinateSystem), else Default, GOCAD's own word for none. Range: any text. Default: empty.
    */
   vtkSetStringMacro(CoordinateSystemName);
   vtkGetStringMacro(CoordinateSystemName);
@@ -84,9 +84,11 @@ public:
 
   ///@{
   /**
-   * Whether point arrays of numbers become properties, of as many numbers for each vertex as they have components. What
-   * is not finite is written as a number that stands for no value: -99999, or one with more nines where the array has
-   * that as a value. Default: on.
+   * Whether point arrays of numbers are written as properties of the vertices. What is not finite has no value in the
+   * file. Default: on.
+   *
+   * A property has as many numbers for each vertex as the array has components. No value is -99999, or a number with
+   * more nines where the array has that as a value.
    */
   vtkSetMacro(WriteAttributes, bool);
   vtkGetMacro(WriteAttributes, bool);
@@ -95,8 +97,8 @@ public:
 
   ///@{
   /**
-   * Whether the border is written (BSTONE and BORDER): one section for each loop of the sides that belong to one
-   * triangle alone. Default: on.
+   * Whether the border of each surface is written (BSTONE and BORDER), its outlines and holes; without it, modelling
+   * programs find the border themselves or take the surface as closed. Default: on.
    */
   vtkSetMacro(WriteBorders, bool);
   vtkGetMacro(WriteBorders, bool);

@@ -96,7 +96,7 @@ Layout FindLayout(const std::vector<double>& values)
 void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const Layout& layout)
 {
   std::replace_if(
-    name.begin(), name.end(), [](char c) { return c == ',' || c == '@' || (c >= 0 && c < ' '); }, ' ');
+    name.begin(), name.end(), [](char c) { return c == ',' || c == '@' || static_cast<unsigned char>(c) < ' '; }, ' ');
   output.Write('@' + name + " HEADER, GRID, " + std::to_string(ValuesInLine));
   output.EndLine();
   output.Write(

@@ -24,7 +24,7 @@ void vtkHorizonGridWriter::PrintHorizons(
   const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
 {
   const NamedHorizon& horizon = horizons.front();
-  HorizonGrid grid = SampleHorizon(horizon.Data, this->VerticalSign(horizon.Data), monitor.Step(0.0, 0.5));
+  HorizonGrid grid = SampleWholeLattice(horizon.Data, this->VerticalSign(horizon.Data), monitor.Step(0.0, 0.5));
   grid.Name = horizon.Name;
   (this->WritesZmap() ? WriteZmap : WriteIrapText)(stream, grid, monitor.Step(0.5, 1.0));
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonGridWriter
- * @brief   writes horizons as regular grids, for programs that want grids
+ * @brief   writes horizons as regular grids
  *
  * A grid covers the lattice of its horizon; columns without a point have the null value of the format
  * (Documentation/HorizonGridFormats.md). A file holds one grid: of several horizons each goes into a file of its own,
@@ -25,7 +25,7 @@ public:
   vtkTypeMacro(vtkHorizonGridWriter, vtkLatticeHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The formats of grids that are written.
+  /// Values of Format.
   enum GridKind
   {
     ByExtension = 0,
@@ -35,9 +35,9 @@ public:
 
   ///@{
   /**
-   * The format. ByExtension: ZMAP+ for files whose name ends in .zmap or .zmp, in letters of either case, and IRAP
-   * classic ASCII for others. IrapText: IRAP classic ASCII, for lattices with perpendicular steps, turned or not. Zmap:
-   * ZMAP+, for lattices along the axes. Default: ByExtension.
+   * The format of the file. ByExtension: ZMAP+ for names that end in .zmap or .zmp, IRAP classic ASCII for others.
+   * IrapText: IRAP classic ASCII, for lattices with perpendicular steps, rotated or not. Zmap: ZMAP+, for lattices
+   * along the axes. Default: ByExtension.
    */
   vtkSetClampMacro(Format, int, ByExtension, Zmap);
   vtkGetMacro(Format, int);

@@ -40,7 +40,7 @@ void PrintNumber(TextPrinter& printer, double number, const std::string& name)
 }
 
 /// The values of an attribute, or null where a horizon has none of that name.
-const std::vector<double>* FindAttribute(const HorizonGrid& horizon, const std::string& name)
+const std::vector<double>* FindAttribute(const HorizonColumns& horizon, const std::string& name)
 {
   const auto found = std::find_if(horizon.Attributes.begin(), horizon.Attributes.end(),
     [&name](const PickAttribute& attribute) { return attribute.Name == name; });
@@ -51,7 +51,7 @@ const std::vector<double>* FindAttribute(const HorizonGrid& horizon, const std::
 class LinePrinter
 {
 public:
-  LinePrinter(std::ostream& stream, const HorizonGrid& horizon, const PrintedColumns& columns)
+  LinePrinter(std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns)
     : Printer(stream)
     , Horizon(horizon)
     , Columns(columns)
@@ -65,24 +65,26 @@ public:
 
   void Print(const Monitor& monitor)
   {
-    std::size_t node = 0;
-    const auto [width, height] = this->Horizon.Lattice.Columns;
-    for (int j = 0; j < height; ++j)
-    {
-      monitor.Progress(double(j) / height);
-      for (int i = 0; i < width; ++i, ++node)
+    int row = -1;
+    this->Horizon.Tiles.ForEachPlace(
+      [&](int i, int j, std::size_t index)
       {
-        if (!std::isnan(this->Horizon.Z[node]))
+        if (std::isnan(this->Horizon.Z[index]))
         {
-          this->PrintLine(i, j, node);
+          return;
         }
-      }
-    }
+        if (j != row)
+        {
+          row = j;
+          monitor.Progress(double(j) / this->Horizon.Lattice.Columns[1]);
+        }
+        this->PrintLine(i, j, index);
+      });
     this->Printer.Flush();
   }
 
 private:
-  void PrintLine(int i, int j, std::size_t node)
+  void PrintLine(int i, int j, std::size_t index)
   {
     if (this->Columns.HasNames)
     {
@@ -102,18 +104,18 @@ private:
     this->Printer.Print('\t');
     this->Printer.Print(place.y());
     this->Printer.Print('\t');
-    PrintNumber(this->Printer, this->Horizon.Z[node], "z");
+    PrintNumber(this->Printer, this->Horizon.Z[index], "z");
     for (std::size_t n = 0; n < this->Values.size(); ++n)
     {
       this->Printer.Print('\t');
-      const double value = this->Values[n] ? (*this->Values[n])[node] : std::nan("");
+      const double value = this->Values[n] ? (*this->Values[n])[index] : std::nan("");
       PrintNumber(this->Printer, value, this->Columns.Attributes[n]);
     }
     this->Printer.Print('\n');
   }
 
   TextPrinter Printer;
-  const HorizonGrid& Horizon;
+  const HorizonColumns& Horizon;
   const PrintedColumns& Columns;
   const std::string Name;
   std::vector<const std::vector<double>*> Values;
@@ -140,7 +142,8 @@ void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PrintPicks(std::ostream& stream, const HorizonGrid& horizon, const PrintedColumns& columns, const Monitor& monitor)
+void PrintPicks(
+  std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns, const Monitor& monitor)
 {
   LinePrinter(stream, horizon, columns).Print(monitor);
 }

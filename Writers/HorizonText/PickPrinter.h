@@ -28,8 +28,8 @@ void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns);
 /// Prints a line for each column of the lattice that has a z: perhaps the name in quotes, inline and crossline, x, y, z
 /// and the attributes, separated by tabs; 1e30 where there is no value. Throws InputError on a z or an attribute that
 /// would be read as none.
-void PrintPicks(
-  std::ostream& stream, const HorizonGrid& horizon, const PrintedColumns& columns, const Monitor& monitor = Monitor());
+void PrintPicks(std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns,
+  const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -44,27 +44,27 @@ void vtkHorizonTextWriter::PrintHorizons(
     const auto size = static_cast<double>(horizons.size());
     return step.Step(static_cast<double>(number) / size, static_cast<double>(number + 1) / size);
   };
-  std::vector<HorizonGrid> grids;
+  std::vector<HorizonColumns> sampled;
   for (const NamedHorizon& horizon : horizons)
   {
-    const Monitor step = part(grids.size(), monitor.Step(0.0, 0.5));
+    const Monitor step = part(sampled.size(), monitor.Step(0.0, 0.5));
     PrefixErrors(horizon.Name,
       [&]()
       {
         const int sign = this->VerticalSign(horizon.Data);
-        grids.push_back(SampleHorizon(horizon.Data, sign, step));
+        sampled.push_back(SampleHorizon(horizon.Data, sign, step));
       });
-    grids.back().Name = horizon.Name;
-    columns.HasLines = columns.HasLines && grids.back().Lattice.Lines;
+    sampled.back().Name = horizon.Name;
+    columns.HasLines = columns.HasLines && sampled.back().Lattice.Lines;
     if (this->WriteAttributes)
     {
-      AddNew(columns.Attributes, grids.back().Attributes);
+      AddNew(columns.Attributes, sampled.back().Attributes);
     }
   }
   PrintPickHeader(stream, columns);
-  for (std::size_t number = 0; number < grids.size(); ++number)
+  for (std::size_t number = 0; number < sampled.size(); ++number)
   {
-    PrintPicks(stream, grids[number], columns, part(number, monitor.Step(0.5, 1.0)));
+    PrintPicks(stream, sampled[number], columns, part(number, monitor.Step(0.5, 1.0)));
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonTextWriter
- * @brief   writes horizons as picks: lines of inline, crossline, x, y, z and attributes
+ * @brief   writes horizons as lines of text: inline, crossline, x, y, z and attributes
  *
  * A line for each column, in the form of OpendTect: separated by tabs, with a header of one line; 1e30 where an
  * attribute has no value. Inline and crossline are written where all horizons have LineNumbers in their field data.
@@ -28,7 +28,8 @@ public:
 
   ///@{
   /**
-   * Whether attributes are written. Default: on.
+   * Whether point arrays of real numbers, other than those of the stages, are written as attributes; only horizons
+   * without triangles have them. Default: on.
    */
   vtkSetMacro(WriteAttributes, bool);
   vtkGetMacro(WriteAttributes, bool);

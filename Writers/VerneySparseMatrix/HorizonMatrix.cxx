@@ -133,13 +133,12 @@ std::optional<int> ReadSurfaceId(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 HorizonVoxels ReadVoxels(vtkPolyData* horizon, int surfaceId)
 {
-  const LatticePoints points = ReadPoints(horizon);
+  const LatticePoints points = ReadColumns(horizon, {});
   HorizonVoxels voxels;
   voxels.SurfaceId = surfaceId;
-  for (const PlanePoint& column : ToColumns(points.Plane, points.Grid))
+  for (const PlanePoint& column : points.Column)
   {
-    voxels.I.push_back(column.X);
-    voxels.J.push_back(column.Y);
+    voxels.Column.push_back({ column.X, column.Y });
   }
   voxels.K = ReadIndices(horizon, points.Height);
   voxels.Thickness = ReadNumbers(horizon, PointArray::Thickness, 1.0);

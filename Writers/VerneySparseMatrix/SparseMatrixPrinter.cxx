@@ -38,10 +38,10 @@ public:
     for (std::size_t horizon = 0; horizon < matrix.Horizons.size(); ++horizon)
     {
       const HorizonVoxels& voxels = matrix.Horizons[horizon];
-      for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
+      for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)
       {
         this->CheckVoxel(voxels, voxel);
-        const std::int64_t column = voxels.I[voxel] + std::int64_t(matrix.Size[0]) * voxels.J[voxel];
+        const std::int64_t column = voxels.Column[voxel].X + std::int64_t(matrix.Size[0]) * voxels.Column[voxel].Y;
         this->Voxels.push_back({ column, std::uint32_t(horizon), std::uint32_t(voxel) });
       }
     }
@@ -96,7 +96,7 @@ private:
 
   void CheckVoxel(const HorizonVoxels& horizon, std::size_t voxel) const
   {
-    const std::array<int, 3> place = { horizon.I[voxel], horizon.J[voxel], horizon.K[voxel] };
+    const std::array<int, 3> place = { horizon.Column[voxel].X, horizon.Column[voxel].Y, horizon.K[voxel] };
     for (std::size_t axis = 0; axis < place.size(); ++axis)
     {
       if (place[axis] < 0 || place[axis] >= this->Matrix.Size[axis])

@@ -51,7 +51,7 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
       [&]()
       {
         const SparseMatrixSize size = ReadMatrixSize(horizon.Data);
-        CountColumns(size[0], size[1]);
+        CountColumns(size[0], size[1], horizon.Data->GetNumberOfPoints());
         matrix.Size = given.empty() ? size : matrix.Size;
         if (size != matrix.Size)
         {

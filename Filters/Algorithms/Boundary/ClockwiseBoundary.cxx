@@ -3,10 +3,9 @@
 
 #include "ClockwiseBoundary.h"
 
-#include "ColumnRaster.h"
+#include "Common/ColumnIndex.h"
 #include "CutFaces.h"
-#include "FaceWalk.h"
-#include "Islands.h"
+#include "Hops.h"
 #include "PatchComponents.h"
 #include "PlanarHops.h"
 #include "SeamGaps.h"
@@ -25,9 +24,9 @@ constexpr std::size_t SmallestWalkToRemember = 16;
 constexpr std::size_t Batch = 256; // points from one report of progress to the next
 
 std::unique_ptr<const CutBlocks> FindCutBlocks(
-  const BoundaryOptions& options, const std::vector<PlanePoint>& columns, const ColumnRaster& raster)
+  const BoundaryOptions& options, PlanePoints columns, const ColumnIndex& index)
 {
-  return options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, columns, raster) : nullptr;
+  return options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, columns, index) : nullptr;
 }
 
 /// Walks the faces of the graph: first the outlines of all components, then the holes. With cuts, holes are walked that
@@ -35,25 +34,25 @@ std::unique_ptr<const CutBlocks> FindCutBlocks(
 class FaceFinder
 {
 public:
-  FaceFinder(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
-    const Monitor& monitor)
-    : Columns(columns)
+  FaceFinder(
+    const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams, const Monitor& monitor)
+    : Columns(index.Columns())
     , Options(options)
-    , Raster(columns, 2 * options.Radius)
-    , Hops(options.Radius, this->Raster.Width())
-    , Gaps(columns, this->Raster, options, seams)
-    , Blocks(FindCutBlocks(options, columns, this->Raster))
-    , Graph(this->Raster, this->Hops, this->Gaps, this->Blocks.get(), monitor)
-    , Parts(options.Cuts ? FindHopComponents(columns, this->Raster, this->Hops, this->Graph)
-                         : FindPatchComponents(this->Raster, columns.size(), options.Radius))
+    , Index(index)
+    , Hops(options.Radius, this->Index.Width())
+    , Gaps(this->Columns, this->Index, options, seams)
+    , Blocks(FindCutBlocks(options, this->Columns, this->Index))
+    , Graph(this->Index, this->Hops, this->Gaps, this->Blocks.get(), monitor)
+    , Parts(options.Cuts ? FindHopComponents(this->Columns, this->Index, this->Hops, this->Graph)
+                         : FindPatchComponents(this->Index, this->Columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
     , WalksHoles(options.HoleBoundaries || options.Cuts)
   {
     if (options.Cuts)
     {
-      this->Cracks.emplace(columns, this->Raster, this->Hops, *this->Blocks);
+      this->Cracks.emplace(this->Columns, this->Index, this->Hops, *this->Blocks);
     }
-    this->Gaps.Join(this->Raster, this->Parts);
+    this->Gaps.Join(this->Index, this->Parts);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)
@@ -72,7 +71,7 @@ public:
 
   std::vector<CrackSide> FindCrackSides() const
   {
-    return FindCrackFaces(this->Columns, this->Raster, this->Hops, this->Graph);
+    return FindCrackFaces(this->Columns, this->Index, this->Hops, this->Graph);
   }
 
 private:
@@ -149,7 +148,7 @@ private:
   void Walk(std::int64_t start, HopId first)
   {
     const auto next = [this](std::int64_t place, HopId from) { return this->Graph.Next(place, from); };
-    WalkFace(this->Raster, this->Hops, start, first, next, this->Steps);
+    WalkFace(this->Index, this->Hops, start, first, next, this->Steps);
   }
 
   /// Remembers the hops of the last walk.
@@ -157,7 +156,7 @@ private:
   {
     for (const FaceStep& step : this->Steps)
     {
-      this->Walked[this->Graph.NumberOf(this->Raster.Place(this->Columns[std::size_t(step.Point)]), step.Hop)] = true;
+      this->Walked[this->Graph.NumberOf(this->Index.Place(this->Columns[step.Point]), step.Hop)] = true;
     }
     this->Walked.back() = false; // the graph has this number for all hops between points that are not beside gaps
   }
@@ -165,8 +164,7 @@ private:
   /// Leaves out the outlines of islands that belong to another patch, and numbers the patches.
   ExteriorBoundary Collect()
   {
-    const std::vector<std::int32_t> patchOf =
-      AssignIslands(this->Columns, this->Raster, this->Parts.First, this->Faces);
+    const std::vector<std::int32_t> patchOf = AssignIslands(this->Columns, this->Index, this->Parts.First, this->Faces);
     ExteriorBoundary result;
     std::vector<std::int32_t> number(patchOf.size(), NoPatch);
     for (std::size_t part = 0; part < number.size(); ++part)
@@ -185,14 +183,14 @@ private:
     result.Patch = std::move(this->Parts.Component);
     for (std::int32_t& patch : result.Patch)
     {
-      patch = number[std::size_t(patchOf[std::size_t(patch)])];
+      patch = number[patchOf[patch]];
     }
     return result;
   }
 
-  const std::vector<PlanePoint>& Columns;
+  const PlanePoints Columns;
   const BoundaryOptions& Options;
-  const ColumnRaster Raster;
+  const ColumnIndex& Index;
   const HopVectors Hops;
   const SeamGaps Gaps;
   const std::unique_ptr<const CutBlocks> Blocks; // with cuts
@@ -207,10 +205,10 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+ExteriorBoundary FindClockwiseBoundary(const ColumnIndex& index, const BoundaryOptions& options,
   const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
-  FaceFinder finder(columns, options, seams, monitor.Step(0.0, 0.5));
+  FaceFinder finder(index, options, seams, monitor.Step(0.0, 0.5));
   cracks = finder.FindCrackSides();
   return finder.Run(monitor.Step(0.5, 1.0));
 }

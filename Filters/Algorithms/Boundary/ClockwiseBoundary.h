@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsClockwiseBoundary_h
 #define SeismicHorizonsClockwiseBoundary_h
 
-#include "CrackFaces.h"
+#include "CutFaces.h"
 #include "ExteriorBoundary.h"
 
 #include <vector>
@@ -18,7 +18,7 @@ struct SeamPresence;
 
 /// As FindExteriorBoundary, but for MinimumPatchSize and for checks of the options. Its cracks are given by the sides
 /// of their faces, for FindCracks.
-ExteriorBoundary FindClockwiseBoundary(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
+ExteriorBoundary FindClockwiseBoundary(const ColumnIndex& index, const BoundaryOptions& options,
   const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor);
 }
 

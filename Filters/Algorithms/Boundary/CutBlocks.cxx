@@ -10,9 +10,9 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-CutBlocks::CutBlocks(const LinkCuts& cuts, const std::vector<PlanePoint>& columns, const ColumnRaster& raster)
-  : Width(raster.Width())
-  , Flags(std::size_t(raster.Width() * raster.Height()), 0)
+CutBlocks::CutBlocks(const LinkCuts& cuts, PlanePoints columns, const ColumnIndex& index)
+  : Width(index.Width())
+  , Flags(std::size_t(index.Width() * index.Height()), 0)
 {
   const PlaneBox box(columns);
   for (std::int32_t y = box.Least.Y; y <= box.Greatest.Y; ++y)
@@ -23,7 +23,7 @@ CutBlocks::CutBlocks(const LinkCuts& cuts, const std::vector<PlanePoint>& column
         (cuts.IsCutEast({ x, y }) ? unsigned(CutEast) : 0U) | (cuts.IsCutNorth({ x, y }) ? unsigned(CutNorth) : 0U);
       if (flags != 0)
       {
-        this->Add(raster.Place({ x, y }), flags);
+        this->Add(index.Place({ x, y }), flags);
       }
     }
   }

@@ -19,7 +19,7 @@
 #ifndef SeismicHorizonsCutBlocks_h
 #define SeismicHorizonsCutBlocks_h
 
-#include "ColumnRaster.h"
+#include "Common/ColumnIndex.h"
 #include "Common/LinkCuts.h"
 #include "Common/Types.h"
 
@@ -28,12 +28,12 @@
 
 namespace SeismicHorizons
 {
-/// A byte for each column of a raster.
+/// A byte for each column of a index.
 class CutBlocks
 {
 public:
-  /// The raster is that of the columns, and has a rim of one at least.
-  CutBlocks(const LinkCuts& cuts, const std::vector<PlanePoint>& columns, const ColumnRaster& raster);
+  /// The index is that of the columns, and has a rim of one at least.
+  CutBlocks(const LinkCuts& cuts, PlanePoints columns, const ColumnIndex& index);
 
   /// Whether no hop may lead from a place to a neighbour, by the step there.
   bool IsBarred(std::int64_t place, const PlanePoint& step) const
@@ -75,8 +75,8 @@ private:
     BesideOpen = 32
   };
 
-  bool Has(std::int64_t place, Flag flag) const { return (this->Flags[std::size_t(place)] & flag) != 0; }
-  void Add(std::int64_t place, unsigned flag) { this->Flags[std::size_t(place)] |= static_cast<unsigned char>(flag); }
+  bool Has(std::int64_t place, Flag flag) const { return (this->Flags[place] & flag) != 0; }
+  void Add(std::int64_t place, unsigned flag) { this->Flags[place] |= static_cast<unsigned char>(flag); }
   std::int64_t BlockAt(std::int64_t place, const PlanePoint& step) const
   {
     return place - (step.X > 0 ? 0 : 1) - (step.Y > 0 ? 0 : this->Width);

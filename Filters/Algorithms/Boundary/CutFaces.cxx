@@ -4,49 +4,200 @@
 #include "CutFaces.h"
 
 #include "Common/DisjointSets.h"
-#include "Islands.h"
+#include "ExteriorBoundary.h"
+#include "Hops.h"
+#include "PatchComponents.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace SeismicHorizons
 {
+namespace
+{
+/// The admissible hops and those across cuts as one graph.
+class WholeGraph
+{
+public:
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  WholeGraph(const HopVectors& hops, const PlanarHops& graph)
+    : Hops(hops)
+    , Graph(graph)
+    , Across(graph.HopsAcrossCuts())
+  {
+  }
+
+  /// The first hop from a place that a clockwise sweep after `from` meets, where `from` comes last.
+  HopId Next(std::int64_t place, HopId from) const
+  {
+    const HopId admissible = this->Graph.Next(place, from);
+    const HopId across = this->NextAcross(place, from);
+    if (admissible == NoHop || across == NoHop)
+    {
+      return admissible == NoHop ? across : admissible;
+    }
+    return this->Turn(from, across) < this->Turn(from, admissible) ? across : admissible;
+  }
+
+  /// The number of a hop among those across cuts.
+  std::size_t NumberOf(std::int64_t place, HopId hop) const
+  {
+    const auto found = std::lower_bound(this->Across.begin(), this->Across.end(), HopAcrossCut{ place, hop });
+    const bool isThere = found != this->Across.end() && found->Place == place && found->Hop == hop;
+    return isThere ? std::size_t(found - this->Across.begin()) : None;
+  }
+
+private:
+  HopId NextAcross(std::int64_t place, HopId from) const
+  {
+    const auto first = std::lower_bound(this->Across.begin(), this->Across.end(), HopAcrossCut{ place, 0 });
+    const auto last = std::lower_bound(first, this->Across.end(), HopAcrossCut{ place + 1, 0 });
+    const auto next = std::upper_bound(first, last, HopAcrossCut{ place, from });
+    return next != last ? next->Hop : first != last ? first->Hop : NoHop;
+  }
+
+  HopId Turn(HopId from, HopId to) const { return (to - from - 1 + this->Hops.Size()) % this->Hops.Size(); }
+
+  const HopVectors& Hops;
+  const PlanarHops& Graph;
+  const std::vector<HopAcrossCut>& Across;
+};
+
+/// Whether a face has no more columns inside than a square of hops. None of them has a point: a hop would connect it
+/// with those around it.
+bool IsCrack(const HopVectors& hops, const std::vector<FaceStep>& steps)
+{
+  const std::int64_t most = std::int64_t(hops.Radius() - 1) * (hops.Radius() - 1);
+  return MeasureFace(hops, steps).TwiceArea > 0 && ColumnsInside(hops, steps) <= most;
+}
+
+bool IsBefore(const CrackSide& a, const CrackSide& b)
+{
+  return std::tie(a.From, a.To) < std::tie(b.From, b.To);
+}
+
+/// Sides sorted by their ends.
+class SideTable
+{
+public:
+  explicit SideTable(std::vector<CrackSide> sides)
+    : Sides(std::move(sides))
+  {
+    std::sort(this->Sides.begin(), this->Sides.end(), IsBefore);
+  }
+
+  /// Null when there is none.
+  const CrackSide* Find(PointId from, PointId to) const
+  {
+    const auto found = std::lower_bound(
+      this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Lip }, IsBefore);
+    return found != this->Sides.end() && found->From == from && found->To == to ? &*found : nullptr;
+  }
+
+  /// One that begins in a point.
+  const CrackSide* FindFrom(PointId from) const
+  {
+    const auto found =
+      std::lower_bound(this->Sides.begin(), this->Sides.end(), CrackSide{ from, 0, 0, CrackSide::Kind::Lip }, IsBefore);
+    return found != this->Sides.end() && found->From == from ? &*found : nullptr;
+  }
+
+  template <typename Condition>
+  void KeepIf(Condition&& condition)
+  {
+    this->Sides.erase(std::remove_if(this->Sides.begin(), this->Sides.end(),
+                        [&](const CrackSide& side) { return !condition(side.Face); }),
+      this->Sides.end());
+  }
+
+  const std::vector<CrackSide>& All() const { return this->Sides; }
+
+private:
+  std::vector<CrackSide> Sides;
+};
+
+/// Calls visit(loop, side) for the sides that a loop runs along, or, of a loop of one point, for one that begins there.
+template <typename Visitor>
+void ForEachSideOnLoops(const SideTable& sides, const Loops& boundary, Visitor&& visit)
+{
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    const auto visitIfThere = [&](const CrackSide* side) { side ? visit(loop, *side) : void(); };
+    if (boundary.Length(loop) == 1)
+    {
+      visitIfThere(sides.FindFrom(*boundary.begin(loop)));
+    }
+    boundary.ForEachEdgeOf(loop, [&](PointId from, PointId to) { visitIfThere(sides.Find(from, to)); });
+  }
+}
+
+/// Leaves out the faces that the loops cover. Faces that a hop across a cut parts are open or covered together; those
+/// are open that a loop runs along, or that have a hop to a neighbour across a cut.
+void KeepOpen(SideTable& sides, const Loops& boundary, std::int32_t faces)
+{
+  DisjointSets regions{ std::size_t(faces) };
+  std::vector<bool> isOpen(std::size_t(faces), false);
+  ForEachSideOnLoops(sides, boundary, [&](std::size_t, const CrackSide& side) { isOpen[side.Face] = true; });
+  for (const CrackSide& side : sides.All())
+  {
+    const CrackSide* const beyond = side.What == CrackSide::Kind::Lip ? nullptr : sides.Find(side.To, side.From);
+    if (beyond)
+    {
+      regions.Join(side.Face, beyond->Face);
+    }
+    if (side.What == CrackSide::Kind::Short)
+    {
+      isOpen[side.Face] = true;
+    }
+  }
+  std::vector<bool> isRegionOpen(std::size_t(faces), false);
+  for (std::int32_t face = 0; face < faces; ++face)
+  {
+    const std::size_t region = std::size_t(regions.Find(face));
+    isRegionOpen[region] = isRegionOpen[region] || isOpen[face];
+  }
+  sides.KeepIf([&](std::int32_t face) { return isRegionOpen[regions.Find(face)]; });
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 PatchComponents FindHopComponents(
-  const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const PlanarHops& graph)
+  PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph)
 {
   DisjointSets sets(columns.size());
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    const std::int64_t place = raster.Place(columns[point]);
+    const std::int64_t place = index.Place(columns[point]);
     graph.ForEachConnection(
-      place, [&](HopId hop) { sets.Join(std::int32_t(point), std::int32_t(raster[place + hops.Offset(hop)])); });
+      place, [&](HopId hop) { sets.Join(std::int32_t(point), std::int32_t(index[place + hops.Offset(hop)])); });
   }
   PatchComponents result;
   result.Component.resize(columns.size());
   std::vector<std::int32_t> number(columns.size(), -1);
-  for (std::int64_t place = 0; place < raster.Width() * raster.Height(); ++place)
+  for (std::int64_t place = 0; place < index.Width() * index.Height(); ++place)
   {
-    const PointId point = raster[place];
+    const PointId point = index[place];
     if (point == NoPoint)
     {
       continue;
     }
-    std::int32_t& component = number[std::size_t(sets.Find(std::int32_t(point)))];
+    std::int32_t& component = number[sets.Find(std::int32_t(point))];
     if (component < 0)
     {
       component = std::int32_t(result.First.size());
       result.First.push_back(place);
     }
-    result.Component[std::size_t(point)] = component;
+    result.Component[point] = component;
   }
   return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-CutFaces::CutFaces(
-  const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const CutBlocks& blocks)
+CutFaces::CutFaces(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const CutBlocks& blocks)
   : Columns(columns)
-  , Raster(raster)
+  , Index(index)
   , Hops(hops)
   , Blocks(blocks)
   , Sides({ hops.Find({ 1, 0 }), hops.Find({ 0, 1 }), hops.Find({ -1, 0 }), hops.Find({ 0, -1 }) })
@@ -81,7 +232,7 @@ bool CutFaces::PassesCut(const std::vector<FaceStep>& steps) const
   HopId from = steps.back().Hop == NoHop ? this->Hops.Size() - 1 : this->Hops.Opposite(steps.back().Hop);
   for (const FaceStep& step : steps)
   {
-    const std::int64_t place = this->Raster.Place(this->Columns[std::size_t(step.Point)]);
+    const std::int64_t place = this->Index.Place(this->Columns[step.Point]);
     if (this->Blocks.IsBesideOpen(place))
     {
       const HopId to = step.Hop == NoHop ? from : step.Hop;
@@ -116,13 +267,13 @@ std::vector<std::int64_t> CutFaces::PlacesInOpenFaces(const std::vector<std::int
   {
     places.push_back(first[outline]);
   }
-  const std::int64_t end = this->Raster.Width() * this->Raster.Height();
-  const auto isEmpty = [this](std::int64_t place) { return this->Raster[place] == NoPoint; };
+  const std::int64_t end = this->Index.Width() * this->Index.Height();
+  const auto isEmpty = [this](std::int64_t place) { return !this->Index.Has(place); };
   for (std::int64_t place = 0; place < end; ++place)
   {
     if (isEmpty(place) && this->Blocks.IsBesideOpen(place) &&
       ((this->Blocks.IsBarred(place, { 1, 0 }) && isEmpty(place + 1)) ||
-        (this->Blocks.IsBarred(place, { 0, 1 }) && isEmpty(place + this->Raster.Width()))))
+        (this->Blocks.IsBarred(place, { 0, 1 }) && isEmpty(place + this->Index.Width()))))
     {
       places.push_back(place);
     }
@@ -142,7 +293,7 @@ Loops CutFaces::Select(const Loops& loops, const std::vector<std::int64_t>& firs
     const std::int64_t areaB = this->Faces[b].TwiceArea;
     return areaA != areaB ? areaA > areaB : a < b;
   };
-  ForEachPlaceInLoops(this->Columns, this->Raster, this->PlacesInOpenFaces(first), loops,
+  ForEachPlaceInLoops(this->Columns, this->Index, this->PlacesInOpenFaces(first), loops,
     [&](std::size_t, const std::vector<std::size_t>& around)
     {
       if (!around.empty())
@@ -159,5 +310,76 @@ Loops CutFaces::Select(const Loops& loops, const std::vector<std::int64_t>& firs
     }
   }
   return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<CrackSide> FindCrackFaces(
+  PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph)
+{
+  const WholeGraph whole(hops, graph);
+  const std::vector<HopAcrossCut>& across = graph.HopsAcrossCuts();
+  const auto next = [&whole](std::int64_t place, HopId from) { return whole.Next(place, from); };
+  std::vector<bool> walked(across.size(), false);
+  std::vector<CrackSide> sides;
+  std::vector<FaceStep> steps;
+  std::int32_t faces = 0;
+  for (std::size_t first = 0; first < across.size(); ++first)
+  {
+    if (walked[first])
+    {
+      continue;
+    }
+    WalkFace(index, hops, across[first].Place, across[first].Hop, next, steps);
+    const bool isCrack = IsCrack(hops, steps);
+    for (std::size_t n = 0; n < steps.size(); ++n)
+    {
+      const FaceStep& step = steps[n];
+      const std::size_t number = whole.NumberOf(index.Place(columns[step.Point]), step.Hop);
+      CrackSide::Kind kind = CrackSide::Kind::Lip;
+      if (number != WholeGraph::None)
+      {
+        walked[number] = true;
+        kind = ChebyshevLength(hops.Vector(step.Hop)) == 1 ? CrackSide::Kind::Short : CrackSide::Kind::Long;
+      }
+      if (isCrack)
+      {
+        sides.push_back({ step.Point, steps[(n + 1) % steps.size()].Point, faces, kind });
+      }
+    }
+    faces += isCrack ? 1 : 0;
+  }
+  return sides;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Cracks FindCracks(std::vector<CrackSide> sides, const Loops& boundary, const std::vector<std::int32_t>& patches)
+{
+  const std::int32_t faces = sides.empty() ? 0 : sides.back().Face + 1;
+  std::vector<bool> isWhole(std::size_t(faces), true);
+  for (const CrackSide& side : sides)
+  {
+    isWhole[side.Face] = isWhole[side.Face] && patches[side.From] != NoPatch;
+  }
+  SideTable table(std::move(sides));
+  table.KeepIf([&isWhole](std::int32_t face) { return isWhole[face]; });
+  KeepOpen(table, boundary, faces);
+  Cracks cracks;
+  for (const CrackSide& side : table.All())
+  {
+    if (side.What != CrackSide::Kind::Lip && !table.Find(side.To, side.From))
+    {
+      cracks.Mouths.push_back({ side.From, side.To });
+    }
+  }
+  std::vector<std::size_t> lips(boundary.Size(), 0);
+  ForEachSideOnLoops(table, boundary, [&lips](std::size_t loop, const CrackSide&) { ++lips[loop]; });
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    if (lips[loop] == boundary.Length(loop))
+    {
+      cracks.Loops.push_back(loop);
+    }
+  }
+  return cracks;
 }
 }

@@ -6,14 +6,25 @@
 // A cut link with a point at an end is passed by the sweep of a walk there. When that is the walk around a hole, the
 // hole holds the cut: a crack is such a hole, of the open blocks of its links. When it is the walk around the outline
 // of a component, the cut is in the hole that the component lies in. So are cut links between empty columns.
+//
+// The cracks between the loops of a horizon with cuts. Hops across cuts (PlanarHops.h) part what the admissible hops
+// leave open there into faces. Those with no more columns inside than a square of hops are cracks; the others are gaps
+// of missing points, or the outside. With a radius of 1 no column may be inside: faces of cracks are blocks of four
+// points and halves of blocks of three.
+//
+//     o---o---o---o---o---o       o       points
+//     |   :   :   :  /            -, |    admissible hops
+//     |   :   :   : /             :, /    hops across cuts: the slanted one is a mouth, as a point is missing beside it
+//     o---o---o---o
 
 #ifndef SeismicHorizonsCutFaces_h
 #define SeismicHorizonsCutFaces_h
 
-#include "ColumnRaster.h"
+#include "Common/ColumnIndex.h"
+#include "Common/Cracks.h"
+#include "Common/Types.h"
 #include "CutBlocks.h"
-#include "FaceWalk.h"
-#include "HopVectors.h"
+#include "Hops.h"
 #include "PatchComponents.h"
 #include "PlanarHops.h"
 
@@ -25,14 +36,13 @@ namespace SeismicHorizons
 {
 /// The components of points that the hops of a graph connect.
 PatchComponents FindHopComponents(
-  const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops, const PlanarHops& graph);
+  PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph);
 
 class CutFaces
 {
 public:
   /// Keeps references.
-  CutFaces(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const HopVectors& hops,
-    const CutBlocks& blocks);
+  CutFaces(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const CutBlocks& blocks);
 
   /// Takes the walk around the outline of the next component.
   void AddOutline(const std::vector<FaceStep>& steps);
@@ -57,14 +67,37 @@ private:
   bool IsSwept(HopId hop, HopId from, HopId to) const;
   std::vector<std::int64_t> PlacesInOpenFaces(const std::vector<std::int64_t>& first) const;
 
-  const std::vector<PlanePoint>& Columns;
-  const ColumnRaster& Raster;
+  const PlanePoints Columns;
+  const ColumnIndex& Index;
   const HopVectors& Hops;
   const CutBlocks& Blocks;
   std::array<HopId, 4> Sides; // the hops along links
   std::vector<Face> Faces; // in the order of the loops
   std::vector<std::size_t> CutOutlines; // of components, that cuts are at
 };
+
+/// A side of a face, with the face to its left.
+struct CrackSide
+{
+  enum class Kind : unsigned char
+  {
+    Lip, // an admissible hop
+    Short, // a hop to a neighbour across a cut
+    Long // a longer one: what it leads over may have no cut in it
+  };
+
+  PointId From;
+  PointId To;
+  std::int32_t Face;
+  Kind What;
+};
+
+/// The sides of all faces of cracks, face by face. Takes time for the faces beside hops across cuts.
+std::vector<CrackSide> FindCrackFaces(
+  PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph);
+
+/// What of them is open between some loops. Points without a patch are missing.
+Cracks FindCracks(std::vector<CrackSide> sides, const Loops& boundary, const std::vector<std::int32_t>& patches);
 }
 
 #endif

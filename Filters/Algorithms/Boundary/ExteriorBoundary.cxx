@@ -1,81 +1,519 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: the scan that finds all loops where hops lead to neighbours alone (also with the bridges of growth by
+// distance, and with the gaps of seams); the choice between that and the faces of the graph of longer hops
+// (ClockwiseBoundary.h); marks of points by the loops they are on.
+//
+// The surprising part: both ways only ever walk around faces of a plane graph. Which hops belong to the graph is
+// decided before, so that a walk needs no rules of its own, and can not cross itself.
 
 #include "ExteriorBoundary.h"
 
-#include "BorderScan.h"
 #include "ClockwiseBoundary.h"
+#include "Common/ColumnIndex.h"
+#include "Common/DisjointSets.h"
 #include "Common/Parameters.h"
-#include "CrackFaces.h"
-#include "EmptyBands.h"
-#include "PatchBridges.h"
+#include "CutFaces.h"
+#include "Hops.h"
 #include "SeamGaps.h"
-#include "SeamedHops.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
-ExteriorBoundary FollowNeighbours(const std::vector<PlanePoint>& columns, const ColumnRaster& raster,
-  const BoundaryOptions& options, const Monitor& monitor)
+// Finds all loops in one pass over the lattice, where patches are connected from column to neighbouring column (Suzuki
+// and Abe, "Topological structural analysis of digitized binary images by border following", 1985).
+//
+// The rows are read from left to right, and at every column it is known whether it lies inside a patch. Where a row
+// comes from outside to a point that no walk has visited yet, a new patch begins, and its outline is walked at once.
+// The walk marks the points that have its outer side to their right: there the rows leave the patch. All points between
+// entering and leaving a patch belong to it. The loop of a hole is walked where a row meets the hole first, and what is
+// in the hole counts as outside then. In a hole that gets no loop everything belongs to the patch, islands included.
+//
+//      . . # # # . .        The row in the middle enters the patch at its first point, and leaves it at its second one,
+//      . . # . # . .        which the walk around the patch has marked. The empty column between them is in a hole.
+//      . . # # # . .
+
+/// What a sweep around a point found.
+struct SweepResult
 {
-  const HopVectors hops(1, raster.Width());
-  return BorderScan<NeighbourHops>(columns, raster, hops, NeighbourHops(raster, hops), options).Run(monitor);
+  HopId Next; // the hop that the walk leaves the point by, or NoHop
+  bool PassedEast; // whether the sweep passed the column to the right, which is empty then
+};
+
+/// `Graph` is a plane graph of hops: its Sweep(place, from) gives the first hop of the graph from a place that a
+/// clockwise sweep after `from` meets, where `from` comes last; its LeadsEast(place) tells whether there is a hop to
+/// the column to the right.
+template <typename Graph>
+class BorderScan
+{
+public:
+  BorderScan(
+    PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, Graph graph, const BoundaryOptions& options)
+    : Columns(columns)
+    , Index(index)
+    , Hops(hops)
+    , HopGraph(std::move(graph))
+    , Options(options)
+    , West(hops.Find({ -1, 0 }))
+    , East(hops.Find({ 1, 0 }))
+    , OutsideEast(columns.size(), false)
+    , FilledHoleEast(options.HoleBoundaries ? columns.size() : 0, false)
+  {
+    this->Result.Patch.assign(columns.size(), -1);
+  }
+
+  ExteriorBoundary Run(const Monitor& monitor)
+  {
+    for (std::int64_t row = 0; row < this->Index.Height(); ++row)
+    {
+      if (row % 64 == 0)
+      {
+        monitor.Progress(double(row) / double(this->Index.Height()));
+      }
+      this->NumberRow(row * this->Index.Width());
+    }
+    this->Result.NumberOfPatches = this->Result.Boundary.Size();
+    for (std::size_t loop = 0; loop < this->HoleLoops.Size(); ++loop)
+    {
+      this->Result.Boundary.AppendLoop(this->HoleLoops, loop);
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  /// Gives the points of a row to their patches, and walks the loops that it meets first.
+  void NumberRow(std::int64_t first)
+  {
+    std::int32_t inside = -1;
+    this->Index.ForEachPoint(first, first + this->Index.Width(),
+      [&](std::int64_t place, PointId point)
+      {
+        std::int32_t& patch = this->Result.Patch[point];
+        if (inside < 0)
+        {
+          if (patch < 0)
+          {
+            this->WalkOutline(place);
+          }
+          inside = patch;
+        }
+        patch = inside;
+        if (this->OutsideEast[point] || this->EntersHole(place, inside))
+        {
+          inside = -1;
+        }
+      });
+  }
+
+  /// Walks the outline of a new patch from a place with the outside to its left.
+  void WalkOutline(std::int64_t start)
+  {
+    this->Walk(start, this->West);
+    this->NumberSteps(std::int32_t(this->Result.Boundary.Size()));
+    AppendLoop(this->Columns, this->Steps, this->Result.Boundary);
+    this->Mark(this->OutsideEast);
+  }
+
+  /// True when a hole that gets a loop lies to the right of a place. The points around one that gets none are marked,
+  /// so that it is walked once; so are those of islands in it, whose outlines run the other way and so have no size.
+  bool EntersHole(std::int64_t place, std::int32_t patch)
+  {
+    if (!this->Options.HoleBoundaries || this->HopGraph.LeadsEast(place) || this->FilledHoleEast[this->Index[place]])
+    {
+      return false;
+    }
+    this->Walk(place, this->East);
+    const std::int64_t size = ColumnsInside(this->Hops, this->Steps);
+    const bool isKept = size > 0 && size >= this->Options.SmallestHoleSize;
+    if (isKept)
+    {
+      this->NumberSteps(patch);
+      AppendLoop(this->Columns, this->Steps, this->HoleLoops);
+    }
+    this->Mark(isKept ? this->OutsideEast : this->FilledHoleEast);
+    return isKept;
+  }
+
+  void Walk(std::int64_t start, HopId from)
+  {
+    this->PastEast.clear();
+    const auto next = [this](std::int64_t place, HopId last)
+    {
+      const SweepResult result = this->HopGraph.Sweep(place, last);
+      if (result.PassedEast)
+      {
+        this->PastEast.push_back(this->Index[place]);
+      }
+      return result.Next;
+    };
+    WalkFace(this->Index, this->Hops, start, next(start, from), next, this->Steps);
+  }
+
+  /// Gives the points of the last walk to a patch.
+  void NumberSteps(std::int32_t patch)
+  {
+    DropStepsInGaps(this->Steps);
+    for (const FaceStep& step : this->Steps)
+    {
+      this->Result.Patch[step.Point] = patch;
+    }
+  }
+
+  /// Marks the points of the last walk whose sweeps passed the column to their right.
+  void Mark(std::vector<bool>& marks) const
+  {
+    for (const PointId point : this->PastEast)
+    {
+      marks[point] = true;
+    }
+  }
+
+  const PlanePoints Columns;
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  Graph HopGraph;
+  const BoundaryOptions& Options;
+  const HopId West;
+  const HopId East;
+  ExteriorBoundary Result;
+  Loops HoleLoops;
+  std::vector<bool> OutsideEast; // by point: the outside of its patch begins to the right
+  std::vector<bool> FilledHoleEast; // by point: a hole without a loop begins to the right
+  std::vector<FaceStep> Steps; // of the last walk
+  std::vector<PointId> PastEast; // points of the last walk whose sweeps passed the column to their right
+};
+
+// ---- Growth by distance --------------------------------------------------------------------------------------------
+// The graph whose faces are the loops of growth by distance (thesis Alg. 3.1): all hops to the eight neighbours, and
+// longer ones, called bridges, where those leave parts of a patch unconnected. Bridges are taken from the nearest to
+// the farthest end, each if it joins parts that are not joined yet. So they belong to a shortest spanning tree, cross
+// nothing (PlanarHops.h says why) and enclose nothing, and the walk takes each there and back.
+
+/// The graph of all hops to the eight neighbours, for BorderScan.
+class NeighbourHops
+{
+public:
+  /// `hops` are those of k = 1.
+  explicit NeighbourHops(const ColumnIndex& index, const HopVectors& hops);
+
+  SweepResult Sweep(std::int64_t place, HopId from) const
+  {
+    bool passedEast = false;
+    for (HopId step = 1; step <= 8; ++step)
+    {
+      const HopId next = (from + step) % 8;
+      if (this->Index.Has(place + this->Offsets[next]))
+      {
+        return { next, passedEast };
+      }
+      passedEast = passedEast || next == this->East;
+    }
+    return { NoHop, passedEast };
+  }
+
+  bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
+
+private:
+  const ColumnIndex& Index;
+  std::array<std::int64_t, 8> Offsets;
+  HopId East;
+};
+
+/// The bridges of a horizon.
+class PatchBridges
+{
+public:
+  /// `parts` is the boundary of k = 1, whose patches are the parts to join.
+  PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts);
+
+  bool IsEmpty() const { return this->Ends.empty(); }
+
+  /// The first bridge from a place that a clockwise sweep after `from` meets; NoHop when there is none.
+  HopId Next(std::int64_t place, HopId from) const;
+
+private:
+  /// One end of a bridge, and the hop from there to the other end.
+  struct End
+  {
+    std::int64_t Place;
+    HopId Hop;
+  };
+
+  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts);
+  void AddEnd(std::int64_t place, HopId hop);
+
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  std::vector<End> Ends; // by place, then hop
+  std::vector<bool> HasEnd; // by point
+};
+
+/// The graph of the hops to the eight neighbours and of bridges, for BorderScan.
+class BridgedHops
+{
+public:
+  BridgedHops(const ColumnIndex& index, const HopVectors& hops, const PatchBridges& bridges);
+
+  SweepResult Sweep(std::int64_t place, HopId from) const;
+  bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
+
+private:
+  /// By how many hops a clockwise sweep turns from one to another.
+  HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
+
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  const PatchBridges& Bridges;
+  std::array<HopId, 8> Neighbours;
+  HopId East;
+};
+
+/// The hops that lead further than to a neighbour, those with the nearest ends first. Of two opposite ones only that
+/// which leads upwards or straight to the right.
+std::vector<HopId> FindLongHops(const HopVectors& hops)
+{
+  std::vector<HopId> result;
+  for (HopId hop = 0; hop < hops.Size(); ++hop)
+  {
+    const PlanePoint& vector = hops.Vector(hop);
+    if (LongHops::IsLongAndRising(vector))
+    {
+      result.push_back(hop);
+    }
+  }
+  std::stable_sort(
+    result.begin(), result.end(), [&hops](HopId a, HopId b) { return IsNearer(hops.Vector(a), hops.Vector(b)); });
+  return result;
+}
+
+/// The places that loops visit, row by row.
+std::vector<std::int64_t> FindPlaces(PlanePoints columns, const ColumnIndex& index, const Loops& loops)
+{
+  std::vector<std::int64_t> places;
+  places.reserve(loops.TotalLength());
+  loops.ForEachPoint([&](PointId point) { places.push_back(index.Place(columns[point])); });
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+NeighbourHops::NeighbourHops(const ColumnIndex& index, const HopVectors& hops)
+  : Index(index)
+  , East(hops.Find({ 1, 0 }))
+{
+  for (HopId hop = 0; hop < hops.Size(); ++hop)
+  {
+    this->Offsets[hop] = hops.Offset(hop);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PatchBridges::PatchBridges(
+  PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts)
+  : Index(index)
+  , Hops(hops)
+  , HasEnd(columns.size(), false)
+{
+  if (parts.NumberOfPatches > 1)
+  {
+    this->Join(FindPlaces(columns, index, parts.Boundary), parts);
+  }
+  std::sort(this->Ends.begin(), this->Ends.end(),
+    [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchBridges::Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
+{
+  const auto part = [&](std::int64_t place) { return parts.Patch[this->Index[place]]; };
+  DisjointSets joined(parts.NumberOfPatches);
+  for (const HopId hop : FindLongHops(this->Hops))
+  {
+    for (const std::int64_t place : onLoops)
+    {
+      const std::int64_t end = place + this->Hops.Offset(hop);
+      if (this->Index.Has(end) && part(place) != part(end) && joined.Join(part(place), part(end)))
+      {
+        this->AddEnd(place, hop);
+        this->AddEnd(end, this->Hops.Opposite(hop));
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchBridges::AddEnd(std::int64_t place, HopId hop)
+{
+  this->Ends.push_back({ place, hop });
+  this->HasEnd[this->Index[place]] = true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HopId PatchBridges::Next(std::int64_t place, HopId from) const
+{
+  if (!this->HasEnd[this->Index[place]])
+  {
+    return NoHop;
+  }
+  auto end = std::lower_bound(
+    this->Ends.begin(), this->Ends.end(), place, [](const End& a, std::int64_t b) { return a.Place < b; });
+  HopId best = NoHop;
+  const auto order = [&](HopId hop) { return hop > from ? hop : hop + this->Hops.Size(); };
+  for (; end != this->Ends.end() && end->Place == place; ++end)
+  {
+    best = best == NoHop || order(end->Hop) < order(best) ? end->Hop : best;
+  }
+  return best;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BridgedHops::BridgedHops(const ColumnIndex& index, const HopVectors& hops, const PatchBridges& bridges)
+  : Index(index)
+  , Hops(hops)
+  , Bridges(bridges)
+  , East(hops.Find({ 1, 0 }))
+{
+  std::size_t found = 0;
+  for (HopId hop = 0; hop < hops.Size(); ++hop)
+  {
+    if (ChebyshevLength(hops.Vector(hop)) == 1)
+    {
+      this->Neighbours[found++] = hop;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SweepResult BridgedHops::Sweep(std::int64_t place, HopId from) const
+{
+  HopId next = this->Bridges.Next(place, from);
+  for (const HopId hop : this->Neighbours)
+  {
+    const bool isSooner = next == NoHop || this->Between(from, hop) < this->Between(from, next);
+    if (isSooner && this->Index.Has(place + this->Hops.Offset(hop)))
+    {
+      next = hop;
+    }
+  }
+  const bool isEastEmpty = !this->Index.Has(place + this->Hops.Offset(this->East));
+  return { next, isEastEmpty && (next == NoHop || this->Between(from, this->East) < this->Between(from, next)) };
+}
+
+// ---- Seams ---------------------------------------------------------------------------------------------------------
+class SeamedHops
+{
+public:
+  /// `hops` are those of k = 1. Keeps references to the index and the gaps.
+  SeamedHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps)
+    : Index(index)
+    , Gaps(gaps)
+    , East(hops.Find({ 1, 0 }))
+    , West(hops.Find({ -1, 0 }))
+  {
+    for (HopId hop = 0; hop < hops.Size(); ++hop)
+    {
+      this->Offsets[hop] = hops.Offset(hop);
+    }
+  }
+
+  SweepResult Sweep(std::int64_t place, HopId from) const
+  {
+    if (this->Gaps.Has(place))
+    {
+      return { from == this->West ? this->East : this->West, false };
+    }
+    bool passedEast = false;
+    for (HopId step = 1; step <= 8; ++step)
+    {
+      const HopId next = (from + step) % 8;
+      if (this->Leads(place, next))
+      {
+        return { next, passedEast };
+      }
+      passedEast = passedEast || next == this->East;
+    }
+    return { NoHop, passedEast };
+  }
+
+  bool LeadsEast(std::int64_t place) const { return this->Leads(place, this->East); }
+
+private:
+  bool Leads(std::int64_t place, HopId hop) const
+  {
+    const std::int64_t end = place + this->Offsets[hop];
+    return this->Index.Has(end) || ((hop == this->East || hop == this->West) && this->Gaps.Has(end));
+  }
+
+  const ColumnIndex& Index;
+  const SeamGaps& Gaps;
+  std::array<std::int64_t, 8> Offsets;
+  const HopId East;
+  const HopId West;
+};
+
+// ---- The boundary --------------------------------------------------------------------------------------------------
+ExteriorBoundary FollowNeighbours(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+{
+  const HopVectors hops(1, index.Width());
+  return BorderScan<NeighbourHops>(index.Columns(), index, hops, NeighbourHops(index, hops), options).Run(monitor);
 }
 
 /// By hops to neighbours first. When these leave nothing to bridge, their boundary is the result.
-ExteriorBoundary GrowByDistance(
-  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary GrowByDistance(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
 {
-  const ColumnRaster raster(columns, options.Radius);
   BoundaryOptions allHoles = options;
   allHoles.SmallestHoleSize = 1;
-  const HopVectors hops(options.Radius, raster.Width());
-  ExteriorBoundary parts = FollowNeighbours(columns, raster, allHoles, monitor.Step(0.0, 0.4));
-  const PatchBridges bridges(columns, raster, hops, parts);
+  const HopVectors hops(options.Radius, index.Width());
+  ExteriorBoundary parts = FollowNeighbours(index, allHoles, monitor.Step(0.0, 0.4));
+  const PatchBridges bridges(index.Columns(), index, hops, parts);
   monitor.Progress(0.5);
   if (bridges.IsEmpty() && options.SmallestHoleSize <= 1)
   {
     return parts;
   }
-  return BorderScan<BridgedHops>(columns, raster, hops, BridgedHops(raster, hops, bridges), options)
+  return BorderScan<BridgedHops>(index.Columns(), index, hops, BridgedHops(index, hops, bridges), options)
     .Run(monitor.Step(0.5, 1.0));
 }
 
-ExteriorBoundary FindBetweenSeams(const std::vector<PlanePoint>& columns, const BoundaryOptions& options,
-  const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor)
+ExteriorBoundary FindBetweenSeams(const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams,
+  std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
   if (options.Radius > 1)
   {
-    return FindClockwiseBoundary(columns, options, seams, cracks, monitor);
+    return FindClockwiseBoundary(index, options, seams, cracks, monitor);
   }
-  const ColumnRaster raster(columns);
-  const HopVectors hops(1, raster.Width());
-  const SeamGaps gaps(columns, raster, options, seams);
-  return BorderScan<SeamedHops>(columns, raster, hops, SeamedHops(raster, hops, gaps), options).Run(monitor);
+  const HopVectors hops(1, index.Width());
+  const SeamGaps gaps(index.Columns(), index, options, seams);
+  return BorderScan<SeamedHops>(index.Columns(), index, hops, SeamedHops(index, hops, gaps), options).Run(monitor);
 }
 
-ExteriorBoundary Find(const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const SeamPresence& seams,
+ExteriorBoundary Find(const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams,
   std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
   if (seams.AtLeastRow || seams.AtGreatestRow)
   {
-    return FindBetweenSeams(columns, options, seams, cracks, monitor);
+    return FindBetweenSeams(index, options, seams, cracks, monitor);
   }
   if (options.Cuts)
   {
-    return FindClockwiseBoundary(columns, options, seams, cracks, monitor);
+    return FindClockwiseBoundary(index, options, seams, cracks, monitor);
   }
   if (options.Radius == 1)
   {
-    return FollowNeighbours(columns, ColumnRaster(columns), options, monitor);
+    return FollowNeighbours(index, options, monitor);
   }
-  return options.Growth == GrowthStrategy::Distance ? GrowByDistance(columns, options, monitor)
-                                                    : FindClockwiseBoundary(columns, options, seams, cracks, monitor);
+  return options.Growth == GrowthStrategy::Distance ? GrowByDistance(index, options, monitor)
+                                                    : FindClockwiseBoundary(index, options, seams, cracks, monitor);
 }
 
 void CheckCuts(const BoundaryOptions& options)
@@ -97,7 +535,7 @@ ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimum
   std::vector<std::int64_t> size(all.NumberOfPatches, 0);
   for (const std::int32_t patch : all.Patch)
   {
-    ++size[std::size_t(patch)];
+    ++size[patch];
   }
   ExteriorBoundary result;
   std::vector<std::int32_t> number(size.size(), NoPatch);
@@ -107,40 +545,107 @@ ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimum
   }
   for (std::size_t loop = 0; loop < all.Boundary.Size(); ++loop)
   {
-    if (number[std::size_t(all.Patch[std::size_t(*all.Boundary.begin(loop))])] != NoPatch)
+    if (number[all.Patch[*all.Boundary.begin(loop)]] != NoPatch)
     {
       result.Boundary.AppendLoop(all.Boundary, loop);
     }
   }
   for (const std::int32_t patch : all.Patch)
   {
-    result.Patch.push_back(number[std::size_t(patch)]);
+    result.Patch.push_back(number[patch]);
   }
   return result;
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-ExteriorBoundary FindExteriorBoundary(
-  const std::vector<PlanePoint>& columns, const BoundaryOptions& options, const Monitor& monitor)
+void CheckOptions(PlanePoints columns, const BoundaryOptions& options)
 {
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
   CheckSeams(columns, options);
   CheckCuts(options);
-  const SeamPresence seams(columns, options.Seams);
-  // Gaps of seams stay as wide as they are, and cuts where they are.
-  const int reach = std::max(options.Radius, options.Seams.LongestEdge);
+}
+
+std::vector<BoundaryKind> MarkLoops(const ExteriorBoundary& boundary)
+{
+  std::vector<BoundaryKind> marks(boundary.Patch.size(), BoundaryKind::Inside);
+  // Holes first, so that a point on loops of both kinds counts as exterior.
+  for (std::size_t loop = boundary.Boundary.Size(); loop-- > 0;)
+  {
+    const BoundaryKind kind = loop < boundary.NumberOfPatches ? BoundaryKind::Exterior : BoundaryKind::Hole;
+    std::for_each(
+      boundary.Boundary.begin(loop), boundary.Boundary.end(loop), [&](PointId point) { marks[point] = kind; });
+  }
+  return marks;
+}
+
+/// What a point is that no loop runs through: what the points are that it shares an empty column at its corner with.
+BoundaryKind KindOfCorner(const ColumnIndex& index, const std::vector<BoundaryKind>& marks, std::int64_t place)
+{
+  const std::int64_t up = index.Width();
+  BoundaryKind kind = BoundaryKind::Inside;
+  for (const std::int64_t aside : { std::int64_t(-1), std::int64_t(1) })
+  {
+    for (const std::int64_t upright : { -up, up })
+    {
+      if (index.Has(place + aside + upright))
+      {
+        continue;
+      }
+      // As no loop runs through the point, both columns between it and the empty one are occupied.
+      for (const std::int64_t beside : { place + aside, place + upright })
+      {
+        const BoundaryKind other = marks[index[beside]];
+        kind = kind == BoundaryKind::Exterior ? kind : other;
+      }
+    }
+  }
+  return kind;
+}
+
+/// Marks the points that no loop runs through and that have an empty column corner to corner.
+void MarkCorners(const ColumnIndex& index, const std::vector<std::int32_t>& patches, std::vector<BoundaryKind>& marks)
+{
+  const std::vector<BoundaryKind> loops = marks;
+  const PlanePoints columns = index.Columns();
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    if (loops[point] == BoundaryKind::Inside && patches[point] != NoPatch)
+    {
+      marks[point] = KindOfCorner(index, loops, index.Place(columns[point]));
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options)
+{
+  CheckOptions(columns, options);
+  // Cuts are named by columns: these stay where they are.
+  return ColumnIndex(columns, 2 * options.Radius, options.Cuts ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ExteriorBoundary FindExteriorBoundary(
+  PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+{
+  CheckOptions(columns, options);
+  assert(options.Seams.LongestEdge <= ColumnIndex::LongestReach);
   std::vector<CrackSide> cracks;
-  const auto find = [&](const std::vector<PlanePoint>& near) { return Find(near, options, seams, cracks, monitor); };
-  ExteriorBoundary result = options.Cuts ? find(columns) : WithoutWideBands(columns, reach, find);
+  ExteriorBoundary result = Find(index, options, SeamPresence(columns, options.Seams), cracks, monitor);
   if (options.MinimumPatchSize > 1)
   {
     result = WithoutSpecks(result, options.MinimumPatchSize);
   }
   result.OpenCracks = FindCracks(std::move(cracks), result.Boundary, result.Patch);
   return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ExteriorBoundary FindExteriorBoundary(PlanePoints columns, const BoundaryOptions& options, const Monitor& monitor)
+{
+  return FindExteriorBoundary(columns, IndexForBoundary(columns, options), options, monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -160,10 +665,34 @@ KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary)
     boundary.Boundary = boundary.Boundary.Renumbered(numbers);
     for (Edge& mouth : boundary.OpenCracks.Mouths)
     {
-      mouth = { numbers[std::size_t(mouth.From)], numbers[std::size_t(mouth.To)] };
+      mouth = { numbers[mouth.From], numbers[mouth.To] };
     }
     boundary.Patch = kept.Select(boundary.Patch);
   }
   return kept;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundaryOptions OptionsFor(BoundaryType type, const BoundaryOptions& options)
+{
+  BoundaryOptions result = options;
+  if (type != BoundaryType::Exterior)
+  {
+    result.Radius = 1;
+    result.HoleBoundaries = true;
+    result.SmallestHoleSize = 1;
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<BoundaryKind> MarkBoundary(BoundaryType type, PlanePoints columns, const ExteriorBoundary& boundary)
+{
+  std::vector<BoundaryKind> marks = MarkLoops(boundary);
+  if (type == BoundaryType::Topological8)
+  {
+    MarkCorners(ColumnIndex(columns, 1, 1), boundary.Patch, marks);
+  }
+  return marks;
 }
 }

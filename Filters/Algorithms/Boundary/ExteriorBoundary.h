@@ -7,16 +7,15 @@
 // For any shape of patch and any k, an outline is a closed loop of hops of at most k columns along each axis. It never
 // crosses itself, and has the whole patch on it or inside. It is the clockwise walk around the outer face of a plane
 // graph of hops. With k = 1 that is the border following of Suzuki and Abe (1985), for both rules of growth. With k > 1
-// the rules differ in the graph: growth by distance (PatchBridges.h) follows neighbouring columns, and takes a longer
-// hop only to bridge a gap, there and back; clockwise growth (PlanarHops.h) takes every hop that crosses no other one,
-// and so cuts bays short.
+// the rules differ in the graph: growth by distance (ExteriorBoundary.cxx) follows neighbouring columns, and takes a
+// longer hop only to bridge a gap, there and back; clockwise growth (PlanarHops.h) takes every hop that crosses no
+// other one, and so cuts bays short.
 //
 // Three things differ from the thesis's pseudo-code, which
 //  - stops as soon as the walk is back at its first point, and so loses the rest of a patch that touches itself there:
 //    here the walk ends when it is about to repeat its first hop;
 //  - sweeps, for k > 1, over hops that can cross the loop, or never lead back to its first point: here a sweep takes
-//  hops
-//    of the plane graph only;
+//    hops of the plane graph only;
 //  - gives a loop to a patch inside the loop of another one: here that patch has none and belongs to the outer one, as
 //    their meshes would lie over each other.
 //
@@ -26,7 +25,9 @@
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
 
+#include "Common/ColumnIndex.h"
 #include "Common/Cracks.h"
+#include "Common/DataModel.h"
 #include "Common/KeptPoints.h"
 #include "Common/LinkCuts.h"
 #include "Common/Monitor.h"
@@ -78,7 +79,7 @@ struct BoundaryOptions
   const LinkCuts* Cuts = nullptr;
 };
 
-/// HopCandidates.h keeps the columns that hops of a row can lead to, 2 k + 1 of them, in one number of 128 bits, of
+/// PlanarHops.cxx keeps the columns that hops of a row can lead to, 2 k + 1 of them, in one number of 128 bits, of
 /// which it can fill 65. Tables of hops take 8 k^4 bytes, which is 8 megabytes then.
 constexpr int LargestRadius = 32;
 
@@ -104,15 +105,35 @@ struct ExteriorBoundary
 
 /// `columns` holds the column of each point, no two the same (InputError). The result does not depend on the order of
 /// the points. Takes time linear in the points and in the columns of their bounding box, with a factor that grows with
-/// k for the points beside empty columns. Memory beyond the result: 4 bytes per column of that box, for growth by
+/// k for the points beside empty columns. Memory beyond the result: 12 bytes per 64 columns of that box, for growth by
 /// distance with k > 1 also 4 per point, and some for the points beside empty columns. On one thread, as each step of a
 /// walk depends on the one before. With cuts, the box also has a byte per column, and is never narrowed where it is
 /// empty.
-ExteriorBoundary FindExteriorBoundary(const std::vector<PlanePoint>& columns,
-  const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
+ExteriorBoundary FindExteriorBoundary(
+  PlanePoints columns, const BoundaryOptions& options = BoundaryOptions(), const Monitor& monitor = Monitor());
+
+/// The same with an index of the columns, for a boundary that is found more than once, or followed by other methods.
+ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options);
+ExteriorBoundary FindExteriorBoundary(
+  PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor = Monitor());
 
 /// Leaves out the points without a patch. Gives those that have one; these are numbered from 0 then.
 KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary);
+
+enum class BoundaryType
+{
+  Exterior = 0, // the points of the loops
+  Topological4 = 1, // points with an empty column side by side
+  Topological8 = 2 // points with an empty column side by side or corner to corner
+};
+
+/// The options that make loops run through all points of Topological4 and no others: a radius of 1, and all holes. For
+/// Exterior they are returned as they are.
+BoundaryOptions OptionsFor(BoundaryType type, const BoundaryOptions& options);
+
+/// For each point what it is, given the boundary made with OptionsFor(type, ...). A point on an outline and on the loop
+/// of a hole counts as exterior. A point with an empty column only at a corner is what the two points between them are.
+std::vector<BoundaryKind> MarkBoundary(BoundaryType type, PlanePoints columns, const ExteriorBoundary& boundary);
 }
 
 #endif

@@ -4,21 +4,25 @@
 // A row is cut into runs whose points follow each other by hops. Every column from k before the first point of a run to
 // k after its last is at most k away from some point of the run. So two runs in rows at most k apart are connected when
 // one, extended in this way, overlaps the other, whatever gaps they have.
+//
+// A component lies inside a loop when its first point does. So the rows with first points are read from left to right:
+// at each place it is known inside which loops it is, as every loop that the row crosses is entered or left there.
 
 #include "PatchComponents.h"
 
 #include "Common/DisjointSets.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// Points in a row of the raster that follow each other by hops.
+/// Points in a row of the index that follow each other by hops.
 struct Run
 {
-  std::int32_t First; // column of the raster
+  std::int32_t First; // column of the index
   std::int32_t Last;
   std::int32_t Set;
 };
@@ -27,8 +31,8 @@ struct Run
 class RunList
 {
 public:
-  RunList(const ColumnRaster& raster, int radius)
-    : Raster(raster)
+  RunList(const ColumnIndex& index, int radius)
+    : Index(index)
     , Radius(radius)
     , RowEnds(1, 0)
   {
@@ -36,23 +40,21 @@ public:
 
   void AddRow(std::int64_t row)
   {
-    const std::int64_t width = this->Raster.Width();
     const std::size_t begin = this->Runs.size();
-    for (std::int64_t x = 0; x < width; ++x)
-    {
-      if (this->Raster[row * width + x] == NoPoint)
+    const std::int64_t first = row * this->Index.Width();
+    this->Index.ForEachPoint(first, first + this->Index.Width(),
+      [&](std::int64_t place, PointId)
       {
-        continue;
-      }
-      if (this->Runs.size() > begin && x - this->Runs.back().Last <= this->Radius)
-      {
-        this->Runs.back().Last = std::int32_t(x);
-      }
-      else
-      {
-        this->Runs.push_back({ std::int32_t(x), std::int32_t(x), this->Sets.Add() });
-      }
-    }
+        const auto x = std::int32_t(place - first);
+        if (this->Runs.size() > begin && x - this->Runs.back().Last <= this->Radius)
+        {
+          this->Runs.back().Last = x;
+        }
+        else
+        {
+          this->Runs.push_back({ x, x, this->Sets.Add() });
+        }
+      });
     this->RowEnds.push_back(this->Runs.size());
     for (std::int64_t below = std::max<std::int64_t>(0, row - this->Radius); below < row; ++below)
     {
@@ -68,7 +70,7 @@ public:
     {
       for (std::size_t n = this->RowEnds[row]; n < this->RowEnds[row + 1]; ++n)
       {
-        this->NumberRun(std::int64_t(row) * this->Raster.Width(), this->Runs[n], number, result);
+        this->NumberRun(std::int64_t(row) * this->Index.Width(), this->Runs[n], number, result);
       }
     }
   }
@@ -93,34 +95,167 @@ private:
 
   void NumberRun(std::int64_t rowPlace, const Run& run, std::vector<std::int32_t>& number, PatchComponents& result)
   {
-    std::int32_t& component = number[std::size_t(this->Sets.Find(run.Set))];
+    std::int32_t& component = number[this->Sets.Find(run.Set)];
     if (component < 0)
     {
       component = std::int32_t(result.First.size());
       result.First.push_back(rowPlace + run.First);
     }
-    for (std::int64_t place = rowPlace + run.First; place <= rowPlace + run.Last; ++place)
-    {
-      if (this->Raster[place] != NoPoint)
-      {
-        result.Component[std::size_t(this->Raster[place])] = component;
-      }
-    }
+    this->Index.ForEachPoint(rowPlace + run.First, rowPlace + run.Last + 1,
+      [&](std::int64_t, PointId point) { result.Component[point] = component; });
   }
 
-  const ColumnRaster& Raster;
+  const ColumnIndex& Index;
   const int Radius;
   std::vector<Run> Runs;
   std::vector<std::size_t> RowEnds;
   DisjointSets Sets;
 };
+
+/// Where a loop crosses a row.
+struct Crossing
+{
+  double X;
+  std::size_t Loop;
+};
+
+using PlaceVisitor = std::function<void(std::size_t, const std::vector<std::size_t>&)>;
+
+class LoopReader
+{
+public:
+  LoopReader(PlanePoints columns, const ColumnIndex& index, const std::vector<std::int64_t>& places, const Loops& loops)
+    : Columns(columns)
+    , Index(index)
+    , Places(places)
+    , Boundary(loops)
+    , RowNumber(std::size_t(index.Height()), -1)
+  {
+  }
+
+  void Run(const PlaceVisitor& visit)
+  {
+    this->NumberRows();
+    this->FindCrossings();
+    std::size_t place = 0;
+    for (std::vector<Crossing>& crossings : this->Crossings)
+    {
+      std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.X < b.X; });
+      place = this->ReadRow(crossings, place, visit);
+    }
+  }
+
+private:
+  std::int64_t RowOf(std::int64_t place) const { return place / this->Index.Width(); }
+  std::int64_t ColumnOf(std::int64_t place) const { return place % this->Index.Width(); }
+
+  /// Numbers the rows that have places.
+  void NumberRows()
+  {
+    std::int32_t rows = 0;
+    for (const std::int64_t place : this->Places)
+    {
+      std::int32_t& number = this->RowNumber[this->RowOf(place)];
+      number = number < 0 ? rows++ : number;
+    }
+    this->Crossings.resize(std::size_t(rows));
+  }
+
+  void FindCrossings()
+  {
+    for (std::size_t loop = 0; loop < this->Boundary.Size(); ++loop)
+    {
+      this->Boundary.ForEachEdgeOf(loop,
+        [&](PointId from, PointId to)
+        {
+          const std::int64_t a = this->Index.Place(this->Columns[from]);
+          const std::int64_t b = this->Index.Place(this->Columns[to]);
+          this->AddCrossings(std::min(a, b), std::max(a, b), loop);
+        });
+    }
+  }
+
+  /// The row of the upper end is left to the hop that goes on from there. No hop passes a point by less than 1 / k
+  /// columns, so that rounding does not matter.
+  void AddCrossings(std::int64_t low, std::int64_t high, std::size_t loop)
+  {
+    const std::int64_t rows = std::max<std::int64_t>(1, this->RowOf(high) - this->RowOf(low));
+    const double slope = double(this->ColumnOf(high) - this->ColumnOf(low)) / double(rows);
+    for (std::int64_t row = this->RowOf(low); row < this->RowOf(high); ++row)
+    {
+      const std::int32_t number = this->RowNumber[row];
+      if (number >= 0)
+      {
+        const double x = double(this->ColumnOf(low)) + slope * double(row - this->RowOf(low));
+        this->Crossings[number].push_back({ x, loop });
+      }
+    }
+  }
+
+  /// Visits the places in the row of one, and returns the next place.
+  std::size_t ReadRow(const std::vector<Crossing>& crossings, std::size_t place, const PlaceVisitor& visit)
+  {
+    const std::int64_t row = this->RowOf(this->Places[place]);
+    std::vector<std::size_t> around; // loops; few lie around a place
+    auto next = crossings.begin();
+    for (; place < this->Places.size() && this->RowOf(this->Places[place]) == row; ++place)
+    {
+      for (; next != crossings.end() && next->X < double(this->ColumnOf(this->Places[place])); ++next)
+      {
+        EnterOrLeave(around, next->Loop);
+      }
+      visit(place, around);
+    }
+    return place;
+  }
+
+  static void EnterOrLeave(std::vector<std::size_t>& around, std::size_t loop)
+  {
+    const auto found = std::find(around.begin(), around.end(), loop);
+    if (found == around.end())
+    {
+      around.push_back(loop);
+    }
+    else
+    {
+      around.erase(found);
+    }
+  }
+
+  const PlanePoints Columns;
+  const ColumnIndex& Index;
+  const std::vector<std::int64_t>& Places;
+  const Loops& Boundary;
+  std::vector<std::int32_t> RowNumber; // for each row of the index, or -1
+  std::vector<std::vector<Crossing>> Crossings; // by the number of the row
+};
+
+/// The patch at a place inside some loops, or -1. From outside to inside, outlines of patches and loops of holes take
+/// turns when those of islands that belong to another patch are left out.
+std::int32_t InnermostPatch(const std::vector<std::size_t>& around, const std::vector<std::int32_t>& patchOf)
+{
+  std::int32_t innermost = -1;
+  std::size_t outlines = 0;
+  std::size_t holes = 0;
+  for (const std::size_t loop : around)
+  {
+    const bool isHole = loop >= patchOf.size();
+    holes += isHole ? 1 : 0;
+    if (!isHole && patchOf[loop] == std::int32_t(loop))
+    {
+      ++outlines;
+      innermost = std::max(innermost, std::int32_t(loop));
+    }
+  }
+  return outlines > holes ? innermost : -1;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PatchComponents FindPatchComponents(const ColumnRaster& raster, std::size_t points, int radius)
+PatchComponents FindPatchComponents(const ColumnIndex& index, std::size_t points, int radius)
 {
-  RunList runs(raster, radius);
-  for (std::int64_t row = 0; row < raster.Height(); ++row)
+  RunList runs(index, radius);
+  for (std::int64_t row = 0; row < index.Height(); ++row)
   {
     runs.AddRow(row);
   }
@@ -128,5 +263,31 @@ PatchComponents FindPatchComponents(const ColumnRaster& raster, std::size_t poin
   result.Component.resize(points, -1);
   runs.Number(result);
   return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ForEachPlaceInLoops(PlanePoints columns, const ColumnIndex& index, const std::vector<std::int64_t>& places,
+  const Loops& loops, const PlaceVisitor& visit)
+{
+  LoopReader(columns, index, places, loops).Run(visit);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Components are met from below, so that each is met after the one around it, and an island in an island after both.
+std::vector<std::int32_t> AssignIslands(
+  PlanePoints columns, const ColumnIndex& index, const std::vector<std::int64_t>& first, const Loops& loops)
+{
+  std::vector<std::int32_t> patchOf(first.size());
+  std::iota(patchOf.begin(), patchOf.end(), 0);
+  if (first.size() > 1)
+  {
+    ForEachPlaceInLoops(columns, index, first, loops,
+      [&patchOf](std::size_t part, const std::vector<std::size_t>& around)
+      {
+        const std::int32_t patch = InnermostPatch(around, patchOf);
+        patchOf[part] = patch < 0 ? std::int32_t(part) : patch;
+      });
+  }
+  return patchOf;
 }
 }

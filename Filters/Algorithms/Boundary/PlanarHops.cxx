@@ -1,13 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: the candidates, long hops that no point near their start rules out, as bits of rows; the border,
+// points beside empty columns, which alone have long hops; the hops that are admissible, direct ones first, then the
+// others from short to long; and the list of them by point, in the order of a sweep.
 
 #include "PlanarHops.h"
 
+#include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
 #include "Common/Predicates.h"
+#include "ExteriorBoundary.h"
+#include "Hops.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -18,10 +29,213 @@ constexpr std::int32_t NoLink = -1;
 constexpr std::size_t Batch = 4096; // points from one report of progress to the next
 }
 
+// Which long hops between points may be admissible (PlanarHops.h). One that passes over a point, or between two
+// neighbouring points, is not. The points in a row of columns are bits of one number, and each point or pair of points
+// near the start of hops rules out all hops whose ends, the columns in its shadow, are behind it:
+//
+//        . . # # # # .        *    the start of hops
+//        . . # # # . .        a, b    two neighbouring points
+//        . . a b . . .        #    their shadow: no hop from * leads between a and b to these columns, nor over one of
+//        . . * . . . .             them
+class HopCandidates
+{
+public:
+  /// `points` holds the places of the index that count as points here. The index has an empty rim of at least k
+  /// columns. Keeps references.
+  HopCandidates(const ColumnIndex& index, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops);
+
+  /// Calls visit(number) for the long hops from a place to another point that are not ruled out by points at most
+  /// NearRadius columns away from it, by their numbers in LongHops and row by row. Takes about k steps for each point
+  /// and pair of points that near, and one for each hop.
+  template <typename Visitor>
+  void ForEach(std::int64_t from, Visitor&& visit) const
+  {
+    Rows ends;
+    this->FindEndsBeyondNearest(from, ends);
+    if (this->Count(ends) > FewEnds)
+    {
+      this->RuleOut(this->NearRowsAt(from, NearRadius), ends);
+    }
+    for (std::int32_t row = 0; row <= this->Radius; ++row)
+    {
+      for (Window left = ends[row]; left != 0; left &= left - 1)
+      {
+        visit(this->Long.NumberOf({ FirstColumn(left) - this->Radius, row }));
+      }
+    }
+  }
+
+  /// Whether a long hop passes neither over a point nor between two neighbouring ones.
+  bool IsFree(std::int64_t place, const LongHop& hop) const
+  {
+    const auto has = [this, place](std::int64_t offset) { return this->Index.Has(place + offset); };
+    return std::none_of(hop.Gates.begin(), hop.Gates.end(),
+             [&has](const Gate& gate) { return has(gate.Offset) && has(gate.OtherOffset); }) &&
+      std::none_of(hop.Over.begin(), hop.Over.end(), has);
+  }
+
+private:
+  static constexpr std::int32_t NearRadius = 3;
+  static constexpr std::int32_t NearWidth = 2 * NearRadius + 1;
+  // What is near is known by the bits of so many rows of five columns.
+  static constexpr std::int32_t NearestRadius = 2;
+  static constexpr int NearestBits = (NearestRadius + 1) * (2 * NearestRadius + 1);
+  // So few are better tried than ruled out by what is farther away.
+  static constexpr int FewEnds = 8;
+
+  using NearRows = std::array<unsigned, NearRadius + 2>; // and an empty one above
+  // What can rule out hops: a point and its neighbour after one of NeighbourSteps, or a point alone.
+  static constexpr std::size_t Itself = NeighbourSteps.size();
+  static constexpr std::size_t Kinds = Itself + 1;
+
+  /// A bit for each of 2 k + 1 columns in a row, from the left.
+  using Window = PlaceSet::Window;
+  static constexpr std::size_t MostRows = LargestRadius + 1;
+  /// One window for each row, from that of a place upwards.
+  using Rows = std::array<Window, MostRows>;
+
+  static std::int32_t FirstColumn(Window window)
+  {
+    const auto low = static_cast<std::uint64_t>(window);
+    return low != 0 ? LowestBit(low) : PlaceSet::WordBits + LowestBit(std::uint64_t(window >> PlaceSet::WordBits));
+  }
+
+  /// The position in Shadows of a point, or of a pair of points that begins with it, at a vector from the start.
+  static std::size_t Slot(std::size_t kind, std::int32_t x, std::int32_t y)
+  {
+    return (kind * (NearRadius + 1) + std::size_t(y)) * NearWidth + std::size_t(x + NearRadius);
+  }
+
+  /// The points around a place that are at most a radius away along x, in its row and those above, a bit each.
+  NearRows NearRowsAt(std::int64_t from, std::int32_t radius) const;
+  /// Takes those ends away that such points are in the way of.
+  void RuleOut(const NearRows& near, Rows& ends) const;
+  /// The points that long hops from a place lead to, without those that points at most two columns away are in the way
+  /// of. In a horizon with few gaps that is a look into a table.
+  void FindEndsBeyondNearest(std::int64_t from, Rows& ends) const;
+
+  int Count(const Rows& rows) const
+  {
+    int count = 0;
+    for (std::size_t row = 0; row <= std::size_t(this->Radius); ++row)
+    {
+      count += CountBits(std::uint64_t(rows[row])) + CountBits(std::uint64_t(rows[row] >> 64));
+    }
+    return count;
+  }
+  void AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end);
+
+  const ColumnIndex& Index;
+  const PlaceSet& Points;
+  const LongHops& Long;
+  const std::int32_t Radius;
+  Rows Ends; // the ends of all long hops
+  mutable std::vector<Rows> OpenByNearest; // the ends that the nearest points leave, for what was found so far
+  mutable std::vector<std::int32_t> OpenNumbers; // in that list, by the bits of the nearest points; -1 for none
+  std::vector<Rows> Shadows; // by slot: the ends of the hops that a point or a pair of points rules out
+};
+
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
-  const Monitor& monitor)
-  : Raster(raster)
+HopCandidates::HopCandidates(
+  const ColumnIndex& index, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops)
+  : Index(index)
+  , Points(points)
+  , Long(longHops)
+  , Radius(hops.Radius())
+  , Ends()
+  , OpenNumbers(std::size_t(1) << NearestBits, -1)
+  , Shadows(Slot(Kinds, -NearRadius, 0), this->Ends)
+{
+  for (std::size_t number = 0; number < longHops.Size(); ++number)
+  {
+    const PlanePoint& end = hops.Vector(longHops[number].Hop);
+    this->Ends[end.Y] |= Window(1) << (end.X + this->Radius);
+    for (const Gate& gate : longHops[number].Gates)
+    {
+      this->AddToShadow(gate.Step, gate.Column, end);
+    }
+    for (const PlanePoint& column : longHops[number].ColumnsOver)
+    {
+      this->AddToShadow(Itself, column, end);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HopCandidates::AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end)
+{
+  const PlanePoint step = kind == Itself ? PlanePoint{} : NeighbourSteps[kind];
+  const PlanePoint other{ column.X + step.X, column.Y + step.Y };
+  if (ChebyshevLength(column) <= NearRadius && ChebyshevLength(other) <= NearRadius && column.Y >= 0)
+  {
+    this->Shadows[Slot(kind, column.X, column.Y)][end.Y] |= Window(1) << (end.X + this->Radius);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HopCandidates::NearRows HopCandidates::NearRowsAt(std::int64_t from, std::int32_t radius) const
+{
+  const unsigned columns = ((1U << (2 * radius + 1)) - 1) << (NearRadius - radius);
+  NearRows near = {};
+  for (std::int32_t row = 0; row <= radius; ++row)
+  {
+    near[row] = unsigned(this->Points.From(from + row * this->Index.Width() - NearRadius)) & columns;
+  }
+  return near;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HopCandidates::FindEndsBeyondNearest(std::int64_t from, Rows& ends) const
+{
+  const NearRows near = this->NearRowsAt(from, NearestRadius);
+  unsigned bits = 0;
+  for (std::int32_t row = NearestRadius; row >= 0; --row)
+  {
+    bits = bits << (2 * NearestRadius + 1) | near[row] >> (NearRadius - NearestRadius);
+  }
+  std::int32_t& number = this->OpenNumbers[bits];
+  if (number < 0)
+  {
+    number = std::int32_t(this->OpenByNearest.size());
+    this->OpenByNearest.push_back(this->Ends);
+    this->RuleOut(near, this->OpenByNearest.back());
+  }
+  const Rows& open = this->OpenByNearest[number];
+  for (std::int32_t row = 0; row <= this->Radius; ++row)
+  {
+    const Window left = open[row];
+    ends[row] = left == 0 ? left : left & this->Points.From(from + row * this->Index.Width() - this->Radius);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HopCandidates::RuleOut(const NearRows& near, Rows& ends) const
+{
+  for (std::int32_t row = 0; row <= NearRadius; ++row)
+  {
+    const unsigned here = near[row];
+    const unsigned above = near[std::size_t(row) + 1];
+    // In the order of NeighbourSteps.
+    const std::array<unsigned, Kinds> found = { here & here >> 1U, here & above >> 1U, here & above, here & above << 1U,
+      here };
+    for (std::size_t kind = 0; kind < Kinds; ++kind)
+    {
+      for (unsigned columns = found[kind]; columns != 0; columns &= columns - 1)
+      {
+        const Rows& shadow = this->Shadows[Slot(kind, LowestBit(columns) - NearRadius, row)];
+        for (std::size_t n = std::size_t(row); n <= std::size_t(this->Radius); ++n)
+        {
+          ends[n] &= ~shadow[n];
+        }
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlanarHops::PlanarHops(
+  const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts, const Monitor& monitor)
+  : Index(index)
   , Hops(hops)
   , Gaps(gaps)
   , Cuts(cuts)
@@ -37,8 +251,8 @@ PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const
     }
   }
   const PlaceSet filled = this->FindBorder();
-  this->First.assign(std::size_t(raster.Width() * raster.Height()), NoLink);
-  const HopCandidates candidates(raster, filled, hops, this->Long);
+  this->First.assign(std::size_t(index.Width() * index.Height()), NoLink);
+  const HopCandidates candidates(index, filled, hops, this->Long);
   this->AddDirectHops(candidates, monitor.Step(0.0, 0.4));
   std::vector<PlacedHop> across = this->AddFurtherHops(candidates, monitor.Step(0.4, 0.9));
   const std::size_t admissible = this->Placed.size();
@@ -55,7 +269,7 @@ PlanarHops::PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const
 // so that it counts as a point when long hops are looked for.
 PlaceSet PlanarHops::FindBorder()
 {
-  const PlaceSet points(this->Raster);
+  const PlaceSet& points = this->Index.Occupied();
   PlaceSet filled = points;
   const auto besideCuts = [this](std::int64_t place)
   { return this->Cuts ? this->Cuts->BesideOpenFrom(place) : std::uint64_t(0); };
@@ -63,7 +277,7 @@ PlaceSet PlanarHops::FindBorder()
   {
     filled.AddSurrounded(besideCuts);
   }
-  const std::int64_t end = this->Raster.Width() * this->Raster.Height();
+  const std::int64_t end = this->Index.NumberOfPlaces();
   for (std::int64_t place = 0; place < end; place += PlaceSet::WordBits)
   {
     const std::uint64_t besideGaps =
@@ -89,7 +303,7 @@ void PlanarHops::ForEachCandidate(const HopCandidates& candidates, const Monitor
       monitor.Progress(double(n) / double(this->Border.size()));
     }
     const std::int64_t place = this->Border[n];
-    const PlanePoint from{ std::int32_t(place % this->Raster.Width()), std::int32_t(place / this->Raster.Width()) };
+    const PlanePoint from{ std::int32_t(place % this->Index.Width()), std::int32_t(place / this->Index.Width()) };
     candidates.ForEach(place,
       [&](std::size_t number)
       {
@@ -121,7 +335,7 @@ std::vector<PlanarHops::PlacedHop> PlanarHops::AddFurtherHops(const HopCandidate
   this->ForEachCandidate(candidates, monitor.Step(0.0, 0.8),
     [&](const PlacedHop& hop)
     {
-      if (this->IsCrossed(hop) || !candidates.IsFree(this->StartOf(hop), this->Long[std::size_t(hop.Number)]))
+      if (this->IsCrossed(hop) || !candidates.IsFree(this->StartOf(hop), this->Long[hop.Number]))
       {
         return;
       }
@@ -161,7 +375,7 @@ void PlanarHops::AddUncrossed(std::vector<PlacedHop>& hops, const Monitor& monit
 bool PlanarHops::IsDirect(const PlacedHop& hop) const
 {
   const std::int64_t start = this->StartOf(hop);
-  const std::vector<std::int64_t>& between = this->Long[std::size_t(hop.Number)].Between;
+  const std::vector<std::int64_t>& between = this->Long[hop.Number].Between;
   return std::none_of(between.begin(), between.end(), [&](std::int64_t offset) { return this->Has(start + offset); });
 }
 
@@ -169,7 +383,7 @@ bool PlanarHops::IsDirect(const PlacedHop& hop) const
 bool PlanarHops::IsOverCut(const PlacedHop& hop) const
 {
   const std::int64_t start = this->StartOf(hop);
-  const std::vector<std::int64_t>& squares = this->Long[std::size_t(hop.Number)].Squares;
+  const std::vector<std::int64_t>& squares = this->Long[hop.Number].Squares;
   return this->Cuts &&
     std::any_of(
       squares.begin(), squares.end(), [&](std::int64_t square) { return this->Cuts->IsOpen(start + square); });
@@ -179,17 +393,17 @@ bool PlanarHops::IsOverCut(const PlacedHop& hop) const
 bool PlanarHops::IsCrossed(const PlacedHop& hop) const
 {
   const std::int64_t start = this->StartOf(hop);
-  for (const std::int64_t square : this->Long[std::size_t(hop.Number)].Squares)
+  for (const std::int64_t square : this->Long[hop.Number].Squares)
   {
-    std::int32_t link = this->First[std::size_t(start + square)];
+    std::int32_t link = this->First[start + square];
     while (link != NoLink)
     {
-      const PlacedHop& other = this->Placed[std::size_t(this->Links[std::size_t(link)].Hop)];
+      const PlacedHop& other = this->Placed[this->Links[link].Hop];
       if (ProperlyCross(hop.From, hop.To, other.From, other.To))
       {
         return true;
       }
-      link = this->Links[std::size_t(link)].Next;
+      link = this->Links[link].Next;
     }
   }
   return false;
@@ -198,7 +412,7 @@ bool PlanarHops::IsCrossed(const PlacedHop& hop) const
 //----------------------------------------------------------------------------------------------------------------------
 void PlanarHops::Add(const PlacedHop& hop)
 {
-  const std::vector<std::int64_t>& squares = this->Long[std::size_t(hop.Number)].Squares;
+  const std::vector<std::int64_t>& squares = this->Long[hop.Number].Squares;
   if (this->Links.size() + squares.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
   {
     throw InputError("more than 2^31 unit squares that hops touch, expected fewer points or a smaller radius");
@@ -208,7 +422,7 @@ void PlanarHops::Add(const PlacedHop& hop)
   const std::int64_t start = this->StartOf(hop);
   for (const std::int64_t square : squares)
   {
-    std::int32_t& first = this->First[std::size_t(start + square)];
+    std::int32_t& first = this->First[start + square];
     this->Links.push_back({ number, first });
     first = std::int32_t(this->Links.size()) - 1;
   }
@@ -269,7 +483,7 @@ ItemLists<HopId> PlanarHops::ListByPoint(std::size_t admissible) const
       }
       for (std::size_t n = 0; n < admissible; ++n)
       {
-        const HopId hop = this->Long[std::size_t(this->Placed[n].Number)].Hop;
+        const HopId hop = this->Long[this->Placed[n].Number].Hop;
         const std::int64_t start = this->StartOf(this->Placed[n]);
         add(this->BorderNumbers[start], hop);
         add(this->BorderNumbers[start + this->Hops.Offset(hop)], this->Hops.Opposite(hop));
@@ -298,7 +512,7 @@ std::vector<HopAcrossCut> PlanarHops::ListAcross(std::size_t admissible) const
   }
   for (std::size_t n = admissible; n < this->Placed.size(); ++n)
   {
-    const HopId hop = this->Long[std::size_t(this->Placed[n].Number)].Hop;
+    const HopId hop = this->Long[this->Placed[n].Number].Hop;
     const std::int64_t start = this->StartOf(this->Placed[n]);
     across.push_back({ start, hop });
     across.push_back({ start + this->Hops.Offset(hop), this->Hops.Opposite(hop) });

@@ -5,7 +5,7 @@
 //
 // Taken literally, the thesis's sweep can take hops that cross others it took before. Here it takes only admissible
 // hops, which never cross:
-//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in HopVectors.h). Two of
+//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in Hops.h). Two of
 //     them never cross: if a-b and c-d did, then ac + bd < ab + cd and ad + bc < ab + cd, from which it follows that
 //     one of the four points is nearer to both ends of the other hop than these are to each other. Direct hops include
 //     a shortest spanning tree, so that they connect all that hops of at most k connect (the relative neighbourhood
@@ -41,14 +41,11 @@
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
 
-#include "ColumnRaster.h"
+#include "Common/ColumnIndex.h"
 #include "Common/CountingSort.h"
 #include "Common/Monitor.h"
 #include "CutBlocks.h"
-#include "HopCandidates.h"
-#include "HopVectors.h"
-#include "LongHops.h"
-#include "PlaceSet.h"
+#include "Hops.h"
 #include "SeamGaps.h"
 
 #include <algorithm>
@@ -58,6 +55,8 @@
 
 namespace SeismicHorizons
 {
+class HopCandidates;
+
 /// A hop from a place to a point, along a cut link or over an open block (CutBlocks.h).
 struct HopAcrossCut
 {
@@ -72,14 +71,14 @@ struct HopAcrossCut
 
 /// Takes time, for each point beside a gap, for the rows of 2 k + 1 columns above it, and for each hop to a
 /// point in these that is not ruled out at most about k^2. Takes memory for 4 bytes and 4 bits per column of the
-/// raster, 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and
+/// index, 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and
 /// tables of about 8 k^4 bytes.
 class PlanarHops
 {
 public:
-  /// The raster holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it, to `hops`
+  /// The index holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it, to `hops`
   /// and to `gaps`, and to `cuts` when there are some.
-  PlanarHops(const ColumnRaster& raster, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
+  PlanarHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
     const Monitor& monitor);
 
   /// The places of the points beside gaps, row by row. Only these are on outlines, or on faces with columns inside.
@@ -116,7 +115,7 @@ public:
   const std::vector<HopAcrossCut>& HopsAcrossCuts() const { return this->Across; }
 
 private:
-  /// A long hop between two points, in columns of the raster.
+  /// A long hop between two points, in columns of the index.
   struct PlacedHop
   {
     PlanePoint From;
@@ -150,10 +149,10 @@ private:
   bool IsSingleGap(std::int64_t place) const;
   bool IsOverCut(const PlacedHop& hop) const;
 
-  bool Has(std::int64_t place) const { return this->Raster[place] != NoPoint; }
-  std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Raster.Width() + hop.From.X; }
+  bool Has(std::int64_t place) const { return this->Index.Has(place); }
+  std::int64_t StartOf(const PlacedHop& hop) const { return hop.From.Y * this->Index.Width() + hop.From.X; }
 
-  const ColumnRaster& Raster;
+  const ColumnIndex& Index;
   const HopVectors& Hops;
   const SeamGaps& Gaps; // the hops of their columns are those to the left and to the right
   const CutBlocks* const Cuts;

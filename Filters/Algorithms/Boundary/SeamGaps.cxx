@@ -18,7 +18,7 @@ std::string ToText(const std::optional<std::int32_t>& row)
   return row ? std::to_string(*row) : std::string("none");
 }
 
-void CheckRows(const std::vector<PlanePoint>& columns, const SeamRows& seams)
+void CheckRows(PlanePoints columns, const SeamRows& seams)
 {
   if (seams.Lower && seams.Upper && *seams.Lower >= *seams.Upper)
   {
@@ -44,18 +44,18 @@ void Renumber(const std::vector<std::int32_t>& joined, PatchComponents& parts)
   {
     const bool isFirst = joined[part] == std::int32_t(part);
     parts.First[count] = isFirst ? parts.First[part] : parts.First[count];
-    number[part] = isFirst ? std::int32_t(count++) : number[std::size_t(joined[part])];
+    number[part] = isFirst ? std::int32_t(count++) : number[joined[part]];
   }
   parts.First.resize(count);
   for (std::int32_t& component : parts.Component)
   {
-    component = number[std::size_t(component)];
+    component = number[component];
   }
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckSeams(const std::vector<PlanePoint>& columns, const BoundaryOptions& options)
+void CheckSeams(PlanePoints columns, const BoundaryOptions& options)
 {
   if (!HasSeams(options.Seams))
   {
@@ -79,7 +79,7 @@ void CheckSeams(const std::vector<PlanePoint>& columns, const BoundaryOptions& o
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SeamPresence::SeamPresence(const std::vector<PlanePoint>& columns, const SeamRows& seams)
+SeamPresence::SeamPresence(PlanePoints columns, const SeamRows& seams)
 {
   const auto has = [&columns](const std::optional<std::int32_t>& row)
   {
@@ -91,15 +91,15 @@ SeamPresence::SeamPresence(const std::vector<PlanePoint>& columns, const SeamRow
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SeamGaps::SeamGaps(const std::vector<PlanePoint>& columns, const ColumnRaster& raster, const BoundaryOptions& options,
-  const SeamPresence& seams)
+SeamGaps::SeamGaps(
+  PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams)
 {
   const PlaneBox box(columns);
   const auto fill = [&](Row& row, std::int32_t y)
   {
-    row.First = raster.Place({ box.Least.X, y });
+    row.First = index.Place({ box.Least.X, y });
     row.IsInGap.assign(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), false);
-    this->Fill(row, raster, options);
+    this->Fill(row, index, options);
   };
   if (seams.AtLeastRow)
   {
@@ -112,12 +112,12 @@ SeamGaps::SeamGaps(const std::vector<PlanePoint>& columns, const ColumnRaster& r
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SeamGaps::Fill(Row& row, const ColumnRaster& raster, const BoundaryOptions& options)
+void SeamGaps::Fill(Row& row, const ColumnIndex& index, const BoundaryOptions& options)
 {
   std::int64_t last = -1;
   for (std::int64_t column = 0; column < std::int64_t(row.IsInGap.size()); ++column)
   {
-    if (raster[row.First + column] == NoPoint)
+    if (!index.Has(row.First + column))
     {
       continue;
     }
@@ -132,14 +132,14 @@ void SeamGaps::Fill(Row& row, const ColumnRaster& raster, const BoundaryOptions&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SeamGaps::Join(const ColumnRaster& raster, PatchComponents& parts) const
+void SeamGaps::Join(const ColumnIndex& index, PatchComponents& parts) const
 {
   if (this->Sides.empty())
   {
     return;
   }
   DisjointSets sets(parts.First.size());
-  const auto component = [&](std::int64_t place) { return parts.Component[std::size_t(raster[place])]; };
+  const auto component = [&](std::int64_t place) { return parts.Component[index[place]]; };
   for (const std::array<std::int64_t, 2>& sides : this->Sides)
   {
     sets.Join(component(sides[0]), component(sides[1]));

@@ -1,24 +1,193 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: what corners can be cut off without a loop coming to cross another (LoopGuard); the passes over
+// straight runs and corners of one loop, or the fewest points of it (FewestPoints.h); what was dropped, and how far off
+// it is.
 
 #include "BoundarySimplification.h"
 
+#include "Common/CellGrid.h"
 #include "Common/Parameters.h"
+#include "Common/Predicates.h"
+#include "Common/SpacePoints.h"
 #include "FewestPoints.h"
-#include "LoopGuard.h"
-#include "SpanningEdge.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// As fine as sub-voxels can be (Lattice.h).
+constexpr double PartsPerColumn = 1 << 20;
+
+/// The column with each point: that of the greatest whole coordinates that are not greater than its own.
+std::vector<PlanePoint> FindColumns(const SpacePoints& points)
+{
+  std::vector<PlanePoint> columns;
+  columns.reserve(points.size());
+  for (std::size_t n = 0; n < points.size(); ++n)
+  {
+    const SpacePoint point = points[n];
+    columns.push_back({ std::int32_t(std::floor(point.X)), std::int32_t(std::floor(point.Y)) });
+  }
+  return columns;
+}
+
+/// Where the sides of a triangle are from one y to another.
+RowSegment::Range RangeBetween(const std::array<RowSegment, 3>& sides, double bottom, double top)
+{
+  RowSegment::Range range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+  for (const RowSegment& side : sides)
+  {
+    if (side.GreatestY() >= bottom && side.LeastY() <= top)
+    {
+      const RowSegment::Range ofSide = side.Between(bottom, top);
+      range = { std::min(range.First, ofSide.First), std::max(range.Last, ofSide.Last) };
+    }
+  }
+  return range;
+}
+
+/// 1 when a, b and c turn to the left, -1 when to the right, 0 when they are on one line.
+template <typename Point>
+int Turn(const Point& a, const Point& b, const Point& c)
+{
+  return Sign(Int128(b.X - a.X) * (c.Y - a.Y) - Int128(b.Y - a.Y) * (c.X - a.X));
+}
+
+// Which corners of the boundary loops of a horizon can be cut off, so that no loops come to cross and every point stays
+// on its side of them.
+//
+// When a loop goes straight from a to b instead of by way of m, only the triangle a, m, b changes sides:
+//
+//          m
+//         / \         As long as no other point lies in the triangle or on its sides, no other loop does: it would have
+//     ---a---b---     to cross a-m or m-b, or to have a point inside. So loops that did not cross still do not, and no
+//                     point changes sides or lies on the new edge.
+//
+/// Answers are exact for places that are multiples of 2^-20 of a column, as all on a lattice are.
+class LoopGuard
+{
+public:
+  /// `points` are all points of the horizon, in lattice units, on the boundary or inside.
+  explicit LoopGuard(const SpacePoints& points);
+
+  /// True when no point that is left lies in the triangle a, m, b or on its sides, other than these three.
+  bool IsClear(PointId a, PointId m, PointId b) const;
+
+  /// Takes a point away.
+  void Remove(PointId point) { this->Removed[point] = true; }
+
+private:
+  /// A place in the plane, in whole parts of a column.
+  struct FinePoint
+  {
+    std::int64_t X;
+    std::int64_t Y;
+  };
+
+  FinePoint Fine(PointId point) const;
+  RowSegment Side(PointId a, PointId b) const;
+  bool IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const;
+
+  const SpacePoints& Points;
+  const std::vector<PlanePoint> Columns; // of each point
+  const CellGrid Grid;
+  const PointLists InColumn;
+  std::vector<bool> Removed;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+LoopGuard::LoopGuard(const SpacePoints& points)
+  : Points(points)
+  , Columns(FindColumns(points))
+  , Grid(this->Columns, 1, 1)
+  , InColumn(SortByCell(this->Grid, this->Columns))
+  , Removed(points.size(), false)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LoopGuard::FinePoint LoopGuard::Fine(PointId point) const
+{
+  const SpacePoint place = this->Points[point];
+  return { std::llround(place.X * PartsPerColumn), std::llround(place.Y * PartsPerColumn) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RowSegment LoopGuard::Side(PointId a, PointId b) const
+{
+  const SpacePoint from = this->Points[a];
+  const SpacePoint to = this->Points[b];
+  return RowSegment({ from.X, from.Y }, { to.X, to.Y });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool LoopGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const
+{
+  const FinePoint p = this->Fine(point);
+  const int sides[3] = { Turn(a, m, p), Turn(m, b, p), Turn(b, a, p) };
+  const bool isInside = *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
+  // For a triangle without area the sides say nothing about how far out on its line the point is.
+  return isInside && p.X >= std::min({ a.X, m.X, b.X }) && p.X <= std::max({ a.X, m.X, b.X }) &&
+    p.Y >= std::min({ a.Y, m.Y, b.Y }) && p.Y <= std::max({ a.Y, m.Y, b.Y });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool LoopGuard::IsClear(PointId a, PointId m, PointId b) const
+{
+  const std::array<FinePoint, 3> corner = { this->Fine(a), this->Fine(m), this->Fine(b) };
+  const auto isIn = [&](PointId point)
+  {
+    return point != a && point != m && point != b && !this->Removed[point] &&
+      this->IsIn(point, corner[0], corner[1], corner[2]);
+  };
+  const std::array<RowSegment, 3> sides = { this->Side(a, m), this->Side(m, b), this->Side(b, a) };
+  const double bottom = std::floor(std::min(sides[0].LeastY(), sides[1].LeastY()));
+  const std::int64_t firstRow = this->Grid.CellY(bottom);
+  const std::int64_t lastRow = this->Grid.CellY(std::max(sides[0].GreatestY(), sides[1].GreatestY()));
+  // Row by row: a triangle can be long, but is thin.
+  for (std::int64_t row = firstRow; row <= lastRow; ++row)
+  {
+    const double y = bottom + double(row - firstRow);
+    const RowSegment::Range range = RangeBetween(sides, y, y + 1.0);
+    for (std::int64_t x = this->Grid.CellX(range.First); x <= this->Grid.CellX(range.Last); ++x)
+    {
+      const std::int64_t cell = this->Grid.Index(x, row);
+      if (std::any_of(this->InColumn.begin(cell), this->InColumn.end(cell), isIn))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// ---- Loops ---------------------------------------------------------------------------------------------------------
+/// Whether an edge could lead across a band that an index leaves out.
+bool HasLongEdges(const SpacePoints& points, const Loops& boundary)
+{
+  bool hasLong = false;
+  boundary.ForEachEdge(
+    [&](PointId from, PointId to)
+    {
+      const SpacePoint a = points[from];
+      const SpacePoint b = points[to];
+      hasLong = hasLong || std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y)) > ColumnIndex::LongestReach;
+    });
+  return hasLong;
+}
+
 /// Simplifies one loop after the other. Positions in a loop count from its first point; beyond its end they go on with
 /// the first point again.
 class LoopSimplifier
@@ -35,12 +204,17 @@ public:
     boundary.ForEachPoint([this](PointId point) { this->CountVisit(point); });
     for (const PointId point : options.Fixed)
     {
-      this->Visits[std::size_t(point)] = 2;
+      this->Visits[point] = 2;
     }
     if (options.Method == OutlineMethod::FewestPoints)
     {
-      this->Fewest.emplace(points, this->Visits, options.OutlineTolerance, options.DistanceThreshold,
-        [this]() { this->Watch.Progress(this->Part); });
+      if (!options.Index)
+      {
+        this->OwnIndex.emplace(
+          points.Columns(), 1, HasLongEdges(points, boundary) ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
+      }
+      this->Fewest.emplace(points, options.Index ? *options.Index : *this->OwnIndex, this->Visits,
+        options.OutlineTolerance, options.DistanceThreshold, [this]() { this->Watch.Progress(this->Part); });
     }
     else if (options.OutlineTolerance > 0.0)
     {
@@ -90,16 +264,16 @@ private:
 
   void CountVisit(PointId point)
   {
-    unsigned char& visits = this->Visits[std::size_t(point)];
+    unsigned char& visits = this->Visits[point];
     visits = static_cast<unsigned char>(std::min(visits + 1, 2));
   }
 
   PointId At(std::size_t n) const { return this->Loop[n % this->Loop.size()]; }
-  bool IsShared(std::size_t n) const { return this->Visits[std::size_t(this->At(n))] > 1; }
+  bool IsShared(std::size_t n) const { return this->Visits[this->At(n)] > 1; }
 
   Eigen::Vector3d Place(PointId point) const
   {
-    const SpacePoint place = this->Points[std::size_t(point)];
+    const SpacePoint place = this->Points[point];
     return { place.X, place.Y, place.Z };
   }
 
@@ -296,6 +470,7 @@ private:
   double Part = 0.0;
   std::vector<unsigned char> Visits; // 0, 1 or 2 for more than one
   std::optional<LoopGuard> Guard;
+  std::optional<ColumnIndex> OwnIndex;
   std::optional<FewestPoints> Fewest;
   std::vector<PointId> Loop; // that is being simplified
   std::vector<std::size_t> Run; // the positions that are left of the run that is being simplified

@@ -15,11 +15,12 @@
 // Beyond the thesis, loops can have the fewest points within the tolerances instead (FewestPoints.h), deviations can be
 // bound, and corners be dropped: loops that run slantwise over the lattice are staircases, and have no runs. A corner
 // is dropped when all points that the new edge spans then are near enough to it, in plan and in height, and no other
-// point lies between it and the two edges that it replaces (LoopGuard.h).
+// point lies between it and the two edges that it replaces (LoopGuard).
 
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
 
+#include "Common/ColumnIndex.h"
 #include "Common/DroppedPoints.h"
 #include "Common/Monitor.h"
 #include "Common/SpacePoints.h"
@@ -47,6 +48,8 @@ struct BoundarySimplificationOptions
   OutlineMethod Method = OutlineMethod::Threshold;
   /// Points that stay, as those do that loops visit more than once.
   std::vector<PointId> Fixed = {};
+  /// Of the points, for the fewest points, where there is one already; else null.
+  const ColumnIndex* Index = nullptr;
 };
 
 struct BoundarySimplification
@@ -62,7 +65,7 @@ struct BoundarySimplification
 };
 
 /// `points` are all points of the horizon, in lattice units; those of the loops stand on whole columns, and for the
-/// fewest points all have to (InputError otherwise). A loop begins where it did, or, when that is within a straight
+/// fewest points places are columns. A loop begins where it did, or, when that is within a straight
 /// run, at the end of the run; with the fewest points at the first of its points that stays. Linear in the points,
 /// times the number of passes over a run, which grows with the logarithm of its length where a run is flat, and with
 /// its length in the worst case; near linear for the fewest points.

@@ -1,19 +1,145 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: what may take the place of a chain without a loop coming to cross another (ShortcutGuard); the cone
+// that rules out most starts of an edge (ShortcutCone); the best way along a chain, node by node.
 
 #include "FewestPoints.h"
 
-#include "ShortcutCone.h"
-#include "SpanningEdge.h"
+#include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// Not between the ends of the chain.
+constexpr std::size_t NoPosition = 0;
+
+std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
+{
+  const std::int64_t part = numerator / denominator;
+  return part - std::int64_t(numerator % denominator < 0);
+}
+
+// A crossing is one number, by which crossings sort row by row, and in a row by x: 31 bits of the row, 32 of x, 1 of
+// the direction.
+constexpr std::int64_t Offset = std::int64_t(1) << 30; // makes rows and places positive
+constexpr int PlaceBits = 32;
+
+std::int64_t RowOf(std::uint64_t crossing)
+{
+  return std::int64_t(crossing >> (PlaceBits + 1)) - Offset;
+}
+
+/// The sum of the whole numbers next to x on either side, which are both x when that is whole. So those between two
+/// crossings are known, and in which order crossings come that have none between them does not matter.
+std::int64_t PlaceOf(std::uint64_t crossing)
+{
+  return std::int64_t(crossing >> 1 & ((std::uint64_t(1) << PlaceBits) - 1)) - 2 * Offset;
+}
+
+bool IsUpward(std::uint64_t crossing)
+{
+  return (crossing & 1) != 0;
+}
+
+// Where an edge from a point can go that passes others within a tolerance: a wedge of directions on the map (Imai and
+// Iri 1988; Chan and Chin 1996), and a range of slopes.
+//
+//              .  |  .
+//            _____o_____      An edge passes o within the tolerance when its direction lies between the tangents of
+//           .    /|\    .     the circle around o. Its place nearest to o is then at most as far from the start as o
+//           .   / | \   .     is, and nearer by the tolerance at most; so much is known of the slope.
+//              . \|/
+//                 x
+/// What no edge within the tolerances is outside of; one that is inside need not be within them.
+class ShortcutCone
+{
+public:
+  ShortcutCone(double outlineTolerance, double heightTolerance)
+    : Radius(outlineTolerance + PlanSlack)
+    , HeightTolerance(heightTolerance)
+  {
+  }
+
+  /// Whether no edge of any length is left.
+  bool IsEmpty() const { return this->HasNoDirection || this->LeastSlope > this->GreatestSlope; }
+
+  /// Whether an edge can lead to the end of a way from the start; leaves only edges that pass it within the tolerances.
+  bool Pass(const Eigen::Vector3d& way)
+  {
+    const double length = way.head<2>().norm();
+    const double slack = HeightSlack * std::abs(way.z());
+    const bool hasDirection = this->IsWhole || IsBetween(this->Right, this->Left, way.head<2>());
+    const bool hasSlope =
+      way.z() + slack >= this->LeastSlope * length && way.z() - slack <= this->GreatestSlope * length;
+    if (length > this->Radius)
+    {
+      this->NarrowDirections(way.head<2>(), std::sqrt(length * length - this->Radius * this->Radius));
+    }
+    const double nearest = std::max(0.0, length - this->Radius);
+    const double tolerance = this->HeightTolerance + slack;
+    this->LeastSlope = std::max(this->LeastSlope, -GreatestOf(tolerance - way.z(), nearest, length));
+    this->GreatestSlope = std::min(this->GreatestSlope, GreatestOf(tolerance + way.z(), nearest, length));
+    return hasDirection && hasSlope;
+  }
+
+private:
+  // Far more than rounding can be, for coordinates below 2^29, and far too little to matter. The second is a part of
+  // the height.
+  static constexpr double PlanSlack = 1e-6;
+  static constexpr double HeightSlack = 1e-9;
+
+  static double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+  /// Whether a direction is between two others, of which the second is less than half a turn to the left of the first.
+  static bool IsBetween(const Eigen::Vector2d& right, const Eigen::Vector2d& left, const Eigen::Vector2d& direction)
+  {
+    return Cross(right, direction) >= 0.0 && Cross(direction, left) >= 0.0;
+  }
+
+  /// The greatest slope that is at most `height` up at some distance from `nearest` to `farthest`.
+  static double GreatestOf(double height, double nearest, double farthest)
+  {
+    const double distance = height >= 0.0 ? nearest : farthest;
+    return distance > 0.0 ? height / distance : std::copysign(std::numeric_limits<double>::infinity(), height);
+  }
+
+  void NarrowDirections(const Eigen::Vector2d& way, double tangent)
+  {
+    const Eigen::Vector2d aside = this->Radius * Eigen::Vector2d(-way.y(), way.x());
+    const Eigen::Vector2d right = tangent * way - aside;
+    const Eigen::Vector2d left = tangent * way + aside;
+    const double rightToRight = Cross(this->Right, right);
+    const double rightToLeft = Cross(this->Right, left);
+    const double leftToRight = Cross(right, this->Left);
+    const double leftToLeft = Cross(left, this->Left);
+    const bool hasRight = this->IsWhole || (rightToRight >= 0.0 && leftToRight >= 0.0);
+    const bool hasLeft = this->IsWhole || (rightToLeft >= 0.0 && leftToLeft >= 0.0);
+    const bool keepsRight = rightToRight <= 0.0 && rightToLeft >= 0.0;
+    const bool keepsLeft = leftToRight >= 0.0 && leftToLeft <= 0.0;
+    this->HasNoDirection = !(hasRight || keepsRight) || !(hasLeft || keepsLeft);
+    this->Right = hasRight ? right : this->Right;
+    this->Left = hasLeft ? left : this->Left;
+    this->IsWhole = false;
+  }
+
+  double Radius;
+  double HeightTolerance;
+  bool IsWhole = true;
+  bool HasNoDirection = false;
+  Eigen::Vector2d Right{ 0.0, 0.0 };
+  Eigen::Vector2d Left{ 0.0, 0.0 };
+  double LeastSlope = -std::numeric_limits<double>::infinity();
+  double GreatestSlope = std::numeric_limits<double>::infinity();
+};
+
 // How many nodes before one are looked at. Outlines of real horizons hardly ever have edges that span more points, and
 // time grows with it where they run straight.
 constexpr std::size_t LookBack = 512;
@@ -26,14 +152,147 @@ constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FewestPoints::FewestPoints(const SpacePoints& points, const std::vector<unsigned char>& visits, double outlineTolerance,
-  double heightTolerance, std::function<void()> goOn)
+ShortcutGuard::ShortcutGuard(const ColumnIndex& index, const std::vector<unsigned char>& isOnLoop)
+  : Index(index)
+  , Columns(index.Columns())
+{
+  PlaceSet onLoops(index.Width(), index.Height());
+  for (std::size_t point = 0; point < this->Columns.size(); ++point)
+  {
+    if (isOnLoop[point] != 0)
+    {
+      onLoops.Add(index.Place(this->Columns[point]));
+    }
+  }
+  for (std::int64_t place = 0; place < this->Index.NumberOfPlaces(); place += PlaceSet::WordBits)
+  {
+    this->OnLoops.Append(std::uint64_t(onLoops.From(place)));
+  }
+  this->Position.assign(this->OnLoops.Size(), NoPosition);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t& ShortcutGuard::PositionOf(PointId point)
+{
+  return this->Position[this->OnLoops[this->Index.Place(this->Columns[point])]];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ShortcutGuard::SetChain(const std::vector<PointId>& chain)
+{
+  for (const PointId point : this->Chain)
+  {
+    this->PositionOf(point) = NoPosition;
+  }
+  this->Chain = chain;
+  for (std::size_t position = 1; position + 1 < chain.size(); ++position)
+  {
+    this->PositionOf(chain[position]) = position;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool ShortcutGuard::IsClear(std::size_t from, std::size_t to)
+{
+  this->From = from;
+  this->To = to;
+  const PlanePoint first = this->ColumnAt(from);
+  const PlanePoint last = this->ColumnAt(to);
+  if (!this->IsClearAlong(first, last))
+  {
+    return false;
+  }
+  this->Crossings.clear();
+  for (std::size_t position = from; position < to; ++position)
+  {
+    this->AddCrossings(this->ColumnAt(position), this->ColumnAt(position + 1));
+  }
+  this->AddCrossings(last, first);
+  return this->IsClearBetween();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Where an edge crosses the rows of columns. Its lower end counts, its upper end does not, so that a line through an
+/// end of two edges crosses one of them, or both, or neither, as a line just above does.
+void ShortcutGuard::AddCrossings(const PlanePoint& from, const PlanePoint& to)
+{
+  const bool isUpward = from.Y < to.Y;
+  const PlanePoint& low = isUpward ? from : to;
+  const PlanePoint& high = isUpward ? to : from;
+  const std::int64_t height = std::int64_t(high.Y) - low.Y;
+  const std::int64_t width = std::int64_t(high.X) - low.X;
+  for (std::int64_t row = 0; row < height; ++row)
+  {
+    const std::int64_t floor = FloorOfPart(row * width, height);
+    const std::int64_t place = 2 * (low.X + floor) + std::int64_t(floor * height != row * width);
+    this->Crossings.push_back(std::uint64_t(low.Y + row + Offset) << (PlaceBits + 1) |
+      std::uint64_t(place + 2 * Offset) << 1 | std::uint64_t(isUpward));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether all columns that the chain and the edge go around, in either direction, are clear.
+bool ShortcutGuard::IsClearBetween()
+{
+  std::sort(this->Crossings.begin(), this->Crossings.end());
+  int turns = 0;
+  for (std::size_t n = 0; n + 1 < this->Crossings.size(); ++n)
+  {
+    const std::uint64_t crossing = this->Crossings[n];
+    turns += IsUpward(crossing) ? 1 : -1;
+    const std::int64_t last = turns == 0 ? 0 : FloorOfPart(PlaceOf(this->Crossings[n + 1]), 2);
+    for (std::int64_t x = FloorOfPart(PlaceOf(crossing) + 1, 2); turns != 0 && x <= last; ++x)
+    {
+      if (!this->IsClearAt(x, RowOf(crossing)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether the columns that an edge passes exactly are clear.
+bool ShortcutGuard::IsClearAlong(const PlanePoint& from, const PlanePoint& to) const
+{
+  const std::int64_t x = std::int64_t(to.X) - from.X;
+  const std::int64_t y = std::int64_t(to.Y) - from.Y;
+  const std::int64_t steps = std::gcd(x, y);
+  for (std::int64_t step = 1; step < steps; ++step)
+  {
+    if (!this->IsClearAt(from.X + x / steps * step, from.Y + y / steps * step))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
+{
+  const PlanePoint column = { std::int32_t(x), std::int32_t(y) };
+  const std::int64_t place = this->Index.Place(column);
+  if (!this->Index.Has(place))
+  {
+    return true;
+  }
+  const std::int64_t number = this->OnLoops[place];
+  const std::size_t position = number == PlaceNumbers::None ? NoPosition : this->Position[number];
+  return (position > this->From && position < this->To) || column == this->ColumnAt(this->From) ||
+    column == this->ColumnAt(this->To);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FewestPoints::FewestPoints(const SpacePoints& points, const ColumnIndex& index,
+  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, std::function<void()> goOn)
   : Points(points)
   , Visits(visits)
   , OutlineTolerance(outlineTolerance)
   , HeightTolerance(heightTolerance)
   , GoOn(std::move(goOn))
-  , Guard(points, visits)
+  , Guard(index, visits)
 {
 }
 
@@ -99,7 +358,7 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
   for (const PointId point : this->Chain)
   {
-    const SpacePoint place = this->Points[std::size_t(point)];
+    const SpacePoint place = this->Points[point];
     this->Places.emplace_back(place.X, place.Y, place.Z);
     const Eigen::Vector3d way = this->Places.back() - this->Places.front();
     const Moments& before = this->Before.back();

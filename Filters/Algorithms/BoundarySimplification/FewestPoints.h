@@ -5,8 +5,8 @@
 // part of a loop (Imai and Iri 1988).
 //
 // Points that loops visit more than once stay, and cut a loop into chains. An edge between two points of a chain may
-// take the place of all between them when these are within the tolerances of it, and ShortcutGuard.h lets it. Going
-// along a chain, for each point the best way to it is found from those to the points before it, of which ShortcutCone.h
+// take the place of all between them when these are within the tolerances of it, and ShortcutGuard lets it. Going
+// along a chain, for each point the best way to it is found from those to the points before it, of which ShortcutCone
 // rules out nearly all. Among ways of equally many edges the best is that of the least sum of squared distances in
 // space from dropped points to the lines of their edges.
 //
@@ -18,24 +18,121 @@
 #ifndef SeismicHorizonsFewestPoints_h
 #define SeismicHorizonsFewestPoints_h
 
+#include "Common/ColumnIndex.h"
 #include "Common/SpacePoints.h"
-#include "ShortcutGuard.h"
+#include "Common/Types.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace SeismicHorizons
 {
+/// Distances of a place from an edge seen from above, and in height where it is nearest so.
+struct MapDistances
+{
+  double InPlan;
+  double InHeight;
+};
+
+class SpanningEdge
+{
+public:
+  SpanningEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+    : From(from)
+    , Along(to - from)
+  {
+  }
+
+  double InSpace(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3d way = place - this->From;
+    return (way - NearestPart(this->Along, way) * this->Along).norm();
+  }
+
+  MapDistances OnMap(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3d way = place - this->From;
+    const Eigen::Vector3d off = way - NearestPart<Eigen::Vector2d>(this->Along.head<2>(), way.head<2>()) * this->Along;
+    return { this->IsOnMap(way) ? 0.0 : off.head<2>().norm(), std::abs(off.z()) };
+  }
+
+private:
+  /// Where on the segment from the origin to `along` the place nearest to `way` is: 0 at the origin, 1 at its other
+  /// end.
+  template <typename Vector>
+  static double NearestPart(const Vector& along, const Vector& way)
+  {
+    const double length = along.squaredNorm();
+    return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
+  }
+
+  /// Whether the end of a way from our first end is on us, seen from above. Boundary points stand on whole columns, so
+  /// that products are exact, and nothing is lost to rounding on a straight run.
+  bool IsOnMap(const Eigen::Vector3d& way) const
+  {
+    const double part = this->Along.head<2>().dot(way.head<2>());
+    return this->Along.x() * way.y() == this->Along.y() * way.x() && part >= 0.0 &&
+      part <= this->Along.head<2>().squaredNorm();
+  }
+
+  Eigen::Vector3d From;
+  Eigen::Vector3d Along;
+};
+
+// Which chains of boundary points can be replaced by straight edges, so that no loops come to cross and every point
+// stays on its side of them.
+//
+//        o--o                    When an edge takes the place of a chain, what lies between the two changes sides. No
+//       /    \    o--o           point may lie there, or on the edge, other than those of the chain. Then no edge of
+//   ---o------o--/----o---       another chain crosses the new one: it can not cross the chain, and would have an end
+//              \o                between the two. For the same reason two new edges never cross, in whatever order they
+//                              are made, as their ends are among the points that may not lie there.
+/// All answers are exact.
+class ShortcutGuard
+{
+public:
+  /// `index` is that of all points of the horizon, on the boundary or inside, of which `isOnLoop` has for each 0 when
+  /// no loop visits it. Keeps a reference to it.
+  ShortcutGuard(const ColumnIndex& index, const std::vector<unsigned char>& isOnLoop);
+
+  /// Takes a chain, whose points between its ends no loop visits a second time.
+  void SetChain(const std::vector<PointId>& chain);
+
+  /// Whether the points of the chain between two positions can be dropped.
+  bool IsClear(std::size_t from, std::size_t to);
+
+private:
+  PlanePoint ColumnAt(std::size_t position) const { return this->Columns[this->Chain[position]]; }
+  std::size_t& PositionOf(PointId point);
+  void AddCrossings(const PlanePoint& from, const PlanePoint& to);
+  bool IsClearBetween();
+  bool IsClearAlong(const PlanePoint& from, const PlanePoint& to) const;
+  bool IsClearAt(std::int64_t x, std::int64_t y) const;
+
+  const ColumnIndex& Index;
+  const PlanePoints Columns;
+  PlaceNumbers OnLoops; // the places with points of loops
+  std::vector<PointId> Chain;
+  std::vector<std::size_t> Position; // in the chain, by the numbers of these places, for points between its ends
+  std::size_t From = 0; // the positions that IsClear was asked about
+  std::size_t To = 0;
+  std::vector<std::uint64_t> Crossings; // see AddCrossings
+};
+
 class FewestPoints
 {
 public:
-  /// `points` are all points of the horizon, on whole columns (InputError otherwise), of which loops visit each so many
+  /// `points` are all points of the horizon, which stand on the columns of `index`; loops visit each of them so many
   /// times, 2 standing for more than one. Tolerances in columns, and in lattice units upwards. `goOn` is called every
   /// so many points; it can throw to end the work.
-  FewestPoints(const SpacePoints& points, const std::vector<unsigned char>& visits, double outlineTolerance,
-    double heightTolerance, std::function<void()> goOn);
+  FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
+    double outlineTolerance, double heightTolerance, std::function<void()> goOn);
 
   /// The positions of the points that a loop keeps, ascending. Of a loop without points that have to stay, one does all
   /// the same: one that stays when the first of the loop does, half-way round from there.
@@ -63,7 +160,7 @@ private:
     double Lengths;
   };
 
-  bool IsFixed(PointId point) const { return this->Visits[std::size_t(point)] > 1; }
+  bool IsFixed(PointId point) const { return this->Visits[point] > 1; }
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
   void SetChain(std::vector<PointId> chain);
   void ListNodes();

@@ -1,15 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps: sort the points into cells, on several threads; find the sides of those that are cut.
+//
+// Sorting: count how many points of each batch go into each band; copy the points to their bands; sort each band by
+// square. A band is a few rows of squares, a batch a range of the input. A band with many more squares than points is
+// sorted by comparing, else by counting; both give the same order.
+//
+//     input   | batch 0 | batch 1 | ...        Every batch knows where its points begin in every band,
+//     banded  | 0 1 ... | 0 1 ... | ...        so that no thread waits for another, and points keep their order.
+//               band 0    band 1
+//
+// Sides: parts of a cell that links connect which are not cut. A crack that ends in the cell would leave one part
+// around its tip: it is carried on there, straight to the border of the cell or to another crack, so that points of its
+// two lips are never on one side.
+//
+//        a a a a a a
+//        a a a a a a
+//        ====== - - -      a, b    sides of a cell
+//        b b b b b b       =       a crack, carried on by -
 
 #include "CellLeaves.h"
 
-#include "CellSides.h"
-#include "CellSorter.h"
 #include "Common/Errors.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <limits>
 #include <map>
 #include <string>
@@ -18,10 +37,368 @@ namespace SeismicHorizons
 {
 namespace
 {
+// With more bands, the places that a thread writes to in turn would no longer fit into its cache.
+constexpr std::int64_t MostBands = 256;
+constexpr std::int64_t PointsPerBatch = 65536;
+// With more squares, their counters and an index of them would take more memory and time than sorting and searching.
+constexpr std::int64_t MostSquaresPerPoint = 16;
+
+constexpr std::int32_t NoSide = -1;
+
 std::int64_t CheckedCellSize(const BoundedHorizon& horizon, int columns)
 {
   CheckAtLeast("cell size", columns, 1, " column");
   return std::int64_t(columns) * horizon.SubVoxelsPerColumn;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Sorting
+
+/// Finds the squares of places one after the other. Neighbours are likely to share theirs, which saves the divisions.
+class SquareFinder
+{
+public:
+  explicit SquareFinder(const CellGrid& grid)
+    : Grid(grid)
+    , Size(std::uint32_t(grid.CellSize()))
+    , Corner(grid.Corner(0))
+  {
+  }
+
+  std::int64_t operator()(const PlanePoint& place)
+  {
+    if (std::uint32_t(place.X - this->Corner.X) >= this->Size || std::uint32_t(place.Y - this->Corner.Y) >= this->Size)
+    {
+      this->Square = this->Grid.CellOf(place);
+      this->Corner = this->Grid.Corner(this->Square);
+    }
+    return this->Square;
+  }
+
+private:
+  const CellGrid& Grid;
+  const std::uint32_t Size;
+  PlanePoint Corner;
+  std::int64_t Square = 0;
+};
+
+class CellSorter
+{
+public:
+  CellSorter(const CellGrid& grid, const std::vector<PlanePoint>& plane, const Monitor& monitor)
+    : Grid(grid)
+    , Plane(plane)
+    , RowsPerBand(grid.SizeY() / MostBands + 1)
+    , Bands((grid.SizeY() - 1) / this->RowsPerBand + 1)
+    , Batches(std::int64_t(plane.size() - 1) / PointsPerBatch + 1)
+    , Next(this->Batches * this->Bands, 0)
+    , BandEnds(this->Bands + 1, 0)
+    , Banded(new PointId[plane.size()])
+  {
+    this->ForEachPoint(monitor.Step(0.0, 0.5), [](std::uint32_t& next, PointId) { ++next; });
+    this->AddUp();
+    this->ForEachPoint(
+      monitor.Step(0.5, 1.0), [this](std::uint32_t& next, PointId point) { this->Banded[next++] = point; });
+  }
+
+  /// Writes all points to `sorted`, cell by cell, in each cell in the order of the input. Gives the squares that have
+  /// points, and where these begin, band by band.
+  std::vector<CellLeaves::Starts> Sort(PointId* sorted, const Monitor& monitor) const
+  {
+    std::vector<CellLeaves::Starts> starts(this->Bands);
+    ParallelFor(this->Bands, 1, monitor,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t band = first; band < last; ++band)
+        {
+          this->SortBand(band, starts[band], sorted);
+        }
+      });
+    return starts;
+  }
+
+private:
+  /// Calls visit(next, point) for all points, where `next` is the counter of the point's batch and band.
+  template <typename Visitor>
+  void ForEachPoint(const Monitor& monitor, Visitor&& visit)
+  {
+    ParallelFor(this->Batches, 1, monitor,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t batch = first; batch < last; ++batch)
+        {
+          this->VisitBatch(batch, visit);
+        }
+      });
+  }
+
+  template <typename Visitor>
+  void VisitBatch(std::int64_t batch, Visitor& visit)
+  {
+    const std::uint32_t height = std::uint32_t(
+      std::min<std::int64_t>(this->RowsPerBand * this->Grid.CellSize(), std::numeric_limits<std::int32_t>::max()));
+    const std::int64_t bottom = this->Grid.Corner(0).Y;
+    const std::size_t end = std::min(this->Plane.size(), std::size_t((batch + 1) * PointsPerBatch));
+    for (std::size_t point = std::size_t(batch * PointsPerBatch); point < end;)
+    {
+      // Points are likely to come row by row: as long as they stay in one band, its counter can stay in a register.
+      const std::uint32_t band = std::uint32_t(this->Plane[point].Y - bottom) / height;
+      const std::int64_t low = bottom + std::int64_t(band) * height;
+      std::uint32_t next = this->Next[batch * this->Bands + band];
+      for (; point < end && std::uint64_t(this->Plane[point].Y - low) < height; ++point)
+      {
+        visit(next, PointId(point));
+      }
+      this->Next[batch * this->Bands + band] = next;
+    }
+  }
+
+  /// Makes positions out of counts: band by band, and in a band batch by batch.
+  void AddUp()
+  {
+    std::uint32_t sum = 0;
+    for (std::int64_t band = 0; band < this->Bands; ++band)
+    {
+      for (std::int64_t batch = 0; batch < this->Batches; ++batch)
+      {
+        std::uint32_t& next = this->Next[batch * this->Bands + band];
+        sum += next;
+        next = sum - next;
+      }
+      this->BandEnds[band + 1] = sum;
+    }
+  }
+
+  void SortBand(std::int64_t band, CellLeaves::Starts& starts, PointId* sorted) const
+  {
+    const std::int64_t firstSquare = band * this->RowsPerBand * this->Grid.SizeX();
+    const std::int64_t squares = std::min(this->Grid.Size() - firstSquare, this->RowsPerBand * this->Grid.SizeX());
+    const std::int64_t points = this->BandEnds[band + 1] - this->BandEnds[band];
+    if (squares <= MostSquaresPerPoint * points)
+    {
+      this->SortByCounting(band, firstSquare, squares, starts, sorted);
+    }
+    else if (points > 0)
+    {
+      this->SortByComparing(band, starts, sorted);
+    }
+  }
+
+  void SortByCounting(std::int64_t band, std::int64_t firstSquare, std::int64_t squares, CellLeaves::Starts& starts,
+    PointId* sorted) const
+  {
+    // First the counts, then where each square ends. Points are filled in from the last one to the first, which takes
+    // each of these ends down to where its square begins.
+    std::vector<std::uint32_t> ends(squares, 0);
+    SquareFinder squareOf(this->Grid);
+    const auto counter = [&](PointId point) -> std::uint32_t&
+    { return ends[squareOf(this->Plane[point]) - firstSquare]; };
+    const PointId* const first = this->Banded.get() + this->BandEnds[band];
+    const PointId* const last = this->Banded.get() + this->BandEnds[band + 1];
+    std::for_each(first, last, [&](PointId point) { ++counter(point); });
+    starts.reserve(std::min<std::int64_t>(squares, last - first));
+    std::uint32_t sum = this->BandEnds[band];
+    for (std::int64_t square = 0; square < squares; ++square)
+    {
+      if (ends[square] > 0)
+      {
+        starts.emplace_back(firstSquare + square, sum);
+      }
+      sum += ends[square];
+      ends[square] = sum;
+    }
+    for (const PointId* point = last; point != first;)
+    {
+      --point;
+      sorted[--counter(*point)] = *point;
+    }
+  }
+
+  void SortByComparing(std::int64_t band, CellLeaves::Starts& starts, PointId* sorted) const
+  {
+    SquareFinder squareOf(this->Grid);
+    std::vector<std::pair<std::int64_t, PointId>> keyed;
+    for (std::uint32_t n = this->BandEnds[band]; n < this->BandEnds[band + 1]; ++n)
+    {
+      keyed.emplace_back(squareOf(this->Plane[this->Banded[n]]), this->Banded[n]);
+    }
+    std::sort(keyed.begin(), keyed.end()); // points of a band ascend
+    std::uint32_t next = this->BandEnds[band];
+    for (const auto& [square, point] : keyed)
+    {
+      if (starts.empty() || starts.back().first != square)
+      {
+        starts.emplace_back(square, next);
+      }
+      sorted[next++] = point;
+    }
+  }
+
+  const CellGrid& Grid;
+  const std::vector<PlanePoint>& Plane;
+  const std::int64_t RowsPerBand;
+  const std::int64_t Bands;
+  const std::int64_t Batches;
+  std::vector<std::uint32_t> Next; // for each batch and band: how many points, then where the next one goes
+  std::vector<std::uint32_t> BandEnds; // where the points of each band begin, and at the end their number
+  std::unique_ptr<PointId[]> Banded; // the points, band by band
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// Sides
+
+/// Which columns of a cell are on one side of the cuts in it.
+class CellSides
+{
+public:
+  /// For cells of so many columns along x and along y.
+  CellSides(const LinkCuts& cuts, std::int32_t width, std::int32_t height);
+
+  /// Whether a link between two columns of a cell, given by its least column, is cut.
+  bool HasCut(const PlanePoint& cell) const;
+
+  /// Finds the sides of a cell.
+  void Find(const PlanePoint& cell);
+
+  /// The side of a column of the cell that they were found for, from 0.
+  std::int32_t operator[](const PlanePoint& column) const
+  {
+    return this->Side[this->Place(column.X - this->Cell.X, column.Y - this->Cell.Y)];
+  }
+
+private:
+  std::size_t Place(std::int32_t x, std::int32_t y) const
+  {
+    return std::size_t(y) * std::size_t(this->Width) + std::size_t(x);
+  }
+
+  void ReadCuts();
+  void CarryOn(std::int32_t x, std::int32_t y);
+  void NumberSide(std::size_t first, std::int32_t number);
+
+  const LinkCuts& Cuts;
+  const std::int32_t Width;
+  const std::int32_t Height;
+  PlanePoint Cell{};
+  // By the place of a column in the cell: whether the link to the next column, or to the next row, is cut.
+  std::vector<unsigned char> East;
+  std::vector<unsigned char> North;
+  std::vector<std::int32_t> Side;
+  std::vector<std::size_t> Open; // columns whose neighbours are to be looked at
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+CellSides::CellSides(const LinkCuts& cuts, std::int32_t width, std::int32_t height)
+  : Cuts(cuts)
+  , Width(width)
+  , Height(height)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool CellSides::HasCut(const PlanePoint& cell) const
+{
+  for (std::int32_t y = cell.Y; y < cell.Y + this->Height; ++y)
+  {
+    for (std::int32_t x = cell.X; x < cell.X + this->Width; ++x)
+    {
+      if ((x + 1 < cell.X + this->Width && this->Cuts.IsCutEast({ x, y })) ||
+        (y + 1 < cell.Y + this->Height && this->Cuts.IsCutNorth({ x, y })))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CellSides::Find(const PlanePoint& cell)
+{
+  this->Cell = cell;
+  this->ReadCuts();
+  for (std::int32_t y = 0; y + 1 < this->Height; ++y)
+  {
+    for (std::int32_t x = 0; x + 1 < this->Width; ++x)
+    {
+      this->CarryOn(x, y);
+    }
+  }
+  this->Side.assign(this->East.size(), NoSide);
+  std::int32_t sides = 0;
+  for (std::size_t place = 0; place < this->Side.size(); ++place)
+  {
+    if (this->Side[place] == NoSide)
+    {
+      this->NumberSide(place, sides++);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CellSides::ReadCuts()
+{
+  const std::size_t columns = std::size_t(this->Width) * std::size_t(this->Height);
+  this->East.assign(columns, 0);
+  this->North.assign(columns, 0);
+  for (std::int32_t y = 0; y < this->Height; ++y)
+  {
+    for (std::int32_t x = 0; x < this->Width; ++x)
+    {
+      const PlanePoint column{ this->Cell.X + x, this->Cell.Y + y };
+      this->East[this->Place(x, y)] = this->Cuts.IsCutEast(column) ? 1 : 0;
+      this->North[this->Place(x, y)] = this->Cuts.IsCutNorth(column) ? 1 : 0;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Where one side of the block with a column as its least corner is cut, cuts that on the other side of the block, and
+// goes on from there.
+void CellSides::CarryOn(std::int32_t x, std::int32_t y)
+{
+  while (x >= 0 && y >= 0 && x + 1 < this->Width && y + 1 < this->Height)
+  {
+    // Below, above, to the left and to the right; the other side is the other one of a pair.
+    const std::array<unsigned char*, 4> sides = { &this->East[this->Place(x, y)], &this->East[this->Place(x, y + 1)],
+      &this->North[this->Place(x, y)], &this->North[this->Place(x + 1, y)] };
+    if (std::count_if(sides.begin(), sides.end(), [](const unsigned char* side) { return *side != 0; }) != 1)
+    {
+      return;
+    }
+    const auto cut = std::find_if(sides.begin(), sides.end(), [](const unsigned char* side) { return *side != 0; });
+    const std::size_t ahead = std::size_t(cut - sides.begin()) ^ 1U;
+    *sides[ahead] = 1;
+    constexpr std::array<PlanePoint, 4> steps = { { { 0, -1 }, { 0, 1 }, { -1, 0 }, { 1, 0 } } };
+    x += steps[ahead].X;
+    y += steps[ahead].Y;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CellSides::NumberSide(std::size_t first, std::int32_t number)
+{
+  const std::size_t row = std::size_t(this->Width);
+  this->Open.assign(1, first);
+  this->Side[first] = number;
+  const auto reach = [&](bool isJoined, std::size_t place)
+  {
+    if (isJoined && this->Side[place] == NoSide)
+    {
+      this->Side[place] = number;
+      this->Open.push_back(place);
+    }
+  };
+  while (!this->Open.empty())
+  {
+    const std::size_t place = this->Open.back();
+    this->Open.pop_back();
+    const std::size_t x = place % row;
+    reach(x + 1 < row && this->East[place] == 0, place + 1);
+    reach(place + row < this->Side.size() && this->North[place] == 0, place + row);
+    reach(x > 0 && this->East[place - 1] == 0, place - 1);
+    reach(place >= row && this->North[place - row] == 0, place - row);
+  }
 }
 }
 
@@ -34,13 +411,12 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
   , OnBoundary(horizon.Boundary.MarkPoints(horizon.Plane.size()))
   , Marks(horizon.Plane.size(), 0)
 {
-  if (this->Cells.Size() >= std::numeric_limits<std::uint32_t>::max())
-  {
-    throw InputError("cell size " + std::to_string(columns) +
-      ", expected one that gives less than 2^32 cells: there are " + std::to_string(this->Cells.Size()));
-  }
+  assert(horizon.Height.size() == horizon.Plane.size() && horizon.Patch.size() == horizon.Plane.size());
   monitor.Progress(0.0);
-  this->SortPoints(monitor);
+  this->Points.reset(new PointId[horizon.Plane.size()]); // not a vector, which would write to all of it on one thread
+  const CellSorter sorter(this->Cells, horizon.Plane, monitor.Step(0.0, 0.5));
+  this->MakeCells(sorter.Sort(this->Points.get(), monitor.Step(0.5, 1.0)));
+  this->IndexSquares();
   if (horizon.Cuts)
   {
     this->FindSides();
@@ -48,13 +424,51 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CellLeaves::SortPoints(const Monitor& monitor)
+/// Puts the squares of all bands one after the other.
+void CellLeaves::MakeCells(const std::vector<Starts>& bands)
 {
-  const std::size_t size = this->Input.Plane.size();
-  this->Points.reset(new PointId[size]); // not a vector, which would write to all of it on one thread first
-  this->CellEnds.assign(std::size_t(this->Cells.Size()) + 1, 0);
-  SortIntoCells(this->Cells, this->Input.Plane, this->CellEnds, this->Points.get(), monitor);
-  this->CellEnds.back() = std::uint32_t(size);
+  std::vector<std::size_t> firsts;
+  std::size_t size = 0;
+  for (const Starts& starts : bands)
+  {
+    firsts.push_back(size);
+    size += starts.size();
+  }
+  this->Squares.resize(size);
+  this->CellBegins.assign(size + 1, std::uint32_t(this->Input.Plane.size()));
+  ParallelFor(std::int64_t(bands.size()), 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t band = first; band < last; ++band)
+      {
+        std::size_t cell = firsts[band];
+        for (const auto& [square, begin] : bands[band])
+        {
+          this->Squares[cell] = square;
+          this->CellBegins[cell] = begin;
+          ++cell;
+        }
+      }
+    });
+  assert(std::is_sorted(this->Squares.begin(), this->Squares.end()));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CellLeaves::IndexSquares()
+{
+  if (this->Cells.Size() > MostSquaresPerPoint * this->NumberOfCells())
+  {
+    return;
+  }
+  this->FirstCells.resize(this->Cells.Size() + 1, std::uint32_t(this->NumberOfCells()));
+  std::int64_t next = 0;
+  for (std::int64_t cell = 0; cell < this->NumberOfCells(); ++cell)
+  {
+    for (; next <= this->Squares[cell]; ++next)
+    {
+      this->FirstCells[next] = std::uint32_t(cell);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -69,11 +483,11 @@ void CellLeaves::FindSides()
   const auto columns = [&](std::int64_t least, std::int64_t greatest)
   { return std::int32_t(std::min(this->Side / column, (greatest - least) / column + 2)); };
   CellSides sides(*this->Input.Cuts, columns(box.Least.X, box.Greatest.X), columns(box.Least.Y, box.Greatest.Y));
-  for (std::int64_t cell = 0; cell < this->Cells.Size(); ++cell)
+  for (std::int64_t cell = 0; cell < this->NumberOfCells(); ++cell)
   {
-    const PlanePoint corner = this->Cells.Corner(cell);
+    const PlanePoint corner = this->Cells.Corner(this->Squares[cell]);
     const PlanePoint least{ std::int32_t(corner.X / column), std::int32_t(corner.Y / column) };
-    if (this->Begin(cell) == this->Begin(cell + 1) || !sides.HasCut(least))
+    if (!sides.HasCut(least))
     {
       continue;
     }
@@ -88,7 +502,7 @@ void CellLeaves::FindSides()
       {
         side.first->second = std::int32_t(next++);
       }
-      this->Sides[std::size_t(*point)] = side.first->second;
+      this->Sides[*point] = side.first->second;
     }
   }
   if (next > std::numeric_limits<std::int32_t>::max())
@@ -117,8 +531,8 @@ PlanePoint CellLeaves::ColumnOf(PointId point) const
 //----------------------------------------------------------------------------------------------------------------------
 std::uint32_t CellLeaves::CountMerging(std::int64_t cell) const
 {
-  const auto begin = this->Marks.begin() + this->CellEnds[std::size_t(cell)];
-  const auto end = this->Marks.begin() + this->CellEnds[std::size_t(cell) + 1];
+  const auto begin = this->Marks.begin() + this->CellBegins[cell];
+  const auto end = this->Marks.begin() + this->CellBegins[cell + 1];
   return std::uint32_t(std::count_if(begin, end, [](unsigned mark) { return MergesInner(mark); }));
 }
 }

@@ -4,10 +4,9 @@
 // The points of a horizon sorted into square cells, and cells cut into leaves (thesis 4.3).
 //
 // Terms:
-//  - cell: a square of the grid in plan. The elaborate simplification stacks cubes on it and halves them; the pieces
-//    are called cells as well, and how many times one was halved is its level.
-//  - side: the points of one patch in one cell of level 0, and where the cell is cut, on one side of the cuts
-//    (CellSides.h).
+//  - cell: a square of the grid in plan with points in it. The elaborate simplification stacks cubes on it and halves
+//    them; the pieces are called cells as well, and how many times one was halved is its level.
+//  - side: the points of one patch in one cell of level 0, and where the cell is cut, on one side of the cuts.
 //  - group: the points of one side; the elaborate simplification parts them by height, too.
 //  - leaf: the points of a group in a cell that is not cut any further. A group is one leaf until it is cut.
 //  - inner points: the points of a leaf that are not on the boundary.
@@ -19,6 +18,8 @@
 //     groups   |  0  |  1  |       2       | 3 |
 //     points   | 2 7 | 3 8 | 1 4 9   0 5   | 6 |
 //     leaves     *     *     *       *       *
+//
+// Squares without points have no number and take no memory: parts of a horizon may be any distance apart.
 
 #ifndef SeismicHorizonsCellLeaves_h
 #define SeismicHorizonsCellLeaves_h
@@ -44,8 +45,11 @@ public:
   /// How many cells a thread takes at a time: little work next to all of it, much next to the start of a thread.
   static constexpr std::int64_t Grain = 1024;
 
-  /// Sorts the points into cells of so many columns. Throws InputError when these are below 1. Keeps a reference to the
-  /// horizon.
+  /// Cells, by their index in the grid, in ascending order, and where their points begin.
+  using Starts = std::vector<std::pair<std::int64_t, std::uint32_t>>;
+
+  /// Sorts the points, at least one, into cells of so many columns. Throws InputError when these are below 1. Keeps a
+  /// reference to the horizon.
   CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor& monitor);
 
   const BoundedHorizon& Horizon() const { return this->Input; }
@@ -53,29 +57,38 @@ public:
   /// The side of a cell in sub-voxels; that of the grid may be less where one cell covers the horizon.
   std::int64_t CellSize() const { return this->Side; }
 
-  const PlanePoint& Plane(PointId point) const { return this->Input.Plane[std::size_t(point)]; }
-  double Height(PointId point) const { return this->Input.Height[std::size_t(point)]; }
+  const PlanePoint& Plane(PointId point) const { return this->Input.Plane[point]; }
+  double Height(PointId point) const { return this->Input.Height[point]; }
   /// In lattice units.
   SpacePoint Place(PointId point) const
   {
     const PlanePoint& place = this->Plane(point);
     return { place.X * this->Scale, place.Y * this->Scale, this->Height(point) };
   }
-  std::int32_t Patch(PointId point) const { return this->Input.Patch[std::size_t(point)]; }
+  std::int32_t Patch(PointId point) const { return this->Input.Patch[point]; }
   /// The number of the side that a point is on in its cell: where the cell is not cut, that of its patch.
-  std::int32_t SideOf(PointId point) const
-  {
-    return this->Sides.empty() ? this->Patch(point) : this->Sides[std::size_t(point)];
-  }
+  std::int32_t SideOf(PointId point) const { return this->Sides.empty() ? this->Patch(point) : this->Sides[point]; }
   bool HasCuts() const { return !this->Sides.empty(); }
-  bool IsOnBoundary(PointId point) const { return this->OnBoundary[std::size_t(point)] != 0; }
+  bool IsOnBoundary(PointId point) const { return this->OnBoundary[point] != 0; }
   /// For each point 1 when it is on the boundary, else 0.
   const std::vector<unsigned char>& BoundaryFlags() const { return this->OnBoundary; }
+
+  /// Cells are numbered row by row of the grid.
+  std::int64_t NumberOfCells() const { return std::int64_t(this->Squares.size()); }
+  /// The index of a cell in the grid.
+  std::int64_t Square(std::int64_t cell) const { return this->Squares[cell]; }
+  /// The first cell whose index in the grid is at least this; NumberOfCells() when there is none.
+  std::int64_t FirstCellFrom(std::int64_t square) const
+  {
+    return this->FirstCells.empty()
+      ? std::lower_bound(this->Squares.begin(), this->Squares.end(), square) - this->Squares.begin()
+      : this->FirstCells[square];
+  }
 
   /// How many points of the original horizon a point stands for; at least 1, whatever the horizon says.
   std::int64_t Weight(PointId point) const
   {
-    return this->Input.Count.empty() ? 1 : std::max<std::int64_t>(1, this->Input.Count[std::size_t(point)]);
+    return this->Input.Count.empty() ? 1 : std::max<std::int64_t>(1, this->Input.Count[point]);
   }
 
   /// Sorts the points of every cell into groups of equal key(point), an std::int64_t, in ascending order. Each group is
@@ -85,7 +98,7 @@ public:
 
   std::size_t NumberOfGroups() const { return this->GroupEnds.back(); }
   /// The groups of a cell are FirstGroup(cell) to before FirstGroup(cell + 1).
-  std::size_t FirstGroup(std::int64_t cell) const { return this->GroupEnds[std::size_t(cell)]; }
+  std::size_t FirstGroup(std::int64_t cell) const { return this->GroupEnds[cell]; }
 
   /// Calls visit(first, last) for the groups of a cell; before any of them is cut. Who cuts a group may give its points
   /// another order.
@@ -141,7 +154,8 @@ private:
 
   static bool MergesInner(unsigned mark) { return (mark & Start) && (!(mark & Boundary) || (mark & KeepsInner)); }
 
-  void SortPoints(const Monitor& monitor);
+  void MakeCells(const std::vector<Starts>& bands);
+  void IndexSquares();
   void FindSides();
   PlanePoint ColumnOf(PointId point) const;
   template <typename Key>
@@ -154,34 +168,36 @@ private:
   template <typename Iterator, typename Visitor>
   void ForEachRange(Iterator first, Iterator last, Visitor& visit) const;
 
-  PointId* Begin(std::int64_t cell) const { return this->Points.get() + this->CellEnds[std::size_t(cell)]; }
-  unsigned char& MarkOf(PointId* point) { return this->Marks[std::size_t(point - this->Points.get())]; }
-  unsigned char MarkOf(const PointId* point) const { return this->Marks[std::size_t(point - this->Points.get())]; }
+  PointId* Begin(std::int64_t cell) const { return this->Points.get() + this->CellBegins[cell]; }
+  unsigned char& MarkOf(PointId* point) { return this->Marks[point - this->Points.get()]; }
+  unsigned char MarkOf(const PointId* point) const { return this->Marks[point - this->Points.get()]; }
 
   const BoundedHorizon& Input;
   const double Scale; // columns in a sub-voxel
   const std::int64_t Side;
-  const CellGrid Cells;
+  const CellGrid Cells; // all squares
   std::vector<unsigned char> OnBoundary;
   std::vector<std::int32_t> Sides; // by point; empty without cuts
   std::unique_ptr<PointId[]> Points; // the array of all points
   std::vector<unsigned char> Marks; // for each entry of Points: what kind of leaf begins there, or 0
-  std::vector<std::uint32_t> CellEnds; // where the points of each cell begin, and at the end their number
-  std::vector<std::uint32_t> GroupEnds; // likewise the number of the first group of each cell
+  std::vector<std::int64_t> Squares; // the index of each cell in the grid
+  std::vector<std::uint32_t> CellBegins; // where the points of each cell begin, and at the end their number
+  std::vector<std::uint32_t> FirstCells; // FirstCellFrom(square) for all squares, unless most of these are empty
+  std::vector<std::uint32_t> GroupEnds; // like CellBegins, the number of the first group of each cell
 };
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Key>
 void CellLeaves::MakeGroups(Key&& key, const Monitor& monitor)
 {
-  this->GroupEnds.assign(std::size_t(this->Cells.Size()) + 1, 0);
-  ParallelFor(this->Cells.Size(), Grain, monitor,
+  this->GroupEnds.assign(this->Squares.size() + 1, 0);
+  ParallelFor(this->NumberOfCells(), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       KeyedPoints keyed;
       for (std::int64_t cell = first; cell < last; ++cell)
       {
-        this->GroupEnds[std::size_t(cell) + 1] = this->GroupCell(cell, key, keyed);
+        this->GroupEnds[cell + 1] = this->GroupCell(cell, key, keyed);
       }
     });
   std::partial_sum(this->GroupEnds.begin(), this->GroupEnds.end(), this->GroupEnds.begin());

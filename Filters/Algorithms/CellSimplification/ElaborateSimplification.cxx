@@ -1,21 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: sort the points into patch cubes, and number their rings (PatchCubes.h); cut the patch cubes into leaves, ring
-// by ring; write the points that stand for the leaves. Patch cubes of one ring read the sizes of leaves in the rings
-// before and write their own, so that all of them can be cut at the same time.
+// Steps: sort the points into patch cubes, and number their rings; cut the patch cubes into leaves, ring by ring; write
+// the points that stand for the leaves. Patch cubes of one ring read the sizes of leaves in the rings before and write
+// their own, so that all of them can be cut at the same time.
+//
+// Terms: space is cut into cubes with the side of a cell, one layer above the other, over the cells of the grid. A
+// patch cube is the points of one side, mostly a patch, in one cube, which is what CellLeaves.h calls a group. A tower
+// is the patch cubes of one side over one cell. The ring of a patch cube is the number of steps to it from the
+// boundary:
+//
+//    ring  1  1  1  1  1  1
+//          1  2  2  2  2  1
+//          1  2  3  3  2  1
+//          1  1  1  2  1  1
 
 #include "ElaborateSimplification.h"
 
-#include "CellFlatness.h"
 #include "CellLeaves.h"
+#include "Common/CountingSort.h"
 #include "Common/Parameters.h"
+#include "Flatness.h"
 #include "LeafWriter.h"
-#include "OctreeCutter.h"
-#include "PatchCubes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -27,6 +41,577 @@ constexpr std::int64_t GrainOfCopying = 256;
 
 // From a size to the middle, by ratio, between it and the next one: sizes of levels differ by a factor of 2.
 constexpr double HalfALevel = 1.4142135623730951;
+
+/// The sizes of some cells, of which the mean is taken.
+struct CellSizes
+{
+  double Sum = 0.0; // in units of the smallest size that halving can give: sums of sizes of leaves are exact
+  std::int64_t Number = 0;
+
+  double Mean() const { return this->Sum / double(this->Number); }
+
+  void Add(const CellSizes& other)
+  {
+    this->Sum += other.Sum;
+    this->Number += other.Number;
+  }
+};
+
+/// A cube, or an octant of one: its least corner and its side. Its own octants begin at the middle.
+struct CubeBox
+{
+  std::int64_t X = 0; // sub-voxels
+  std::int64_t Y = 0;
+  double Z = 0.0; // lattice units
+  std::int64_t PlaneSize = 0; // the side in sub-voxels
+  double Size = 0.0; // the side in lattice units
+
+  /// In which octant a place is, 0 to 7.
+  int OctantOf(const PlanePoint& place, double height) const
+  {
+    const std::int64_t half = this->PlaneSize / 2;
+    return int(place.X - this->X >= half) + 2 * int(place.Y - this->Y >= half) +
+      4 * int(height - this->Z >= 0.5 * this->Size);
+  }
+
+  CubeBox Octant(int octant) const
+  {
+    CubeBox result(*this);
+    result.PlaneSize = this->PlaneSize / 2;
+    result.Size = 0.5 * this->Size;
+    result.X += (octant & 1) ? result.PlaneSize : 0;
+    result.Y += (octant & 2) ? result.PlaneSize : 0;
+    result.Z += (octant & 4) ? result.Size : 0.0;
+    return result;
+  }
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// Cubes and rings
+
+/// The points of one side in one cube.
+struct PatchCube
+{
+  PointId* First = nullptr;
+  PointId* Last = nullptr;
+  std::int64_t Cell = 0; // its number
+  std::int32_t Layer = 0;
+  std::int32_t Patch = 0;
+  std::int32_t Ring = 0; // from 1; 0 while rings are numbered
+  std::uint32_t Tower = 0; // its number
+  CellSizes Sizes; // what counts in the mean of its neighbours' sizes, once it is cut
+};
+
+class PatchCubes
+{
+public:
+  /// The numbers of the patch cubes of one ring.
+  using Ring = std::vector<std::size_t>;
+
+  /// Makes groups of the points, and numbers the rings. `size` is the side of a cube in lattice units. Keeps a
+  /// reference to the leaves.
+  PatchCubes(CellLeaves& leaves, int size, const Monitor& monitor);
+
+  std::size_t Size() const { return this->Cubes.size(); }
+  PatchCube& operator[](std::size_t n) { return this->Cubes[n]; }
+  const PatchCube& operator[](std::size_t n) const { return this->Cubes[n]; }
+
+  /// All rings, that at the boundary first.
+  const std::vector<Ring>& Rings() const { return this->AllRings; }
+
+  /// Says that the patch cubes of a ring are cut: their sizes then count for SizesBefore.
+  void EndRing(const Ring& ring);
+
+  /// The sizes of the neighbours of a patch cube that are of the ring before; where there are none, of the neighbours
+  /// in plan that are of any ring before.
+  CellSizes SizesBefore(const PatchCube& cube) const;
+
+  CubeBox BoxOf(const PatchCube& cube) const { return this->BoxOf(this->Leaves.Square(cube.Cell), cube.Layer); }
+  /// The cube that a point is in.
+  CubeBox BoxOf(PointId point) const;
+
+private:
+  /// The patch cubes of one side over one cell, from the bottom up.
+  struct PatchTower
+  {
+    std::size_t First = 0;
+    std::size_t End = 0;
+    std::int32_t Patch = 0;
+    bool IsTaken = false; // all of them have a ring
+    CellSizes Sizes; // of those in the rings that have ended
+  };
+
+  std::int32_t LayerOf(PointId point) const;
+  CubeBox BoxOf(std::int64_t square, std::int32_t layer) const;
+  void MakeCubes(const Monitor& monitor);
+  void MakeTowers();
+  void NumberRings();
+  Ring FindNextRing();
+  template <typename Take>
+  void TakeBeyondCliffs(Take&& take);
+  template <typename Take>
+  void TakeTower(PatchTower& tower, Take& take);
+  template <typename Visitor>
+  void ForEachTower(const PatchCube& cube, Visitor&& visit) const;
+  template <typename Visitor>
+  void ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const;
+
+  CellLeaves& Leaves;
+  const int CubeSize; // lattice units
+  const double Bottom; // of the lowest layer
+  std::vector<PatchCube> Cubes; // in the order of the groups
+  std::vector<PatchTower> Towers; // in the same order
+  std::vector<std::size_t> FirstTowers; // for each cell its first tower, and at the end their number
+  std::vector<Ring> AllRings;
+  std::size_t FirstRingWithCliffs = 0; // where TakeBeyondCliffs goes on
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+PatchCubes::PatchCubes(CellLeaves& leaves, int size, const Monitor& monitor)
+  : Leaves(leaves)
+  , CubeSize(size)
+  , Bottom(*std::min_element(leaves.Horizon().Height.begin(), leaves.Horizon().Height.end()))
+{
+  this->MakeCubes(monitor);
+  this->MakeTowers();
+  this->NumberRings();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int32_t PatchCubes::LayerOf(PointId point) const
+{
+  const double layer = std::floor((this->Leaves.Height(point) - this->Bottom) / this->CubeSize);
+  return std::int32_t(std::min(layer, double(std::numeric_limits<std::int32_t>::max())));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchCubes::MakeCubes(const Monitor& monitor)
+{
+  this->Leaves.MakeGroups(
+    [this](PointId point)
+    {
+      const std::int64_t side = this->Leaves.SideOf(point);
+      return side * (std::int64_t(1) << 32) + this->LayerOf(point);
+    },
+    monitor);
+  this->Cubes.resize(this->Leaves.NumberOfGroups());
+  ParallelFor(this->Leaves.NumberOfCells(), CellLeaves::Grain,
+    [this](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t cell = begin; cell < end; ++cell)
+      {
+        std::size_t cube = this->Leaves.FirstGroup(cell);
+        this->Leaves.ForEachGroup(cell,
+          [&](PointId* first, PointId* last)
+          {
+            this->Cubes[cube] = { first, last, cell, this->LayerOf(*first), this->Leaves.Patch(*first),
+              this->Leaves.HasBoundary(first) ? 1 : 0, 0, CellSizes() };
+            ++cube;
+          });
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchCubes::MakeTowers()
+{
+  this->FirstTowers.assign(this->Leaves.NumberOfCells() + 1, 0);
+  for (std::size_t n = 0; n < this->Cubes.size(); ++n)
+  {
+    PatchCube& cube = this->Cubes[n];
+    if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell ||
+      this->Leaves.SideOf(*cube.First) != this->Leaves.SideOf(*this->Cubes[n - 1].First))
+    {
+      this->Towers.push_back({ n, n, cube.Patch, false, CellSizes() });
+      ++this->FirstTowers[cube.Cell + 1];
+    }
+    this->Towers.back().End = n + 1;
+    cube.Tower = std::uint32_t(this->Towers.size() - 1);
+  }
+  std::partial_sum(this->FirstTowers.begin(), this->FirstTowers.end(), this->FirstTowers.begin());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Calls visit(number) for the towers of the same patch that touch that of a cube, itself included.
+template <typename Visitor>
+void PatchCubes::ForEachTower(const PatchCube& cube, Visitor&& visit) const
+{
+  const CellGrid& grid = this->Leaves.Grid();
+  const std::int64_t x = this->Leaves.Square(cube.Cell) % grid.SizeX();
+  const std::int64_t y = this->Leaves.Square(cube.Cell) / grid.SizeX();
+  for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= std::min(grid.SizeY() - 1, y + 1); ++row)
+  {
+    const std::int64_t left = grid.Index(std::max<std::int64_t>(0, x - 1), row);
+    const std::int64_t right = grid.Index(std::min(grid.SizeX() - 1, x + 1), row);
+    const std::size_t end = this->FirstTowers[this->Leaves.FirstCellFrom(right + 1)];
+    for (std::size_t n = this->FirstTowers[this->Leaves.FirstCellFrom(left)]; n < end; ++n)
+    {
+      if (this->Towers[n].Patch == cube.Patch)
+      {
+        visit(n);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Calls visit(number) for the patch cubes of the same patch that touch one, itself included.
+template <typename Visitor>
+void PatchCubes::ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const
+{
+  const std::int64_t lowest = std::int64_t(cube.Layer) - 1;
+  this->ForEachTower(cube,
+    [&](std::size_t tower)
+    {
+      const auto end = this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].End);
+      auto other = std::lower_bound(this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].First), end, lowest,
+        [](const PatchCube& a, std::int64_t layer) { return a.Layer < layer; });
+      for (; other != end && other->Layer <= lowest + 2; ++other)
+      {
+        visit(std::size_t(other - this->Cubes.begin()));
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchCubes::NumberRings()
+{
+  this->AllRings.emplace_back();
+  for (std::size_t cube = 0; cube < this->Cubes.size(); ++cube)
+  {
+    if (this->Cubes[cube].Ring == 1)
+    {
+      this->AllRings.back().push_back(cube);
+    }
+  }
+  std::size_t reached = this->AllRings.back().size();
+  while (reached < this->Cubes.size())
+  {
+    Ring next = this->FindNextRing();
+    reached += next.size();
+    this->AllRings.push_back(std::move(next));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// What touches the last ring; where nothing is left, what touches any ring in plan; and in the end all others.
+PatchCubes::Ring PatchCubes::FindNextRing()
+{
+  const std::int32_t number = std::int32_t(this->AllRings.size()) + 1;
+  Ring next;
+  const auto take = [&](std::size_t cube)
+  {
+    if (this->Cubes[cube].Ring == 0)
+    {
+      this->Cubes[cube].Ring = number;
+      next.push_back(cube);
+    }
+  };
+  for (const std::size_t cube : this->AllRings.back())
+  {
+    this->ForEachNeighbour(this->Cubes[cube], take);
+  }
+  if (next.empty())
+  {
+    this->TakeBeyondCliffs(take);
+  }
+  if (next.empty())
+  {
+    for (std::size_t cube = 0; cube < this->Cubes.size(); ++cube)
+    {
+      take(cube);
+    }
+  }
+  return next;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Calls take(number) for what touches any ring in plan. Rings that an earlier call has looked at have no neighbours
+/// left to take.
+template <typename Take>
+void PatchCubes::TakeBeyondCliffs(Take&& take)
+{
+  for (; this->FirstRingWithCliffs < this->AllRings.size(); ++this->FirstRingWithCliffs)
+  {
+    for (const std::size_t cube : this->AllRings[this->FirstRingWithCliffs])
+    {
+      this->ForEachTower(this->Cubes[cube], [&](std::size_t tower) { this->TakeTower(this->Towers[tower], take); });
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Take>
+void PatchCubes::TakeTower(PatchTower& tower, Take& take)
+{
+  for (std::size_t cube = tower.First; !tower.IsTaken && cube < tower.End; ++cube)
+  {
+    take(cube);
+  }
+  tower.IsTaken = true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PatchCubes::EndRing(const Ring& ring)
+{
+  for (const std::size_t cube : ring)
+  {
+    this->Towers[this->Cubes[cube].Tower].Sizes.Add(this->Cubes[cube].Sizes);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CellSizes PatchCubes::SizesBefore(const PatchCube& cube) const
+{
+  CellSizes sizes;
+  this->ForEachNeighbour(cube,
+    [&](std::size_t n)
+    {
+      if (this->Cubes[n].Ring == cube.Ring - 1)
+      {
+        sizes.Add(this->Cubes[n].Sizes);
+      }
+    });
+  if (sizes.Number == 0)
+  {
+    this->ForEachTower(cube, [&](std::size_t tower) { sizes.Add(this->Towers[tower].Sizes); });
+  }
+  return sizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubeBox PatchCubes::BoxOf(PointId point) const
+{
+  return this->BoxOf(this->Leaves.Grid().CellOf(this->Leaves.Plane(point)), this->LayerOf(point));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubeBox PatchCubes::BoxOf(std::int64_t square, std::int32_t layer) const
+{
+  const PlanePoint corner = this->Leaves.Grid().Corner(square);
+  const double size = this->CubeSize;
+  return { corner.X, corner.Y, this->Bottom + size * layer, this->Leaves.CellSize(), size };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Cutting
+
+constexpr std::ptrdiff_t MostPointsOfPlane = 3; // so many are always on a plane
+
+Eigen::Matrix3d CovarianceOf(const CellLeaves& leaves, const PointId* first, const PointId* last)
+{
+  Covariance covariance(leaves.Place(*first));
+  std::for_each(first, last, [&](PointId point) { covariance.Add(leaves.Place(point), double(leaves.Weight(point))); });
+  return covariance.Matrix();
+}
+
+/// The flatness (thesis eq. 4.5) of some points, at least one: from 0, which is a plane, to 1/3. Wrong by 1e-6 at most.
+/// Each point weighs as much as it stands for.
+double FlatnessOf(const CellLeaves& leaves, const PointId* first, const PointId* last)
+{
+  return last - first <= MostPointsOfPlane ? 0.0 : QuickFlatness(CovarianceOf(leaves, first, last));
+}
+
+/// Whether it is at most `threshold`, up to rounding.
+bool AreFlat(const CellLeaves& leaves, const PointId* first, const PointId* last, double threshold)
+{
+  return last - first <= MostPointsOfPlane || IsFlatWithin(CovarianceOf(leaves, first, last), threshold);
+}
+
+constexpr int NumberOfOctants = 8;
+
+double Distance(const SpacePoint& a, const SpacePoint& b)
+{
+  const double x = a.X - b.X;
+  const double y = a.Y - b.Y;
+  const double z = a.Z - b.Z;
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+/// Cuts the group of one cube after the other (thesis 4.3.2). Each thread has its own; they may cut different groups at
+/// the same time.
+class OctreeCutter
+{
+public:
+  /// Cells of level `deepest` are not halved any more. Keeps references to the leaves and the options.
+  OctreeCutter(CellLeaves& leaves, const ElaborateOptions& options, int deepest)
+    : Leaves(leaves)
+    , Options(options)
+    , Deepest(deepest)
+  {
+  }
+
+  /// Cuts the group of a cube into leaves, and gives their sizes. `leastLevel` is the least level of leaves without
+  /// boundary points.
+  CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
+
+private:
+  void CutAny(PointId* first, PointId* last, const CubeBox& box, int level);
+  void CutInner(PointId* first, PointId* last, const CubeBox& box, int level);
+  void CutFlat(PointId* first, PointId* last, const CubeBox& box, int level);
+
+  bool StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size);
+  bool AnyApart(double extent, double size) const;
+  template <typename Visitor>
+  void Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit);
+  void MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner);
+
+  CellLeaves& Leaves;
+  const ElaborateOptions& Options;
+  const int Deepest;
+  int LeastLevel = 0; // of the group at hand
+  CellSizes Sizes; // of its leaves so far
+  // Memory to work with.
+  std::vector<PointId> BoundaryPoints;
+  std::vector<PointId> Order;
+  std::vector<unsigned char> Octants;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+CellSizes OctreeCutter::Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel)
+{
+  this->Sizes = CellSizes();
+  this->LeastLevel = leastLevel;
+  this->CutAny(first, last, cube, 0);
+  return this->Sizes;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void OctreeCutter::CutAny(PointId* first, PointId* last, const CubeBox& box, int level)
+{
+  const std::ptrdiff_t boundaryPoints =
+    std::count_if(first, last, [this](PointId point) { return this->Leaves.IsOnBoundary(point); });
+  if (boundaryPoints == 0)
+  {
+    this->CutInner(first, last, box, level);
+  }
+  else if (level == this->Deepest || this->StaysWhole(first, last, boundaryPoints, box.Size))
+  {
+    const bool keepsInner = boundaryPoints < last - first && box.Size > this->Options.BoundaryCellSizeThreshold;
+    this->MakeLeaf(first, level, true, keepsInner);
+  }
+  else
+  {
+    this->Halve(first, last, box,
+      [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutAny(begin, end, octant, level + 1); });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Points without boundary points among them: cuts them until they are flat, and then on to the least level.
+void OctreeCutter::CutInner(PointId* first, PointId* last, const CubeBox& box, int level)
+{
+  if (level == this->Deepest || AreFlat(this->Leaves, first, last, this->Options.FlatnessThreshold))
+  {
+    this->CutFlat(first, last, box, level);
+  }
+  else
+  {
+    this->Halve(first, last, box,
+      [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutInner(begin, end, octant, level + 1); });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void OctreeCutter::CutFlat(PointId* first, PointId* last, const CubeBox& box, int level)
+{
+  if (level >= this->LeastLevel)
+  {
+    this->MakeLeaf(first, level, false, false);
+  }
+  else if (last - first == 1) // the one octant it is in at the least level
+  {
+    this->MakeLeaf(first, this->LeastLevel, false, false);
+  }
+  else
+  {
+    this->Halve(first, last, box,
+      [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutFlat(begin, end, octant, level + 1); });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether a cell with boundary points is a leaf (thesis eq. 4.2): these lie densely, and far apart.
+bool OctreeCutter::StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size)
+{
+  if (!(double(boundaryPoints) / size > this->Options.BoundaryDensityThreshold))
+  {
+    return false;
+  }
+  this->BoundaryPoints.clear();
+  std::copy_if(first, last, std::back_inserter(this->BoundaryPoints),
+    [this](PointId point) { return this->Leaves.IsOnBoundary(point); });
+  return this->AnyApart(this->Options.BoundaryExtentThreshold, size);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether any two of BoundaryPoints, in a cell of that size, are farther apart than that (thesis eq. 4.1).
+bool OctreeCutter::AnyApart(double extent, double size) const
+{
+  if (extent > 2.0 * size) // more than the diagonal
+  {
+    return false;
+  }
+  double reach = 0.0;
+  for (std::size_t a = 0; a < this->BoundaryPoints.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < this->BoundaryPoints.size(); ++b)
+    {
+      const double distance =
+        Distance(this->Leaves.Place(this->BoundaryPoints[a]), this->Leaves.Place(this->BoundaryPoints[b]));
+      if (distance > extent)
+      {
+        return true;
+      }
+      reach = std::max(reach, distance);
+    }
+    if (a == 0 && 2.0 * reach <= extent) // all are so near to the first one that no two can be far apart
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Sorts points into the octants of a box, each in the order they came in, and calls visit(first, last, octant) for
+/// those that have some.
+template <typename Visitor>
+void OctreeCutter::Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit)
+{
+  SmallCountingSort<std::ptrdiff_t, NumberOfOctants> sort;
+  this->Octants.clear();
+  for (const PointId* point = first; point != last; ++point)
+  {
+    const int octant = box.OctantOf(this->Leaves.Plane(*point), this->Leaves.Height(*point));
+    this->Octants.push_back(static_cast<unsigned char>(octant));
+    sort.Count(octant);
+  }
+  sort.EndCounting();
+  this->Order.assign(first, last);
+  for (std::size_t n = 0; n < this->Order.size(); ++n)
+  {
+    first[sort.NextPosition(this->Octants[n])] = this->Order[n];
+  }
+  for (int octant = 0; octant < NumberOfOctants; ++octant)
+  {
+    if (sort.First(octant) != sort.End(octant))
+    {
+      visit(first + sort.First(octant), first + sort.End(octant), box.Octant(octant));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void OctreeCutter::MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner)
+{
+  this->Leaves.MarkLeaf(first, level, hasBoundary, keepsInner);
+  this->Sizes.Sum += double(std::int64_t(1) << (this->Deepest - level));
+  ++this->Sizes.Number;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The whole
 
 void CheckOptions(const ElaborateOptions& options)
 {
@@ -135,7 +720,7 @@ private:
       {
         for (std::int64_t n = begin; n < end; ++n)
         {
-          const PatchCube& cube = this->Cubes[std::size_t(n)];
+          const PatchCube& cube = this->Cubes[n];
           this->Leaves.ForEachLeaf(cube.First, cube.Last,
             [&](const PointId* first, const PointId* last) { this->DescribeLeaf(first, last, cube.Ring, result); });
         }
@@ -147,7 +732,7 @@ private:
     const double flatness = FlatnessOf(this->Leaves, first, last);
     for (const PointId* point = first; point != last; ++point)
     {
-      const std::size_t target = std::size_t(result.Target[std::size_t(*point)]);
+      const std::size_t target = std::size_t(result.Target[*point]);
       result.Origin[target].Ring = ring;
       result.Flatness[target] = flatness;
     }

@@ -23,11 +23,10 @@
 //  - Where a cube of the first ring is cut, octants without boundary points have no ring before them: curvature alone
 //    decides.
 //  - At a cliff higher than a cube, the cubes beyond it touch none of the ring before. Once no other cubes are left,
-//  they
-//    are taken as the next ring, and those beside them in plan count as touching them. Cubes that nothing leads to come
-//    last, and are cut by curvature alone.
-//  - Where a cell is cut, the points on each side of the cuts are in cubes of their own (CellSides.h).
-//  - Leaves can lie above each other. No two points are made in one place in plan all the same (StandIns.h).
+//    they are taken as the next ring, and those beside them in plan count as touching them. Cubes that nothing leads to
+//    come last, and are cut by curvature alone.
+//  - Where a cell is cut, the points on each side of the cuts are in cubes of their own (CellLeaves.cxx).
+//  - Leaves can lie above each other. No two points are made in one place in plan all the same (LeafWriter.cxx).
 
 #ifndef SeismicHorizonsElaborateSimplification_h
 #define SeismicHorizonsElaborateSimplification_h
@@ -74,10 +73,10 @@ struct ElaborateOptions : CellOptions
 };
 
 /// Throws InputError on options out of range. Boundary points come first, in their order, then the points that stand
-/// for leaves: row by row in plan, in each cell of the grid by patch, and from the bottom up. Linear in the points, the
-/// boundary and the cells of the bounding box, times the number of halvings of a cell; where the extent threshold is
-/// about as large as the cell, boundary points in it are compared in pairs. Cubes of one ring run in parallel; results
-/// are the same to the bit on every machine, for any number of threads.
+/// for leaves: row by row in plan, in each cell of the grid by patch, and from the bottom up. Linear in the points and
+/// the boundary, times the number of halvings of a cell, and in the cells of the bounding box where many have points;
+/// where the extent threshold is about as large as the cell, boundary points in it are compared in pairs. Cubes of one
+/// ring run in parallel; results are the same to the bit on every machine, for any number of threads.
 Reduction SimplifyElaborate(
   const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor = Monitor());
 }

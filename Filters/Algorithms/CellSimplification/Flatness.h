@@ -10,6 +10,10 @@
 #include "Common/Types.h"
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
 
 namespace SeismicHorizons
 {
@@ -66,13 +70,45 @@ private:
 
 /// The least eigenvalue of a covariance matrix, divided by the sum of the three (eq. 4.5): 0 on a plane, 1/3 at most.
 /// 0 for a matrix without extent.
-double Flatness(const Eigen::Matrix3d& covariance);
+inline double LeastPart(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
+{
+  return sum > 0.0 ? std::max(0.0, solver.eigenvalues()[0] / sum) : 0.0; // rounding can make it negative
+}
 
-/// The same by a closed formula, which is several times faster, and wrong by 1e-6 at most.
-double QuickFlatness(const Eigen::Matrix3d& covariance);
+/// That of a matrix.
+inline double Flatness(const Eigen::Matrix3d& covariance)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  return LeastPart(solver, covariance.trace());
+}
+
+/// The same by a closed formula, which is several times faster, and wrong by 1e-6 at most: by the root of rounding,
+/// some 1e-8, where two eigenvalues are nearly equal.
+inline double QuickFlatness(const Eigen::Matrix3d& covariance)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  return LeastPart(solver, covariance.trace());
+}
 
 /// Whether Flatness(covariance) <= threshold, up to rounding: a plane is flat with a threshold of 0.
-bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold);
+inline bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold)
+{
+  // The sums and the iterative solver are rounded to some 1e-15 of the sum of the eigenvalues; this is well above.
+  constexpr double rounding = 1e-12;
+  constexpr double roundingOfClosedFormula = 1e-6;
+  if (threshold >= 1.0 / 3.0)
+  {
+    return true;
+  }
+  const double quick = QuickFlatness(covariance);
+  if (std::abs(quick - threshold) > roundingOfClosedFormula)
+  {
+    return quick < threshold;
+  }
+  // Only near the threshold the iterative solver has to decide.
+  return Flatness(covariance) <= threshold + rounding;
+}
 }
 
 #endif

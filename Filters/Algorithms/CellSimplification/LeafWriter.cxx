@@ -3,15 +3,23 @@
 //
 // Steps: number the boundary points; count the new points of each cell, and add the counts up; let every cell write its
 // points to the places that it knows by then. So no thread waits for another, and the order is that of the cells.
+//
+// What stands for the inner points of a leaf, its stand-in, is their barycentre when that is wanted, lies strictly
+// inside the boundary and is alone in its place. Else it is the inner point that is nearest to the barycentre in plan:
+// inner points of a horizon lie strictly inside its boundary, and no two of them share a place.
 
 #include "LeafWriter.h"
 
 #include "Common/Parallel.h"
-#include "NearestPoint.h"
-#include "StandIns.h"
+#include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cstring>
+#include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,12 +27,174 @@ namespace SeismicHorizons
 {
 namespace
 {
+//----------------------------------------------------------------------------------------------------------------------
+// The nearest of some points in plan: by a tree of boxes, each halved across its longer side.
+
+class NearestPoint
+{
+public:
+  /// Brings `points`, at least one, into the order of the tree. Takes about n log n steps. Keeps references; `plane`
+  /// holds the place of each point by its number.
+  NearestPoint(const std::vector<PlanePoint>& plane, std::vector<PointId>& points);
+
+  /// The point nearest to a place; of several that of least number. Takes about log n steps, except where very many are
+  /// about equally near.
+  PointId Find(const PlanePoint& place) const;
+
+private:
+  /// Points that follow each other, and their box: node n is halved into 2 n + 1 and 2 n + 2.
+  struct Range
+  {
+    std::size_t Node;
+    std::size_t First;
+    std::size_t Last; // one beyond
+
+    bool IsLeaf() const { return this->Last - this->First <= Few; }
+    std::size_t Middle() const { return this->First + (this->Last - this->First) / 2; }
+    Range Low() const { return { 2 * this->Node + 1, this->First, this->Middle() }; }
+    Range High() const { return { 2 * this->Node + 2, this->Middle(), this->Last }; }
+  };
+
+  struct Best
+  {
+    PointId Point;
+    std::int64_t SquaredDistance;
+  };
+
+  void Divide(const Range& range);
+  void Search(const Range& range, const PlanePoint& place, Best& best) const;
+  std::int64_t SquaredDistanceToBox(const Range& range, const PlanePoint& place) const;
+
+  static constexpr std::size_t Few = 8; // points that are not divided
+
+  const std::vector<PlanePoint>& Plane;
+  std::vector<PointId>& Points;
+  std::vector<PlaneBox> Boxes; // by node; none when there are few points
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+NearestPoint::NearestPoint(const std::vector<PlanePoint>& plane, std::vector<PointId>& points)
+  : Plane(plane)
+  , Points(points)
+{
+  if (points.size() > Few)
+  {
+    this->Divide({ 0, 0, points.size() });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NearestPoint::Divide(const Range& range)
+{
+  PlaneBox box;
+  const auto at = [this](std::size_t n) { return this->Points.begin() + std::ptrdiff_t(n); };
+  std::for_each(at(range.First), at(range.Last), [&](PointId point) { box.Add(this->Plane[point]); });
+  this->Boxes.resize(std::max(this->Boxes.size(), range.Node + 1));
+  this->Boxes[range.Node] = box;
+  if (range.IsLeaf())
+  {
+    return;
+  }
+  const bool isWide = std::int64_t(box.Greatest.X) - box.Least.X >= std::int64_t(box.Greatest.Y) - box.Least.Y;
+  const auto axis = isWide ? &PlanePoint::X : &PlanePoint::Y;
+  std::nth_element(at(range.First), at(range.Middle()), at(range.Last),
+    [&](PointId a, PointId b) { return this->Plane[a].*axis < this->Plane[b].*axis; });
+  this->Divide(range.Low());
+  this->Divide(range.High());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointId NearestPoint::Find(const PlanePoint& place) const
+{
+  Best best{ NoPoint, std::numeric_limits<std::int64_t>::max() };
+  this->Search({ 0, 0, this->Points.size() }, place, best);
+  return best.Point;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NearestPoint::Search(const Range& range, const PlanePoint& place, Best& best) const
+{
+  if (range.IsLeaf())
+  {
+    for (std::size_t n = range.First; n < range.Last; ++n)
+    {
+      const PointId point = this->Points[n];
+      const std::int64_t distance = SquaredDistance(this->Plane[point], place);
+      if (std::tie(distance, point) < std::tie(best.SquaredDistance, best.Point))
+      {
+        best = { point, distance };
+      }
+    }
+    return;
+  }
+  Range nearer = range.Low();
+  Range farther = range.High();
+  std::int64_t near = this->SquaredDistanceToBox(nearer, place);
+  std::int64_t far = this->SquaredDistanceToBox(farther, place);
+  if (far < near)
+  {
+    std::swap(nearer, farther);
+    std::swap(near, far);
+  }
+  // Not less: a point as near as the best may have a lesser number.
+  if (near <= best.SquaredDistance)
+  {
+    this->Search(nearer, place, best);
+  }
+  if (far <= best.SquaredDistance)
+  {
+    this->Search(farther, place, best);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t NearestPoint::SquaredDistanceToBox(const Range& range, const PlanePoint& place) const
+{
+  const PlaneBox& box = this->Boxes[range.Node];
+  return SquaredDistance(
+    place, { std::clamp(place.X, box.Least.X, box.Greatest.X), std::clamp(place.Y, box.Least.Y, box.Greatest.Y) });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Writing
+
+/// What stands for the inner points of a leaf.
+struct StandIn
+{
+  // The leaf.
+  const PointId* First = nullptr;
+  const PointId* Last = nullptr;
+  // Its place: sub-voxels in plan, lattice units upwards.
+  PlanePoint Plane;
+  double Height = 0.0;
+  PointId Nearest = NoPoint; // the inner point nearest to the barycentre; of several the first one
+  bool Averaged = false; // whether it is the barycentre, or Nearest
+};
+
+/// The nearest integer; halves go up.
+std::int32_t RoundedQuotient(std::int64_t sum, std::int64_t count)
+{
+  const std::int64_t numerator = 2 * sum + count;
+  const std::int64_t quotient = numerator / (2 * count);
+  return std::int32_t(numerator % (2 * count) < 0 ? quotient - 1 : quotient);
+}
+
+/// Whether the segment between two places that are not on the edge a-b crosses it. An end of the edge that lies on the
+/// segment counts as lying to its left. So a loop that the segment only touches in a point is crossed there twice or
+/// not at all, and one that it passes through in a point is crossed once.
+bool Crosses(const PlanePoint& a, const PlanePoint& b, const PlanePoint& from, const PlanePoint& to)
+{
+  return (SignedArea(from, to, a) >= 0) != (SignedArea(from, to, b) >= 0) &&
+    (SignedArea(a, b, from) > 0) != (SignedArea(a, b, to) > 0);
+}
+
 class LeafWriter
 {
 public:
   LeafWriter(const CellLeaves& leaves, RepresentativeKind representative)
     : Leaves(leaves)
-    , StandIns(leaves, representative)
+    , Representative(representative)
+    , Edges(leaves.NumberOfCells(), [this](auto&& add) { this->ForEachCrossing(add); })
   {
   }
 
@@ -39,17 +209,46 @@ private:
     std::vector<PlanePoint> Places;
   };
 
+  template <typename Add>
+  void ForEachCrossing(Add& add) const;
   void NumberBoundaryPoints();
   std::vector<std::uint32_t> CountNewPoints(const Monitor& monitor) const;
   void WriteCell(std::int64_t cell, PointId next, Scratch& scratch);
   void WriteBoundaryPoints(const PointId* first, const PointId* last, std::vector<PointId>& kept);
   void MergeIntoBoundary(const PointId* first, const PointId* last, std::vector<PointId>& kept);
+  StandIn FindStandIn(std::int64_t cell, const PointId* first, const PointId* last) const;
+  StandIn FindBarycentre(const PointId* first, const PointId* last) const;
+  bool IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const;
+  void SeparatePlaces(std::vector<StandIn>& standIns, std::vector<PlanePoint>& places) const;
+  void UseNearest(StandIn& standIn) const;
   void WriteNewPoint(const StandIn& standIn, PointId number);
 
   const CellLeaves& Leaves;
-  const StandInFinder StandIns;
+  const RepresentativeKind Representative;
+  const EdgeLists Edges; // the boundary edges that cross each cell
   Reduction Result;
 };
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Calls add(cell, edge) for the boundary edges that touch a cell.
+template <typename Add>
+void LeafWriter::ForEachCrossing(Add& add) const
+{
+  const std::vector<PlanePoint>& plane = this->Leaves.Horizon().Plane;
+  this->Leaves.Horizon().Boundary.ForEachEdge(
+    [&](PointId from, PointId to)
+    {
+      this->Leaves.Grid().ForEachCellAlong(plane[from], plane[to],
+        [&](std::int64_t square)
+        {
+          const std::int64_t cell = this->Leaves.FirstCellFrom(square);
+          if (cell < this->Leaves.NumberOfCells() && this->Leaves.Square(cell) == square)
+          {
+            add(cell, Edge{ from, to });
+          }
+        });
+    });
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 Reduction LeafWriter::Run(const Monitor& monitor)
@@ -62,13 +261,13 @@ Reduction LeafWriter::Run(const Monitor& monitor)
   this->Result.Plane.resize(size);
   this->Result.Height.resize(size);
   this->Result.Origin.resize(size);
-  ParallelFor(this->Leaves.Grid().Size(), CellLeaves::Grain, monitor.Step(0.2, 1.0),
+  ParallelFor(this->Leaves.NumberOfCells(), CellLeaves::Grain, monitor.Step(0.2, 1.0),
     [&](std::int64_t first, std::int64_t last)
     {
       Scratch scratch;
       for (std::int64_t cell = first; cell < last; ++cell)
       {
-        this->WriteCell(cell, PointId(next[std::size_t(cell)]), scratch);
+        this->WriteCell(cell, PointId(next[cell]), scratch);
       }
     });
   return std::move(this->Result);
@@ -86,7 +285,7 @@ void LeafWriter::NumberBoundaryPoints()
   { return static_cast<const unsigned char*>(std::memchr(from, 1, std::size_t(end - from))); };
   for (const unsigned char* found = find(begin); found; found = found + 1 < end ? find(found + 1) : nullptr)
   {
-    this->Result.Target[std::size_t(found - begin)] = PointId(this->Result.Source.size());
+    this->Result.Target[found - begin] = PointId(this->Result.Source.size());
     this->Result.Source.push_back(PointId(found - begin));
   }
   this->Result.Boundary = this->Leaves.Horizon().Boundary.Renumbered(this->Result.Target);
@@ -96,13 +295,13 @@ void LeafWriter::NumberBoundaryPoints()
 /// For each cell the number of its first new point, and at the end the number of all points.
 std::vector<std::uint32_t> LeafWriter::CountNewPoints(const Monitor& monitor) const
 {
-  std::vector<std::uint32_t> next(std::size_t(this->Leaves.Grid().Size()) + 1, 0);
-  ParallelFor(this->Leaves.Grid().Size(), CellLeaves::Grain, monitor,
+  std::vector<std::uint32_t> next(this->Leaves.NumberOfCells() + 1, 0);
+  ParallelFor(this->Leaves.NumberOfCells(), CellLeaves::Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t cell = first; cell < last; ++cell)
       {
-        next[std::size_t(cell) + 1] = this->Leaves.CountMerging(cell);
+        next[cell + 1] = this->Leaves.CountMerging(cell);
       }
     });
   next.front() = std::uint32_t(this->Result.Source.size());
@@ -123,14 +322,14 @@ void LeafWriter::WriteCell(std::int64_t cell, PointId next, Scratch& scratch)
       }
       if (this->Leaves.MergesInner(first))
       {
-        scratch.Found.push_back(this->StandIns.Find(cell, first, last));
+        scratch.Found.push_back(this->FindStandIn(cell, first, last));
       }
       else if (std::ptrdiff_t(scratch.Kept.size()) < last - first)
       {
         this->MergeIntoBoundary(first, last, scratch.Kept);
       }
     });
-  this->StandIns.SeparatePlaces(scratch.Found, scratch.Places);
+  this->SeparatePlaces(scratch.Found, scratch.Places);
   for (const StandIn& standIn : scratch.Found)
   {
     this->WriteNewPoint(standIn, next);
@@ -146,7 +345,7 @@ void LeafWriter::WriteBoundaryPoints(const PointId* first, const PointId* last, 
   {
     if (this->Leaves.IsOnBoundary(*point))
     {
-      const std::size_t number = std::size_t(this->Result.Target[std::size_t(*point)]);
+      const std::size_t number = std::size_t(this->Result.Target[*point]);
       this->Result.Plane[number] = this->Leaves.Plane(*point);
       this->Result.Height[number] = this->Leaves.Height(*point);
       this->Result.Origin[number].Level = static_cast<unsigned char>(this->Leaves.Level(first));
@@ -164,7 +363,7 @@ void LeafWriter::MergeIntoBoundary(const PointId* first, const PointId* last, st
     if (!this->Leaves.IsOnBoundary(*point))
     {
       const PointId nearest = nearestKept.Find(this->Leaves.Plane(*point));
-      this->Result.Target[std::size_t(*point)] = this->Result.Target[std::size_t(nearest)];
+      this->Result.Target[*point] = this->Result.Target[nearest];
     }
   }
 }
@@ -183,12 +382,131 @@ void LeafWriter::WriteNewPoint(const StandIn& standIn, PointId number)
   {
     if (!this->Leaves.IsOnBoundary(*point))
     {
-      this->Result.Target[std::size_t(*point)] = number;
+      this->Result.Target[*point] = number;
     }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+StandIn LeafWriter::FindStandIn(std::int64_t cell, const PointId* first, const PointId* last) const
+{
+  StandIn standIn = this->FindBarycentre(first, last);
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::int64_t count = 0;
+  for (const PointId* point = first; point != last; ++point)
+  {
+    if (this->Leaves.IsOnBoundary(*point))
+    {
+      continue;
+    }
+    ++count;
+    const std::int64_t distance = SquaredDistance(this->Leaves.Plane(*point), standIn.Plane);
+    if (distance < least)
+    {
+      least = distance;
+      standIn.Nearest = *point;
+    }
+  }
+  standIn.Averaged = count > 1 && this->Representative == RepresentativeKind::Barycentre &&
+    this->IsInside(cell, standIn.Plane, standIn.Nearest);
+  if (!standIn.Averaged)
+  {
+    this->UseNearest(standIn);
+  }
+  return standIn;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+StandIn LeafWriter::FindBarycentre(const PointId* first, const PointId* last) const
+{
+  std::int64_t count = 0;
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  double z = 0.0;
+  for (const PointId* point = first; point != last; ++point)
+  {
+    if (!this->Leaves.IsOnBoundary(*point))
+    {
+      const std::int64_t weight = this->Leaves.Weight(*point);
+      count += weight;
+      x += weight * this->Leaves.Plane(*point).X;
+      y += weight * this->Leaves.Plane(*point).Y;
+      z += double(weight) * this->Leaves.Height(*point);
+    }
+  }
+  StandIn standIn;
+  standIn.First = first;
+  standIn.Last = last;
+  standIn.Plane = { RoundedQuotient(x, count), RoundedQuotient(y, count) };
+  standIn.Height = z / double(count);
+  return standIn;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Whether a place in the hull of points of one cell and patch is strictly inside the boundary, as the point `inner`
+/// among them is: the segment between the two must cross the boundary of the patch an even number of times, and with
+/// cuts not at all, as it may cross both lips of a crack.
+bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const
+{
+  const PlanePoint& from = this->Leaves.Plane(inner);
+  bool inside = true;
+  for (const Edge* edge = this->Edges.begin(cell); edge != this->Edges.end(cell); ++edge)
+  {
+    if (this->Leaves.Patch(edge->From) != this->Leaves.Patch(inner))
+    {
+      continue;
+    }
+    const PlanePoint& a = this->Leaves.Plane(edge->From);
+    const PlanePoint& b = this->Leaves.Plane(edge->To);
+    if (place == a || place == b || OnOpenSegment(a, b, place))
+    {
+      return false;
+    }
+    const bool crosses = Crosses(a, b, from, place);
+    if (crosses && this->Leaves.HasCuts())
+    {
+      return false;
+    }
+    inside = inside != crosses;
+  }
+  return inside;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Leaves above each other can have their barycentres in one place. Then all of them use their nearest points. These
+/// may in turn be in the place of another barycentre, so that the search goes on until nothing changes.
+void LeafWriter::SeparatePlaces(std::vector<StandIn>& standIns, std::vector<PlanePoint>& places) const
+{
+  bool changed = standIns.size() > 1;
+  while (changed)
+  {
+    changed = false;
+    places.clear();
+    for (const StandIn& standIn : standIns)
+    {
+      places.push_back(standIn.Plane);
+    }
+    std::sort(places.begin(), places.end());
+    for (StandIn& standIn : standIns)
+    {
+      const auto same = std::equal_range(places.begin(), places.end(), standIn.Plane);
+      if (standIn.Averaged && same.second - same.first > 1)
+      {
+        this->UseNearest(standIn);
+        changed = true;
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void LeafWriter::UseNearest(StandIn& standIn) const
+{
+  standIn.Averaged = false;
+  standIn.Plane = this->Leaves.Plane(standIn.Nearest);
+  standIn.Height = this->Leaves.Height(standIn.Nearest);
+}
+
 /// The cell of a leaf, at height 0: the cell of the grid, halved as often as the leaf says, towards its first point.
 SimplificationCell DescribeCell(
   const CellLeaves& leaves, const Reduction& result, const PointId* first, const PointId* last)
@@ -208,9 +526,9 @@ SimplificationCell DescribeCell(
   SimplificationCell cell;
   cell.Low = { double(x) * scale, double(y) * scale, 0.0 };
   cell.Size = double(size) * scale;
-  cell.Origin = result.Origin[std::size_t(result.Target[std::size_t(*first)])];
+  cell.Origin = result.Origin[result.Target[std::size_t(*first)]];
   cell.Origin.Kind = leaves.HasBoundary(first) ? PointKind::Boundary : cell.Origin.Kind;
-  cell.Flatness = result.Flatness.empty() ? 0.0 : result.Flatness[std::size_t(result.Target[std::size_t(*first)])];
+  cell.Flatness = result.Flatness.empty() ? 0.0 : result.Flatness[result.Target[std::size_t(*first)]];
   cell.Patch = leaves.Patch(*first);
   cell.Points = std::int32_t(last - first);
   return cell;
@@ -220,7 +538,9 @@ SimplificationCell DescribeCell(
 //----------------------------------------------------------------------------------------------------------------------
 Reduction WriteLeaves(const CellLeaves& leaves, RepresentativeKind representative, const Monitor& monitor)
 {
-  return LeafWriter(leaves, representative).Run(monitor);
+  Reduction result = LeafWriter(leaves, representative).Run(monitor);
+  result.SubVoxelsPerColumn = leaves.Horizon().SubVoxelsPerColumn;
+  return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@
 
 namespace SeismicHorizons
 {
-/// Keeps the boundary points and makes one point for each leaf that MergesInner, as StandIns.h describes it. The inner
+/// Keeps the boundary points and makes one point for each leaf that MergesInner. The inner
 /// points of the other leaves go: each counts for the nearest boundary point of its leaf. Boundary points come first,
 /// in the order of the input, then the points that stand for leaves, in the order of the leaves. Rings are left at 0.
 Reduction WriteLeaves(const CellLeaves& leaves, RepresentativeKind representative, const Monitor& monitor);

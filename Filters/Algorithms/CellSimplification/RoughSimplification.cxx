@@ -26,8 +26,8 @@ Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& option
     ListCells(leaves, result,
       [&horizon](const PointId* first, const PointId* last, int)
       {
-        const double sum = std::accumulate(
-          first, last, 0.0, [&](double z, PointId point) { return z + horizon.Height[std::size_t(point)]; });
+        const double sum =
+          std::accumulate(first, last, 0.0, [&](double z, PointId point) { return z + horizon.Height[point]; });
         return sum / double(last - first);
       });
   }

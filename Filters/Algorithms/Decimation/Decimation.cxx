@@ -1,39 +1,360 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: the rounds of insertion; what a mesh is as a result; and from the mesh of the loops alone to an error
+// or to a number of points.
 
 #include "Decimation.h"
 
+#include "Common/MeshChecker.h"
+#include "Common/Monitor.h"
 #include "Common/Parameters.h"
+#include "Common/Types.h"
 #include "HeightFit.h"
+#include "HeightMesh.h"
 #include "MeshImprover.h"
-#include "MeshRefiner.h"
-#include "MeshResult.h"
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
-/// From places in sub-voxels to those in columns.
-void PutOnColumns(BoundedHorizon& horizon)
+// Of the largest error, what part is still inserted in the same rounds; and of sums of squares.
+constexpr double PartOfLargest = 0.6;
+constexpr double PartOfSum = PartOfLargest * PartOfLargest;
+
+class MeshRefiner
 {
-  for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
+public:
+  /// Keeps a reference to the mesh, which is constrained Delaunay and remains so. Inserts until it has so many vertices
+  /// (0 for no limit): first those of the triangles with the largest error, or with the largest sum.
+  MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority);
+
+  /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
+  void InsertWhereFar(double error, const Monitor& monitor);
+  /// Then the same where inner sides of the mesh cross lines between columns.
+  void InsertAtSides(double error, const Monitor& monitor);
+
+private:
+  bool IsFull() const { return this->MostVertices > 0 && this->Mesh.NumberOfVertices() >= this->MostVertices; }
+  bool FindUrgent(double bound, double& limit, std::vector<TriangleId>& urgent) const;
+  double UrgencyOf(TriangleId triangle) const;
+  void InsertRound(const std::vector<TriangleId>& triangles);
+  void Insert(PointId point, TriangleId triangle);
+  void AddNew(TriangleId triangle);
+  void SortNew();
+
+  HeightMesh& Mesh;
+  const std::size_t MostVertices;
+  const DecimationPriority Priority;
+  ErrorPower Power;
+  std::vector<TriangleId> New; // triangles that are still to be measured
+  std::vector<unsigned char> IsNew; // by triangle
+  std::vector<TriangleId> Around; // the point that was inserted last
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority)
+  : Mesh(mesh)
+  , MostVertices(mostVertices)
+  , Priority(priority)
+{
+  if (priority == DecimationPriority::SumOfSquares)
   {
-    PlanePoint& place = horizon.Plane[point];
-    const PlanePoint column = { place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn };
-    if (column.X * horizon.SubVoxelsPerColumn != place.X || column.Y * horizon.SubVoxelsPerColumn != place.Y)
-    {
-      throw InputError("point " + std::to_string(point) +
-        " stands beside its column, expected whole columns: horizons are decimated before points are merged");
-    }
-    place = column;
+    this->Power = { 2, mesh.HeightRange() };
   }
 }
 
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
+{
+  this->Mesh.MeasureAll(this->Power, monitor.Step(0.0, 0.1));
+  const double bound = error + this->Mesh.Rounding();
+  const double first = this->Mesh.LargestError();
+  double part = 0.1;
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(bound, limit, urgent);)
+  {
+    // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
+    part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
+    monitor.Progress(part);
+    this->InsertRound(urgent);
+    this->SortNew();
+    this->Mesh.Measure(this->New, this->Power, Monitor());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
+{
+  this->Mesh.MeasureAllWithSides(monitor.Step(0.0, 0.8));
+  const double bound = error + this->Mesh.Rounding();
+  double limit = 0.0;
+  for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(bound, limit, far);)
+  {
+    monitor.Progress(0.8);
+    this->InsertRound(far);
+    this->Mesh.MeasureWithSides(this->New, Monitor());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// By the points that made them, which come row by row: what is measured next is near then, for large horizons a fifth
+// of the time.
+void MeshRefiner::SortNew()
+{
+  const auto point = [this](TriangleId triangle) { return this->Mesh.Triangles().Corner(triangle, 2); };
+  std::sort(this->New.begin(), this->New.end(), [&point](TriangleId a, TriangleId b) { return point(a) < point(b); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The triangles with an error above a bound whose urgency is not below a limit, the most urgent ones first. When there
+// is none, the limit falls; false when no error is above the bound.
+bool MeshRefiner::FindUrgent(double bound, double& limit, std::vector<TriangleId>& urgent) const
+{
+  urgent.clear();
+  double most = -1.0;
+  const auto add = [&]()
+  {
+    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+    {
+      if (this->Mesh.Error(triangle).Largest > bound)
+      {
+        most = std::max(most, this->UrgencyOf(triangle));
+        if (this->UrgencyOf(triangle) >= limit)
+        {
+          urgent.push_back(triangle);
+        }
+      }
+    }
+  };
+  add();
+  if (urgent.empty() && most >= 0.0)
+  {
+    limit = most * (this->Priority == DecimationPriority::LargestError ? PartOfLargest : PartOfSum);
+    add();
+  }
+  std::sort(urgent.begin(), urgent.end(),
+    [this](TriangleId a, TriangleId b)
+    {
+      const double one = this->UrgencyOf(a);
+      const double other = this->UrgencyOf(b);
+      return one != other ? one > other : a < b;
+    });
+  return !urgent.empty();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double MeshRefiner::UrgencyOf(TriangleId triangle) const
+{
+  const HeightError& error = this->Mesh.Error(triangle);
+  return this->Priority == DecimationPriority::LargestError ? error.Largest : error.Sum;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Inserts the worst points of triangles, but for those that an insertion before has changed. Of as many as there may
+// still be half at most: what an insertion brings about can be more urgent than the last ones of a round.
+void MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
+{
+  const std::size_t room =
+    this->MostVertices > 0 ? this->MostVertices - this->Mesh.NumberOfVertices() : triangles.size();
+  const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
+  this->New.clear();
+  this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
+  for (const TriangleId triangle : triangles)
+  {
+    const PointId point = this->Mesh.Error(triangle).Point;
+    if (this->Mesh.IsVertex(point))
+    {
+      this->AddNew(triangle); // the point, beside a side, was inserted from another triangle
+    }
+    else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
+    {
+      this->Insert(point, this->Mesh.Triangles().Locate(point, triangle));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::Insert(PointId point, TriangleId triangle)
+{
+  if (triangle == NoTriangle || this->IsNew[triangle] != 0)
+  {
+    return;
+  }
+  PlaneMesh& triangles = this->Mesh.Triangles();
+  triangles.Insert(point, triangle, this->Around);
+  if (this->Around.empty())
+  {
+    throw InputError(
+      "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
+  }
+  this->Mesh.MarkVertex(point, true);
+  triangles.Legalize(this->Around);
+  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::AddNew(TriangleId triangle)
+{
+  if (this->IsNew[triangle] == 0)
+  {
+    this->IsNew[triangle] = 1;
+    this->New.push_back(triangle);
+  }
+}
+
+// ---- The result ----------------------------------------------------------------------------------------------------
+class Collector
+{
+public:
+  explicit Collector(const HeightMesh& mesh)
+    : Surface(mesh)
+    , Mesh(mesh.Triangles())
+  {
+  }
+
+  Decimation Run(const Monitor& monitor)
+  {
+    this->WritePoints();
+    this->WriteTriangles();
+    this->AssignPoints(monitor);
+    this->CheckAllAssigned();
+    this->MeasureSides();
+    return std::move(this->Result);
+  }
+
+private:
+  void WritePoints()
+  {
+    Selection kept(this->Surface.VertexMarks());
+    Reduction& points = this->Result.Points;
+    for (const PointId point : kept.Points)
+    {
+      const RaisedPoint place = this->Surface.Raised(point);
+      points.Plane.push_back(place.Column);
+      points.Height.push_back(place.Height);
+      points.Averaged.push_back(place.Height != this->Surface.ColumnHeight(point) ? 1 : 0);
+    }
+    points.Boundary = this->Surface.Boundary().Renumbered(kept.Numbers);
+    points.Source = std::move(kept.Points);
+    points.Target = std::move(kept.Numbers);
+  }
+
+  void WriteTriangles()
+  {
+    this->Result.Triangles.reserve(3 * std::size_t(this->Mesh.Size()));
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const std::size_t point = std::size_t(this->Mesh.Corner(triangle, corner));
+        this->Result.Triangles.push_back(this->Result.Points.Target[point]);
+      }
+    }
+  }
+
+  /// Measures every triangle, and gives each dropped point to a vertex.
+  void AssignPoints(const Monitor& monitor)
+  {
+    this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
+    std::vector<double> sums(this->Result.Errors.size(), 0.0);
+    this->Surface.ForEachTriangle(
+      monitor, [&](TriangleId triangle) { sums[triangle] = this->AssignPointsOf(triangle); });
+    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    this->Result.MeanError = this->Surface.NumberOfPoints() == 0 ? 0.0 : sum / double(this->Surface.NumberOfPoints());
+    const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
+    this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
+  }
+
+  /// The sum of the errors of the points that are given to its corners.
+  double AssignPointsOf(TriangleId triangle)
+  {
+    double sum = 0.0;
+    double& largest = this->Result.Errors[triangle];
+    this->Surface.RasterOf(triangle).ForEachColumn(this->Surface.RaisedCorners(triangle),
+      [&](PointId point, double error, const std::array<double, 3>& weights)
+      {
+        largest = std::max(largest, std::abs(error));
+        if (this->Owns(triangle, weights))
+        {
+          sum += std::abs(error);
+        }
+        if (!this->Surface.IsVertex(point) && this->Owns(triangle, weights))
+        {
+          const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+          this->Result.Points.Target[point] = this->Result.Triangles[3 * triangle + nearest];
+        }
+      });
+    return sum;
+  }
+
+  /// Of two triangles the first one owns the columns on their common side, which is opposite to a corner without
+  /// weight.
+  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
+      if (weights[corner] == 0.0 && beyond != NoTriangle && beyond < triangle)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void CheckAllAssigned() const
+  {
+    const std::vector<PointId>& target = this->Result.Points.Target;
+    for (PointId point = 0; std::size_t(point) < target.size(); ++point)
+    {
+      if (target[point] == NoPoint && this->Surface.HasPoint(point))
+      {
+        throw InputError("point " + std::to_string(point) +
+          " lies outside the boundary of its patch, expected loops around all points");
+      }
+    }
+  }
+
+  void MeasureSides()
+  {
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+        if (beyond == NoTriangle || beyond > triangle) // each side once
+        {
+          double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
+          largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
+        }
+      }
+    }
+  }
+
+  const HeightMesh& Surface;
+  const PlaneMesh& Mesh;
+  Decimation Result;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+Decimation MakeResult(const HeightMesh& mesh, const Monitor& monitor)
+{
+  return Collector(mesh).Run(monitor);
+}
+
+// ---- From the loops to the mesh ------------------------------------------------------------------------------------
 // With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
 // error itself. What was not fitted again then needs some room: heights move less than the error.
 constexpr double ErrorBeforeFit = 1.3;
@@ -112,7 +433,6 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
   }
 }
 
-/// Of a horizon on columns.
 Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
 {
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
@@ -133,8 +453,15 @@ Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const M
 //----------------------------------------------------------------------------------------------------------------------
 Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
 {
+  assert(horizon.SubVoxelsPerColumn == 1);
   Check(options);
-  PutOnColumns(horizon);
-  return Run(std::move(horizon), options, monitor);
+  Decimation result = Run(std::move(horizon), options, monitor);
+  if (MeshChecker::IsOn)
+  {
+    const bool isDelaunay = options.Effort == DecimationEffort::Fast;
+    MeshChecker::Require("Decimate", result.Points.Plane, result.Points.Boundary, result.Triangles,
+      isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
+  }
+  return result;
 }
 }

@@ -83,8 +83,8 @@ struct Decimation
   double LargestLoopError = 0.0;
 };
 
-/// The points stand on whole columns, one at most in each, inside the loops of their patch; heights are finite. Points
-/// of a negative patch are not looked at, and nothing stands for them. Throws InputError otherwise, and when
+/// The places of the points are columns, one at most in each, inside the loops of their patch; heights are finite.
+/// Points of a negative patch are not looked at, and nothing stands for them. Throws InputError otherwise, and when
 /// triangulating the loops does. Takes about 20 bytes per point and 12 per column of the bounding box of a patch,
 /// beside the result, and the memory of the horizon where that is moved.
 Decimation Decimate(

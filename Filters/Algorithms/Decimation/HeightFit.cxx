@@ -47,7 +47,7 @@ public:
   {
     for (std::size_t n = 0; n < this->Inner.Points.size(); ++n)
     {
-      this->Unknown[std::size_t(this->Inner.Points[n])] = int(n);
+      this->Unknown[this->Inner.Points[n]] = int(n);
     }
   }
 
@@ -75,8 +75,8 @@ private:
     const Eigen::VectorXd moves = solver.compute(matrix).solve(right) / double(power - 1);
     for (Eigen::Index n = 0; n < unknowns; ++n)
     {
-      const double column = this->Surface.ColumnHeight(this->Inner.Points[std::size_t(n)]);
-      double& height = this->Inner.Heights[std::size_t(n)];
+      const double column = this->Surface.ColumnHeight(this->Inner.Points[n]);
+      double& height = this->Inner.Heights[n];
       height = std::clamp(height + moves[n], column - this->Reach, column + this->Reach);
     }
   }
@@ -85,7 +85,7 @@ private:
   {
     std::vector<Element> elements(std::size_t(this->Mesh.Size()));
     this->Surface.ForEachTriangle(
-      Monitor(), [&](TriangleId triangle) { elements[std::size_t(triangle)] = this->MakeElement(triangle, power); });
+      Monitor(), [&](TriangleId triangle) { elements[triangle] = this->MakeElement(triangle, power); });
     return elements;
   }
 
@@ -98,7 +98,7 @@ private:
       const int unknown = this->UnknownAt(triangle, corner);
       if (unknown >= 0)
       {
-        raised[std::size_t(corner)].Height = this->Inner.Heights[std::size_t(unknown)];
+        raised[corner].Height = this->Inner.Heights[unknown];
       }
     }
     const double perArea = 1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column));
@@ -114,7 +114,7 @@ private:
       if (this->Mesh.Neighbour(triangle, side) > triangle) // each inner side once
       {
         const int next = NextCorner(side);
-        this->Surface.RasterOf(triangle).ForEachCrossing(raised[std::size_t(side)], raised[std::size_t(next)],
+        this->Surface.RasterOf(triangle).ForEachCrossing(raised[side], raised[next],
           [&](const Crossing& crossing)
           {
             Eigen::Vector3d parts = Eigen::Vector3d::Zero();
@@ -143,7 +143,7 @@ private:
     entries.reserve(9 * elements.size());
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
-      const Element& element = elements[std::size_t(triangle)];
+      const Element& element = elements[triangle];
       for (int row = 0; row < 3; ++row)
       {
         const int unknown = this->UnknownAt(triangle, row);
@@ -165,10 +165,7 @@ private:
   }
 
   /// The number of a corner among those that can move, or -1.
-  int UnknownAt(TriangleId triangle, int corner) const
-  {
-    return this->Unknown[std::size_t(this->Mesh.Corner(triangle, corner))];
-  }
+  int UnknownAt(TriangleId triangle, int corner) const { return this->Unknown[this->Mesh.Corner(triangle, corner)]; }
 
   const HeightMesh& Surface;
   const PlaneMesh& Mesh;
@@ -176,11 +173,90 @@ private:
   InnerHeights Inner;
   std::vector<int> Unknown; // by point, its position among these or -1
 };
+
+// What part of its way a vertex moves at least, if it moves.
+constexpr double LeastPart = 0.25;
+
+class MoveLimit
+{
+public:
+  MoveLimit(HeightMesh& mesh, double error, const InnerHeights& heights)
+    : Mesh(mesh)
+    , Error(error)
+    , Before(mesh.Heights())
+    , After(heights)
+    , Heights(heights)
+    , Parts(heights.Points.size(), 1.0)
+  {
+  }
+
+  /// What one vertex moves less can put a triangle beside it off: all is measured until nothing is off.
+  void Run()
+  {
+    do
+    {
+      this->Mesh.SetHeights(this->Heights);
+      this->FindFar();
+    } while (this->MoveBack());
+  }
+
+private:
+  void FindFar()
+  {
+    this->IsFar.resize(std::size_t(this->Mesh.Triangles().Size()));
+    this->Mesh.ForEachTriangle(Monitor(),
+      [this](TriangleId triangle)
+      { this->IsFar[triangle] = this->Mesh.LargestWithSides(triangle) > this->Error ? 1 : 0; });
+  }
+
+  /// The corners of triangles that are too far; false when none of them can go back.
+  bool MoveBack()
+  {
+    bool isMoved = false;
+    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3 && this->IsFar[triangle] != 0; ++corner)
+      {
+        const bool isCornerMoved = this->MoveBack(this->Mesh.Triangles().Corner(triangle, corner));
+        isMoved = isMoved || isCornerMoved;
+      }
+    }
+    return isMoved;
+  }
+
+  bool MoveBack(PointId point)
+  {
+    const std::size_t n = this->Heights.Find(point);
+    if (n == InnerHeights::None || this->Heights.Heights[n] == this->Before.Heights[n])
+    {
+      return false;
+    }
+    const double before = this->Before.Heights[n];
+    this->Parts[n] *= 0.5;
+    this->Heights.Heights[n] =
+      this->Parts[n] < LeastPart ? before : before + this->Parts[n] * (this->After.Heights[n] - before);
+    return true;
+  }
+
+  HeightMesh& Mesh;
+  const double Error;
+  const InnerHeights Before; // of the same vertices as those below
+  const InnerHeights& After;
+  InnerHeights Heights;
+  std::vector<double> Parts;
+  std::vector<unsigned char> IsFar; // by triangle
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 InnerHeights FitHeights(const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor)
 {
   return HeightFitter(mesh, reach).Run(Powers(priority), monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MoveHeightsWithin(HeightMesh& mesh, double error, const InnerHeights& heights)
+{
+  MoveLimit(mesh, error, heights).Run();
 }
 }

@@ -16,12 +16,15 @@
 #include "Common/Monitor.h"
 #include "Decimation.h"
 #include "HeightMesh.h"
-#include "InnerHeights.h"
 
 namespace SeismicHorizons
 {
 /// The heights of the vertices of the mesh that are on no loop: none is farther than `reach` from that of its column.
 InnerHeights FitHeights(const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor);
+
+/// Gives the mesh new heights, for which no triangle and no inner side has an error above the one given, but where all
+/// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays.
+void MoveHeightsWithin(HeightMesh& mesh, double error, const InnerHeights& heights);
 }
 
 #endif

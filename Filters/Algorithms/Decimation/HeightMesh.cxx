@@ -5,7 +5,6 @@
 
 #include "Common/CountingSort.h"
 #include "Common/Parallel.h"
-#include "Selection.h"
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
@@ -72,7 +71,7 @@ BoundedHorizon HeightMesh::TakeHorizon()
   {
     if (this->IsVertex(point))
     {
-      this->VertexHeights[std::size_t(point)] = this->ColumnHeight(point);
+      this->VertexHeights[point] = this->ColumnHeight(point);
     }
   }
   this->Horizon.Height = std::move(this->VertexHeights);
@@ -86,18 +85,16 @@ RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
 {
   const Selection loops(this->LoopMarks);
   BoundedHorizon outline;
-  outline.SubVoxelsPerColumn = this->Horizon.SubVoxelsPerColumn;
   for (const PointId point : loops.Points)
   {
-    const PlanePoint& column = this->Columns()[std::size_t(point)];
-    outline.Plane.push_back({ column.X * outline.SubVoxelsPerColumn, column.Y * outline.SubVoxelsPerColumn });
-    outline.Patch.push_back(this->Patches[std::size_t(point)]);
+    outline.Plane.push_back(this->Columns()[point]);
+    outline.Patch.push_back(this->Patches[point]);
   }
   outline.Boundary = this->Horizon.Boundary.Renumbered(loops.Numbers);
   RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
   for (PointId& point : triangles)
   {
-    point = loops.Points[std::size_t(point)];
+    point = loops.Points[point];
   }
   return triangles;
 }
@@ -170,16 +167,16 @@ void HeightMesh::SetHeights(const InnerHeights& heights)
 {
   for (std::size_t n = 0; n < heights.Points.size(); ++n)
   {
-    this->VertexHeights[std::size_t(heights.Points[n])] = heights.Heights[n];
+    this->VertexHeights[heights.Points[n]] = heights.Heights[n];
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::MarkVertex(PointId point, bool isVertex)
 {
-  this->Marks[std::size_t(point)] = isVertex ? 1 : 0;
+  this->Marks[point] = isVertex ? 1 : 0;
   this->Vertices += isVertex ? 1 : -1;
-  this->VertexHeights[std::size_t(point)] = this->ColumnHeight(point);
+  this->VertexHeights[point] = this->ColumnHeight(point);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -188,7 +185,7 @@ void HeightMesh::Compact()
   const std::vector<TriangleId> left = this->Mesh.Compact();
   for (std::size_t n = 0; n < left.size(); ++n)
   {
-    this->Errors[n] = this->Errors[std::size_t(left[n])];
+    this->Errors[n] = this->Errors[left[n]];
   }
   this->Errors.resize(left.size());
 }
@@ -203,8 +200,8 @@ void HeightMesh::MeasureEach(const std::vector<TriangleId>& triangles, const Mon
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        const TriangleId triangle = triangles[std::size_t(n)];
-        this->Errors[std::size_t(triangle)] = measure(triangle);
+        const TriangleId triangle = triangles[n];
+        this->Errors[triangle] = measure(triangle);
       }
     });
 }
@@ -289,7 +286,7 @@ double HeightMesh::SumOfErrors() const
     [&](TriangleId triangle)
     {
       this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
-        [&](PointId, double error, const std::array<double, 3>&) { sums[std::size_t(triangle)] += std::abs(error); });
+        [&](PointId, double error, const std::array<double, 3>&) { sums[triangle] += std::abs(error); });
     });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }

@@ -9,10 +9,11 @@
 #include "Common/BoundedHorizon.h"
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
+#include "Common/Types.h"
 #include "HeightRaster.h"
-#include "InnerHeights.h"
 #include "PlaneMesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -20,10 +21,46 @@
 
 namespace SeismicHorizons
 {
+/// The heights of the vertices of a mesh that are on no loop: those that can move.
+struct InnerHeights
+{
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  /// The position of a vertex among them, or None.
+  std::size_t Find(PointId point) const
+  {
+    const auto found = std::lower_bound(this->Points.begin(), this->Points.end(), point);
+    return found != this->Points.end() && *found == point ? std::size_t(found - this->Points.begin()) : None;
+  }
+
+  std::vector<PointId> Points; // ascending
+  std::vector<double> Heights;
+};
+
+/// The points that are marked, in the order of their numbers, and the new number of each.
+struct Selection
+{
+  explicit Selection(const std::vector<unsigned char>& marks)
+    : Numbers(marks.size(), NoPoint)
+  {
+    for (std::size_t point = 0; point < marks.size(); ++point)
+    {
+      if (marks[point] != 0)
+      {
+        this->Numbers[point] = PointId(this->Points.size());
+        this->Points.push_back(PointId(point));
+      }
+    }
+  }
+
+  std::vector<PointId> Points;
+  std::vector<PointId> Numbers;
+};
+
 class HeightMesh
 {
 public:
-  /// Meshes the loops. The places of the horizon are whole columns, whatever its number of sub-voxels is.
+  /// Meshes the loops. The places of the horizon are columns.
   HeightMesh(BoundedHorizon horizon, const Monitor& monitor);
 
   /// Gives the horizon back; the mesh can not be used any more.
@@ -31,38 +68,31 @@ public:
 
   /// How many points the horizon has: those with a patch.
   std::size_t NumberOfPoints() const { return this->Points; }
-  bool HasPoint(PointId point) const { return this->Patches[std::size_t(point)] >= 0; }
+  bool HasPoint(PointId point) const { return this->Patches[point] >= 0; }
   const Loops& Boundary() const { return this->Horizon.Boundary; }
-  std::int32_t SubVoxelsPerColumn() const { return this->Horizon.SubVoxelsPerColumn; }
   const PlaneMesh& Triangles() const { return this->Mesh; }
   PlaneMesh& Triangles() { return this->Mesh; }
 
   /// How many points are vertices of the mesh or on loops.
   std::size_t NumberOfVertices() const { return this->Vertices; }
-  bool IsVertex(PointId point) const { return this->Marks[std::size_t(point)] != 0; }
+  bool IsVertex(PointId point) const { return this->Marks[point] != 0; }
   /// By point, 1 for vertices and points of loops.
   const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
-  bool IsOnLoop(PointId point) const { return this->LoopMarks[std::size_t(point)] != 0; }
+  bool IsOnLoop(PointId point) const { return this->LoopMarks[point] != 0; }
   /// A point that is no vertex has the height of its column.
   void MarkVertex(PointId point, bool isVertex);
   /// Numbers triangles anew after some went.
   void Compact();
 
   /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
-  double Height(PointId point) const { return this->VertexHeights[std::size_t(point)]; }
+  double Height(PointId point) const { return this->VertexHeights[point]; }
   /// Of the horizon.
-  double ColumnHeight(PointId point) const
-  {
-    return this->RasterAt(point).HeightAt(this->Columns()[std::size_t(point)]);
-  }
+  double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->Columns()[point]); }
   /// Those of the vertices that are on no loop.
   InnerHeights Heights() const;
   void SetHeights(const InnerHeights& heights);
 
-  RaisedPoint Raised(PointId point) const
-  {
-    return { this->Columns()[std::size_t(point)], this->VertexHeights[std::size_t(point)] };
-  }
+  RaisedPoint Raised(PointId point) const { return { this->Columns()[point], this->VertexHeights[point] }; }
   RaisedTriangle RaisedCorners(TriangleId triangle) const
   {
     return { this->Raised(this->Mesh.Corner(triangle, 0)), this->Raised(this->Mesh.Corner(triangle, 1)),
@@ -98,8 +128,8 @@ public:
   /// The same with their inner sides, and without a sum.
   void MeasureWithSides(const std::vector<TriangleId>& triangles, const Monitor& monitor);
   void MeasureAllWithSides(const Monitor& monitor);
-  const HeightError& Error(TriangleId triangle) const { return this->Errors[std::size_t(triangle)]; }
-  void SetError(TriangleId triangle, const HeightError& error) { this->Errors[std::size_t(triangle)] = error; }
+  const HeightError& Error(TriangleId triangle) const { return this->Errors[triangle]; }
+  void SetError(TriangleId triangle, const HeightError& error) { this->Errors[triangle] = error; }
   /// Of those that are kept: of all triangles, when all were measured after the last change.
   double LargestError() const;
 
@@ -119,10 +149,7 @@ public:
 
 private:
   const std::vector<PlanePoint>& Columns() const { return this->Horizon.Plane; }
-  const HeightRaster& RasterAt(PointId point) const
-  {
-    return this->Rasters[std::size_t(this->Patches[std::size_t(point)])];
-  }
+  const HeightRaster& RasterAt(PointId point) const { return this->Rasters[this->Patches[point]]; }
   RawVector<PointId> MeshLoops(const Monitor& monitor) const;
   void FindRange();
   void MakeRasters();

@@ -3,7 +3,7 @@
 
 #include "HeightRaster.h"
 
-#include "Boundary/ColumnRaster.h"
+#include "Common/ColumnIndex.h"
 
 #include <Eigen/Core>
 
@@ -23,10 +23,21 @@ constexpr std::int32_t MostColumnsOfBox = 8;
 // What no distance is above.
 constexpr double Huge = 1e300;
 
-/// The larger of two, and the first where the second is nan. Eigen's maximum is the same.
+/// The larger of two, and the first where the second is nan.
 double Larger(double a, double b)
 {
   return a < b ? b : a;
+}
+
+/// The larger of each number and 0, which is 0 where the number is nan. Eigen's maximum is that of the processor: with
+/// SSE it does the same, with NEON it is nan, unless Eigen is told to prefer numbers.
+Four AtLeastZero(const Four& four)
+{
+#ifdef EIGEN_VECTORIZE_SSE
+  return Four::Zero().max(four);
+#else
+  return Four::Zero().binaryExpr(four, Eigen::internal::scalar_max_op<double, double, Eigen::PropagateNumbers>());
+#endif
 }
 
 double LargestOf(const Four& four)
@@ -60,7 +71,7 @@ struct Row
   Four DistancesFrom(std::int32_t n) const
   {
     const Four columns = Four(0.0, 1.0, 2.0, 3.0) + double(n);
-    return Four::Zero().max((this->Start + columns * this->Slope - Eigen::Map<const Four>(this->Heights + n)).abs());
+    return AtLeastZero((this->Start + columns * this->Slope - Eigen::Map<const Four>(this->Heights + n)).abs());
   }
 
   /// The largest vertical distance at a column with a point, 0 when there is none; adds powers of all of them.
@@ -197,7 +208,7 @@ HeightError HeightRaster::MeasureRows(const RaisedTriangle& triangle, double per
         worst = place + row.Find(largest);
       }
     });
-  error.Point = worst < 0 ? NoPoint : this->Points[std::size_t(worst)];
+  error.Point = worst < 0 ? NoPoint : this->Points[worst];
   return error;
 }
 
@@ -220,7 +231,7 @@ HeightError HeightRaster::MeasureBox(const RaisedTriangle& triangle, const Plane
       const std::int64_t place = this->Place(x, y);
       const Four heights = plane.A.Height + (plane.BRise * b + plane.CRise * c) * plane.PerArea;
       const Four least = b.min(c).min(plane.Area - b - c); // of the three weights
-      Four distances = Four::Zero().max((heights - Eigen::Map<const Four>(this->Heights.data() + place)).abs());
+      Four distances = AtLeastZero((heights - Eigen::Map<const Four>(this->Heights.data() + place)).abs());
       distances = Four::Zero().max(distances.min((least + 0.5) * Huge));
       sums += RaiseTo<Power, Four>(distances * perUnit);
       const double largest = LargestOf(distances);
@@ -238,7 +249,7 @@ HeightError HeightRaster::MeasureBox(const RaisedTriangle& triangle, const Plane
     }
   }
   error.Sum = Power == 0 ? 0.0 : SumOf(sums);
-  error.Point = worst < 0 ? NoPoint : this->Points[std::size_t(worst)];
+  error.Point = worst < 0 ? NoPoint : this->Points[worst];
   return error;
 }
 
@@ -282,10 +293,10 @@ HeightError HeightRaster::MeasureSide(
       if (distance > error.Largest)
       {
         const bool isFirstNear = crossing.PartOfColumn < 0.5;
-        const PointId near = this->Points[std::size_t(isFirstNear ? crossing.Place : crossing.Beyond)];
-        const PointId far = this->Points[std::size_t(isFirstNear ? crossing.Beyond : crossing.Place)];
-        const PointId point = marks[std::size_t(near)] == 0 ? near : far;
-        error = marks[std::size_t(point)] == 0 ? HeightError{ distance, point } : error;
+        const PointId near = this->Points[isFirstNear ? crossing.Place : crossing.Beyond];
+        const PointId far = this->Points[isFirstNear ? crossing.Beyond : crossing.Place];
+        const PointId point = marks[near] == 0 ? near : far;
+        error = marks[point] == 0 ? HeightError{ distance, point } : error;
       }
     });
   return error;

@@ -9,8 +9,8 @@
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 #include "Common/Types.h"
-#include "TriangleRows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +19,81 @@
 
 namespace SeismicHorizons
 {
+// The columns of a triangle, row by row: those on its sides and corners count.
+
+/// Where a side is in each row, upwards: the whole columns at or beside it, without rounding.
+class SideWalk
+{
+public:
+  SideWalk(const PlanePoint& low, const PlanePoint& high)
+    : Height(std::max(1, high.Y - low.Y))
+    , Floor(low.X)
+    , Slope((high.X - low.X) / this->Height)
+    , Rest((high.X - low.X) % this->Height)
+  {
+    if (this->Rest < 0)
+    {
+      --this->Slope;
+      this->Rest += this->Height;
+    }
+  }
+
+  std::int32_t AtOrLeft() const { return this->Floor; }
+  std::int32_t AtOrRight() const { return this->Floor + (this->Part > 0 ? 1 : 0); }
+  bool IsAtColumn() const { return this->Part == 0; }
+  /// How far from AtOrLeft() to AtOrRight() the side is, from 0 to 1.
+  double PartOfColumn() const { return double(this->Part) / double(this->Height); }
+
+  void GoUp()
+  {
+    this->Floor += this->Slope;
+    this->Part += this->Rest;
+    if (this->Part >= this->Height)
+    {
+      this->Part -= this->Height;
+      ++this->Floor;
+    }
+  }
+
+private:
+  std::int64_t Height;
+  std::int32_t Floor;
+  std::int32_t Slope; // whole columns per row
+  std::int64_t Rest; // and so many parts of one, of which a column has Height
+  std::int64_t Part = 0; // by how many the side is to the right of Floor
+};
+
+/// Calls visit(y, first, last) for the rows of a triangle that have columns, from below.
+template <typename Visitor>
+void ForEachRow(std::array<PlanePoint, 3> corners, Visitor&& visit)
+{
+  std::sort(corners.begin(), corners.end(),
+    [](const PlanePoint& a, const PlanePoint& b) { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; });
+  const auto& [low, middle, high] = corners;
+  if (low.Y == high.Y)
+  {
+    visit(low.Y, low.X, high.X);
+    return;
+  }
+  SideWalk through(low, high);
+  const auto walk = [&](SideWalk side, std::int32_t first, std::int32_t last)
+  {
+    for (std::int32_t y = first; y <= last; ++y)
+    {
+      const std::int32_t left = std::min(through.AtOrRight(), side.AtOrRight());
+      const std::int32_t right = std::max(through.AtOrLeft(), side.AtOrLeft());
+      if (left <= right)
+      {
+        visit(y, left, right);
+      }
+      through.GoUp();
+      side.GoUp();
+    }
+  };
+  walk(SideWalk(low, middle), low.Y, middle.Y - 1);
+  walk(SideWalk(middle, high), middle.Y, high.Y);
+}
+
 /// A corner of a triangle, or an end of its sides: the column, and the height there.
 struct RaisedPoint
 {
@@ -70,16 +145,13 @@ public:
   template <typename ForEachPoint>
   HeightRaster(ForEachPoint&& forEachPoint, const std::vector<PlanePoint>& columns, const std::vector<double>& heights)
   {
-    forEachPoint([&](PointId point) { this->Box.Add(columns[std::size_t(point)]); });
+    forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
     this->MakeColumns();
-    forEachPoint([&](PointId point) { this->Add(point, columns[std::size_t(point)], heights[std::size_t(point)]); });
+    forEachPoint([&](PointId point) { this->Add(point, columns[point], heights[point]); });
   }
 
   /// Of a column with a point.
-  double HeightAt(const PlanePoint& column) const
-  {
-    return this->Heights[std::size_t(this->Place(column.X, column.Y))];
-  }
+  double HeightAt(const PlanePoint& column) const { return this->Heights[this->Place(column.X, column.Y)]; }
 
   /// At the columns inside a triangle and on its sides.
   HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
@@ -143,11 +215,11 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
       const std::int64_t end = this->Place(last, y);
       for (std::int64_t place = this->Place(first, y); place <= end; ++place)
       {
-        const PointId point = this->Points[std::size_t(place)];
+        const PointId point = this->Points[place];
         if (point != NoPoint)
         {
           const double height = (weights[0] * a.Height + weights[1] * b.Height + weights[2] * c.Height) * perArea;
-          visit(point, height - this->Heights[std::size_t(place)], weights);
+          visit(point, height - this->Heights[place], weights);
         }
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
@@ -187,8 +259,8 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       const std::int32_t y = isTurned ? walk.AtOrLeft() : line;
       crossing.Place = this->Place(x, y);
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
-      const double first = this->Heights[std::size_t(crossing.Place)];
-      const double second = this->Heights[std::size_t(crossing.Beyond)];
+      const double first = this->Heights[crossing.Place];
+      const double second = this->Heights[crossing.Beyond];
       crossing.PartOfColumn = walk.PartOfColumn();
       const double up = (double(line) - low.Y) / (double(high.Y) - low.Y);
       crossing.PartOfSide = isUp ? up : 1.0 - up;

@@ -1,18 +1,535 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: what a change to a mesh may cost; flips of sides; removal of vertices; and the rounds of both with
+// fitted heights in between.
 
 #include "MeshImprover.h"
 
-#include "EdgeFlips.h"
+#include "Common/Parallel.h"
+#include "Common/Predicates.h"
+#include "Decimation.h"
 #include "HeightFit.h"
-#include "MeshCost.h"
-#include "MoveLimit.h"
-#include "VertexRemoval.h"
+#include "HeightMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// What a change to a mesh may cost: the sum of powers of its errors, at columns and where inner sides cross the lines
+// between columns, which slivers between columns do too.
+struct MeshCost
+{
+  /// Errors are divided by the unit; the angle is in degrees.
+  MeshCost(DecimationPriority priority, double unit, double smallestAngle)
+    : Power{ priority == DecimationPriority::LargestError ? 4 : 2, unit }
+    , SmallestSine(std::sin(smallestAngle * std::atan(1.0) / 45.0))
+  {
+  }
+
+  ErrorPower Power;
+  /// No change may make a smaller angle in plan than this sine's, but where there was a smaller one before.
+  double SmallestSine;
+  /// No change may make an error larger than this, but where it was larger before.
+  double LargestError = std::numeric_limits<double>::infinity();
+
+  /// Of a side, where it crosses lines between columns. The sum counts for a part: at a cliff, where a mesh is far from
+  /// such lines whatever it does, points would be given up for them.
+  HeightError MeasureSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
+  {
+    HeightError error = raster.MeasureCrossings(from, to, this->Power);
+    error.Sum *= PartOfSides;
+    return error;
+  }
+
+  /// Of the smallest angle of a triangle in plan, which is between its two longer sides; at most 0 when it is flat or
+  /// turned over.
+  static double SmallestSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+  {
+    const double ab = SquaredLength(a, b);
+    const double bc = SquaredLength(b, c);
+    const double ca = SquaredLength(c, a);
+    const double longer = std::max({ ab * bc, bc * ca, ca * ab });
+    return longer > 0.0 ? double(SignedArea(a, b, c)) / std::sqrt(longer) : 0.0;
+  }
+
+private:
+  static constexpr double PartOfSides = 0.1;
+
+  static double SquaredLength(const PlanePoint& a, const PlanePoint& b)
+  {
+    const double x = double(b.X) - a.X;
+    const double y = double(b.Y) - a.Y;
+    return x * x + y * y;
+  }
+};
+
+// ---- Flips ---------------------------------------------------------------------------------------------------------
+// Flips sides of a mesh for which it comes nearer to the horizon: data-dependent triangulation (Dyn, Levin and Rippa
+// 1990, "Data dependent triangulations for piecewise linear interpolation").
+
+// Sides of about equal cost would be flipped to and fro.
+constexpr double LeastGain = 1e-3;
+
+// How many sides a thread tries at a time.
+constexpr std::int64_t FlipGrain = 64;
+
+/// In rounds: all sides whose triangles have changed are tried at once, then those that gain are flipped, but for those
+/// of triangles that a flip of the round has changed. Each flip makes the sum of all costs less, so that this ends.
+class EdgeFlips
+{
+public:
+  EdgeFlips(HeightMesh& mesh, const MeshCost& cost)
+    : Mesh(mesh)
+    , Triangles(mesh.Triangles())
+    , Cost(cost)
+  {
+  }
+
+  void Run(const Monitor& monitor)
+  {
+    this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.1));
+    this->IsChanged.assign(std::size_t(this->Triangles.Size()), 1);
+    std::vector<SideId> sides = this->FindSides();
+    const double first = double(sides.size());
+    for (double part = 0.1; !sides.empty(); sides = this->FindSides())
+    {
+      part = std::max(part, 1.0 - 0.9 * double(sides.size()) / first);
+      monitor.Progress(part);
+      this->FlipAll(this->FindCandidates(sides));
+    }
+  }
+
+private:
+  using SideId = std::int64_t; // three per triangle
+
+  struct Candidate
+  {
+    SideId Side = 0;
+    double Gain = 0.0;
+    std::array<HeightError, 2> Errors; // of the two new triangles
+  };
+
+  /// The inner sides of triangles that have changed: each by the first of its two triangles.
+  std::vector<SideId> FindSides() const
+  {
+    std::vector<SideId> sides;
+    for (TriangleId triangle = 0; triangle < this->Triangles.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        const TriangleId other = this->Triangles.Neighbour(triangle, side);
+        if (other > triangle && (this->IsChanged[triangle] != 0 || this->IsChanged[other] != 0))
+        {
+          sides.push_back(3 * SideId(triangle) + side);
+        }
+      }
+    }
+    return sides;
+  }
+
+  /// Those that gain, the largest gain first.
+  std::vector<Candidate> FindCandidates(const std::vector<SideId>& sides) const
+  {
+    std::vector<Candidate> candidates(sides.size());
+    ParallelFor(std::int64_t(sides.size()), FlipGrain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          candidates[n] = this->Try(sides[n]);
+        }
+      });
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                       [](const Candidate& candidate) { return !(candidate.Gain > 0.0); }),
+      candidates.end());
+    std::sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.Gain != b.Gain ? a.Gain > b.Gain : a.Side < b.Side; });
+    return candidates;
+  }
+
+  void FlipAll(const std::vector<Candidate>& candidates)
+  {
+    std::fill(this->IsChanged.begin(), this->IsChanged.end(), 0);
+    for (const Candidate& candidate : candidates)
+    {
+      const auto triangle = TriangleId(candidate.Side / 3);
+      const int side = int(candidate.Side % 3);
+      const TriangleId other = this->Triangles.Neighbour(triangle, side);
+      if (this->IsChanged[triangle] == 0 && this->IsChanged[other] == 0)
+      {
+        this->Triangles.Flip(triangle, side);
+        this->Mesh.SetError(triangle, candidate.Errors[0]);
+        this->Mesh.SetError(other, candidate.Errors[1]);
+        this->IsChanged[triangle] = 1;
+        this->IsChanged[other] = 1;
+      }
+    }
+  }
+
+  /// Triangles a, b, c and b, a, d would become a, d, c and d, b, c.
+  Candidate Try(SideId id) const
+  {
+    const TriangleId triangle = TriangleId(id / 3);
+    const int side = int(id % 3);
+    const TriangleId other = this->Triangles.Neighbour(triangle, side);
+    const RaisedPoint a = this->Mesh.Raised(this->Triangles.Corner(triangle, side));
+    const RaisedPoint b = this->Mesh.Raised(this->Triangles.Corner(triangle, NextCorner(side)));
+    const RaisedPoint c = this->Mesh.Raised(this->Triangles.Corner(triangle, PreviousCorner(side)));
+    const RaisedPoint d = this->Mesh.Raised(this->Triangles.Beyond(triangle, side));
+    Candidate result;
+    result.Side = id;
+    const double sine = std::min(
+      MeshCost::SmallestSineOf(a.Column, d.Column, c.Column), MeshCost::SmallestSineOf(d.Column, b.Column, c.Column));
+    if (sine <= 0.0 ||
+      (sine < this->Cost.SmallestSine && sine < MeshCost::SmallestSineOf(a.Column, b.Column, c.Column) &&
+        sine < MeshCost::SmallestSineOf(b.Column, a.Column, d.Column)))
+    {
+      return result;
+    }
+    const HeightRaster& raster = this->Mesh.RasterOf(triangle);
+    const HeightError before = this->Cost.MeasureSide(raster, a, b);
+    const HeightError& one = this->Mesh.Error(triangle);
+    const HeightError& two = this->Mesh.Error(other);
+    const double sum = before.Sum + one.Sum + two.Sum;
+    const double most = (1.0 - LeastGain) * sum;
+    const double largest = std::max({ before.Largest, one.Largest, two.Largest, this->Cost.LargestError });
+    result.Errors[0] = raster.Measure({ a, d, c }, this->Cost.Power);
+    if (result.Errors[0].Sum >= most || result.Errors[0].Largest > largest)
+    {
+      return result;
+    }
+    result.Errors[1] = raster.Measure({ d, b, c }, this->Cost.Power);
+    const HeightError after = this->Cost.MeasureSide(raster, c, d);
+    const double sumAfter = result.Errors[0].Sum + result.Errors[1].Sum + after.Sum;
+    if (sumAfter < most && result.Errors[1].Largest <= largest && after.Largest <= largest)
+    {
+      result.Gain = sum - sumAfter;
+    }
+    return result;
+  }
+
+  HeightMesh& Mesh;
+  PlaneMesh& Triangles;
+  const MeshCost& Cost;
+  std::vector<unsigned char> IsChanged; // by triangle, in the last round
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+void FlipEdges(HeightMesh& mesh, const MeshCost& cost, const Monitor& monitor)
+{
+  EdgeFlips(mesh, cost).Run(monitor);
+}
+
+// ---- Removal -------------------------------------------------------------------------------------------------------
+// Removes vertices inside a mesh by collapsing a side each, the cheapest first: half-edge collapses (Hoppe 1996,
+// "Progressive meshes").
+//
+// This is done in rounds. In each, all vertices around which triangles have changed are tried at once. Then the cheaper
+// ones are removed, the cheapest first, but for those beside one that the round has removed.
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// What part of the candidates a round looks at: of neighbours the cheaper one should go.
+constexpr double PartOfRound = 0.25;
+
+// How many vertices a thread tries at a time.
+constexpr std::int64_t RemovalGrain = 16;
+
+/// The triangles around a vertex, counter-clockwise, and the ends of the sides that go from it, one between each two:
+/// ends[n] is between the triangles n - 1 and n.
+struct Ring
+{
+  std::vector<TriangleId> Triangles;
+  std::vector<RaisedPoint> Ends;
+  double Sum = 0.0; // of the errors now
+
+  const RaisedPoint& End(std::size_t n) const { return this->Ends[n % this->Ends.size()]; }
+};
+
+class VertexRemoval
+{
+public:
+  VertexRemoval(HeightMesh& mesh, const MeshCost& cost)
+    : Mesh(mesh)
+    , Cost(cost)
+  {
+  }
+
+  void Run(std::size_t leastVertices, const Monitor& monitor)
+  {
+    if (this->Mesh.NumberOfVertices() <= leastVertices)
+    {
+      return;
+    }
+    this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.05));
+    this->FindVertices();
+    const double first = double(this->Mesh.NumberOfVertices());
+    bool isPossible = true;
+    while (isPossible && this->Mesh.NumberOfVertices() > leastVertices)
+    {
+      this->TryOld();
+      const std::vector<Candidate> cheapest = this->FindCheapest();
+      this->RemoveAll(cheapest, leastVertices);
+      isPossible = !cheapest.empty();
+      monitor.Progress(1.0 - 0.95 * double(this->Mesh.NumberOfVertices()) / first);
+    }
+    this->Mesh.Compact();
+  }
+
+private:
+  struct Candidate
+  {
+    double Cost; // by how much the sum of errors grows; infinite where the vertex can not go
+    PointId Point;
+    std::int32_t Side; // of its ring, that is collapsed
+  };
+
+  void FindVertices()
+  {
+    const PlaneMesh& mesh = this->Mesh.Triangles();
+    this->TriangleAt.assign(this->Mesh.VertexMarks().size(), NoTriangle);
+    for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
+      }
+    }
+    this->Candidates.clear();
+    for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
+    {
+      if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
+      {
+        this->Candidates.push_back({ Infinity, point, 0 });
+      }
+    }
+    this->IsOld.assign(this->TriangleAt.size(), 1);
+  }
+
+  /// The cheapest of those that can go, in their order.
+  std::vector<Candidate> FindCheapest() const
+  {
+    const auto isCheaper = [](const Candidate& a, const Candidate& b)
+    { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); };
+    std::vector<Candidate> possible;
+    std::copy_if(this->Candidates.begin(), this->Candidates.end(), std::back_inserter(possible),
+      [](const Candidate& one) { return one.Cost < Infinity; });
+    const auto size = std::ptrdiff_t(std::ceil(PartOfRound * double(possible.size())));
+    if (size > 0)
+    {
+      std::nth_element(possible.begin(), possible.begin() + (size - 1), possible.end(), isCheaper);
+    }
+    possible.resize(std::size_t(size));
+    std::sort(possible.begin(), possible.end(), isCheaper);
+    return possible;
+  }
+
+  void TryOld()
+  {
+    ParallelFor(std::int64_t(this->Candidates.size()), RemovalGrain,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          Candidate& candidate = this->Candidates[n];
+          if (this->IsOld[candidate.Point] != 0)
+          {
+            candidate = this->Try(candidate.Point);
+            this->IsOld[candidate.Point] = 0;
+          }
+        }
+      });
+  }
+
+  Candidate Try(PointId point) const
+  {
+    const Ring ring = this->FindRing(point);
+    Candidate best{ Infinity, point, 0 };
+    for (const End& end : this->FindEnds(ring, point))
+    {
+      const double most = ring.Sum + best.Cost;
+      const double sum = end.Least < most ? this->SumAt(ring, end.Number, most) : Infinity;
+      if (sum - ring.Sum < best.Cost)
+      {
+        best.Cost = sum - ring.Sum;
+        best.Side = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
+      }
+    }
+    return best;
+  }
+
+  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
+  struct End
+  {
+    double Least;
+    std::size_t Number;
+  };
+
+  /// Those with the least first: that of the best one is compared with those of the others.
+  std::vector<End> FindEnds(const Ring& ring, PointId point) const
+  {
+    std::vector<End> ends;
+    for (std::size_t end = 0; end < ring.Ends.size(); ++end)
+    {
+      if (this->KeepsAngles(ring, end))
+      {
+        const double error = this->ErrorOf(point, ring, end);
+        if (error <= this->Cost.LargestError)
+        {
+          ends.push_back({ this->Cost.Power.Raise(error), end });
+        }
+      }
+    }
+    std::sort(ends.begin(), ends.end(),
+      [](const End& a, const End& b) { return std::tie(a.Least, a.Number) < std::tie(b.Least, b.Number); });
+    return ends;
+  }
+
+  /// The distance of a vertex's point from the triangle that would be there.
+  double ErrorOf(PointId point, const Ring& ring, std::size_t end) const
+  {
+    const RaisedPoint& to = ring.End(end);
+    const PlanePoint& place = this->Mesh.Raised(point).Column;
+    std::size_t n = end + 1;
+    while (n + 2 < end + ring.Ends.size() && SignedArea(to.Column, ring.End(n + 1).Column, place) > 0)
+    {
+      ++n;
+    }
+    const RaisedPoint& b = ring.End(n);
+    const RaisedPoint& c = ring.End(n + 1);
+    const double area = double(SignedArea(to.Column, b.Column, c.Column));
+    const double height = to.Height +
+      ((b.Height - to.Height) * double(SignedArea(c.Column, to.Column, place)) +
+        (c.Height - to.Height) * double(SignedArea(to.Column, b.Column, place))) /
+        area;
+    return std::abs(height - this->Mesh.ColumnHeight(point));
+  }
+
+  Ring FindRing(PointId point) const
+  {
+    const PlaneMesh& mesh = this->Mesh.Triangles();
+    Ring ring;
+    mesh.FindRing(point, this->TriangleAt[point], ring.Triangles);
+    const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
+    for (const TriangleId triangle : ring.Triangles)
+    {
+      ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
+      ring.Sum +=
+        this->Mesh.Error(triangle).Sum + this->Cost.MeasureSide(raster, this->Mesh.Raised(point), ring.Ends.back()).Sum;
+    }
+    return ring;
+  }
+
+  /// Whether all triangles around could have their corner at one of the ends instead.
+  bool KeepsAngles(const Ring& ring, std::size_t end) const
+  {
+    for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
+    {
+      const double sine = MeshCost::SmallestSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
+      if (sine <= 0.0 || sine < this->Cost.SmallestSine)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// What the sum of errors is then; infinite when it is not below `most`, or an error too large.
+  double SumAt(const Ring& ring, std::size_t end, double most) const
+  {
+    const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
+    double sum = 0.0;
+    const auto add = [&](const HeightError& error)
+    {
+      sum += error.Sum;
+      return error.Largest <= this->Cost.LargestError && sum < most;
+    };
+    const RaisedPoint& to = ring.End(end);
+    for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
+    {
+      const bool isInner = n > end + 1; // the side to this end: the first one is that of the ring
+      if (!add(raster.Measure({ to, ring.End(n), ring.End(n + 1) }, this->Cost.Power)) ||
+        (isInner && !add(this->Cost.MeasureSide(raster, to, ring.End(n)))))
+      {
+        return Infinity;
+      }
+    }
+    return sum;
+  }
+
+  /// Those of a round, until so many vertices are left.
+  void RemoveAll(const std::vector<Candidate>& cheapest, std::size_t leastVertices)
+  {
+    this->IsChanged.assign(std::size_t(this->Mesh.Triangles().Size()), 0);
+    this->Changed.clear();
+    for (const Candidate& candidate : cheapest)
+    {
+      if (this->Mesh.NumberOfVertices() > leastVertices)
+      {
+        this->Remove(candidate);
+      }
+    }
+    this->Mesh.Measure(this->Changed, this->Cost.Power, Monitor());
+    this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
+                             [this](const Candidate& one) { return !this->Mesh.IsVertex(one.Point); }),
+      this->Candidates.end());
+  }
+
+  /// Unless a neighbour was removed in this round.
+  void Remove(const Candidate& candidate)
+  {
+    PlaneMesh& mesh = this->Mesh.Triangles();
+    std::vector<TriangleId> ring;
+    mesh.FindRing(candidate.Point, this->TriangleAt[candidate.Point], ring);
+    if (std::any_of(ring.begin(), ring.end(), [this](TriangleId one) { return this->IsChanged[one] != 0; }))
+    {
+      return;
+    }
+    mesh.Collapse(candidate.Point, ring, std::size_t(candidate.Side));
+    this->Mesh.MarkVertex(candidate.Point, false);
+    for (const TriangleId triangle : ring)
+    {
+      this->IsChanged[triangle] = 1;
+      for (int corner = 0; corner < 3 && !mesh.IsGone(triangle); ++corner)
+      {
+        const std::size_t point = std::size_t(mesh.Corner(triangle, corner));
+        this->TriangleAt[point] = triangle;
+        this->IsOld[point] = 1;
+      }
+      if (!mesh.IsGone(triangle))
+      {
+        this->Changed.push_back(triangle);
+      }
+    }
+  }
+
+  HeightMesh& Mesh;
+  const MeshCost& Cost;
+  std::vector<TriangleId> TriangleAt; // by point: one of its triangles
+  std::vector<Candidate> Candidates; // the vertices inside, in the order of their points: those next are near
+  std::vector<unsigned char> IsOld; // by point: triangles around have changed since it was tried
+  std::vector<unsigned char> IsChanged; // by triangle, in one round
+  std::vector<TriangleId> Changed; // in one round
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVertices, const Monitor& monitor)
+{
+  VertexRemoval(mesh, cost).Run(leastVertices, monitor);
+}
+
+// ---- Rounds of both ------------------------------------------------------------------------------------------------
 // Each finds less: the third takes one vertex in a hundred.
 constexpr int Rounds = 3;
 }

@@ -58,8 +58,8 @@ void PlaneMesh::Connect()
     const auto& [c, d, neighbour, otherSide] = sides[n];
     if (a == c && b == d)
     {
-      this->Triangles[std::size_t(triangle)].Neighbours[std::size_t(side)] = neighbour;
-      this->Triangles[std::size_t(neighbour)].Neighbours[std::size_t(otherSide)] = triangle;
+      this->Triangles[triangle].Neighbours[side] = neighbour;
+      this->Triangles[neighbour].Neighbours[otherSide] = triangle;
     }
   }
 }
@@ -120,7 +120,7 @@ void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleI
   if (onSide >= 0)
   {
     // The triangle between the side and the point has no area. Its third corner is the point.
-    const TriangleId flat = around[std::size_t(onSide)];
+    const TriangleId flat = around[onSide];
     around.push_back(this->Neighbour(flat, Opposite));
     this->Flip(flat, Opposite);
   }
@@ -130,13 +130,13 @@ void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleI
 /// Makes three triangles of one: number n has the side n of the old one first, and the point as its third corner.
 void PlaneMesh::Split(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
 {
-  const Triangle old = this->Triangles[std::size_t(triangle)];
+  const Triangle old = this->Triangles[triangle];
   const TriangleId size = this->Size();
   const std::array<TriangleId, 3> parts = { triangle, size, size + 1 };
   this->Triangles.resize(this->Triangles.size() + 2);
   for (int side = 0; side < 3; ++side)
   {
-    this->Triangles[std::size_t(parts[side])] = { { old.Corners[side], old.Corners[NextCorner(side)], point },
+    this->Triangles[parts[side]] = { { old.Corners[side], old.Corners[NextCorner(side)], point },
       { old.Neighbours[side], parts[NextCorner(side)], parts[PreviousCorner(side)] } };
     this->Replace(old.Neighbours[side], triangle, parts[side]);
     around.push_back(parts[side]);
@@ -146,7 +146,7 @@ void PlaneMesh::Split(PointId point, TriangleId triangle, std::vector<TriangleId
 //----------------------------------------------------------------------------------------------------------------------
 int PlaneMesh::SideTo(TriangleId triangle, TriangleId neighbour) const
 {
-  const auto& neighbours = this->Triangles[std::size_t(triangle)].Neighbours;
+  const auto& neighbours = this->Triangles[triangle].Neighbours;
   return neighbours[0] == neighbour ? 0 : neighbours[1] == neighbour ? 1 : 2;
 }
 
@@ -155,7 +155,7 @@ void PlaneMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId by
 {
   if (triangle != NoTriangle)
   {
-    this->Triangles[std::size_t(triangle)].Neighbours[std::size_t(this->SideTo(triangle, neighbour))] = by;
+    this->Triangles[triangle].Neighbours[this->SideTo(triangle, neighbour)] = by;
   }
 }
 
@@ -163,8 +163,8 @@ void PlaneMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId by
 void PlaneMesh::Flip(TriangleId triangle, int side)
 {
   const TriangleId other = this->Neighbour(triangle, side);
-  const Triangle one = this->Triangles[std::size_t(triangle)];
-  const Triangle two = this->Triangles[std::size_t(other)];
+  const Triangle one = this->Triangles[triangle];
+  const Triangle two = this->Triangles[other];
   const int back = this->SideTo(other, triangle);
   const PointId a = one.Corners[side];
   const PointId b = one.Corners[NextCorner(side)];
@@ -174,8 +174,8 @@ void PlaneMesh::Flip(TriangleId triangle, int side)
   const TriangleId beyondCa = one.Neighbours[PreviousCorner(side)];
   const TriangleId beyondAd = two.Neighbours[NextCorner(back)];
   const TriangleId beyondDb = two.Neighbours[PreviousCorner(back)];
-  this->Triangles[std::size_t(triangle)] = { { a, d, c }, { beyondAd, other, beyondCa } };
-  this->Triangles[std::size_t(other)] = { { d, b, c }, { beyondDb, beyondBc, triangle } };
+  this->Triangles[triangle] = { { a, d, c }, { beyondAd, other, beyondCa } };
+  this->Triangles[other] = { { d, b, c }, { beyondDb, beyondBc, triangle } };
   this->Replace(beyondAd, other, triangle);
   this->Replace(beyondBc, triangle, other);
 }
@@ -190,7 +190,7 @@ PointId PlaneMesh::Beyond(TriangleId triangle, int side) const
 //----------------------------------------------------------------------------------------------------------------------
 int PlaneMesh::CornerAt(TriangleId triangle, PointId point) const
 {
-  const auto& corners = this->Triangles[std::size_t(triangle)].Corners;
+  const auto& corners = this->Triangles[triangle].Corners;
   return corners[0] == point ? 0 : corners[1] == point ? 1 : 2;
 }
 
@@ -245,7 +245,7 @@ void PlaneMesh::Collapse(PointId point, const std::vector<TriangleId>& ring, std
     this->Neighbour(gone[1], NextCorner(this->CornerAt(gone[1], point))) };
   for (const TriangleId triangle : ring)
   {
-    this->Triangles[std::size_t(triangle)].Corners[std::size_t(this->CornerAt(triangle, point))] = target;
+    this->Triangles[triangle].Corners[this->CornerAt(triangle, point)] = target;
   }
   this->Replace(before, gone[0], outside[0]);
   this->Replace(outside[0], gone[0], before);
@@ -253,7 +253,7 @@ void PlaneMesh::Collapse(PointId point, const std::vector<TriangleId>& ring, std
   this->Replace(outside[1], gone[1], after);
   for (const TriangleId triangle : gone)
   {
-    this->Triangles[std::size_t(triangle)] = { { NoPoint, NoPoint, NoPoint }, { NoTriangle, NoTriangle, NoTriangle } };
+    this->Triangles[triangle] = { { NoPoint, NoPoint, NoPoint }, { NoTriangle, NoTriangle, NoTriangle } };
   }
 }
 
@@ -301,14 +301,14 @@ void PlaneMesh::Reorder(const std::vector<TriangleId>& order)
   ordered.reserve(order.size());
   for (const TriangleId triangle : order)
   {
-    numbers[std::size_t(triangle)] = TriangleId(ordered.size());
-    ordered.push_back(this->Triangles[std::size_t(triangle)]);
+    numbers[triangle] = TriangleId(ordered.size());
+    ordered.push_back(this->Triangles[triangle]);
   }
   for (Triangle& triangle : ordered)
   {
     for (TriangleId& neighbour : triangle.Neighbours)
     {
-      neighbour = neighbour == NoTriangle ? NoTriangle : numbers[std::size_t(neighbour)];
+      neighbour = neighbour == NoTriangle ? NoTriangle : numbers[neighbour];
     }
   }
   this->Triangles.swap(ordered);

@@ -48,21 +48,15 @@ public:
   PlaneMesh(const std::vector<PlanePoint>& plane, const RawVector<PointId>& triangles);
 
   TriangleId Size() const { return TriangleId(this->Triangles.size()); }
-  PointId Corner(TriangleId triangle, int corner) const
-  {
-    return this->Triangles[std::size_t(triangle)].Corners[std::size_t(corner)];
-  }
+  PointId Corner(TriangleId triangle, int corner) const { return this->Triangles[triangle].Corners[corner]; }
   /// Across the side from a corner to the next one; NoTriangle at the boundary.
-  TriangleId Neighbour(TriangleId triangle, int side) const
-  {
-    return this->Triangles[std::size_t(triangle)].Neighbours[std::size_t(side)];
-  }
+  TriangleId Neighbour(TriangleId triangle, int side) const { return this->Triangles[triangle].Neighbours[side]; }
   /// The side of a triangle to a neighbour.
   int SideTo(TriangleId triangle, TriangleId neighbour) const;
   /// The corner beyond a side that is not at the boundary.
   PointId Beyond(TriangleId triangle, int side) const;
   int CornerAt(TriangleId triangle, PointId point) const;
-  const PlanePoint& Place(PointId point) const { return this->Plane[std::size_t(point)]; }
+  const PlanePoint& Place(PointId point) const { return this->Plane[point]; }
 
   /// The triangle that a point is in or on, looked for from one near by, across at most a hundred sides; NoTriangle
   /// when it is not found or the boundary is in the way.

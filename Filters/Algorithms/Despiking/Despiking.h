@@ -39,7 +39,7 @@ enum class SpikeKind : unsigned char
 /// points in one column (InputError). A point with less than three others around is no spike: there is nothing to tell
 /// it by. A point is of a thread when no full square of columns one wider than ThreadWidth covers it (a morphological
 /// opening). Does not depend on the number of threads of the computer.
-std::vector<SpikeKind> FindSpikes(const std::vector<PlanePoint>& columns, const std::vector<double>& heights,
+std::vector<SpikeKind> FindSpikes(PlanePoints columns, const std::vector<double>& heights,
   const DespikingOptions& options, const Monitor& monitor = Monitor());
 }
 

@@ -1,5 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// 1. Walks. The loops and the mouths of cracks (Common/Cracks.h) are a plane graph. The walk that begins with a mouth,
+//    and always continues along the first loop or mouth that a clockwise sweep meets, surrounds the crack to its left.
+// 2. Loops that are lips all along, and that no walk went along, bound cracks on their own.
+// 3. What walks and loops enclose is triangulated, all cracks together, as a horizon of the points on them.
+//
+//     o---o-------o---o        o    vertices of the mesh
+//         : \     |            -    lips
+//         :   \   |            :    the mouth
+//     o---o-------o---o        \    inside the crack
+//
+// No point is added, which is why the result fits the mesh on the other side of each lip. Edges of loops are known by
+// their positions: those of the points they leave, counted through all loops. A walk looks for other edges only at ends
+// of mouths; elsewhere its loop leads on.
 
 #include "FaultClosing.h"
 
@@ -8,6 +22,7 @@
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -16,8 +31,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// An edge of the graph that leaves a point: that of the loops after one of their points, which are counted through all
-/// loops, or a mouth.
+/// An edge of the graph: a mouth, or an edge of the loops by its position.
 struct GraphEdge
 {
   bool IsMouth;
@@ -62,7 +76,7 @@ public:
     , Open(cracks)
     , IsWalked(cracks.Mouths.size(), false)
   {
-    this->FindPointsOfLoops();
+    this->CountPositions();
     this->FindLeavingEdges();
   }
 
@@ -85,7 +99,7 @@ public:
   }
 
 private:
-  void FindPointsOfLoops()
+  void CountPositions()
   {
     this->Ends.reserve(this->Boundary.Size());
     std::size_t end = 0;
@@ -97,7 +111,6 @@ private:
     this->IsLip.assign(end, false);
   }
 
-  /// Those that leave the ends of mouths.
   void FindLeavingEdges()
   {
     for (std::size_t mouth = 0; mouth < this->Open.Mouths.size(); ++mouth)
@@ -124,13 +137,14 @@ private:
 
   std::size_t LoopOf(std::size_t position) const
   {
-    return std::size_t(std::upper_bound(this->Ends.begin(), this->Ends.end(), position) - this->Ends.begin());
+    return std::upper_bound(this->Ends.begin(), this->Ends.end(), position) - this->Ends.begin();
   }
 
   /// The position in the loops after one.
   std::size_t After(std::size_t position) const
   {
     const std::size_t loop = this->LoopOf(position);
+    assert(loop < this->Ends.size());
     return position + 1 < this->Ends[loop] ? position + 1 : this->StartOf(loop);
   }
 
@@ -152,8 +166,8 @@ private:
 
   PlanePoint Vector(PointId from, PointId to) const
   {
-    const PlanePoint& a = this->Plane[std::size_t(from)];
-    const PlanePoint& b = this->Plane[std::size_t(to)];
+    const PlanePoint& a = this->Plane[from];
+    const PlanePoint& b = this->Plane[to];
     return { b.X - a.X, b.Y - a.Y };
   }
 
@@ -221,9 +235,9 @@ private:
   const Loops& Boundary;
   const Cracks& Open;
   std::vector<std::size_t> Ends; // of the loops, in positions
-  std::vector<bool> IsWalked; // of mouths
-  std::vector<bool> IsLip; // of the positions whose edges were walked
-  std::vector<LeavingEdge> Leaving; // the ends of mouths, by points
+  std::vector<bool> IsWalked; // by mouth
+  std::vector<bool> IsLip; // by position: whether its edge was walked
+  std::vector<LeavingEdge> Leaving; // the ends of mouths, by these
   std::vector<PointId> Points; // of the last walk
   Loops Result;
 };
@@ -241,15 +255,16 @@ RawVector<PointId> CloseFaults(
   BoundedHorizon region;
   for (const PointId point : points)
   {
-    region.Plane.push_back(plane[std::size_t(point)]);
+    region.Plane.push_back(plane[point]);
   }
   region.Patch.assign(points.size(), 0);
   region.Boundary = outlines.RenumberedBy([&points](PointId point)
     { return PointId(std::lower_bound(points.begin(), points.end(), point) - points.begin()); });
+  // Builds that check meshes check this one there.
   RawVector<PointId> triangles = Triangulate(region, TriangulationOptions(), monitor).Triangles;
   for (PointId& corner : triangles)
   {
-    corner = points[std::size_t(corner)];
+    corner = points[corner];
   }
   return triangles;
 }

@@ -2,16 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Triangles between the lips of cracks, so that the mesh of a faulted horizon is closed there.
-//
-// The loops and the mouths of cracks (Common/Cracks.h) are a plane graph. The walk that begins with a mouth, and always
-// goes on by the first loop or mouth that a clockwise sweep meets, goes round the crack to its left; loops that are
-// lips all along bound cracks on their own. What these walks enclose is triangulated: its vertices are those of the
-// loops, and so it fits the mesh on the other side of each lip.
-//
-//     o---o-------o---o        o    vertices of the mesh
-//         : \     |            -    lips
-//         :   \   |            :    the mouth
-//     o---o-------o---o        \    inside the crack
 
 #ifndef SeismicHorizonsFaultClosing_h
 #define SeismicHorizonsFaultClosing_h

@@ -5,20 +5,70 @@
 
 #include "Common/Errors.h"
 
-#include <limits>
+#include <algorithm>
+#include <cassert>
 #include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
-PlaneBox FindBox(const std::vector<PlanePoint>& columns)
+// A box may have so many columns per point, or so many in all, before rows and files are left out of the raster.
+constexpr std::int64_t EnoughColumnsPerPoint = 16;
+constexpr std::int64_t EnoughColumns = 1 << 20;
+
+PlaneBox FindBox(PlanePoints columns)
 {
   if (columns.empty())
   {
     throw InputError("no points, expected a horizon");
   }
   return PlaneBox(columns);
+}
+
+bool AreScattered(PlanePoints columns, const LinkGrid& box)
+{
+  return box.NumberOfColumns() > std::max(EnoughColumns, EnoughColumnsPerPoint * std::int64_t(columns.size()));
+}
+
+/// The coordinates along an axis that the raster keeps, from the least one: those of points, and between them up to
+/// `Margin` others, which follow a point.
+std::vector<std::int64_t> FindKept(PlanePoints columns, std::int32_t PlanePoint::*axis, std::int64_t least)
+{
+  std::vector<std::int64_t> occupied;
+  occupied.reserve(columns.size());
+  for (const PlanePoint& column : columns)
+  {
+    occupied.push_back(column.*axis - least);
+  }
+  std::sort(occupied.begin(), occupied.end());
+  occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+  std::vector<std::int64_t> kept = { 0 };
+  for (const std::int64_t next : occupied)
+  {
+    const std::int64_t marginEnd = std::min(next, kept.back() + 1 + ColumnHeights::Margin);
+    while (kept.back() + 1 < marginEnd)
+    {
+      kept.push_back(kept.back() + 1);
+    }
+    if (kept.back() < next)
+    {
+      kept.push_back(next);
+    }
+  }
+  return kept;
+}
+
+/// The place of a coordinate among those that are kept, or -1.
+std::int64_t FindIn(const std::vector<std::int64_t>& kept, std::int64_t coordinate)
+{
+  const auto found = std::lower_bound(kept.begin(), kept.end(), coordinate);
+  return found != kept.end() && *found == coordinate ? found - kept.begin() : -1;
+}
+
+LinkGrid MakeRaster(const std::vector<std::int64_t>& files, const std::vector<std::int64_t>& rows)
+{
+  return LinkGrid(PlaneBox({ { 0, 0 }, { std::int32_t(files.size() - 1), std::int32_t(rows.size() - 1) } }));
 }
 
 std::string Describe(const PlanePoint& column)
@@ -28,14 +78,22 @@ std::string Describe(const PlanePoint& column)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ColumnHeights::ColumnHeights(const std::vector<PlanePoint>& columns, const std::vector<double>& height)
-  : Links(FindBox(columns))
-  , Values(std::size_t(this->Links.NumberOfColumns()), std::numeric_limits<double>::quiet_NaN())
+ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& height)
+  : Box(FindBox(columns))
+  , Places(this->Box)
 {
+  assert(height.size() == columns.size());
+  if (AreScattered(columns, this->Box))
+  {
+    this->FilesKept = FindKept(columns, &PlanePoint::X, this->Box.Origin().X);
+    this->RowsKept = FindKept(columns, &PlanePoint::Y, this->Box.Origin().Y);
+    this->Places = MakeRaster(this->FilesKept, this->RowsKept);
+  }
+  this->Values.assign(this->Places.NumberOfColumns(), std::numeric_limits<double>::quiet_NaN());
   constexpr double Tolerance = 1e-3; // of whole heights, which went through world coordinates
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    double& value = this->Values[std::size_t(this->Links.ColumnOf(columns[point]))];
+    double& value = this->Values[this->PlaceOf(this->Box.ColumnOf(columns[point]))];
     if (!std::isfinite(height[point]))
     {
       throw InputError(
@@ -48,5 +106,28 @@ ColumnHeights::ColumnHeights(const std::vector<PlanePoint>& columns, const std::
     value = height[point];
     this->Whole = this->Whole && std::abs(value - std::round(value)) <= Tolerance;
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t ColumnHeights::FindPlace(std::int64_t column) const
+{
+  const std::int64_t x = FindIn(this->FilesKept, column % this->Box.Width());
+  const std::int64_t y = FindIn(this->RowsKept, column / this->Box.Width());
+  return x < 0 || y < 0 ? -1 : y * this->Places.Width() + x;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t ColumnHeights::ToGrid(std::int64_t link) const
+{
+  const std::int64_t place = LinkGrid::FirstColumn(link);
+  return this->Box.LinkOf(
+    this->GridX(place % this->Places.Width()), this->GridY(place / this->Places.Width()), LinkGrid::SideOf(link));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t ColumnHeights::ToRaster(std::int64_t link) const
+{
+  const std::int64_t place = this->PlaceOf(LinkGrid::FirstColumn(link));
+  return place < 0 ? -1 : LinkGrid::LinkOf(place, LinkGrid::SideOf(link));
 }
 }

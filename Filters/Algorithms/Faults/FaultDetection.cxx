@@ -1,17 +1,40 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The passes, in order:
+//
+//  1. Deviations. The deviation of a link is the height difference across it less the median of those across the links
+//     of the same side within three columns, which is the dip. So a plane has none, however steep, nor has a slope next
+//     to a fault.
+//  2. Noise, the standard deviation of differences, by the median of the sizes of deviations.
+//  3. Candidates are the links with large deviations; those with still larger ones are strong.
+//  4. Gaps. A fault often shows as a band of a few missing columns, where no link has two heights. Planes through
+//     columns on both sides tell how far apart the two sides are in the middle of the gap; the link there is a
+//     candidate, joined to those of the next row or file.
+//  5. Lines. Ends of candidates are bridged, and a forest of long and strong ones stays (FaultForest.h).
+//
+// A file is what a row is along j. Candidates and all that comes of them have the numbers of links in the grid, the
+// bounding box, which are sparse. The first two passes and the search for gaps run over the raster (ColumnHeights.h),
+// from which empty bands are left out: they look at most at four columns in each direction, fewer than
+// ColumnHeights::Margin.
 
 #include "FaultDetection.h"
 
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
+#include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "Common/RawVector.h"
 #include "FaultForest.h"
-#include "GapSteps.h"
-#include "LinkDeviations.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -21,6 +44,246 @@ namespace SeismicHorizons
 {
 namespace
 {
+//----------------------------------------------------------------------------------------------------------------------
+// 1. Deviations.
+
+constexpr std::int64_t Reach = 3; // columns
+constexpr std::int64_t Side = 2 * Reach + 1;
+static_assert(Reach + 1 < ColumnHeights::Margin);
+
+/// The differences across the links of some rows, each row with a margin of nan on both sides. Rows come one after the
+/// other, and the last seven are kept.
+class DifferenceRows
+{
+public:
+  DifferenceRows(const ColumnHeights& heights, LinkSide side)
+    : Heights(heights)
+    , Kind(side)
+    , Width(heights.Raster().Width() + 2 * Reach)
+    , Values(Side * this->Width, std::numeric_limits<float>::quiet_NaN())
+  {
+  }
+
+  /// The row y, which may lie outside the raster.
+  void Load(std::int64_t y)
+  {
+    const LinkGrid& raster = this->Heights.Raster();
+    const bool isEast = this->Kind == LinkSide::East;
+    float* const row = this->Row(y);
+    std::fill(row - Reach, row - Reach + this->Width, std::numeric_limits<float>::quiet_NaN());
+    if (y < 0 || y + (isEast ? 0 : 1) >= raster.Height())
+    {
+      return;
+    }
+    const double* const before = this->Heights.Row(y);
+    const double* const beyond = isEast ? before + 1 : this->Heights.Row(y + 1);
+    for (std::int64_t x = 0; x < raster.Width() - (isEast ? 1 : 0); ++x)
+    {
+      row[x] = float(beyond[x] - before[x]);
+    }
+  }
+
+  /// The first column of a row that is kept.
+  float* Row(std::int64_t y) { return this->Values.data() + (y + Side) % Side * this->Width + Reach; }
+
+private:
+  const ColumnHeights& Heights;
+  const LinkSide Kind;
+  const std::int64_t Width;
+  std::vector<float> Values;
+};
+
+/// The numbers of seven rows at one place, ascending; those that are nan are left out.
+struct SortedFile
+{
+  std::array<float, Side> Values;
+  int Size = 0;
+
+  void Insert(float value)
+  {
+    int place = this->Size++;
+    for (; place > 0 && this->Values[place - 1] > value; --place)
+    {
+      this->Values[place] = this->Values[place - 1];
+    }
+    this->Values[place] = value;
+  }
+};
+
+/// The numbers of seven files, ascending. From a place to the next one file leaves, and one comes: both are sorted, so
+/// that it takes one pass, several times faster than finding the median anew.
+class SortedWindow
+{
+public:
+  void Replace(const SortedFile& leaving, const SortedFile& coming)
+  {
+    std::array<float, Side * Side> next;
+    std::size_t size = 0;
+    int left = 0;
+    int came = 0;
+    for (std::size_t n = 0; n < this->Size; ++n)
+    {
+      const float value = this->Values[n];
+      if (left < leaving.Size && leaving.Values[left] == value)
+      {
+        ++left;
+        continue;
+      }
+      while (came < coming.Size && coming.Values[came] < value)
+      {
+        next[size++] = coming.Values[came++];
+      }
+      next[size++] = value;
+    }
+    while (came < coming.Size)
+    {
+      next[size++] = coming.Values[came++];
+    }
+    std::copy(next.begin(), next.begin() + size, this->Values.begin());
+    this->Size = size;
+  }
+
+  /// Of an even number the lower one of the two in the middle. There must be one.
+  float Median() const { return this->Values[(this->Size - 1) / 2]; }
+
+private:
+  std::array<float, Side* Side> Values = {};
+  std::size_t Size = 0;
+};
+
+/// The deviations of a row, one for every other place: those of the other side come between.
+void FindRow(DifferenceRows& differences, std::int64_t y, std::int64_t width, float* deviations)
+{
+  std::array<const float*, Side> rows;
+  for (std::int64_t n = 0; n < Side; ++n)
+  {
+    rows[n] = differences.Row(y - Reach + n);
+  }
+  const float* const row = rows[Reach];
+  std::array<SortedFile, Side> files; // of the places x - 3 to x + 3, in a ring
+  SortedWindow window;
+  for (std::int64_t x = -2 * Reach; x < width; ++x)
+  {
+    SortedFile coming;
+    for (const float* const values : rows)
+    {
+      const float value = x + Reach >= 0 ? values[x + Reach] : values[-1]; // which is nan
+      if (!std::isnan(value))
+      {
+        coming.Insert(value);
+      }
+    }
+    SortedFile& oldest = files[(x + 2 * Reach) % Side];
+    window.Replace(oldest, coming);
+    oldest = coming;
+    if (x >= 0)
+    {
+      deviations[2 * x] = std::isnan(row[x]) ? row[x] : row[x] - window.Median();
+    }
+  }
+}
+
+/// By link of the raster, nan where one of the two columns has no point.
+RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& monitor)
+{
+  const LinkGrid& raster = heights.Raster();
+  RawVector<float> deviations;
+  deviations.resize(raster.NumberOfLinks());
+  constexpr std::int64_t Grain = 65536; // links that a thread takes at a time
+  const std::int64_t rows = std::max<std::int64_t>(2 * Reach, Grain / raster.Width());
+  ParallelFor(raster.Height(), rows, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (const LinkSide side : { LinkSide::East, LinkSide::North })
+      {
+        DifferenceRows differences(heights, side);
+        for (std::int64_t y = first - Reach; y < first + Reach; ++y)
+        {
+          differences.Load(y);
+        }
+        for (std::int64_t y = first; y < last; ++y)
+        {
+          differences.Load(y + Reach);
+          FindRow(differences, y, raster.Width(), deviations.data() + raster.LinkOf(0, y, side));
+        }
+      }
+    });
+  return deviations;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// 2. Noise.
+
+// The standard deviation of normal noise by the median and by the mean of its sizes.
+constexpr double DeviationPerMedian = 1.4826;
+constexpr double DeviationPerMean = 1.2533;
+// What rounding to whole heights does to a difference: the square root of two twelfths.
+constexpr double WholeFloor = 0.408;
+constexpr double RealFloor = 0.02;
+
+/// The median of whole numbers, were each spread evenly from half below it to half above it; `median` is that of the
+/// numbers as they are. So it changes with their distribution, and does not leap from 0 to 1.
+double GroupedMedian(const std::vector<float>& sizes, float median)
+{
+  std::size_t below = 0;
+  std::size_t equal = 0;
+  for (const float size : sizes)
+  {
+    const float whole = std::round(size);
+    below += whole < median ? 1 : 0;
+    equal += whole == median ? 1 : 0;
+  }
+  const double part = (0.5 * double(sizes.size()) - double(below)) / double(equal);
+  return median == 0.0F ? 0.5 * part : double(median) - 0.5 + part;
+}
+
+double ClippedMean(const std::vector<float>& sizes, double largest)
+{
+  double sum = 0.0;
+  for (const float size : sizes)
+  {
+    sum += std::min(double(size), largest);
+  }
+  return sum / double(sizes.size());
+}
+/// The standard deviation of noise in deviations: 1.4826 times the median of their sizes. Of whole heights that is the
+/// median of groups, which lies between the whole numbers, and the result at least what rounding does to differences.
+/// Of others, where the median is next to nothing, as in data that were smoothed or rounded, the mean of small sizes
+/// is used.
+double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
+{
+  // A million values tell as well as all. They are chosen by their numbers in the grid, so that the noise does not
+  // depend on what the raster leaves out.
+  constexpr std::int64_t Enough = 1000000;
+  // Odd, so that links of both sides are among them.
+  const std::int64_t step = (heights.Grid().NumberOfLinks() / Enough) | 1;
+  const bool isRasterWhole = heights.Raster().NumberOfLinks() == heights.Grid().NumberOfLinks();
+  std::vector<float> sizes;
+  for (std::int64_t link = 0; link < heights.Raster().NumberOfLinks(); link += isRasterWhole ? step : 1)
+  {
+    if (!std::isnan(deviations[link]) && (isRasterWhole || heights.ToGrid(link) % step == 0))
+    {
+      sizes.push_back(std::abs(deviations[link]));
+    }
+  }
+  const double floor = heights.AreWhole() ? WholeFloor : RealFloor;
+  if (sizes.empty())
+  {
+    return floor;
+  }
+  const auto middle = sizes.begin() + sizes.size() / 2;
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  if (heights.AreWhole())
+  {
+    return std::max(floor, DeviationPerMedian * GroupedMedian(sizes, std::round(*middle)));
+  }
+  const double noise = DeviationPerMedian * double(*middle);
+  return noise >= floor ? noise : std::max(floor, DeviationPerMean * ClippedMean(sizes, 4.0 * floor));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// 3. Candidates.
+
 // By noise alone one link in a hundred is a candidate, and hardly any a strong one.
 constexpr double LowFactor = 2.5; // standard deviations
 constexpr double HighFactor = 4.0;
@@ -30,30 +293,184 @@ constexpr int FewestStrong = 5;
 // Rounding to whole heights makes steps of 1, but none of 2.
 constexpr double LeastWholeStep = 1.5;
 
-/// The links with large deviations.
+/// What find(items, first, last) appends for each chunk of the indices 0 to `size`, in the order of chunks.
+template <typename Item, typename Find>
+std::vector<Item> CollectChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Find&& find)
+{
+  std::vector<std::vector<Item>> parts(CountChunks(size, chunkSize));
+  ForEachChunk(size, chunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last) { find(parts[chunk], first, last); });
+  std::vector<Item> all;
+  for (const std::vector<Item>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
 std::vector<FaultCandidate> FindSteep(
-  const RawVector<float>& deviations, double low, double high, const Monitor& monitor)
+  const ColumnHeights& heights, const RawVector<float>& deviations, double low, double high, const Monitor& monitor)
 {
   constexpr std::int64_t ChunkSize = 1 << 18; // links
-  std::vector<std::vector<FaultCandidate>> parts(CountChunks(std::int64_t(deviations.size()), ChunkSize));
-  ForEachChunk(std::int64_t(deviations.size()), ChunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  return CollectChunks<FaultCandidate>(std::int64_t(deviations.size()), ChunkSize, monitor,
+    [&](std::vector<FaultCandidate>& candidates, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t link = first; link < last; ++link)
       {
-        const float size = std::abs(deviations[std::size_t(link)]);
+        const float size = std::abs(deviations[link]);
         if (double(size) >= low) // not nan
         {
-          parts[chunk].push_back({ link, size, double(size) >= high });
+          candidates.push_back({ heights.ToGrid(link), size, double(size) >= high });
         }
       }
     });
-  std::vector<FaultCandidate> candidates;
-  for (const std::vector<FaultCandidate>& part : parts)
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// 4. Gaps.
+
+/// Missing columns in a row or file between two that are not, as seen by its links.
+struct GapStep
+{
+  std::int64_t First = 0; // link from the last column before the gap
+  std::int64_t Middle = 0; // link in the middle of the gap
+  std::int64_t Last = 0; // link to the first column beyond the gap
+  double Throw = 0.0; // how much higher the plane beyond the gap is there than that before it
+  double Height = 0.0; // half way between the planes
+};
+
+// A plane goes through the points of this many columns, along the row and across it.
+constexpr std::int64_t Along = 4;
+constexpr std::int64_t Across = 1; // to each side of the row
+constexpr int FewestPoints = 6; // of twelve
+static_assert(Along < ColumnHeights::Margin);
+
+/// The raster as seen along rows to the east, or along files to the north: both are strips.
+class Strips
+{
+public:
+  Strips(const ColumnHeights& heights, LinkSide side)
+    : Heights(heights)
+    , Kind(side)
   {
-    candidates.insert(candidates.end(), part.begin(), part.end());
   }
-  return candidates;
+
+  std::int64_t Length() const { return this->IsEast() ? this->Raster().Width() : this->Raster().Height(); }
+  std::int64_t Number() const { return this->IsEast() ? this->Raster().Height() : this->Raster().Width(); }
+
+  bool Has(std::int64_t along, std::int64_t strip) const
+  {
+    return along >= 0 && along < this->Length() && strip >= 0 && strip < this->Number() &&
+      !std::isnan(this->Height(along, strip));
+  }
+
+  double Height(std::int64_t along, std::int64_t strip) const
+  {
+    return this->Heights.At(
+      this->IsEast() ? strip * this->Raster().Width() + along : along * this->Raster().Width() + strip);
+  }
+
+  /// Where a column is along the strips of the grid.
+  std::int64_t GridAlong(std::int64_t along) const
+  {
+    return this->IsEast() ? this->Heights.GridX(along) : this->Heights.GridY(along);
+  }
+
+  /// The link from such a column of the grid to the next one.
+  std::int64_t GridLink(std::int64_t gridAlong, std::int64_t strip) const
+  {
+    const LinkGrid& grid = this->Heights.Grid();
+    return this->IsEast() ? grid.LinkOf(gridAlong, this->Heights.GridY(strip), this->Kind)
+                          : grid.LinkOf(this->Heights.GridX(strip), gridAlong, this->Kind);
+  }
+
+private:
+  const LinkGrid& Raster() const { return this->Heights.Raster(); }
+  bool IsEast() const { return this->Kind == LinkSide::East; }
+
+  const ColumnHeights& Heights;
+  const LinkSide Kind;
+};
+
+/// The height of the plane through columns from `first` on, in the direction of `step`, at `distance` columns before
+/// the first; nan where there are too few of them, or all in a line.
+double ExtendPlane(const Strips& strips, std::int64_t strip, std::int64_t first, std::int64_t step, double distance)
+{
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  int points = 0;
+  for (std::int64_t n = 0; n < Along; ++n)
+  {
+    const std::int64_t along = first + n * step;
+    for (std::int64_t across = -Across; across <= Across; ++across)
+    {
+      if (strips.Has(along, strip + across))
+      {
+        const Eigen::Vector3d row(1.0, double(step) * (distance + double(n)), double(across));
+        matrix += row * row.transpose();
+        right += row * strips.Height(along, strip + across);
+        ++points;
+      }
+    }
+  }
+  // Whole numbers, but for halves: the determinant of points in a line is nothing but rounding.
+  constexpr double Nothing = 1e-6;
+  if (points < FewestPoints || matrix.determinant() < Nothing)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return matrix.ldlt().solve(right)[0];
+}
+
+void FindStripSteps(const Strips& strips, std::int64_t strip, int longest, double smallest, std::vector<GapStep>& steps)
+{
+  std::int64_t before = -1; // the last column that is there
+  for (std::int64_t along = 0; along < strips.Length(); ++along)
+  {
+    if (!strips.Has(along, strip))
+    {
+      continue;
+    }
+    if (before >= 0 && along - before > 1)
+    {
+      const std::int64_t gridBefore = strips.GridAlong(before);
+      const std::int64_t gridAlong = strips.GridAlong(along);
+      if (gridAlong - gridBefore - 1 <= longest)
+      {
+        const double half = 0.5 * double(gridAlong - gridBefore);
+        const double low = ExtendPlane(strips, strip, before, -1, half);
+        const double high = ExtendPlane(strips, strip, along, 1, half);
+        if (std::abs(high - low) >= smallest)
+        {
+          steps.push_back({ strips.GridLink(gridBefore, strip), strips.GridLink((gridBefore + gridAlong) / 2, strip),
+            strips.GridLink(gridAlong - 1, strip), high - low, 0.5 * (low + high) });
+        }
+      }
+    }
+    before = along;
+  }
+}
+
+/// The steps across all gaps of 1 to `longest` columns that are at least `smallest` high, by their links in the middle.
+std::vector<GapStep> FindGapSteps(const ColumnHeights& heights, int longest, double smallest, const Monitor& monitor)
+{
+  std::vector<GapStep> all;
+  for (const LinkSide side : { LinkSide::East, LinkSide::North })
+  {
+    const Strips strips(heights, side);
+    constexpr std::int64_t ChunkSize = 16; // strips
+    const std::vector<GapStep> steps = CollectChunks<GapStep>(strips.Number(), ChunkSize, monitor,
+      [&](std::vector<GapStep>& part, std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t strip = first; strip < last; ++strip)
+        {
+          FindStripSteps(strips, strip, longest, smallest, part);
+        }
+      });
+    all.insert(all.end(), steps.begin(), steps.end());
+  }
+  std::sort(all.begin(), all.end(), [](const GapStep& a, const GapStep& b) { return a.Middle < b.Middle; });
+  return all;
 }
 
 bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
@@ -61,7 +478,7 @@ bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
   return a.Link < b.Link;
 }
 
-/// Candidates by their link, of which there are several in a row that a gap may touch.
+/// The candidates among every `step`-th link from `first` to `last`.
 std::vector<std::int64_t> FindNear(
   const std::vector<FaultCandidate>& candidates, std::int64_t first, std::int64_t last, std::int64_t step)
 {
@@ -91,6 +508,7 @@ void JoinBesideGap(const LinkGrid& grid, const GapStep& gap, const std::vector<F
   const std::int64_t first = LinkGrid::FirstColumn(gap.Middle);
   const std::int64_t strip = isEast ? first / grid.Width() : first % grid.Width();
   const LinkSide other = isEast ? LinkSide::North : LinkSide::East;
+  assert(gap.First <= gap.Middle && gap.Middle <= gap.Last && LinkGrid::SideOf(gap.First) == side);
   for (const std::int64_t next : { strip - 1, strip + 1 })
   {
     if (next < 0 || next >= (isEast ? grid.Height() : grid.Width()))
@@ -131,6 +549,9 @@ std::vector<FaultCandidate> AddGaps(
     candidates.end());
   return candidates;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+// 5. Lines.
 
 /// The throw and the height of links.
 class LinkMeter
@@ -192,7 +613,7 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   const LinkGrid& grid = heights.Grid();
   FaultDetection detection;
   const RawVector<float> deviations = FindDeviations(heights, monitor.Step(0.0, 0.7));
-  detection.Noise = options.Noise > 0.0 ? options.Noise : MeasureNoise(deviations, heights.AreWhole());
+  detection.Noise = options.Noise > 0.0 ? options.Noise : MeasureNoise(heights, deviations);
   detection.Low = std::max(LowFactor * detection.Noise, 0.5 * options.SmallestThrow);
   if (heights.AreWhole())
   {
@@ -201,16 +622,20 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   detection.High = std::max(HighFactor * detection.Noise, options.SmallestThrow);
   const std::vector<GapStep> gaps = FindGapSteps(heights, options.LargestGap,
     std::max(GapFactor * detection.Noise, 0.5 * options.SmallestThrow), monitor.Step(0.7, 0.8));
-  std::vector<FaultCandidate> candidates = FindSteep(deviations, detection.Low, detection.High, monitor.Step(0.8, 0.9));
+  std::vector<FaultCandidate> candidates =
+    FindSteep(heights, deviations, detection.Low, detection.High, monitor.Step(0.8, 0.9));
   candidates = AddGaps(grid, std::move(candidates), gaps, detection.High);
-  if (candidates.size() > std::size_t(std::numeric_limits<std::int32_t>::max() / 4))
+  if (candidates.size() > std::numeric_limits<std::int32_t>::max() / 4)
   {
     throw InputError(
       std::to_string(candidates.size()) + " links with steps, expected less than 2^29: try a larger smallest throw");
   }
-  candidates = BridgeEnds(
-    grid, std::move(candidates), [&deviations](std::int64_t link) { return deviations[std::size_t(link)]; },
-    float(0.5 * detection.Low));
+  const auto deviationAcross = [&](std::int64_t link)
+  {
+    const std::int64_t inRaster = heights.ToRaster(link);
+    return inRaster < 0 ? std::numeric_limits<float>::quiet_NaN() : deviations[inRaster];
+  };
+  candidates = BridgeEnds(grid, std::move(candidates), deviationAcross, float(0.5 * detection.Low));
   CornerGraph graph(grid, std::move(candidates));
   monitor.Progress(0.95);
   KeepForest(graph, { options.SmallestExtent, options.SmallestBranch, FewestStrong });

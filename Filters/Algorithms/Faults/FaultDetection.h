@@ -3,15 +3,13 @@
 //
 // Finds faults in a horizon: lines along which the heights of neighbouring columns differ by more than dip and noise.
 //
-//  1. By link, the height difference less the median of those around (LinkDeviations.h).
+//  1. Of each link, the height difference less the median of those around: its deviation.
 //  2. Candidates are the links where that is at least `Low`, strong ones those where it is at least `High`; and the
-//  links
-//     in the middle of gaps of a few missing columns whose two sides are as far apart (GapSteps.h).
-//  3. Candidates join where their cuts meet in a corner, and over one link between where one of them ends. A group
-//  stays
-//     when it has three strong candidates and is long enough.
+//     links in the middle of gaps of a few missing columns whose two sides are as far apart.
+//  3. Candidates join where their cuts meet in a corner, and over one or two links between where one of them ends. A
+//     group stays when it has five strong candidates and is long enough.
 //  4. Of a group the maximum spanning tree over its corners stays: the links of the largest steps, without loops. Short
-//     branches are pruned. What is left is split into lines, the longest way through each tree first (FaultTree.h).
+//     branches are pruned. What is left is split into lines, the longest path through each tree first (FaultForest.h).
 //
 // So a fault that ends inside the horizon, or meets another one, is found; of one that closes upon itself, one link
 // stays whole.
@@ -45,8 +43,8 @@ struct FaultDetection
   double High = 0.0; // least size of a strong one's
 };
 
-/// Linear time; the result does not depend on the number of threads. About 16 bytes per column of the bounding box
-/// beyond the heights, and 100 per candidate.
+/// Linear time; the result does not depend on the number of threads. About 16 bytes per column of the raster with the
+/// heights, and 100 per candidate.
 FaultDetection DetectFaults(
   const ColumnHeights& heights, const FaultDetectionOptions& options, const Monitor& monitor = Monitor());
 }

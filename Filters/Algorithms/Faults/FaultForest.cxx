@@ -1,5 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// A group is what candidates form whose cuts meet in corners.
+//
+//  1. BridgeEnds: where a single candidate ends, links join it to another group one or two links away.
+//  2. KeepForest: of each group its maximum spanning tree stays, the links of the largest steps without loops (Kruskal,
+//     1956); then small trees go, then short branches, the shortest first, and trees that these leave too small.
+//  3. ListLines: the longest path through each tree, from the vertex that is farthest from any (Bulterman et al.,
+//  2002);
+//     then each branch, which continues at a fork where it gets farthest.
+//
+// A fault that closes upon itself is opened where its step is smallest: one of its links stays whole.
 
 #include "FaultForest.h"
 
@@ -7,6 +18,7 @@
 #include "Common/PlaneGeometry.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -14,21 +26,85 @@
 
 namespace SeismicHorizons
 {
+//----------------------------------------------------------------------------------------------------------------------
+CornerGraph::CornerGraph(const LinkGrid& grid, std::vector<FaultCandidate> candidates)
+  : Links(grid)
+  , Candidates(std::move(candidates))
+  , Kept(this->Candidates.size(), 1)
+{
+  for (const FaultCandidate& candidate : this->Candidates)
+  {
+    for (const std::int64_t corner : grid.CornersOf(candidate.Link))
+    {
+      this->Corners.push_back(corner);
+    }
+  }
+  std::sort(this->Corners.begin(), this->Corners.end());
+  this->Corners.erase(std::unique(this->Corners.begin(), this->Corners.end()), this->Corners.end());
+  this->Degrees.assign(this->Corners.size(), 0);
+  for (const FaultCandidate& candidate : this->Candidates)
+  {
+    const std::array<std::int64_t, 2> corners = grid.CornersOf(candidate.Link);
+    this->EndsOfEdge.push_back({ this->FindVertex(corners[0]), this->FindVertex(corners[1]) });
+    assert(this->EndsOfEdge.back()[0] >= 0 && this->EndsOfEdge.back()[1] > this->EndsOfEdge.back()[0]);
+  }
+  this->EdgesAt = ItemLists<std::int32_t>(this->NumberOfVertices(),
+    [this](auto&& add)
+    {
+      for (std::int32_t edge = 0; edge < this->NumberOfEdges(); ++edge)
+      {
+        add(this->Ends(edge)[0], edge);
+        add(this->Ends(edge)[1], edge);
+      }
+    });
+  for (const std::array<std::int32_t, 2>& ends : this->EndsOfEdge)
+  {
+    ++this->Degrees[ends[0]];
+    ++this->Degrees[ends[1]];
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int32_t CornerGraph::FindVertex(std::int64_t corner) const
+{
+  const auto place = std::lower_bound(this->Corners.begin(), this->Corners.end(), corner);
+  return place != this->Corners.end() && *place == corner ? std::int32_t(place - this->Corners.begin()) : -1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CornerGraph::Drop(std::int32_t edge)
+{
+  assert(this->IsKept(edge));
+  this->Kept[edge] = 0;
+  --this->Degrees[this->Ends(edge)[0]];
+  --this->Degrees[this->Ends(edge)[1]];
+}
+
 namespace
 {
-/// The groups of vertices that kept edges join.
-DisjointSets JoinKept(const CornerGraph& graph)
+/// Calls visit(edge) for each that is kept; it may drop the edge.
+template <typename Visitor>
+void ForEachKept(const CornerGraph& graph, Visitor&& visit)
 {
-  DisjointSets groups(std::size_t(graph.NumberOfVertices()));
   for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
   {
     if (graph.IsKept(edge))
     {
-      groups.Join(graph.Ends(edge)[0], graph.Ends(edge)[1]);
+      visit(edge);
     }
   }
+}
+
+/// The groups of vertices that kept edges join.
+DisjointSets JoinKept(const CornerGraph& graph)
+{
+  DisjointSets groups(graph.NumberOfVertices());
+  ForEachKept(graph, [&](std::int32_t edge) { groups.Join(graph.Ends(edge)[0], graph.Ends(edge)[1]); });
   return groups;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+// Bridges from ends of candidates.
 
 /// A step from a corner to a neighbouring one, across a link.
 struct CornerStep
@@ -76,12 +152,9 @@ public:
     {
       if (this->Graph.Degree(vertex) == 1)
       {
-        this->Graph.ForEachEdgeAt(vertex,
-          [&](std::int32_t edge, std::int32_t)
-          {
-            const bool isForward = this->Graph.Ends(edge)[1] == vertex;
-            this->FindFrom(vertex, this->LeftStep(this->Graph.Edge(edge).Link, isForward));
-          });
+        const std::int32_t edge = this->OnlyEdge(vertex);
+        const bool isForward = this->Graph.Ends(edge)[1] == vertex;
+        this->FindFrom(vertex, this->LeftStep(this->Graph.Edge(edge).Link, isForward));
       }
     }
     std::sort(this->Links.begin(), this->Links.end());
@@ -90,14 +163,21 @@ public:
   }
 
 private:
+  std::int32_t OnlyEdge(std::int32_t vertex) const
+  {
+    std::int32_t only = -1;
+    this->Graph.ForEachEdgeAt(vertex, [&only](std::int32_t edge, std::int32_t) { only = edge; });
+    return only;
+  }
+
   /// How much higher the left is than the right of a step from corner to corner.
   float LeftStep(std::int64_t link, bool isForward) const
   {
     const float step = this->StepAcross(link);
-    return (LinkGrid::SideOf(link) == LinkSide::North) == isForward ? step : -step;
+    return IsLeftBeyond(LinkGrid::SideOf(link), isForward) ? step : -step;
   }
 
-  /// Whether a step goes on with one whose left is higher by `left`.
+  /// Whether a step continues one whose left is higher by `left`.
   bool Continues(const CornerStep& step, float left) const
   {
     return this->LeftStep(step.Link, step.IsForward) * (left < 0.0F ? -1.0F : 1.0F) >= this->Least;
@@ -111,17 +191,13 @@ private:
   /// Whether a single candidate starts at a vertex, and its left is the same side.
   bool StartsAlike(std::int32_t vertex, float left) const
   {
-    bool isAlike = false;
-    if (this->Graph.Degree(vertex) == 1)
+    if (this->Graph.Degree(vertex) != 1)
     {
-      this->Graph.ForEachEdgeAt(vertex,
-        [&](std::int32_t edge, std::int32_t)
-        {
-          const bool isForward = this->Graph.Ends(edge)[0] == vertex;
-          isAlike = this->LeftStep(this->Graph.Edge(edge).Link, isForward) * left > 0.0F;
-        });
+      return false;
     }
-    return isAlike;
+    const std::int32_t edge = this->OnlyEdge(vertex);
+    const bool isForward = this->Graph.Ends(edge)[0] == vertex;
+    return this->LeftStep(this->Graph.Edge(edge).Link, isForward) * left > 0.0F;
   }
 
   void FindFrom(std::int32_t vertex, float left)
@@ -163,13 +239,16 @@ private:
   std::vector<std::int64_t> Links;
 };
 
+//----------------------------------------------------------------------------------------------------------------------
+// A forest of what is large enough.
+
 void KeepTrees(CornerGraph& graph)
 {
-  std::vector<std::int32_t> order(std::size_t(graph.NumberOfEdges()));
+  std::vector<std::int32_t> order(graph.NumberOfEdges());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
     [&graph](std::int32_t a, std::int32_t b) { return graph.Edge(a).Size > graph.Edge(b).Size; });
-  DisjointSets trees(std::size_t(graph.NumberOfVertices()));
+  DisjointSets trees(graph.NumberOfVertices());
   for (const std::int32_t edge : order)
   {
     if (!trees.Join(graph.Ends(edge)[0], graph.Ends(edge)[1]))
@@ -182,35 +261,32 @@ void KeepTrees(CornerGraph& graph)
 void DropSmallTrees(CornerGraph& graph, const ForestLimits& limits)
 {
   DisjointSets trees = JoinKept(graph);
-  std::vector<PlaneBox> boxes(std::size_t(graph.NumberOfVertices()));
+  const auto treeOf = [&](std::int32_t edge) { return trees.Find(graph.Ends(edge)[0]); };
+  std::vector<PlaneBox> boxes(graph.NumberOfVertices());
   std::vector<std::int32_t> strong(boxes.size(), 0);
   const LinkGrid& grid = graph.Grid();
-  for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
-  {
-    if (graph.IsKept(edge))
+  ForEachKept(graph,
+    [&](std::int32_t edge)
     {
-      const auto tree = std::size_t(trees.Find(graph.Ends(edge)[0]));
+      const std::int32_t tree = treeOf(edge);
       strong[tree] += graph.Edge(edge).IsStrong ? 1 : 0;
       for (const std::int32_t end : graph.Ends(edge))
       {
         const std::int64_t corner = graph.Corner(end);
         boxes[tree].Add(PlanePoint{ std::int32_t(grid.CornerX(corner)), std::int32_t(grid.CornerY(corner)) });
       }
-    }
-  }
-  for (std::int32_t edge = 0; edge < graph.NumberOfEdges(); ++edge)
-  {
-    if (graph.IsKept(edge))
+    });
+  ForEachKept(graph,
+    [&](std::int32_t edge)
     {
-      const auto tree = std::size_t(trees.Find(graph.Ends(edge)[0]));
+      const std::int32_t tree = treeOf(edge);
       const PlaneBox& box = boxes[tree];
       const std::int32_t extent = std::max(box.Greatest.X - box.Least.X, box.Greatest.Y - box.Least.Y);
       if (extent < limits.SmallestExtent || strong[tree] < limits.FewestStrong)
       {
         graph.Drop(edge);
       }
-    }
-  }
+    });
 }
 
 /// The edges from an end of a tree to its next junction, at most `longest`; empty when there is none within them.
@@ -257,7 +333,7 @@ void PruneBranches(CornerGraph& graph, int smallest)
   }
   while (!branches.empty())
   {
-    const auto [length, end] = *branches.begin();
+    const auto [length, end] = *branches.begin(); // the length is what is known so far: the branch has at least that
     branches.erase(branches.begin());
     const std::vector<std::int32_t> branch = WalkBranch(graph, end, smallest - 1);
     if (branch.size() > length)
@@ -271,37 +347,41 @@ void PruneBranches(CornerGraph& graph, int smallest)
   }
 }
 
-/// Ways through a tree from one of its vertices, the root, of which each other vertex knows the way back.
-class TreeWays
+//----------------------------------------------------------------------------------------------------------------------
+// Lines through the forest.
+
+/// Paths through a tree from one of its vertices, the root; each other vertex knows the way back to it.
+class TreePaths
 {
 public:
-  explicit TreeWays(const CornerGraph& graph)
+  explicit TreePaths(const CornerGraph& graph)
     : Graph(graph)
-    , EdgeBack(std::size_t(graph.NumberOfVertices()), -1)
+    , EdgeBack(graph.NumberOfVertices(), -1)
     , Back(this->EdgeBack)
     , Height(this->EdgeBack.size(), 0)
     , Next(this->EdgeBack.size(), -1)
   {
   }
 
-  bool IsVisited(std::int32_t vertex) const { return this->Back[std::size_t(vertex)] >= 0; }
+  bool IsVisited(std::int32_t vertex) const { return this->Back[vertex] >= 0; }
 
   /// The vertices of a tree in an order in which each comes after the one on its way back; the last one is farthest.
   std::vector<std::int32_t> Visit(std::int32_t root)
   {
     std::vector<std::int32_t> order = { root };
-    this->Back[std::size_t(root)] = root;
-    this->EdgeBack[std::size_t(root)] = -1;
+    this->Back[root] = root;
+    this->EdgeBack[root] = -1;
     for (std::size_t n = 0; n < order.size(); ++n)
     {
       const std::int32_t vertex = order[n];
       this->Graph.ForEachEdgeAt(vertex,
         [&](std::int32_t edge, std::int32_t opposite)
         {
-          if (edge != this->EdgeBack[std::size_t(vertex)])
+          if (edge != this->EdgeBack[vertex])
           {
-            this->Back[std::size_t(opposite)] = vertex;
-            this->EdgeBack[std::size_t(opposite)] = edge;
+            assert(!this->IsVisited(opposite)); // a tree has one way there
+            this->Back[opposite] = vertex;
+            this->EdgeBack[opposite] = edge;
             order.push_back(opposite);
           }
         });
@@ -309,13 +389,14 @@ public:
     return order;
   }
 
-  /// Lines of the tree that was visited last, from its root: each goes on with the vertex from which it gets farthest.
+  /// Lines of the tree that was visited last, from its root: each continues with the vertex from which it gets
+  /// farthest.
   void AppendLines(const std::vector<std::int32_t>& order, std::vector<std::vector<ForestStep>>& lines)
   {
     for (auto vertex = order.rbegin(); vertex + 1 != order.rend(); ++vertex)
     {
-      const auto back = std::size_t(this->Back[std::size_t(*vertex)]);
-      const std::int32_t height = this->Height[std::size_t(*vertex)] + 1;
+      const std::int32_t back = this->Back[*vertex];
+      const std::int32_t height = this->Height[*vertex] + 1;
       if (height > this->Height[back])
       {
         this->Height[back] = height;
@@ -324,12 +405,12 @@ public:
     }
     for (const std::int32_t vertex : order)
     {
-      const std::int32_t back = this->Back[std::size_t(vertex)];
+      const std::int32_t back = this->Back[vertex];
       if (vertex == order.front())
       {
-        this->AppendLine(this->Next[std::size_t(vertex)], lines);
+        this->AppendLine(this->Next[vertex], lines);
       }
-      else if (this->Next[std::size_t(back)] != vertex)
+      else if (this->Next[back] != vertex)
       {
         this->AppendLine(vertex, lines);
       }
@@ -341,9 +422,9 @@ private:
   void AppendLine(std::int32_t vertex, std::vector<std::vector<ForestStep>>& lines) const
   {
     std::vector<ForestStep> line;
-    for (; vertex >= 0; vertex = this->Next[std::size_t(vertex)])
+    for (; vertex >= 0; vertex = this->Next[vertex])
     {
-      const std::int32_t edge = this->EdgeBack[std::size_t(vertex)];
+      const std::int32_t edge = this->EdgeBack[vertex];
       line.push_back({ edge, this->Graph.Ends(edge)[1] == vertex });
     }
     lines.push_back(std::move(line));
@@ -352,7 +433,7 @@ private:
   const CornerGraph& Graph;
   std::vector<std::int32_t> EdgeBack; // the first edge on the way to the root
   std::vector<std::int32_t> Back; // the vertex beyond it; a root has itself
-  std::vector<std::int32_t> Height; // how many edges the longest way away from the root has
+  std::vector<std::int32_t> Height; // how many edges the longest path away from the root has
   std::vector<std::int32_t> Next; // the first vertex of that
 };
 }
@@ -383,16 +464,16 @@ void KeepForest(CornerGraph& graph, const ForestLimits& limits)
 std::vector<std::vector<ForestStep>> ListLines(const CornerGraph& graph)
 {
   std::vector<std::vector<ForestStep>> lines;
-  TreeWays probe(graph);
-  TreeWays ways(graph);
+  TreePaths probe(graph);
+  TreePaths paths(graph);
   for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
   {
     if (graph.Degree(vertex) > 0 && !probe.IsVisited(vertex))
     {
-      // The vertex farthest from any is an end of the longest way.
+      // The vertex farthest from any is an end of the longest path.
       const std::int32_t end = probe.Visit(vertex).back();
-      const std::vector<std::int32_t> order = ways.Visit(end);
-      ways.AppendLines(order, lines);
+      const std::vector<std::int32_t> order = paths.Visit(end);
+      paths.AppendLines(order, lines);
     }
   }
   return lines;

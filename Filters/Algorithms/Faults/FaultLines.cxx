@@ -1,17 +1,309 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Lines that are given become chains of cut links in two steps:
+//
+//  1. Sticks become traces (FindTraces): samples half a column apart along each stick tell where it passes from above
+//     the horizon to below it; such places of successive sticks are joined.
+//  2. Traces and polygons become cuts (CutAlong): a walk over the blocks of two by two columns that a line crosses,
+//     each named by its least column. From a block to the next it cuts the link between them.
+//
+// Given lines may lie anywhere, and the time they take must not depend on where: each segment is clipped to the
+// neighbourhood of the box first. Differences of coordinates are counted with by halves, as the difference of two
+// large numbers may be infinite.
 
 #include "FaultLines.h"
 
+#include "Common/Errors.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstdlib>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <sstream>
 #include <tuple>
 
 namespace SeismicHorizons
 {
+namespace
+{
+/// Throws InputError on coordinates that are not finite. `kind` is what has the number, and `units` are theirs.
+void RequireFinite(
+  const char* kind, std::size_t number, std::initializer_list<double> coordinates, const std::string& units)
+{
+  if (std::all_of(coordinates.begin(), coordinates.end(), [](double value) { return std::isfinite(value); }))
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << kind << ' ' << number << " with a point at ";
+  const char* separator = "(";
+  for (const double coordinate : coordinates)
+  {
+    text << separator << coordinate;
+    separator = ", ";
+  }
+  throw InputError(text.str() + ") in " + units + ", expected finite numbers");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Segments near the box.
+
+/// The coordinates of a segment along an axis of the box, from the least column to before `end`.
+class ClippedAxis
+{
+public:
+  double In = -1.0; // the parts of the segment at which it crosses the sides of the box
+  double Out = 2.0;
+
+  ClippedAxis(double from, double to, double end)
+    : From(from)
+    , Half(0.5 * to - 0.5 * from)
+    , Greatest(end + Margin)
+  {
+    if (this->Half != 0.0)
+    {
+      const double low = 0.5 * ((Least - from) / this->Half);
+      const double high = 0.5 * ((this->Greatest - from) / this->Half);
+      this->In = std::min(low, high);
+      this->Out = std::max(low, high);
+    }
+    else if (from < Least || from > this->Greatest)
+    {
+      this->Out = -1.0;
+    }
+  }
+
+  /// The coordinates at the parts where the segment is near the box first and last: where it crosses a side of this
+  /// axis there, that of the side, as from very far away coordinates are rounded to more than the box.
+  double First(double part) const
+  {
+    return part == this->In ? (this->Half > 0.0 ? Least : this->Greatest) : this->At(part);
+  }
+
+  double Last(double part) const
+  {
+    return part == this->Out ? (this->Half > 0.0 ? this->Greatest : Least) : this->At(part);
+  }
+
+private:
+  // Up to two columns outside, so that rounding leaves what is inside as it is.
+  static constexpr double Margin = 2.0;
+  static constexpr double Least = -Margin;
+
+  double At(double part) const
+  {
+    return std::clamp(this->From + part * this->Half + part * this->Half, Least, this->Greatest);
+  }
+
+  const double From;
+  const double Half;
+  const double Greatest;
+};
+
+/// The part of a segment near the box. Its places count from the least column there.
+struct NearSegment
+{
+  MapPlace From;
+  MapPlace To;
+  double First = 0.0; // which parts of the segment these are, from 0 to 1
+  double Last = 1.0;
+
+  NearSegment(const LinkGrid& box, const MapPlace& from, const MapPlace& to)
+    : From{ from.X - box.Origin().X, from.Y - box.Origin().Y }
+    , To{ to.X - box.Origin().X, to.Y - box.Origin().Y }
+  {
+    const ClippedAxis alongX(this->From.X, this->To.X, double(box.Width()));
+    const ClippedAxis alongY(this->From.Y, this->To.Y, double(box.Height()));
+    this->First = std::max({ 0.0, alongX.In, alongY.In });
+    this->Last = std::min({ 1.0, alongX.Out, alongY.Out });
+    if (this->First > 0.0)
+    {
+      this->From = { alongX.First(this->First), alongY.First(this->First) };
+    }
+    if (this->Last < 1.0)
+    {
+      this->To = { alongX.Last(this->Last), alongY.Last(this->Last) };
+    }
+  }
+
+  bool IsEmpty() const { return this->First > this->Last; }
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// From sticks to traces.
+
+/// Looks along sticks for the place where they pass from one side of a horizon to the other.
+class StickProbe
+{
+public:
+  explicit StickProbe(const ColumnHeights& heights)
+    : Heights(heights)
+  {
+  }
+
+  std::optional<MapPlace> FindPassage(const std::vector<SpacePoint>& places) const
+  {
+    Sample last;
+    for (std::size_t n = 1; n < places.size(); ++n)
+    {
+      const SpacePoint& a = places[n - 1];
+      const SpacePoint& b = places[n];
+      const NearSegment near(this->Heights.Grid(), { a.X, a.Y }, { b.X, b.Y });
+      if (near.IsEmpty())
+      {
+        continue;
+      }
+      const MapPlace& from = near.From;
+      const MapPlace& to = near.To;
+      const double halfRise = 0.5 * b.Z - 0.5 * a.Z;
+      // Half a column from sample to sample.
+      const int samples = int(std::ceil(2.0 * std::hypot(to.X - from.X, to.Y - from.Y)) + 1.0);
+      for (int sample = 0; sample <= samples; ++sample)
+      {
+        const double share = double(sample) / samples;
+        const double part = near.First + share * (near.Last - near.First);
+        const Sample next = this->Take({ from.X + share * (to.X - from.X), from.Y + share * (to.Y - from.Y) },
+          a.Z + part * halfRise + part * halfRise);
+        if (std::isnan(next.Above))
+        {
+          continue;
+        }
+        if (!std::isnan(last.Above) && (last.Above < 0.0) != (next.Above < 0.0))
+        {
+          return this->Passage(last, next);
+        }
+        last = next;
+      }
+    }
+    return std::nullopt;
+  }
+
+private:
+  struct Sample
+  {
+    MapPlace Place; // from the least column
+    double Above = std::numeric_limits<double>::quiet_NaN(); // how far above the horizon
+  };
+
+  /// Where a stick is level with the horizon between two samples, in columns of the lattice.
+  MapPlace Passage(const Sample& before, const Sample& after) const
+  {
+    const PlanePoint& least = this->Heights.Grid().Origin();
+    const double known = 0.5 * before.Above / (0.5 * before.Above - 0.5 * after.Above);
+    const double share = std::isfinite(known) ? known : 0.5; // between infinite heights
+    return { least.X + before.Place.X + share * (after.Place.X - before.Place.X),
+      least.Y + before.Place.Y + share * (after.Place.Y - before.Place.Y) };
+  }
+
+  /// By the height of the nearest column.
+  Sample Take(const MapPlace& place, double height) const
+  {
+    Sample sample;
+    sample.Place = place;
+    const double x = std::round(place.X);
+    const double y = std::round(place.Y);
+    const LinkGrid& grid = this->Heights.Grid();
+    if (x >= 0.0 && y >= 0.0 && x < double(grid.Width()) && y < double(grid.Height()))
+    {
+      sample.Above = height - this->Heights[std::int64_t(y) * grid.Width() + std::int64_t(x)];
+    }
+    return sample;
+  }
+
+  const ColumnHeights& Heights;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// From traces to cuts.
+
+class BlockWalk
+{
+public:
+  BlockWalk(const ColumnHeights& heights, FaultLines& lines)
+    : Heights(heights)
+    , Grid(heights.Grid())
+    , Lines(lines)
+  {
+  }
+
+  void Follow(const MapPlace& start, const MapPlace& end)
+  {
+    const NearSegment near(this->Grid, start, end);
+    if (near.IsEmpty())
+    {
+      this->Lines.Close();
+      return;
+    }
+    const MapPlace& from = near.From;
+    const MapPlace& to = near.To;
+    std::int64_t x = Block(from.X);
+    std::int64_t y = Block(from.Y);
+    std::int64_t stepsX = std::abs(Block(to.X) - x);
+    std::int64_t stepsY = std::abs(Block(to.Y) - y);
+    const bool isEastward = to.X > from.X;
+    const bool isNorthward = to.Y > from.Y;
+    while (stepsX + stepsY > 0)
+    {
+      // The side of the block that the line reaches first; at its corner that to the east or west.
+      const double sideX = double(isEastward ? x + 1 : x);
+      const double sideY = double(isNorthward ? y + 1 : y);
+      const double partX = stepsX > 0 ? (sideX - from.X) / (to.X - from.X) : 2.0;
+      const double partY = stepsY > 0 ? (sideY - from.Y) / (to.Y - from.Y) : 2.0;
+      if (partX <= partY)
+      {
+        this->Cut(isEastward ? x + 1 : x, y, LinkSide::North, isEastward);
+        x += isEastward ? 1 : -1;
+        --stepsX;
+      }
+      else
+      {
+        this->Cut(x, isNorthward ? y + 1 : y, LinkSide::East, isNorthward);
+        y += isNorthward ? 1 : -1;
+        --stepsY;
+      }
+    }
+  }
+
+private:
+  static std::int64_t Block(double place) { return std::int64_t(std::floor(place)); }
+
+  void Cut(std::int64_t x, std::int64_t y, LinkSide side, bool isForward)
+  {
+    const bool isColumn = x >= 0 && y >= 0 && x < this->Grid.Width() && y < this->Grid.Height();
+    const std::int64_t link = isColumn ? this->Grid.LinkOf(x, y, side) : 0;
+    if (!isColumn || !this->Grid.IsInside(link))
+    {
+      this->Lines.Close();
+      return;
+    }
+    this->Lines.Append(MeasureCut(this->Heights, link, isForward));
+  }
+
+  const ColumnHeights& Heights;
+  const LinkGrid& Grid;
+  FaultLines& Lines;
+};
+
+/// Each link of each line takes memory, also one that was cut before.
+void CheckNumber(const FaultLines& lines, const LinkGrid& grid)
+{
+  const std::int64_t most = std::max<std::int64_t>(1000000, 4 * grid.NumberOfLinks());
+  if (std::int64_t(lines.NumberOfLinks()) > most)
+  {
+    throw InputError("fault polylines that cut " + std::to_string(lines.NumberOfLinks()) + " links of a horizon of " +
+      std::to_string(grid.NumberOfColumns()) + " columns, expected at most " + std::to_string(most));
+  }
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 CutLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForward)
 {
+  assert(heights.Grid().IsInside(link));
   const double before = heights[LinkGrid::FirstColumn(link)];
   const double beyond = heights[heights.Grid().SecondColumn(link)];
   const double middle = std::isnan(before) ? beyond : std::isnan(beyond) ? before : 0.5 * (before + beyond);
@@ -21,6 +313,7 @@ CutLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForwa
 //----------------------------------------------------------------------------------------------------------------------
 void FaultLines::Append(const FaultLines& other)
 {
+  assert(this->Links.size() == (this->Ends.empty() ? 0 : this->Ends.back()));
   for (const std::size_t end : other.Ends)
   {
     this->Ends.push_back(this->Links.size() + end);
@@ -44,7 +337,7 @@ void FaultLines::Close()
   }
   if (sum < 0.0)
   {
-    const auto first = this->Links.begin() + std::ptrdiff_t(start);
+    const auto first = this->Links.begin() + start;
     std::reverse(first, this->Links.end());
     std::for_each(first, this->Links.end(), [](CutLink& link) { link.IsForward = !link.IsForward; });
   }
@@ -75,5 +368,69 @@ std::vector<LinkOfLine> SortLinks(const FaultLines& lines)
                  [&key](const LinkOfLine& a, const LinkOfLine& b) { return key(a) == key(b); }),
     sorted.end());
   return sorted;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultStick>& sticks)
+{
+  for (std::size_t stick = 0; stick < sticks.size(); ++stick)
+  {
+    for (const SpacePoint& place : sticks[stick].Places)
+    {
+      RequireFinite("fault stick", stick, { place.X, place.Y, place.Z }, "columns and vertical indices");
+    }
+  }
+  const StickProbe probe(heights);
+  std::vector<FaultPolyline> traces;
+  FaultPolyline trace;
+  const auto endTrace = [&traces, &trace]()
+  {
+    if (trace.size() > 1)
+    {
+      traces.push_back(trace);
+    }
+    trace.clear();
+  };
+  for (std::size_t stick = 0; stick < sticks.size(); ++stick)
+  {
+    if (stick > 0 && sticks[stick].Fault != sticks[stick - 1].Fault)
+    {
+      endTrace();
+    }
+    if (const std::optional<MapPlace> place = probe.FindPassage(sticks[stick].Places))
+    {
+      trace.push_back(*place);
+    }
+    else
+    {
+      endTrace();
+    }
+  }
+  endTrace();
+  return traces;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines)
+{
+  for (std::size_t line = 0; line < polylines.size(); ++line)
+  {
+    for (const MapPlace& place : polylines[line])
+    {
+      RequireFinite("fault polyline", line, { place.X, place.Y }, "columns");
+    }
+  }
+  FaultLines lines;
+  BlockWalk walk(heights, lines);
+  for (const FaultPolyline& polyline : polylines)
+  {
+    for (std::size_t n = 1; n < polyline.size(); ++n)
+    {
+      CheckNumber(lines, heights.Grid());
+      walk.Follow(polyline[n - 1], polyline[n]);
+    }
+    lines.Close();
+  }
+  return lines;
 }
 }

@@ -1,14 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Fault lines as chains of cut links, and from lines that are given: traces or polygons of an interpreter, and sticks.
+//
+// A link is cut where a trace passes between its two columns, so that columns are parted just as the trace parts them,
+// and the cuts are a chain without breaks. A polygon that follows both cutoffs of a fault cuts along both: there is no
+// surface between them, and what is filled in later continues each side alone. Where a polygon is narrower than a
+// column, both of its sides cut the same links.
 
 #ifndef SeismicHorizonsFaultLines_h
 #define SeismicHorizonsFaultLines_h
 
 #include "ColumnHeights.h"
+#include "Common/Types.h"
 #include "LinkGrid.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -22,10 +31,7 @@ struct CutLink
   bool IsForward = true; // whether the line goes north across a link to the east, or east across one to the north
 
   /// How much higher the left of the line is than its right.
-  double LeftThrow() const
-  {
-    return (this->Place.Side == LinkSide::North) == this->IsForward ? this->Throw : -this->Throw;
-  }
+  double LeftThrow() const { return IsLeftBeyond(this->Place.Side, this->IsForward) ? this->Throw : -this->Throw; }
 };
 
 /// A cut of a link in the box, with its throw where both columns have points.
@@ -61,6 +67,33 @@ struct LinkOfLine
   std::size_t Line = 0;
 };
 std::vector<LinkOfLine> SortLinks(const FaultLines& lines);
+
+/// A place on the map, in columns.
+struct MapPlace
+{
+  double X = 0.0;
+  double Y = 0.0;
+};
+
+using FaultPolyline = std::vector<MapPlace>;
+
+/// The links of the horizon's bounding box that polylines cut: a line for each part of a polyline inside the box, with
+/// the throw where both columns of a link have points. A polyline exactly through a column passes on the side of lesser
+/// coordinates. Throws InputError on a place that is not finite, and on lines that run back and forth until they have
+/// cut far more links than there are. Linear in the number of places and of links that are cut.
+FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines);
+
+/// A line down a fault surface; the sticks of a fault stand side by side.
+struct FaultStick
+{
+  std::vector<SpacePoint> Places; // in columns and vertical indices
+  std::string Fault; // what sticks of one fault have in common
+};
+
+/// A polyline through the places where successive sticks of one fault pass through the horizon; a stick that does not
+/// ends it. Over gaps in the horizon heights continue evenly along the stick. Throws InputError on a place that is not
+/// finite.
+std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultStick>& sticks);
 }
 
 #endif

@@ -40,8 +40,16 @@ struct LatticeLink
   }
 };
 
+/// Whether the column beyond a link lies to the left of a line that cuts the link forwards, that is to the north across
+/// a link to the east, or to the east across one to the north; or backwards.
+inline bool IsLeftBeyond(LinkSide side, bool isForward)
+{
+  return (side == LinkSide::North) == isForward;
+}
+
 /// Numbers the columns of a box row by row, its links in the same order, of a column first that to the east, and its
-/// corners row by row. Links to columns outside the box have numbers, too.
+/// corners row by row. Links to columns outside the box are numbered as well. Numbers fit 64 bits for any box of
+/// columns (PlaneGeometry.h), however large: what is kept by number has to be sparse.
 class LinkGrid
 {
 public:
@@ -56,18 +64,15 @@ public:
   std::int64_t Height() const { return this->SizeY; }
   std::int64_t NumberOfColumns() const { return this->SizeX * this->SizeY; }
   std::int64_t NumberOfLinks() const { return 2 * this->NumberOfColumns(); }
-  std::int64_t NumberOfCorners() const { return (this->SizeX + 1) * (this->SizeY + 1); }
 
+  const PlanePoint& Origin() const { return this->Least; }
   std::int64_t ColumnOf(const PlanePoint& column) const
   {
     return (std::int64_t(column.Y) - this->Least.Y) * this->SizeX + (std::int64_t(column.X) - this->Least.X);
   }
 
-  std::int64_t LinkOf(std::int64_t column, LinkSide side) const { return 2 * column + std::int64_t(side); }
-  std::int64_t LinkOf(std::int64_t x, std::int64_t y, LinkSide side) const
-  {
-    return this->LinkOf(y * this->SizeX + x, side);
-  }
+  static std::int64_t LinkOf(std::int64_t column, LinkSide side) { return 2 * column + std::int64_t(side); }
+  std::int64_t LinkOf(std::int64_t x, std::int64_t y, LinkSide side) const { return LinkOf(y * this->SizeX + x, side); }
   static std::int64_t FirstColumn(std::int64_t link) { return link / 2; }
   static LinkSide SideOf(std::int64_t link) { return static_cast<LinkSide>(link % 2); }
   std::int64_t SecondColumn(std::int64_t link) const

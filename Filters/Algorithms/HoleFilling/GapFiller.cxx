@@ -1,13 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps: find the known point nearest to each column; fill the heights by a plate and a membrane, or by a membrane
+// alone; fill each attribute by a membrane.
+//
+// A plate is the minimum of the sum of u_xx^2 + 2 u_xy^2 + u_yy^2 over all stencils whose places are of the gap or the
+// ring, and that no cut crosses. So the rim of the ring is a free edge. With a ring weight above 0 the ring has
+// unknowns, too, each held at its height by a spring of that strength; else its heights are kept. A ring that holds no
+// plate, as it is a line, or as cuts leave too few stencils, leaves all to the membrane.
 
 #include "GapFiller.h"
 
-#include "GapSystems.h"
-#include "NearestRim.h"
 #include "SiteSolver.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,6 +26,176 @@ namespace
 {
 // Springs of a millionth of the least smoothing that shows would only cost digits.
 constexpr double LeastRimSmoothing = 1e-6;
+
+//----------------------------------------------------------------------------------------------------------------------
+// The nearest known points
+
+/// By steps to one of four neighbours over links that are not cut, from all columns beside known points at once; of
+/// equally near points that of the lowest number. For each of GapRegion::GapPlaces. Empty when a column of the gap
+/// reaches none.
+std::vector<PointId> FindNearestRim(const GapRegion& region)
+{
+  std::vector<PointId> nearest(region.Kind.size(), NoPoint);
+  std::vector<std::int32_t> distance(region.Kind.size(), 0);
+  std::vector<std::int64_t> front;
+  std::vector<std::int64_t> next;
+  const auto offer = [&](std::int64_t place, PointId point, std::int32_t steps)
+  {
+    if (nearest[place] == NoPoint)
+    {
+      nearest[place] = point;
+      distance[place] = steps;
+      next.push_back(place);
+    }
+    else if (distance[place] == steps)
+    {
+      nearest[place] = std::min(nearest[place], point);
+    }
+  };
+  for (const std::int64_t place : region.GapPlaces)
+  {
+    region.ForEachLinked(place,
+      [&](std::int64_t neighbour)
+      {
+        if (region.Kind[neighbour] == PlaceKind::Ring)
+        {
+          offer(place, region.Point[neighbour], 1);
+        }
+      });
+  }
+  for (std::int32_t steps = 2; !next.empty(); ++steps)
+  {
+    front.swap(next);
+    next.clear();
+    for (const std::int64_t place : front)
+    {
+      region.ForEachLinked(place,
+        [&](std::int64_t neighbour)
+        {
+          if (region.Kind[neighbour] == PlaceKind::Gap)
+          {
+            offer(neighbour, nearest[place], steps);
+          }
+        });
+    }
+  }
+  std::vector<PointId> result(region.GapPlaces.size());
+  std::transform(region.GapPlaces.begin(), region.GapPlaces.end(), result.begin(),
+    [&](std::int64_t place) { return nearest[place]; });
+  return std::find(result.begin(), result.end(), NoPoint) == result.end() ? result : std::vector<PointId>();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The plate
+
+/// A term of a stencil: a coefficient for the place so far from the stencil's own.
+struct Term
+{
+  int X;
+  int Y;
+  double Coefficient;
+};
+
+/// Calls visit(place, terms, weight) for each stencil of the plate's energy.
+template <typename Visitor>
+void ForEachStencil(const GapRegion& region, Visitor&& visit)
+{
+  static constexpr std::array<Term, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
+  static constexpr std::array<Term, 3> alongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
+  static constexpr std::array<Term, 4> twist = { { { 0, 0, 1.0 }, { 1, 0, -1.0 }, { 0, 1, -1.0 }, { 1, 1, 1.0 } } };
+  const std::int64_t width = region.Width;
+  const auto isIn = [&](std::int64_t place) { return region.Kind[place] != PlaceKind::Other; };
+  const auto isLine = [&](std::int64_t place, std::int64_t step)
+  {
+    return isIn(place - step) && isIn(place + step) && region.IsLinked(place - step, place) &&
+      region.IsLinked(place, place + step);
+  };
+  const std::int64_t last = std::int64_t(region.Kind.size()) - width - 1;
+  for (std::int64_t place = width + 1; place < last; ++place)
+  {
+    if (!isIn(place))
+    {
+      continue;
+    }
+    if (isLine(place, 1))
+    {
+      visit(place, alongX, 1.0);
+    }
+    if (isLine(place, width))
+    {
+      visit(place, alongY, 1.0);
+    }
+    if (isIn(place + 1) && isIn(place + width) && isIn(place + width + 1) && region.IsWholeBlock(place))
+    {
+      visit(place, twist, 2.0);
+    }
+  }
+}
+
+/// The matrix, with springs at the ring when their strength is above 0.
+SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
+{
+  SiteSystem<2> plate(region.MakeSites(ringWeight > 0.0));
+  ForEachStencil(region,
+    [&](std::int64_t place, const auto& terms, double weight)
+    {
+      for (const Term& a : terms)
+      {
+        const std::int32_t site = plate.Sites.Number[place + a.Y * region.Width + a.X];
+        for (const Term& b : terms)
+        {
+          const std::int32_t other = plate.Sites.Number[place + b.Y * region.Width + b.X];
+          if (site != NoSite && other != NoSite)
+          {
+            plate.Matrix[site][StencilMatrix<2>::Index(b.X - a.X, b.Y - a.Y)] += weight * a.Coefficient * b.Coefficient;
+          }
+        }
+      }
+    });
+  for (std::size_t site = 0; site < plate.Sites.Size(); ++site)
+  {
+    if (region.Kind[plate.Sites.Place[site]] == PlaceKind::Ring)
+    {
+      plate.Matrix[site][StencilMatrix<2>::Centre] += ringWeight;
+    }
+  }
+  return plate;
+}
+
+/// The right side for heights known at the places of the ring.
+std::vector<double> PlateRightSide(
+  const GapRegion& region, const SiteBox& sites, double ringWeight, const std::vector<double>& height)
+{
+  std::vector<double> side(sites.Size(), 0.0);
+  if (ringWeight > 0.0)
+  {
+    for (std::size_t site = 0; site < side.size(); ++site)
+    {
+      const std::int64_t place = sites.Place[site];
+      side[site] = region.Kind[place] == PlaceKind::Ring ? ringWeight * height[place] : 0.0;
+    }
+    return side;
+  }
+  ForEachStencil(region,
+    [&](std::int64_t place, const auto& terms, double weight)
+    {
+      double known = 0.0;
+      for (const Term& term : terms)
+      {
+        const std::int64_t at = place + term.Y * region.Width + term.X;
+        known += region.Kind[at] == PlaceKind::Ring ? term.Coefficient * height[at] : 0.0;
+      }
+      for (const Term& term : terms)
+      {
+        const std::int32_t site = sites.Number[place + term.Y * region.Width + term.X];
+        if (site != NoSite)
+        {
+          side[site] -= weight * term.Coefficient * known;
+        }
+      }
+    });
+  return side;
+}
 
 /// Whether three of the columns of the ring are not on one line, as it takes to hold a plate.
 bool HoldsPlate(const GapRegion& region)
@@ -46,6 +224,35 @@ bool HoldsPlate(const GapRegion& region)
   return false;
 }
 
+//----------------------------------------------------------------------------------------------------------------------
+// The membrane
+
+/// Each column of the gap is the mean of those of its four neighbours that are of the gap or known, and to which no
+/// link is cut. `isKnown` tells for each place which of the ring are.
+SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isKnown)
+{
+  using Stencil = StencilMatrix<1>;
+  SiteSystem<1> membrane(region.MakeSites(false));
+  for (std::size_t site = 0; site < membrane.Sites.Size(); ++site)
+  {
+    const std::int64_t place = membrane.Sites.Place[site];
+    region.ForEachLinked(place,
+      [&](std::int64_t neighbour)
+      {
+        const bool isGap = region.Kind[neighbour] == PlaceKind::Gap;
+        if (isGap || isKnown[neighbour])
+        {
+          const std::int64_t step = neighbour - place;
+          const std::size_t beside =
+            step * step == 1 ? Stencil::Index(step, 0) : Stencil::Index(0, step / region.Width);
+          membrane.Matrix[site][Stencil::Centre] += 1.0;
+          membrane.Matrix[site][beside] = isGap ? -1.0 : 0.0;
+        }
+      });
+  }
+  return membrane;
+}
+
 /// A membrane that is held at some places of the ring, and solves for any values there.
 class Membrane
 {
@@ -56,27 +263,34 @@ public:
     , System(MakeMembrane(region, this->IsKnown))
     , Solver(this->System)
   {
+    assert(this->Solver.IsDefinite());
   }
 
-  /// The values of the sites, in the order of their places.
-  std::vector<double> Fill(const std::vector<double>& atPlaces, const Monitor& monitor) const
+  /// Adds what it has at each of GapRegion::GapPlaces, for values known at places.
+  void AddTo(std::vector<double>& filled, const std::vector<double>& known, const Monitor& monitor) const
   {
-    std::vector<double> values = MembraneRightSide(this->Region, this->System, this->IsKnown, atPlaces);
+    std::vector<double> values(this->System.Sites.Size(), 0.0);
+    for (std::size_t site = 0; site < values.size(); ++site)
+    {
+      this->Region.ForEachLinked(this->System.Sites.Place[site],
+        [&](std::int64_t neighbour) { values[site] += this->IsKnown[neighbour] ? known[neighbour] : 0.0; });
+    }
     this->Solver.Solve(values, monitor);
-    return values;
-  }
-
-  double At(const std::vector<double>& values, std::int64_t place) const
-  {
-    return values[std::size_t(this->System.Sites.Number[std::size_t(place)])];
+    for (std::size_t n = 0; n < filled.size(); ++n)
+    {
+      filled[n] += values[this->System.Sites.Number[this->Region.GapPlaces[n]]];
+    }
   }
 
 private:
   const GapRegion& Region;
   const std::vector<bool> IsKnown;
-  const MembraneSystem System;
+  const SiteSystem<1> System;
   const SiteSolver<1> Solver;
 };
+
+//----------------------------------------------------------------------------------------------------------------------
+// Both
 
 class GapFiller
 {
@@ -92,20 +306,22 @@ public:
     }
     for (const std::int64_t place : region.GapPlaces)
     {
-      for (const std::int64_t neighbour : region.Neighbours(place))
-      {
-        if (this->IsRing[std::size_t(neighbour)] && region.IsLinked(place, neighbour))
+      region.ForEachLinked(place,
+        [&](std::int64_t neighbour)
         {
-          this->Rim.push_back(std::size_t(neighbour));
-        }
-      }
+          if (this->IsRing[neighbour])
+          {
+            this->Rim.push_back(neighbour);
+          }
+        });
     }
+    assert(!this->Rim.empty());
   }
 
   std::vector<double> FillHeights(const std::vector<double>& heights, const Monitor& monitor)
   {
     // Heights are far from 0, and their differences small.
-    std::vector<double> known = this->AtRing([&](PointId point) { return heights[std::size_t(point)]; });
+    std::vector<double> known = this->AtRing([&](PointId point) { return heights[point]; });
     const double base = this->Mean(known);
     for (double& height : known)
     {
@@ -116,8 +332,7 @@ public:
       this->AddPlate(known, filled, monitor.Step(0.0, 0.8));
     if (!isPlate || this->RingWeight() > 0.0)
     {
-      this->AddMembrane(
-        this->RingMembrane(), isPlate ? this->WithoutNoise(known) : known, filled, monitor.Step(0.8, 1.0));
+      this->RingMembrane().AddTo(filled, isPlate ? this->WithoutNoise(known) : known, monitor.Step(0.8, 1.0));
     }
     return filled;
   }
@@ -127,7 +342,7 @@ public:
     // A membrane is held by the rim alone.
     std::vector<double> known(this->Region.Kind.size(), 0.0);
     std::size_t finite = 0;
-    for (const std::size_t place : this->Rim)
+    for (const std::int64_t place : this->Rim)
     {
       known[place] = attribute(this->Region.Point[place]);
       finite += std::isfinite(known[place]) ? 1 : 0;
@@ -139,11 +354,11 @@ public:
     }
     else if (finite == this->Rim.size())
     {
-      this->AddMembrane(this->RingMembrane(), known, filled, monitor);
+      this->RingMembrane().AddTo(filled, known, monitor);
     }
     else if (finite > 0)
     {
-      this->AddMembrane(Membrane(this->Region, this->FiniteOnes(known)), known, filled, monitor);
+      Membrane(this->Region, this->FiniteOnes(known)).AddTo(filled, known, monitor);
     }
     else
     {
@@ -187,7 +402,7 @@ private:
     const double first = known[this->Rim.front()];
     const double most = rounding * std::max(1.0, std::abs(first));
     return std::all_of(
-      this->Rim.begin(), this->Rim.end(), [&](std::size_t place) { return std::abs(known[place] - first) <= most; });
+      this->Rim.begin(), this->Rim.end(), [&](std::int64_t place) { return std::abs(known[place] - first) <= most; });
   }
 
   /// The places of the ring whose values are finite.
@@ -205,21 +420,21 @@ private:
   bool AddPlate(std::vector<double>& known, std::vector<double>& filled, const Monitor& monitor) const
   {
     const double weight = this->RingWeight();
-    const PlateSystem plate = MakePlate(this->Region, weight);
+    const SiteSystem<2> plate = MakePlate(this->Region, weight);
     const SiteSolver<2> solver(plate);
     if (!solver.IsDefinite())
     {
       return false;
     }
-    std::vector<double> values = PlateRightSide(this->Region, plate, weight, known);
+    std::vector<double> values = PlateRightSide(this->Region, plate.Sites, weight, known);
     solver.Solve(values, monitor);
     for (std::size_t n = 0; n < filled.size(); ++n)
     {
-      filled[n] += values[std::size_t(plate.Sites.Number[std::size_t(this->Region.GapPlaces[n])])];
+      filled[n] += values[plate.Sites.Number[this->Region.GapPlaces[n]]];
     }
     for (std::size_t site = 0; site < values.size(); ++site)
     {
-      known[std::size_t(plate.Sites.Place[site])] -= values[site];
+      known[plate.Sites.Place[site]] -= values[site];
     }
     return true;
   }
@@ -251,8 +466,7 @@ private:
       int count = 0;
       for (int n = 0; this->IsRing[place] && n < 9; ++n)
       {
-        const std::size_t neighbour =
-          place + std::size_t((n / 3 - 1) * this->Region.Width + (n % 3 - 1)); // around 0 where negative
+        const std::int64_t neighbour = std::int64_t(place) + (n / 3 - 1) * this->Region.Width + (n % 3 - 1);
         if (this->IsRing[neighbour] && this->Region.CanStep(std::int64_t(place), n % 3 - 1, n / 3 - 1))
         {
           sum += values[neighbour];
@@ -262,16 +476,6 @@ private:
       means[place] = count > 0 ? sum / count : 0.0;
     }
     return means;
-  }
-
-  void AddMembrane(const Membrane& membrane, const std::vector<double>& known, std::vector<double>& filled,
-    const Monitor& monitor) const
-  {
-    const std::vector<double> values = membrane.Fill(known, monitor);
-    for (std::size_t n = 0; n < filled.size(); ++n)
-    {
-      filled[n] += membrane.At(values, this->Region.GapPlaces[n]);
-    }
   }
 
   const Membrane& RingMembrane()
@@ -286,7 +490,7 @@ private:
   const GapRegion& Region;
   const HoleFillingOptions& Options;
   std::vector<bool> IsRing;
-  std::vector<std::size_t> Rim; // places of the ring beside the gap, once for each link to it
+  std::vector<std::int64_t> Rim; // places of the ring beside the gap, once for each link to it
   std::optional<Membrane> HeldByRing;
 };
 }

@@ -9,21 +9,21 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-GapRegion::GapRegion(const ColumnRaster& raster, const RasterFrame& frame, const LinkCuts* cuts,
+GapRegion::GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
   const std::vector<std::int64_t>& gap, int ringWidth)
 {
-  std::int64_t leftmost = raster.Width();
+  std::int64_t leftmost = index.Width();
   std::int64_t rightmost = 0;
   for (const std::int64_t place : gap)
   {
-    leftmost = std::min(leftmost, place % raster.Width());
-    rightmost = std::max(rightmost, place % raster.Width());
+    leftmost = std::min(leftmost, place % index.Width());
+    rightmost = std::max(rightmost, place % index.Width());
   }
   const std::int64_t margin = ringWidth + SiteBox::Margin;
-  const std::int64_t bottom = gap.front() / raster.Width();
+  const std::int64_t bottom = gap.front() / index.Width();
   this->Width = rightmost - leftmost + 1 + 2 * margin;
-  this->Height = gap.back() / raster.Width() - bottom + 1 + 2 * margin;
-  this->First = (bottom - margin) * raster.Width() + leftmost - margin;
+  this->Height = gap.back() / index.Width() - bottom + 1 + 2 * margin;
+  this->First = (bottom - margin) * index.Width() + leftmost - margin;
   this->Turned = this->Width > this->Height;
   if (this->Turned)
   {
@@ -34,16 +34,16 @@ GapRegion::GapRegion(const ColumnRaster& raster, const RasterFrame& frame, const
   this->GapPlaces.reserve(gap.size());
   for (const std::int64_t place : gap)
   {
-    const std::int64_t x = place % raster.Width() - (leftmost - margin);
-    const std::int64_t y = place / raster.Width() - (bottom - margin);
+    const std::int64_t x = place % index.Width() - (leftmost - margin);
+    const std::int64_t y = place / index.Width() - (bottom - margin);
     this->GapPlaces.push_back(this->Turned ? x * this->Width + y : y * this->Width + x);
-    this->Kind[std::size_t(this->GapPlaces.back())] = PlaceKind::Gap;
+    this->Kind[this->GapPlaces.back()] = PlaceKind::Gap;
   }
   if (cuts)
   {
-    this->ReadCuts(frame, *cuts, raster.Width());
+    this->ReadCuts(frame, *cuts, index.Width());
   }
-  this->AddRing(raster, ringWidth);
+  this->AddRing(index, ringWidth);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -75,13 +75,13 @@ bool GapRegion::CanStep(std::int64_t place, int dx, int dy) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void GapRegion::AddRing(const ColumnRaster& raster, int ringWidth)
+void GapRegion::AddRing(const ColumnIndex& index, int ringWidth)
 {
   std::vector<bool> reached(this->Kind.size(), false);
   std::vector<std::int64_t> front = this->GapPlaces;
   for (const std::int64_t place : front)
   {
-    reached[std::size_t(place)] = true;
+    reached[place] = true;
   }
   std::vector<std::int64_t> next;
   for (int step = 0; step < ringWidth; ++step)
@@ -91,13 +91,13 @@ void GapRegion::AddRing(const ColumnRaster& raster, int ringWidth)
       for (int n = 0; n < 9; ++n)
       {
         const std::int64_t neighbour = place + (n / 3 - 1) * this->Width + (n % 3 - 1);
-        if (!reached[std::size_t(neighbour)] && this->CanStep(place, n % 3 - 1, n / 3 - 1))
+        if (!reached[neighbour] && this->CanStep(place, n % 3 - 1, n / 3 - 1))
         {
-          reached[std::size_t(neighbour)] = true;
+          reached[neighbour] = true;
           next.push_back(neighbour);
-          const PointId point = raster[this->InRaster(neighbour, raster.Width())];
-          this->Point[std::size_t(neighbour)] = point;
-          this->Kind[std::size_t(neighbour)] = point == NoPoint ? PlaceKind::Other : PlaceKind::Ring;
+          const PointId point = index[this->InRaster(neighbour, index.Width())];
+          this->Point[neighbour] = point;
+          this->Kind[neighbour] = point == NoPoint ? PlaceKind::Other : PlaceKind::Ring;
         }
       }
     }
@@ -109,16 +109,12 @@ void GapRegion::AddRing(const ColumnRaster& raster, int ringWidth)
 //----------------------------------------------------------------------------------------------------------------------
 SiteBox GapRegion::MakeSites(bool withRing) const
 {
-  SiteBox box;
-  box.Width = this->Width;
-  box.Height = this->Height;
-  box.Number.assign(this->Kind.size(), NoSite);
+  SiteBox box(this->Width, this->Height);
   for (std::size_t place = 0; place < this->Kind.size(); ++place)
   {
     if (this->Kind[place] == PlaceKind::Gap || (withRing && this->Kind[place] == PlaceKind::Ring))
     {
-      box.Number[place] = std::int32_t(box.Place.size());
-      box.Place.push_back(std::int64_t(place));
+      box.Add(std::int64_t(place));
     }
   }
   return box;

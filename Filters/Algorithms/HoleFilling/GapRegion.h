@@ -6,23 +6,22 @@
 #ifndef SeismicHorizonsGapRegion_h
 #define SeismicHorizonsGapRegion_h
 
-#include "Boundary/ColumnRaster.h"
+#include "Common/ColumnIndex.h"
 #include "Common/LinkCuts.h"
-#include "SiteBox.h"
+#include "SiteSolver.h"
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Where the places of a raster are on the lattice.
+/// Where the places of a index are on the lattice.
 class RasterFrame
 {
 public:
-  RasterFrame(const ColumnRaster& raster, std::vector<std::int32_t> columnOf, std::vector<std::int32_t> rowOf)
-    : Width(raster.Width())
+  RasterFrame(const ColumnIndex& index, std::vector<std::int32_t> columnOf, std::vector<std::int32_t> rowOf)
+    : Width(index.Width())
     , ColumnOf(std::move(columnOf))
     , RowOf(std::move(rowOf))
   {
@@ -30,7 +29,7 @@ public:
 
   PlanePoint Column(std::int64_t place) const
   {
-    return { this->ColumnOf[std::size_t(place % this->Width)], this->RowOf[std::size_t(place / this->Width)] };
+    return { this->ColumnOf[place % this->Width], this->RowOf[place / this->Width] };
   }
 
 private:
@@ -52,9 +51,9 @@ enum class PlaceKind : unsigned char
 class GapRegion
 {
 public:
-  /// `gap` are the places of the gap in the raster, in their order. The ring are the known columns that so many steps
+  /// `gap` are the places of the gap in the index, in their order. The ring are the known columns that so many steps
   /// from the gap lead to, each to one of eight neighbours, over no cut link and through no block with one.
-  GapRegion(const ColumnRaster& raster, const RasterFrame& frame, const LinkCuts* cuts,
+  GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
     const std::vector<std::int64_t>& gap, int ringWidth);
 
   std::int64_t Width = 0;
@@ -64,8 +63,8 @@ public:
   std::vector<std::int64_t> GapPlaces; // of the columns of the gap, in the order they were given
 
   /// Whether the link to the next place of the row, or to that above in the next row, is cut.
-  bool IsCutEast(std::int64_t place) const { return (this->Cuts[std::size_t(place)] & EastBit) != 0; }
-  bool IsCutNorth(std::int64_t place) const { return (this->Cuts[std::size_t(place)] & NorthBit) != 0; }
+  bool IsCutEast(std::int64_t place) const { return (this->Cuts[place] & EastBit) != 0; }
+  bool IsCutNorth(std::int64_t place) const { return (this->Cuts[place] & NorthBit) != 0; }
   bool HasCuts() const { return !this->Cuts.empty(); }
 
   /// Whether no side of the block of two by two places, the first of which is given, is cut.
@@ -86,9 +85,17 @@ public:
   /// The same for one of eight neighbours, or the place itself: diagonally through a block that is whole.
   bool CanStep(std::int64_t place, int dx, int dy) const;
 
-  std::array<std::int64_t, 4> Neighbours(std::int64_t place) const
+  /// Calls visit(neighbour) for those of the four neighbours of a place to which the link is not cut.
+  template <typename Visitor>
+  void ForEachLinked(std::int64_t place, Visitor&& visit) const
   {
-    return { place - this->Width, place - 1, place + 1, place + this->Width };
+    for (const std::int64_t neighbour : { place - this->Width, place - 1, place + 1, place + this->Width })
+    {
+      if (this->IsLinked(place, neighbour))
+      {
+        visit(neighbour);
+      }
+    }
   }
 
   /// Sites for the places of the gap, or for those of the ring as well.
@@ -99,7 +106,7 @@ private:
   static constexpr unsigned char NorthBit = 2;
 
   void ReadCuts(const RasterFrame& frame, const LinkCuts& cuts, std::int64_t rasterWidth);
-  void AddRing(const ColumnRaster& raster, int ringWidth);
+  void AddRing(const ColumnIndex& index, int ringWidth);
 
   std::int64_t InRaster(std::int64_t place, std::int64_t rasterWidth) const
   {
@@ -109,7 +116,7 @@ private:
   }
 
   bool Turned = false;
-  std::int64_t First = 0; // the place in the raster of the first place of the box
+  std::int64_t First = 0; // the place in the index of the first place of the box
   std::vector<unsigned char> Cuts; // of each place, when there are any
 };
 }

@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps: put the columns on a index; find the gaps by runs of empty columns; divide each where cuts do; fill the parts
+// (GapFiller.h), which are cut out of the index with the known columns around them (GapRegion.h); leave out those that
+// nothing known is linked to. Threads share the small gaps; the large ones, which take seconds, are filled one by one.
 
 #include "HoleFilling.h"
 
-#include "Boundary/ColumnRaster.h"
-#include "Boundary/EmptyBands.h"
+#include "Common/ColumnIndex.h"
+#include "Common/CountingSort.h"
+#include "Common/DisjointSets.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
 #include "GapFiller.h"
-#include "GapParts.h"
-#include "GapSearch.h"
+#include "GapRegion.h"
 #include "SiteSolver.h"
 
 #include <algorithm>
@@ -30,7 +34,7 @@ void CheckOptions(const HoleFillingOptions& options)
   CheckWithin("rim width", options.RimWidth, 1, LargestRimWidth, " columns");
 }
 
-/// Numbers along an axis of the raster, of which some are known, at least one: the others go on from their neighbours.
+/// Numbers along an axis of the index, of which some are known, at least one: the others go on from their neighbours.
 std::vector<std::int32_t> Continued(std::vector<std::int32_t> numbers, const std::vector<bool>& isKnown)
 {
   const std::size_t first = std::size_t(std::find(isKnown.begin(), isKnown.end(), true) - isKnown.begin());
@@ -45,39 +49,198 @@ std::vector<std::int32_t> Continued(std::vector<std::int32_t> numbers, const std
   return numbers;
 }
 
-/// The column that each place of a raster stands for. Every row and column of it in which there is a gap has a point.
-RasterFrame FindFrame(
-  const std::vector<PlanePoint>& columns, const std::vector<PlanePoint>& near, const ColumnRaster& raster)
+/// The column that each place of a index stands for. Every row and column of it in which there is a gap has a point.
+RasterFrame FindFrame(PlanePoints columns, const ColumnIndex& index)
 {
-  std::vector<std::int32_t> columnOf(std::size_t(raster.Width()), 0);
-  std::vector<std::int32_t> rowOf(std::size_t(raster.Height()), 0);
+  const PlanePoints near = index.Columns();
+  std::vector<std::int32_t> columnOf(std::size_t(index.Width()), 0);
+  std::vector<std::int32_t> rowOf(std::size_t(index.Height()), 0);
   std::vector<bool> isColumnKnown(columnOf.size());
   std::vector<bool> isRowKnown(rowOf.size());
-  const std::int64_t first = columns.empty() ? 0 : raster.Place(near.front());
+  const std::int64_t first = columns.empty() ? 0 : index.Place(near.front());
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    const std::size_t x = std::size_t(first % raster.Width() + near[point].X - near.front().X);
-    const std::size_t y = std::size_t(first / raster.Width() + near[point].Y - near.front().Y);
+    const std::size_t x = std::size_t(first % index.Width() + near[point].X - near.front().X);
+    const std::size_t y = std::size_t(first / index.Width() + near[point].Y - near.front().Y);
     columnOf[x] = columns[point].X;
     rowOf[y] = columns[point].Y;
     isColumnKnown[x] = true;
     isRowKnown[y] = true;
   }
-  return RasterFrame(raster, Continued(std::move(columnOf), isColumnKnown), Continued(std::move(rowOf), isRowKnown));
+  return RasterFrame(index, Continued(std::move(columnOf), isColumnKnown), Continued(std::move(rowOf), isRowKnown));
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+// The gaps: groups of empty columns, connected side by side, that patches enclose. They are the holes of its outline
+// with a radius of 1.
+
+/// Successive empty columns of a row, by places of the index: at least one.
+struct GapRun
+{
+  std::int64_t First;
+  std::int64_t Last;
+};
+
+/// Gaps, numbered in the order in which the rows of the lattice, from the least y, meet them.
+struct GapList
+{
+  ItemLists<GapRun> Runs; // of each gap row by row
+  std::vector<std::int64_t> Columns; // how many each gap has
+};
+
+/// The runs of empty columns of all rows, as sets of connected ones. The first row is the rim of the index: its run
+/// stands for the outside.
+class EmptyRuns
+{
+public:
+  explicit EmptyRuns(const ColumnIndex& index)
+    : Index(index)
+  {
+    std::size_t before = 0;
+    for (std::int64_t row = 0; row < index.Height(); ++row)
+    {
+      const std::size_t begin = this->Runs.size();
+      this->AddRow(row);
+      this->JoinRows(before, begin);
+      before = begin;
+    }
+  }
+
+  GapList Gaps()
+  {
+    GapList result;
+    std::vector<std::int32_t> gap(this->Runs.size(), NoGap);
+    for (std::size_t run = 0; run < this->Runs.size(); ++run)
+    {
+      const std::size_t root = std::size_t(this->Sets.Find(std::int32_t(run)));
+      if (root == 0)
+      {
+        continue;
+      }
+      if (root == run)
+      {
+        gap[run] = std::int32_t(result.Columns.size());
+        result.Columns.push_back(0);
+      }
+      gap[run] = gap[root]; // the least number of a set stands for it, so that it came before
+      result.Columns[gap[run]] += this->Runs[run].Last - this->Runs[run].First + 1;
+    }
+    result.Runs = ItemLists<GapRun>(std::int64_t(result.Columns.size()),
+      [&](auto&& add)
+      {
+        for (std::size_t run = 0; run < gap.size(); ++run)
+        {
+          if (gap[run] != NoGap)
+          {
+            add(gap[run], this->Runs[run]);
+          }
+        }
+      });
+    return result;
+  }
+
+private:
+  static constexpr std::int32_t NoGap = -1;
+
+  void AddRow(std::int64_t row)
+  {
+    const std::int64_t end = (row + 1) * this->Index.Width();
+    bool wasEmpty = false;
+    for (std::int64_t place = row * this->Index.Width(); place < end; ++place)
+    {
+      const bool isEmpty = !this->Index.Has(place);
+      if (isEmpty && !wasEmpty)
+      {
+        this->Runs.push_back({ place, place });
+        this->Sets.Add();
+      }
+      else if (isEmpty)
+      {
+        this->Runs.back().Last = place;
+      }
+      wasEmpty = isEmpty;
+    }
+  }
+
+  /// Joins the runs from `begin` on with those of the row before, which are from `before` on.
+  void JoinRows(std::size_t before, std::size_t begin)
+  {
+    std::size_t a = before;
+    std::size_t b = begin;
+    while (a < begin && b < this->Runs.size())
+    {
+      const GapRun below = { this->Runs[a].First + this->Index.Width(), this->Runs[a].Last + this->Index.Width() };
+      const GapRun& run = this->Runs[b];
+      if (below.First <= run.Last && run.First <= below.Last)
+      {
+        this->Sets.Join(std::int32_t(a), std::int32_t(b));
+      }
+      ++(below.Last < run.Last ? a : b);
+    }
+  }
+
+  const ColumnIndex& Index;
+  std::vector<GapRun> Runs;
+  DisjointSets Sets;
+};
+
+/// The parts that cuts divide a gap into, given by its places in the index, in their order: in the order of their
+/// first places, and so are the places of each.
+std::vector<std::vector<std::int64_t>> SplitGap(
+  const ColumnIndex& index, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
+{
+  DisjointSets sets(gap.size());
+  for (std::size_t n = 0; n < gap.size(); ++n)
+  {
+    const auto join = [&](std::int64_t place)
+    {
+      const auto found = std::lower_bound(gap.begin(), gap.begin() + std::ptrdiff_t(n), place);
+      if (found != gap.begin() + std::ptrdiff_t(n) && *found == place)
+      {
+        sets.Join(std::int32_t(found - gap.begin()), std::int32_t(n));
+      }
+    };
+    const std::int64_t west = gap[n] - 1;
+    const std::int64_t south = gap[n] - index.Width();
+    if (!cuts.IsCutEast(frame.Column(west)))
+    {
+      join(west);
+    }
+    if (!cuts.IsCutNorth(frame.Column(south)))
+    {
+      join(south);
+    }
+  }
+  std::vector<std::vector<std::int64_t>> parts;
+  std::vector<std::size_t> number(gap.size());
+  for (std::size_t n = 0; n < gap.size(); ++n)
+  {
+    const std::size_t root = std::size_t(sets.Find(std::int32_t(n)));
+    if (root == n)
+    {
+      number[n] = parts.size();
+      parts.emplace_back();
+    }
+    parts[number[root]].push_back(gap[n]);
+  }
+  return parts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Their columns
 
 class HoleFiller
 {
 public:
-  HoleFiller(const ColumnRaster& raster, const RasterFrame& frame, const std::vector<double>& heights,
+  HoleFiller(const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights,
     const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts)
-    : Raster(raster)
+    : Index(index)
     , Frame(frame)
     , Heights(heights)
     , Attributes(attributes)
     , Options(options)
     , Cuts(cuts)
-    , Gaps(FindGaps(raster))
+    , Gaps(EmptyRuns(index).Gaps())
   {
   }
 
@@ -109,9 +272,9 @@ private:
   /// Finds which gaps are to be closed, and makes room for their columns.
   void Allocate()
   {
-    this->Begin.assign(this->Gaps.Size(), 0);
+    this->Begin.assign(this->Gaps.Columns.size(), 0);
     std::size_t size = 0;
-    for (std::size_t gap = 0; gap < this->Gaps.Size(); ++gap)
+    for (std::size_t gap = 0; gap < this->Gaps.Columns.size(); ++gap)
     {
       this->Begin[gap] = size;
       if (this->Gaps.Columns[gap] <= this->Options.LargestHoleSize)
@@ -131,7 +294,7 @@ private:
   {
     std::vector<std::int64_t> places;
     places.reserve(std::size_t(this->Gaps.Columns[gap]));
-    for (const GapRun* run = this->Gaps.begin(gap); run != this->Gaps.end(gap); ++run)
+    for (const GapRun* run = this->Gaps.Runs.begin(gap); run != this->Gaps.Runs.end(gap); ++run)
     {
       for (std::int64_t place = run->First; place <= run->Last; ++place)
       {
@@ -150,7 +313,7 @@ private:
       return;
     }
     std::size_t begin = this->Begin[gap];
-    for (const std::vector<std::int64_t>& part : SplitGap(this->Raster, this->Frame, *this->Cuts, places))
+    for (const std::vector<std::int64_t>& part : SplitGap(this->Index, this->Frame, *this->Cuts, places))
     {
       this->FillPart(part, begin, monitor);
       begin += part.size();
@@ -159,7 +322,7 @@ private:
 
   void FillPart(const std::vector<std::int64_t>& places, std::size_t begin, const Monitor& monitor)
   {
-    const GapRegion region(this->Raster, this->Frame, this->Cuts, places, this->Options.RimWidth);
+    const GapRegion region(this->Index, this->Frame, this->Cuts, places, this->Options.RimWidth);
     const GapFill fill = FillGap(region, this->Heights, this->Attributes, this->Options, monitor);
     if (fill.Nearest.empty())
     {
@@ -188,7 +351,7 @@ private:
       cutOff += std::count(begin, begin + this->Gaps.Columns[gap], NoPoint) > 0 ? 1 : 0;
     }
     this->Result.FilledGaps = std::int64_t(this->Closed.size()) - cutOff;
-    this->Result.OpenGaps = std::int64_t(this->Gaps.Size()) - this->Result.FilledGaps;
+    this->Result.OpenGaps = std::int64_t(this->Gaps.Columns.size()) - this->Result.FilledGaps;
     if (cutOff > 0)
     {
       this->DropCutOff();
@@ -222,7 +385,7 @@ private:
     }
   }
 
-  const ColumnRaster& Raster;
+  const ColumnIndex& Index;
   const RasterFrame& Frame;
   const std::vector<double>& Heights;
   const std::vector<PointValue>& Attributes;
@@ -236,19 +399,15 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FilledColumns FillHoles(const std::vector<PlanePoint>& columns, const std::vector<double>& heights,
+FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts,
   const Monitor& monitor)
 {
   CheckOptions(options);
-  return WithoutWideBands(columns, options.RimWidth,
-    [&](const std::vector<PlanePoint>& near)
-    {
-      // Rings, and what stencils look at, stay in the raster.
-      const ColumnRaster raster(near, options.RimWidth + SiteBox::Margin);
-      const RasterFrame frame = FindFrame(columns, near, raster);
-      monitor.Progress(0.1);
-      return HoleFiller(raster, frame, heights, attributes, options, cuts).Run(monitor.Step(0.1, 1.0));
-    });
+  // Rings, and what stencils look at, are in it.
+  const ColumnIndex index(columns, options.RimWidth + SiteBox::Margin, options.RimWidth);
+  const RasterFrame frame = FindFrame(columns, index);
+  monitor.Progress(0.1);
+  return HoleFiller(index, frame, heights, attributes, options, cuts).Run(monitor.Step(0.1, 1.0));
 }
 }

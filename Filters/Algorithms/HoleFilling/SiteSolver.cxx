@@ -1,79 +1,713 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Two methods:
+//
+// Narrow and small systems: Cholesky's factors L D L^T, each column from its diagonal element down to the last one that
+// is not 0 (its envelope). Sites are taken row by row where that leaves a narrow band. Else they are taken by their
+// steps from a site at one end, the farthest first (reverse Cuthill-McKee), so that a hole with arms costs no more than
+// its arms. The pivots tell whether anything known holds the surface.
+//
+// All others: conjugate gradients, preconditioned by a multigrid cycle. Each coarser level has half the sites along
+// each axis, and the matrix P^T A P of the space that the interpolation P spans (Galerkin). So holes may have any
+// shape. Time and memory are linear in the sites. The coarsest level is solved directly.
+//
+// What matters is that the interpolation spans surfaces of a low energy. For membranes these are bilinear. The bending
+// energy of bilinear surfaces however sits in their creases, and grows with each level; plates are interpolated by
+// quadratic splines (Chaikin's weights 1 3 3 1), which have none. The number of cycles hardly depends on the size then.
+// Both keep the reach of the matrix, on all levels.
 
 #include "SiteSolver.h"
 
-#include "BandCholesky.h"
+#include "Common/Errors.h"
 
-#include <Eigen/SparseCholesky>
-
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
 #include <optional>
+#include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
-using SparseMatrix = Eigen::SparseMatrix<double>;
+/// A pivot this much smaller than its diagonal element shows that the sites are not held by anything known: of plates
+/// of 10^5 columns that are held, the least are near 1e-4, of others near 1e-15.
+constexpr double SmallestPivot = 1e-9;
+/// Bands up to this width are narrow: another order of the sites would not pay, nor would multigrid.
+constexpr std::int32_t NarrowBand = 64;
 
-// Multiplications up to which the band takes less time than a sparse method.
-constexpr double MostBandWork = 5e6;
+constexpr std::size_t CoarsestSize = 600; // sites, for which a direct solution takes less time than another cycle
+constexpr int MostCycles = 500;
+/// By what the residual, measured as the error in energy that the preconditioner expects, has to fall.
+constexpr double MultigridAccuracy = 1e-11;
 
-template <int Radius>
-SparseMatrix ToSparse(const SiteSystem<Radius>& system)
+//----------------------------------------------------------------------------------------------------------------------
+// Direct solution
+
+using SiteOrder = std::vector<std::int32_t>;
+
+/// Calls visit(site, other, coefficient) for the coefficients of the diagonal and to one side of it that are not 0.
+template <int Radius, typename Visitor>
+void ForEachCoefficient(const SiteSystem<Radius>& system, Visitor&& visit)
 {
-  SparseMatrix result(Eigen::Index(system.Sites.Size()), Eigen::Index(system.Sites.Size()));
-  result.reserve(Eigen::VectorXi::Constant(result.cols(), StencilMatrix<Radius>::Length / 2 + 1));
   for (std::size_t site = 0; site < system.Sites.Size(); ++site)
   {
+    const std::int32_t* const number = system.Sites.Number.data() + system.Sites.Place[site];
     for (int n = StencilMatrix<Radius>::Centre; n < StencilMatrix<Radius>::Length; ++n)
     {
-      const std::int32_t other = system.Sites.Number[std::size_t(system.Sites.Place[site] + system.Matrix.Step(n))];
-      if (other != NoSite && system.Matrix[site][std::size_t(n)] != 0.0)
+      if (system.Matrix[site][n] != 0.0)
       {
-        result.insert(other, Eigen::Index(site)) = system.Matrix[site][std::size_t(n)];
+        visit(std::int32_t(site), number[system.Matrix.Step(n)], system.Matrix[site][n]);
       }
     }
   }
-  result.makeCompressed();
+}
+
+/// The sites by their steps along coefficients from one of them; what it does not reach comes after it, likewise.
+template <int Radius>
+SiteOrder ByStepsFrom(std::int32_t start, const SiteSystem<Radius>& system)
+{
+  const std::int32_t size = std::int32_t(system.Sites.Size());
+  std::vector<bool> isReached(size, false);
+  SiteOrder order;
+  order.reserve(size);
+  const auto reach = [&](std::int32_t site)
+  {
+    if (!isReached[site])
+    {
+      isReached[site] = true;
+      order.push_back(site);
+    }
+  };
+  std::size_t done = 0;
+  for (std::int32_t seed = -1; seed < size; ++seed)
+  {
+    for (reach(seed < 0 ? start : seed); done < order.size(); ++done)
+    {
+      const std::int32_t* const number = system.Sites.Number.data() + system.Sites.Place[order[done]];
+      for (int n = 0; n < StencilMatrix<Radius>::Length; ++n)
+      {
+        if (system.Matrix[order[done]][n] != 0.0)
+        {
+          reach(number[system.Matrix.Step(n)]);
+        }
+      }
+    }
+  }
+  return order;
+}
+
+/// Whether coefficients are near the diagonal when sites are taken row by row.
+template <int Radius>
+bool IsNarrow(const SiteSystem<Radius>& system)
+{
+  std::int32_t width = 0;
+  ForEachCoefficient(
+    system, [&](std::int32_t site, std::int32_t other, double) { width = std::max(width, other - site); });
+  return width <= NarrowBand;
+}
+
+template <int Radius>
+SiteOrder ChooseOrder(const SiteSystem<Radius>& system)
+{
+  SiteOrder order(system.Sites.Size());
+  std::iota(order.begin(), order.end(), 0);
+  if (!IsNarrow(system))
+  {
+    order = ByStepsFrom(ByStepsFrom(0, system).back(), system); // the last one is at an end
+    std::reverse(order.begin(), order.end());
+  }
+  return order;
+}
+
+class EnvelopeCholesky
+{
+public:
+  template <int Radius>
+  explicit EnvelopeCholesky(const SiteSystem<Radius>& system)
+    : Order(ChooseOrder(system))
+    , Ends(Order.size(), 0)
+  {
+    std::vector<std::size_t> position(this->Order.size());
+    for (std::size_t n = 0; n < position.size(); ++n)
+    {
+      position[this->Order[n]] = n;
+    }
+    ForEachCoefficient(system,
+      [&](std::int32_t site, std::int32_t other, double)
+      {
+        const auto [first, last] = std::minmax(position[site], position[other]);
+        this->Ends[first] = std::max(this->Ends[first], last + 1);
+      });
+    this->Allocate();
+    ForEachCoefficient(system,
+      [&](std::int32_t site, std::int32_t other, double coefficient)
+      {
+        const auto [first, last] = std::minmax(position[site], position[other]);
+        this->Column(first)[last] = coefficient;
+      });
+    this->Factor();
+  }
+
+  /// Whether the matrix is positive definite, beyond rounding.
+  bool IsDefinite() const { return this->Definite; }
+
+  void Solve(std::vector<double>& values) const;
+
+private:
+  /// Columns that are used together, so that numbers they change are read and written once.
+  static constexpr std::size_t Block = 4;
+
+  void Allocate();
+  void Factor();
+  void FactorBlock(std::size_t first, std::size_t last, const std::vector<double>& diagonal);
+  void SubtractBlock(std::size_t first);
+
+  /// By row: from the diagonal element on.
+  double* Column(std::size_t n) { return this->Values.data() + this->Offsets[n]; }
+  const double* Column(std::size_t n) const { return this->Values.data() + this->Offsets[n]; }
+
+  const SiteOrder Order;
+  std::vector<std::size_t> Ends; // one beyond the last row of each column that can be other than 0
+  std::vector<std::ptrdiff_t> Offsets; // in Values, of where row 0 of each column would be
+  std::vector<double> Values;
+  bool Definite = true;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+/// A column reaches as far as any before it, as these change it, and the columns of a block equally far.
+void EnvelopeCholesky::Allocate()
+{
+  const std::size_t size = this->Ends.size();
+  std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin(),
+    [](std::size_t a, std::size_t b) { return std::max(a, b); });
+  std::ptrdiff_t sum = 0;
+  for (std::size_t n = 0; n < size; ++n)
+  {
+    this->Ends[n] = this->Ends[std::min(n | (Block - 1), size - 1)];
+    this->Offsets.push_back(sum - std::ptrdiff_t(n));
+    sum += std::ptrdiff_t(this->Ends[n] - n);
+  }
+  this->Values.assign(sum, 0.0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void EnvelopeCholesky::Factor()
+{
+  const std::size_t size = this->Order.size();
+  std::vector<double> diagonal(size);
+  for (std::size_t n = 0; n < size; ++n)
+  {
+    diagonal[n] = this->Column(n)[n];
+  }
+  for (std::size_t first = 0; first < size && this->Definite; first += Block)
+  {
+    this->FactorBlock(first, std::min(first + Block, size), diagonal);
+    if (this->Definite && first + Block < size)
+    {
+      this->SubtractBlock(first);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void EnvelopeCholesky::FactorBlock(std::size_t first, std::size_t last, const std::vector<double>& diagonal)
+{
+  for (std::size_t n = first; n < last; ++n)
+  {
+    const double* const column = this->Column(n);
+    if (!(column[n] > SmallestPivot * diagonal[n]))
+    {
+      this->Definite = false;
+      return;
+    }
+    for (std::size_t target = n + 1; target < last; ++target)
+    {
+      const double factor = column[target] / column[n];
+      double* const changed = this->Column(target);
+      for (std::size_t row = target; row < this->Ends[n]; ++row)
+      {
+        changed[row] -= factor * column[row];
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Subtracts what the columns of a whole block make of those after it.
+void EnvelopeCholesky::SubtractBlock(std::size_t first)
+{
+  static_assert(Block == 4, "one name for each column");
+  const double* const a = this->Column(first);
+  const double* const b = this->Column(first + 1);
+  const double* const c = this->Column(first + 2);
+  const double* const d = this->Column(first + 3);
+  const std::size_t end = this->Ends[first];
+  for (std::size_t target = first + Block; target < end; ++target)
+  {
+    if (a[target] == 0.0 && b[target] == 0.0 && c[target] == 0.0 && d[target] == 0.0)
+    {
+      continue; // another arm of the hole
+    }
+    const double byA = a[target] / a[first];
+    const double byB = b[target] / b[first + 1];
+    const double byC = c[target] / c[first + 2];
+    const double byD = d[target] / d[first + 3];
+    double* const changed = this->Column(target);
+    for (std::size_t row = target; row < end; ++row)
+    {
+      changed[row] = changed[row] - byA * a[row] - byB * b[row] - byC * c[row] - byD * d[row];
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void EnvelopeCholesky::Solve(std::vector<double>& values) const
+{
+  assert(values.size() == this->Order.size() && this->Definite);
+  std::vector<double> x(values.size());
+  std::transform(this->Order.begin(), this->Order.end(), x.begin(), [&](std::int32_t site) { return values[site]; });
+  for (std::size_t n = 0; n < x.size(); ++n)
+  {
+    const double* const column = this->Column(n);
+    const double factor = x[n] / column[n];
+    for (std::size_t row = n + 1; row < this->Ends[n]; ++row)
+    {
+      x[row] -= factor * column[row];
+    }
+  }
+  for (std::size_t n = x.size(); n-- > 0;)
+  {
+    const double* const column = this->Column(n);
+    double sum = x[n];
+    for (std::size_t row = n + 1; row < this->Ends[n]; ++row)
+    {
+      sum -= column[row] * x[row];
+    }
+    x[n] = sum / column[n];
+    values[this->Order[n]] = x[n];
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Multigrid
+
+/// The two coarse sites that stand for a fine one along an axis, neighbours, and their weights.
+struct CoarsePair
+{
+  std::int64_t Low;
+  double LowWeight;
+  double HighWeight;
+};
+
+/// Coordinates of a box to those of the coarser one: linear for membranes, quadratic splines for plates.
+template <int Radius>
+CoarsePair Coarsened(std::int64_t x)
+{
+  if constexpr (Radius == 1)
+  {
+    const std::int64_t low = (x >> 1) + SiteBox::Margin;
+    return x % 2 == 0 ? CoarsePair{ low, 1.0, 0.0 } : CoarsePair{ low, 0.5, 0.5 };
+  }
+  else
+  {
+    const std::int64_t low = ((x + 1) >> 1) - 1 + SiteBox::Margin;
+    return x % 2 == 0 ? CoarsePair{ low, 0.25, 0.75 } : CoarsePair{ low, 0.75, 0.25 };
+  }
+}
+
+/// Calls visit(place, weight) for the coarser sites that stand for a fine place.
+template <int Radius, typename Visitor>
+void ForEachCoarse(std::int64_t x, std::int64_t y, std::int64_t width, Visitor&& visit)
+{
+  const CoarsePair along = Coarsened<Radius>(x);
+  const CoarsePair across = Coarsened<Radius>(y);
+  for (int high = 0; high < 2; ++high)
+  {
+    const double weight = high == 0 ? across.LowWeight : across.HighWeight;
+    if (weight > 0.0)
+    {
+      const std::int64_t place = (across.Low + high) * width + along.Low;
+      visit(place, weight * along.LowWeight);
+      if (along.HighWeight > 0.0)
+      {
+        visit(place + 1, weight * along.HighWeight);
+      }
+    }
+  }
+}
+
+/// How far a row of the matrix reaches into the coarser level: the sites that stand for its fine ones, side by side.
+constexpr int CoarseReach = 4;
+using CoarseRow = std::array<double, CoarseReach>;
+
+/// The coarser sites that values of a row of fine places from `first` on are a sum of.
+template <int Radius>
+CoarseRow ToCoarse(const double* values, std::int64_t first)
+{
+  CoarseRow result{};
+  const std::int64_t begin = Coarsened<Radius>(first).Low;
+  for (int n = 0; n < StencilMatrix<Radius>::Side; ++n)
+  {
+    const CoarsePair coarse = Coarsened<Radius>(first + n);
+    result[coarse.Low - begin] += coarse.LowWeight * values[n];
+    if (coarse.HighWeight > 0.0)
+    {
+      result[coarse.Low - begin + 1] += coarse.HighWeight * values[n];
+    }
+  }
   return result;
+}
+
+/// A row of A P, first along x and then along y: by rows of coarser places.
+template <int Radius>
+std::array<CoarseRow, CoarseReach> CoarseImage(const double* row, std::int64_t x, std::int64_t y)
+{
+  constexpr int side = StencilMatrix<Radius>::Side;
+  std::array<CoarseRow, std::size_t(side)> alongX;
+  for (int n = 0; n < side; ++n)
+  {
+    alongX[n] = ToCoarse<Radius>(row + n * side, x - Radius);
+  }
+  std::array<CoarseRow, CoarseReach> image;
+  for (int column = 0; column < CoarseReach; ++column)
+  {
+    std::array<double, std::size_t(side)> values;
+    std::transform(
+      alongX.begin(), alongX.end(), values.begin(), [column](const CoarseRow& sums) { return sums[column]; });
+    const CoarseRow sums = ToCoarse<Radius>(values.data(), y - Radius);
+    for (int n = 0; n < CoarseReach; ++n)
+    {
+      image[n][column] = sums[n];
+    }
+  }
+  return image;
+}
+
+/// A level. Vectors have a number for each place of the box, 0 where there is no site, so that rows of the matrix need
+/// no indices.
+template <int Radius>
+class GridLevel
+{
+public:
+  /// The system has to last as long as the level.
+  explicit GridLevel(const SiteSystem<Radius>& system)
+    : System(system)
+  {
+  }
+
+  explicit GridLevel(std::unique_ptr<SiteSystem<Radius>> system)
+    : Own(std::move(system))
+    , System(*this->Own)
+  {
+  }
+
+  std::size_t Size() const { return this->System.Sites.Size(); }
+
+  /// The system of the next level, whose surfaces are interpolated to this one.
+  std::unique_ptr<SiteSystem<Radius>> MakeCoarser() const;
+
+  /// Prepares the direct solution. Coarse surfaces that are the same on all fine sites make the matrix singular, which
+  /// does no harm to what is interpolated; a diagonal that is larger by a trifle makes it regular.
+  void Factor()
+  {
+    constexpr double trifle = 1e-8;
+    SiteSystem<Radius> regular = this->System;
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      regular.Matrix[site][StencilMatrix<Radius>::Centre] *= 1.0 + trifle;
+    }
+    this->Direct.emplace(regular);
+  }
+
+  void Multiply(const std::vector<double>& values, std::vector<double>& product) const
+  {
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      const std::int64_t place = this->System.Sites.Place[site];
+      product[place] = this->System.Matrix.Product(site, values.data() + place);
+    }
+  }
+
+  // Steps of a cycle, by Side and Solution: a Gauss-Seidel sweep over a solution of 0; the rest of the right side to
+  // the coarser level; the coarser solution to this one; a sweep in the opposite order.
+  void SmoothFromNothing()
+  {
+    this->Solution.assign(this->Side.size(), 0.0);
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      this->Smooth(site);
+    }
+  }
+
+  void RestrictResidual(GridLevel& coarser) const
+  {
+    coarser.Side.assign(coarser.System.Sites.Number.size(), 0.0);
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      const double rest = this->Rest(site);
+      this->ForEachCoarseOf(this->System.Sites.Place[site], coarser.System.Sites,
+        [&](std::int64_t coarse, double weight) { coarser.Side[coarse] += weight * rest; });
+    }
+  }
+
+  void AddInterpolated(const GridLevel& coarser)
+  {
+    for (const std::int64_t place : this->System.Sites.Place)
+    {
+      this->ForEachCoarseOf(place, coarser.System.Sites,
+        [&](std::int64_t coarse, double weight) { this->Solution[place] += weight * coarser.Solution[coarse]; });
+    }
+  }
+
+  void SmoothBackwards()
+  {
+    for (std::size_t site = this->Size(); site-- > 0;)
+    {
+      this->Smooth(site);
+    }
+  }
+
+  void SolveDirectly()
+  {
+    std::vector<double> values = this->AtSites(this->Side);
+    this->Direct->Solve(values);
+    this->Solution = this->AtPlaces(values);
+  }
+
+  std::vector<double> AtPlaces(const std::vector<double>& atSites) const
+  {
+    std::vector<double> result(this->System.Sites.Number.size(), 0.0);
+    for (std::size_t site = 0; site < atSites.size(); ++site)
+    {
+      result[this->System.Sites.Place[site]] = atSites[site];
+    }
+    return result;
+  }
+
+  std::vector<double> AtSites(const std::vector<double>& atPlaces) const
+  {
+    std::vector<double> result(this->Size());
+    std::transform(this->System.Sites.Place.begin(), this->System.Sites.Place.end(), result.begin(),
+      [&](std::int64_t place) { return atPlaces[place]; });
+    return result;
+  }
+
+  std::vector<double> Side;
+  std::vector<double> Solution;
+
+private:
+  template <typename Visitor>
+  void ForEachCoarseOf(std::int64_t place, const SiteBox& coarse, Visitor&& visit) const
+  {
+    const std::int64_t width = this->System.Sites.Width;
+    ForEachCoarse<Radius>(place % width, place / width, coarse.Width, visit);
+  }
+
+  void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const;
+
+  double Rest(std::size_t site) const
+  {
+    const std::int64_t place = this->System.Sites.Place[site];
+    return this->Side[place] - this->System.Matrix.Product(site, this->Solution.data() + place);
+  }
+
+  void Smooth(std::size_t site)
+  {
+    this->Solution[this->System.Sites.Place[site]] +=
+      this->Rest(site) / this->System.Matrix[site][StencilMatrix<Radius>::Centre];
+  }
+
+  const std::unique_ptr<SiteSystem<Radius>> Own; // not that of the finest level
+  const SiteSystem<Radius>& System;
+  std::optional<EnvelopeCholesky> Direct;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+template <int Radius>
+std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser() const
+{
+  const SiteBox& fine = this->System.Sites;
+  SiteBox sites(fine.Width / 2 + 2 * SiteBox::Margin + 2, fine.Height / 2 + 2 * SiteBox::Margin + 2);
+  std::vector<bool> isSite(sites.Number.size(), false);
+  for (const std::int64_t place : fine.Place)
+  {
+    this->ForEachCoarseOf(place, sites, [&](std::int64_t coarse, double) { isSite[coarse] = true; });
+  }
+  for (std::size_t place = 0; place < isSite.size(); ++place)
+  {
+    if (isSite[place])
+    {
+      sites.Add(std::int64_t(place));
+    }
+  }
+  auto coarse = std::make_unique<SiteSystem<Radius>>(std::move(sites));
+  for (std::size_t site = 0; site < this->Size(); ++site)
+  {
+    this->AddCoarseRows(site, *coarse);
+  }
+  return coarse;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// What a row of the matrix adds to P^T A P.
+template <int Radius>
+void GridLevel<Radius>::AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const
+{
+  const std::int64_t x = this->System.Sites.Place[site] % this->System.Sites.Width;
+  const std::int64_t y = this->System.Sites.Place[site] / this->System.Sites.Width;
+  const std::array<CoarseRow, CoarseReach> image = CoarseImage<Radius>(this->System.Matrix[site].data(), x, y);
+  const std::int64_t beginX = Coarsened<Radius>(x - Radius).Low;
+  const std::int64_t beginY = Coarsened<Radius>(y - Radius).Low;
+  ForEachCoarse<Radius>(x, y, coarse.Sites.Width,
+    [&](std::int64_t place, double weight)
+    {
+      typename StencilMatrix<Radius>::Row& target = coarse.Matrix[coarse.Sites.Number[place]];
+      const std::int64_t dx = beginX - place % coarse.Sites.Width;
+      const std::int64_t dy = beginY - place / coarse.Sites.Width;
+      for (int row = 0; row < CoarseReach; ++row)
+      {
+        for (int column = 0; column < CoarseReach; ++column)
+        {
+          if (image[row][column] != 0.0)
+          {
+            target[StencilMatrix<Radius>::Index(dx + column, dy + row)] += weight * image[row][column];
+          }
+        }
+      }
+    });
+}
+
+double Product(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Adds `factor` times `b` to `a`.
+void AddTo(std::vector<double>& a, double factor, const std::vector<double>& b)
+{
+  for (std::size_t n = 0; n < a.size(); ++n)
+  {
+    a[n] += factor * b[n];
+  }
+}
+
+/// The levels of the grid, the finest first.
+template <int Radius>
+class Multigrid
+{
+public:
+  explicit Multigrid(const SiteSystem<Radius>& system)
+  {
+    this->Levels.push_back(std::make_unique<GridLevel<Radius>>(system));
+    bool isSmaller = true;
+    while (isSmaller && this->Levels.back()->Size() > CoarsestSize)
+    {
+      auto coarser = this->Levels.back()->MakeCoarser();
+      isSmaller = coarser->Sites.Size() < this->Levels.back()->Size();
+      this->Levels.push_back(std::make_unique<GridLevel<Radius>>(std::move(coarser)));
+    }
+    this->Levels.back()->Factor();
+  }
+
+  void Solve(std::vector<double>& values, const Monitor& monitor);
+
+private:
+  /// An approximate solution for a right side, both by places: symmetric, as conjugate gradients need it.
+  void Cycle(const std::vector<double>& side, std::vector<double>& solution)
+  {
+    this->Levels.front()->Side = side;
+    this->Descend(0);
+    solution.swap(this->Levels.front()->Solution);
+  }
+
+  void Descend(std::size_t n)
+  {
+    GridLevel<Radius>& level = *this->Levels[n];
+    if (n + 1 == this->Levels.size())
+    {
+      level.SolveDirectly();
+      return;
+    }
+    GridLevel<Radius>& coarser = *this->Levels[n + 1];
+    level.SmoothFromNothing();
+    level.RestrictResidual(coarser);
+    this->Descend(n + 1);
+    level.AddInterpolated(coarser);
+    level.SmoothBackwards();
+  }
+
+  std::vector<std::unique_ptr<GridLevel<Radius>>> Levels;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+template <int Radius>
+void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monitor)
+{
+  const GridLevel<Radius>& finest = *this->Levels.front();
+  std::vector<double> residual = finest.AtPlaces(values);
+  std::vector<double> solution(residual.size(), 0.0);
+  std::vector<double> corrected(residual.size(), 0.0);
+  std::vector<double> direction(residual.size(), 0.0);
+  std::vector<double> image(residual.size(), 0.0);
+  this->Cycle(residual, corrected);
+  double energy = Product(residual, corrected);
+  const double enough = MultigridAccuracy * MultigridAccuracy * energy;
+  double before = 0.0;
+  int cycle = 0;
+  for (; energy > enough && cycle < MostCycles; ++cycle)
+  {
+    monitor.Progress(1.0 - 1.0 / (1.0 + 0.1 * cycle));
+    const double part = before > 0.0 ? energy / before : 0.0;
+    for (std::size_t n = 0; n < direction.size(); ++n)
+    {
+      direction[n] = corrected[n] + part * direction[n];
+    }
+    finest.Multiply(direction, image);
+    const double step = energy / Product(direction, image);
+    AddTo(solution, step, direction);
+    AddTo(residual, -step, image);
+    this->Cycle(residual, corrected);
+    before = energy;
+    energy = Product(residual, corrected);
+  }
+  if (!(energy <= enough))
+  {
+    throw InputError("a gap of " + std::to_string(finest.Size()) + " unknowns whose surface was not found in " +
+      std::to_string(MostCycles) +
+      " cycles, expected at most a few dozen; Membrane in place of Plate is found quicker");
+  }
+  values = finest.AtSites(solution);
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 template <int Radius>
-struct SiteSolver<Radius>::Factors
+struct SiteSolver<Radius>::Method
 {
-  explicit Factors(const SiteSystem<Radius>& system)
+  explicit Method(const SiteSystem<Radius>& system)
   {
-    const std::size_t width = BandWidth(system.Sites, Radius);
-    if (double(system.Sites.Size()) * double(width) * double(width) <= MostBandWork)
+    if (system.Sites.Size() < MultigridSize || IsNarrow(system))
     {
-      this->Band.emplace(system.Sites, system.Matrix, width);
-      return;
+      this->Direct.emplace(system);
     }
-    const SparseMatrix matrix = ToSparse(system);
-    this->Sparse.emplace(matrix);
-    this->IsSparseDefinite = this->Sparse->info() == Eigen::Success &&
-      (this->Sparse->vectorD().array() > SmallestPivot * matrix.diagonal().maxCoeff()).all();
+    else
+    {
+      this->Levels.emplace(system);
+    }
   }
 
-  std::optional<BandCholesky> Band;
-  std::optional<Eigen::SimplicialLDLT<SparseMatrix>> Sparse;
-  bool IsSparseDefinite = false;
+  std::optional<EnvelopeCholesky> Direct; // one of the two
+  std::optional<Multigrid<Radius>> Levels;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
 template <int Radius>
 SiteSolver<Radius>::SiteSolver(const SiteSystem<Radius>& system)
+  : Chosen(std::make_unique<Method>(system))
 {
-  if (system.Sites.Size() < MultigridSize)
-  {
-    this->Direct = std::make_unique<Factors>(system);
-  }
-  else
-  {
-    this->Levels = std::make_unique<Multigrid<Radius>>(system.Sites, system.Matrix);
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -84,26 +718,20 @@ SiteSolver<Radius>::~SiteSolver() = default;
 template <int Radius>
 bool SiteSolver<Radius>::IsDefinite() const
 {
-  return !this->Direct || (this->Direct->Band ? this->Direct->Band->IsDefinite() : this->Direct->IsSparseDefinite);
+  return !this->Chosen->Direct || this->Chosen->Direct->IsDefinite();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 template <int Radius>
 void SiteSolver<Radius>::Solve(std::vector<double>& values, const Monitor& monitor) const
 {
-  if (!this->Direct)
+  if (this->Chosen->Direct)
   {
-    this->Levels->Solve(values, monitor);
-  }
-  else if (this->Direct->Band)
-  {
-    this->Direct->Band->Solve(values);
+    this->Chosen->Direct->Solve(values);
   }
   else
   {
-    const Eigen::VectorXd solution =
-      this->Direct->Sparse->solve(Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size())));
-    values.assign(solution.begin(), solution.end());
+    this->Chosen->Levels->Solve(values, monitor);
   }
 }
 

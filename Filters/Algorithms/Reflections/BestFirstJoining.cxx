@@ -1,29 +1,821 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Joins linked picks to surfaces, the best links first (Kruskal 1956), where the parts fit: they may not lie over each
+// other, and where they face each other most of their picks have to be linked. A link that is wrong, across a fault or
+// onto the next layer, leads between parts that face each other along a line with few links.
+//
+// What a link does depends on the two parts it leads between, and on nothing else. So it may be tried as soon as it is
+// the best one left of both: what comes out is the same as by one list of all links. That is why links can be tried in
+// windows of the columns, by several threads:
+//
+// 1. Each pick is a set of its own. Windows are so small that their picks fit the cache of a processor.
+// 2. A thread takes a window, and tries its links, the best ones first. One that leads out of the window, or into it,
+//    makes its set in the window wait, and is left for a larger one. So is a link between two sets of which one waits,
+//    which makes both wait.
+// 3. Windows become larger, and the links that were left are tried, until one window has all columns.
+// 4. There, links between sets that did not fit are tried once more, as the sets may have grown.
 
-#include "BestFirstJoining.h"
+#include "SurfaceJoining.h"
 
+#include "Common/CountingSort.h"
 #include "Common/Parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// ---- Sets of columns -----------------------------------------------------------------------------------------------
+
+/// A rectangle of columns.
+struct ColumnWindow
+{
+  int FirstI = 0;
+  int EndI = 0;
+  int FirstJ = 0;
+  int EndJ = 0;
+
+  bool Has(int i, int j) const { return i >= this->FirstI && i < this->EndI && j >= this->FirstJ && j < this->EndJ; }
+};
+
+/// A set of columns: a bit for each column of a rectangle around them, which grows.
+class ColumnSet
+{
+public:
+  bool Has(int i, int j) const
+  {
+    const int word = (i >> WordShift) - this->FirstWord;
+    const int row = j - this->FirstRow;
+    const bool isInside = unsigned(word) < unsigned(this->Words) && unsigned(row) < unsigned(this->Rows);
+    return isInside && (this->Bits[this->WordAt(word, row)] >> (i & WordMask) & 1U) != 0;
+  }
+
+  /// `i` and `j` are at least 0.
+  void Add(int i, int j)
+  {
+    int word = (i >> WordShift) - this->FirstWord;
+    int row = j - this->FirstRow;
+    if (unsigned(word) >= unsigned(this->Words) || unsigned(row) >= unsigned(this->Rows))
+    {
+      this->Include(i >> WordShift, j);
+      word = (i >> WordShift) - this->FirstWord;
+      row = j - this->FirstRow;
+    }
+    this->Bits[this->WordAt(word, row)] |= std::uint64_t(1) << (i & WordMask);
+  }
+
+private:
+  static constexpr int WordShift = 6;
+  static constexpr int WordMask = 63;
+
+  std::size_t WordAt(int word, int row) const { return std::size_t(row) * this->Words + word; }
+
+  /// Makes the rectangle larger; rows by a half more than it takes, so that it seldom grows.
+  void Include(int word, int row)
+  {
+    ColumnSet larger;
+    const bool isEmpty = this->Rows == 0;
+    larger.FirstWord = isEmpty ? word : std::min(this->FirstWord, word);
+    larger.Words = (isEmpty ? word + 1 : std::max(this->FirstWord + this->Words, word + 1)) - larger.FirstWord;
+    const int more = 2 + this->Rows / 2;
+    const int low = isEmpty ? row : this->FirstRow;
+    const int end = isEmpty ? row + 1 : this->FirstRow + this->Rows;
+    larger.FirstRow = row < low || isEmpty ? std::max(0, row - more) : low;
+    larger.Rows = (row >= end || isEmpty ? row + 1 + more : end) - larger.FirstRow;
+    larger.Bits.assign(std::size_t(larger.Rows) * larger.Words, 0);
+    for (int r = 0; r < this->Rows; ++r)
+    {
+      std::copy_n(this->Bits.begin() + this->WordAt(0, r), this->Words,
+        larger.Bits.begin() + larger.WordAt(this->FirstWord - larger.FirstWord, r + this->FirstRow - larger.FirstRow));
+    }
+    *this = std::move(larger);
+  }
+
+  int FirstWord = 0; // a word has the bits of 64 columns along i
+  int FirstRow = 0;
+  int Words = 0; // of a row
+  int Rows = 0;
+  std::vector<std::uint64_t> Bits;
+};
+
+// ---- Sets of picks -------------------------------------------------------------------------------------------------
+
+/// Sets that grow together to surfaces, with at most one pick in each column. A set has the number of one of its picks.
+/// Its members are a ring.
+class SurfaceSets
+{
+public:
+  /// A set for each pick.
+  explicit SurfaceSets(const ReflectionPicks& picks)
+    : Picks(picks)
+    , Labels(picks.Places.size(), NoPoint - 1)
+    , Members(picks.Places.size())
+  {
+    picks.ForEach([this](PointId pick, std::int32_t column) { this->Members[pick] = { pick, column }; });
+  }
+
+  /// The set of a pick; NoPoint when it was dropped.
+  PointId SetOf(PointId pick) const
+  {
+    const PointId label = this->Labels[pick];
+    return label < NoPoint ? pick : label;
+  }
+  PointId SizeOf(PointId set) const { return (NoPoint - this->Labels[set]) & ~WaitBit; }
+  std::int32_t ColumnOf(PointId pick) const { return this->Members[pick].Column; }
+
+  /// Whether a set waits.
+  bool Waits(PointId set) const { return ((NoPoint - this->Labels[set]) & WaitBit) != 0; }
+  void SetWaits(PointId set, bool waits)
+  {
+    assert(this->SetOf(set) == set);
+    this->Labels[set] = NoPoint - (this->SizeOf(set) | (waits ? WaitBit : 0));
+  }
+
+  /// Whether a set has a pick in a column.
+  bool HasColumn(PointId set, std::int64_t column) const
+  {
+    int found = int(this->ColumnOf(set) == column);
+    const PointId end = this->Picks.End(column);
+    for (PointId pick = this->Picks.Begin(column); pick < end; ++pick)
+    {
+      found |= int(this->Labels[pick] == set);
+    }
+    return found != 0;
+  }
+
+  /// Calls visit(pick) for each member until it returns false.
+  template <typename Visit>
+  void ForEachMember(PointId set, Visit&& visit) const
+  {
+    PointId pick = set;
+    do
+    {
+      if (!visit(pick))
+      {
+        return;
+      }
+      pick = this->Members[pick].Next;
+    } while (pick != set);
+  }
+
+  /// Puts the members of sets that lie in these columns into their order in memory, in which they are quick to visit.
+  void SortMembers(const ColumnWindow& window)
+  {
+    const auto forEachUpwards = [&](auto&& visit)
+    {
+      for (int j = window.EndJ; j-- > window.FirstJ;)
+      {
+        const PointId end = this->Picks.Begin(this->Picks.ColumnAt(window.EndI, j));
+        for (PointId pick = end; pick-- > this->Picks.Begin(this->Picks.ColumnAt(window.FirstI, j));)
+        {
+          visit(pick, this->SetOf(pick));
+        }
+      }
+    };
+    forEachUpwards(
+      [this](PointId pick, PointId set)
+      {
+        if (set == pick)
+        {
+          this->Members[pick].Next = pick;
+        }
+      });
+    forEachUpwards(
+      [this](PointId pick, PointId set)
+      {
+        if (set != pick && set != NoPoint)
+        {
+          this->Members[pick].Next = std::exchange(this->Members[set].Next, pick);
+        }
+      });
+  }
+
+  /// Puts the members of `small` into `big`. Those in columns that `big` has are dropped.
+  void Absorb(PointId big, PointId small, bool areShared)
+  {
+    assert(big != small && this->SetOf(big) == big && this->SetOf(small) == small);
+    PointId size = this->SizeOf(big);
+    PointId pick = small;
+    do
+    {
+      const PointId next = this->Members[pick].Next;
+      // Picks that came before it lie in other columns.
+      if (areShared && this->HasColumn(big, this->ColumnOf(pick)))
+      {
+        this->Labels[pick] = NoPoint;
+      }
+      else
+      {
+        this->Labels[pick] = big;
+        this->Members[pick].Next = std::exchange(this->Members[big].Next, pick);
+        ++size;
+      }
+      pick = next;
+    } while (pick != small);
+    this->Labels[big] = NoPoint - size;
+  }
+
+  /// The set of each pick; NoPoint for picks that were dropped.
+  RawVector<PointId> TakeLabels()
+  {
+    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
+    {
+      this->Labels[pick] = this->SetOf(pick);
+    }
+    return std::move(this->Labels);
+  }
+
+private:
+  struct Member
+  {
+    PointId Next = NoPoint; // member of the set
+    std::int32_t Column = 0;
+  };
+
+  const ReflectionPicks& Picks;
+  // Of each pick its set. Of the pick that a set is named by, a number below NoPoint, by as much as the set has
+  // members; picks are fewer than 2^30, which leaves a bit for sets that wait.
+  static constexpr PointId WaitBit = PointId(1) << 30;
+  RawVector<PointId> Labels;
+  RawVector<Member> Members;
+};
+
+// ---- Whether two parts fit -----------------------------------------------------------------------------------------
+
+/// Reads nothing but the two parts, and their columns in the window: parts that have nothing in common may be looked at
+/// by several threads.
+class PartFit
+{
+public:
+  PartFit(
+    const ReflectionPicks& picks, const ReflectionLinks& links, const JoiningRules& rules, const SurfaceSets& sets)
+    : Picks(picks)
+    , Links(links)
+    , Rules(rules)
+    , Sets(sets)
+  {
+  }
+
+  /// Whether two sets, the larger one first, may become one. If so, `shared` is how many columns both have. `columns`:
+  /// those of the larger one, or null, where its picks are looked for. `window`: columns that hold both.
+  bool MayJoin(
+    PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const
+  {
+    if (columns)
+    {
+      const auto hasColumn = [columns](int i, int j) { return columns->Has(i, j); };
+      return this->MayJoin(big, small, window, hasColumn, shared);
+    }
+    const auto hasColumn = [this, big](int i, int j) { return this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j)); };
+    return this->MayJoin(big, small, window, hasColumn, shared);
+  }
+
+  const ReflectionPicks& Picks;
+  const ReflectionLinks& Links;
+
+private:
+  struct Contact
+  {
+    std::int64_t Facing = 0; // pairs of picks
+    std::int64_t Linked = 0;
+  };
+
+  template <typename HasColumn>
+  bool MayJoin(
+    PointId big, PointId small, const ColumnWindow& window, HasColumn&& hasColumn, std::int64_t& shared) const
+  {
+    const PointId size = this->Sets.SizeOf(small);
+    const auto most = std::int64_t(this->Rules.LargestShare * size);
+    const bool needsContact = size >= this->Rules.ContactSize;
+    Contact contact;
+    const auto look = [&](PointId partner, int i, int j)
+    {
+      if (!window.Has(i, j))
+      {
+        return;
+      }
+      const bool isLinked = partner != NoPoint && this->Sets.SetOf(partner) == big;
+      contact.Linked += isLinked ? 1 : 0;
+      contact.Facing += isLinked || hasColumn(i, j) ? 1 : 0;
+    };
+    shared = 0;
+    this->Sets.ForEachMember(small,
+      [&](PointId pick)
+      {
+        const int i = this->Picks.IOf(this->Sets.ColumnOf(pick));
+        const int j = this->Picks.JOf(this->Sets.ColumnOf(pick));
+        shared += hasColumn(i, j) ? 1 : 0;
+        for (int direction = 0; needsContact && direction < this->Links.Directions(); ++direction)
+        {
+          const ColumnStep& step = NeighbourSteps[direction];
+          look(this->Links.Next(pick, direction), i + step.I, j + step.J);
+          look(this->Links.Previous(pick, direction), i - step.I, j - step.J);
+        }
+        return shared <= most;
+      });
+    return shared <= most && (!needsContact || this->IsEnough(big, small, contact));
+  }
+
+  bool IsEnough(PointId big, PointId small, const Contact& contact) const
+  {
+    const PointId size = this->Sets.SizeOf(small);
+    const double facing = double(contact.Facing);
+    const double linked = double(contact.Linked);
+    if (linked < this->Rules.SmallestContact * facing)
+    {
+      return false;
+    }
+    if (size < this->Rules.LargestFilled || size <= this->Rules.LargestFilledWidth * facing)
+    {
+      return true;
+    }
+    return this->Rules.Correlate && contact.Linked >= this->Rules.FewestWidePairs &&
+      linked >= this->Rules.SmallestWideContact * facing &&
+      this->Rules.Correlate(this->ListPairs(big, small)) >= this->Rules.SmallestWideCorrelation;
+  }
+
+  /// From picks of the smaller set to those of the larger one.
+  std::vector<Edge> ListPairs(PointId big, PointId small) const
+  {
+    std::vector<Edge> pairs;
+    this->Sets.ForEachMember(small,
+      [&](PointId pick)
+      {
+        for (int direction = 0; direction < this->Links.Directions(); ++direction)
+        {
+          for (const PointId partner : { this->Links.Next(pick, direction), this->Links.Previous(pick, direction) })
+          {
+            if (partner != NoPoint && this->Sets.SetOf(partner) == big)
+            {
+              pairs.push_back({ pick, partner });
+            }
+          }
+        }
+        return true;
+      });
+    return pairs;
+  }
+
+  const JoiningRules Rules;
+  const SurfaceSets& Sets;
+};
+
+// ---- Links in the order of their ranks -----------------------------------------------------------------------------
+
+/// Where a link leads, as a window of columns sees it.
+enum class Lead
+{
+  Within, // both picks are in the window
+  Out, // only the first one
+  In // only the second one
+};
+
+/// The rank, the link, and where it leads, from the upper bits down.
+class RankedLink
+{
+public:
+  RankedLink() = default;
+  RankedLink(std::int64_t rank, LinkId link, Lead lead)
+    : Bits(std::uint64_t(rank) << RankShift | std::uint64_t(link) << LeadBits | std::uint64_t(lead))
+  {
+    assert(rank >= 0 && rank >> 2 * DigitBits == 0);
+  }
+
+  LinkId Link() const { return LinkId(this->Bits >> LeadBits); }
+  Lead Leads() const { return Lead(this->Bits & LeadMask); }
+  void SetLead(Lead lead) { this->Bits = (this->Bits & ~LeadMask) | std::uint64_t(lead); }
+
+  friend bool operator<(const RankedLink& a, const RankedLink& b) { return a.Bits < b.Bits; }
+
+  /// Sorts by rank, and keeps the order of links of the same rank.
+  static void SortByRank(std::vector<RankedLink>& links)
+  {
+    std::vector<RankedLink> sorted(links.size());
+    for (const int shift : { RankShift, RankShift + DigitBits })
+    {
+      const auto keyOf = [shift](const RankedLink& link)
+      { return std::int64_t(link.Bits >> shift & ((1U << DigitBits) - 1)); };
+      SmallCountingSort<std::uint32_t, std::size_t(1) << DigitBits> sort;
+      for (const RankedLink& link : links)
+      {
+        sort.Count(keyOf(link));
+      }
+      sort.EndCounting();
+      for (const RankedLink& link : links)
+      {
+        sorted[sort.NextPosition(keyOf(link))] = link;
+      }
+      links.swap(sorted);
+    }
+  }
+
+private:
+  static constexpr int DigitBits = 8; // a rank has two digits
+  static constexpr int LeadBits = 2;
+  static constexpr std::uint64_t LeadMask = (1U << LeadBits) - 1;
+  static constexpr int RankShift = LeadBits + 32;
+
+  std::uint64_t Bits = 0;
+};
+
+// ---- One window ----------------------------------------------------------------------------------------------------
+
+struct JoiningWindow : ColumnWindow
+{
+  bool IsFirst = true; // no link was tried yet
+  std::vector<RankedLink> Left; // links that begin in the window and were not tried
+  std::vector<RankedLink> Refused;
+  std::unordered_map<std::uint64_t, std::int64_t> Refusals; // the size both sets had, by their numbers
+  std::unordered_map<PointId, ColumnSet> Columns; // of large sets
+};
+
+// Parts are tried again when they have grown by this.
+constexpr double Growth = 1.3;
+
+// Columns of smaller sets are looked for among the picks there.
+constexpr PointId LargestSearched = 24;
+
+std::uint64_t PairKey(PointId a, PointId b)
+{
+  return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
+}
+
+class WindowWorker
+{
+public:
+  WindowWorker(const PartFit& fit, SurfaceSets& sets, JoiningWindow& window)
+    : Picks(fit.Picks)
+    , Links(fit.Links)
+    , Fit(fit)
+    , Sets(sets)
+    , Here(window)
+  {
+  }
+
+  void Run(const Monitor& monitor)
+  {
+    if (!this->Here.IsFirst)
+    {
+      this->Sets.SortMembers(this->Here);
+    }
+    std::vector<RankedLink> links = this->Here.IsFirst ? this->ListAll() : this->ListLeft();
+    this->Here.IsFirst ? RankedLink::SortByRank(links) : std::sort(links.begin(), links.end());
+    this->TryAll(links, monitor);
+    for (const PointId set : this->Waiting)
+    {
+      this->Sets.SetWaits(set, false);
+    }
+    this->Here.IsFirst = false;
+  }
+
+  /// In a window of all columns.
+  void TryRefused(const Monitor& monitor)
+  {
+    std::vector<RankedLink> links = std::exchange(this->Here.Refused, {});
+    this->Here.Refusals.clear();
+    std::sort(links.begin(), links.end());
+    this->TryAll(links, monitor);
+  }
+
+private:
+  /// Calls visit(pick, i, j) for the picks of some columns of a row.
+  template <typename Visit>
+  void ForEachPick(int j, int firstI, int endI, Visit&& visit) const
+  {
+    for (int i = firstI; i < endI; ++i)
+    {
+      const std::int64_t column = this->Picks.ColumnAt(i, j);
+      for (PointId pick = this->Picks.Begin(column); pick < this->Picks.End(column); ++pick)
+      {
+        visit(pick, i, j);
+      }
+    }
+  }
+
+  std::vector<RankedLink> ListAll() const
+  {
+    std::vector<RankedLink> links;
+    this->AddThoseThatLeadIn(links);
+    for (int j = this->Here.FirstJ; j < this->Here.EndJ; ++j)
+    {
+      this->ForEachPick(j, this->Here.FirstI, this->Here.EndI,
+        [&](PointId pick, int i, int)
+        {
+          for (int direction = 0; direction < this->Links.Directions(); ++direction)
+          {
+            const PointId next = this->Links.Next(pick, direction);
+            const ColumnStep& step = NeighbourSteps[direction];
+            const bool isWithin = this->Here.Has(i + step.I, j + step.J);
+            if (next != NoPoint && !(isWithin && this->Sets.SetOf(pick) == this->Sets.SetOf(next)))
+            {
+              this->Add(links, pick, direction, isWithin ? Lead::Within : Lead::Out);
+            }
+          }
+        });
+    }
+    return links;
+  }
+
+  /// Those that other windows left.
+  std::vector<RankedLink> ListLeft()
+  {
+    std::vector<RankedLink> links = std::exchange(this->Here.Left, {});
+    std::size_t size = 0;
+    for (const RankedLink& ranked : links)
+    {
+      const LinkId link = ranked.Link();
+      const PointId from = this->Links.PickOf(link);
+      const int direction = this->Links.DirectionOf(link);
+      const ColumnStep& step = NeighbourSteps[direction];
+      const std::int32_t column = this->Sets.ColumnOf(from);
+      const bool isWithin = this->Here.Has(this->Picks.IOf(column) + step.I, this->Picks.JOf(column) + step.J);
+      const PointId set = this->Sets.SetOf(from);
+      const PointId other = isWithin ? this->Sets.SetOf(this->Links.Next(from, direction)) : NoPoint;
+      if (set != NoPoint && set != other && (!isWithin || other != NoPoint))
+      {
+        links[size] = ranked;
+        links[size++].SetLead(isWithin ? Lead::Within : Lead::Out);
+      }
+    }
+    links.resize(size);
+    this->AddThoseThatLeadIn(links);
+    return links;
+  }
+
+  /// They begin in columns outside, beside those of the rim.
+  void AddThoseThatLeadIn(std::vector<RankedLink>& links) const
+  {
+    const auto look = [&](PointId pick, int i, int j)
+    {
+      for (int direction = 0; direction < this->Links.Directions(); ++direction)
+      {
+        const ColumnStep& step = NeighbourSteps[direction];
+        const PointId previous = this->Links.Previous(pick, direction);
+        if (previous != NoPoint && !this->Here.Has(i - step.I, j - step.J) && this->Sets.SetOf(pick) != NoPoint)
+        {
+          this->Add(links, previous, direction, Lead::In);
+        }
+      }
+    };
+    for (int j = this->Here.FirstJ; j < this->Here.EndJ; ++j)
+    {
+      if (j == this->Here.FirstJ)
+      {
+        this->ForEachPick(j, this->Here.FirstI, this->Here.EndI, look);
+        continue;
+      }
+      this->ForEachPick(j, this->Here.FirstI, this->Here.FirstI + 1, look);
+      if (this->Here.EndI - this->Here.FirstI > 1)
+      {
+        this->ForEachPick(j, this->Here.EndI - 1, this->Here.EndI, look);
+      }
+    }
+  }
+
+  void Add(std::vector<RankedLink>& links, PointId pick, int direction, Lead lead) const
+  {
+    links.emplace_back(this->Links.Rank(pick, direction), this->Links.MakeId(pick, direction), lead);
+  }
+
+  /// Links come from all over memory. In blocks, the places they need are read side by side first, so that the
+  /// processor waits for them once.
+  void TryAll(const std::vector<RankedLink>& links, const Monitor& monitor)
+  {
+    constexpr std::size_t block = 64;
+    constexpr std::size_t blocksPerCall = 1024; // of the monitor
+    std::array<Edge, block> picks;
+    std::array<bool, block> areOne;
+    for (std::size_t first = 0; first < links.size(); first += block)
+    {
+      if (first % (block * blocksPerCall) == 0)
+      {
+        monitor.Progress(double(first) / double(links.size()));
+      }
+      const std::size_t size = std::min(block, links.size() - first);
+      for (std::size_t n = 0; n < size; ++n)
+      {
+        const LinkId link = links[first + n].Link();
+        const PointId from = this->Links.PickOf(link);
+        picks[n] = { from, this->Links.Next(from, this->Links.DirectionOf(link)) };
+      }
+      for (std::size_t n = 0; n < size; ++n)
+      {
+        // Sets outside are those of other threads.
+        const Lead lead = links[first + n].Leads();
+        const PointId from = lead == Lead::In ? NoPoint : this->Sets.SetOf(picks[n].From);
+        const PointId to = lead == Lead::Out ? NoPoint : this->Sets.SetOf(picks[n].To);
+        areOne[n] = from == to;
+      }
+      for (std::size_t n = 0; n < size; ++n)
+      {
+        if (!areOne[n]) // sets that are one stay one
+        {
+          this->Look(links[first + n], picks[n]);
+        }
+      }
+    }
+  }
+
+  void Look(const RankedLink& link, const Edge& picks)
+  {
+    switch (link.Leads())
+    {
+      case Lead::Within:
+        this->TryWithin(link, this->Sets.SetOf(picks.From), this->Sets.SetOf(picks.To));
+        break;
+      case Lead::Out:
+        this->Wait(this->Sets.SetOf(picks.From));
+        this->Here.Left.push_back(link);
+        break;
+      case Lead::In:
+        this->Wait(this->Sets.SetOf(picks.To));
+        break;
+    }
+  }
+
+  void TryWithin(RankedLink link, PointId a, PointId b)
+  {
+    if (a == b || a == NoPoint || b == NoPoint)
+    {
+      return;
+    }
+    if (this->Sets.Waits(a) || this->Sets.Waits(b))
+    {
+      this->Wait(a);
+      this->Wait(b);
+      this->Here.Left.push_back(link);
+    }
+    else if (!this->Try(a, b))
+    {
+      this->Here.Refused.push_back(link);
+    }
+  }
+
+  void Wait(PointId set)
+  {
+    if (set != NoPoint && !this->Sets.Waits(set))
+    {
+      this->Sets.SetWaits(set, true);
+      this->Waiting.push_back(set);
+    }
+  }
+
+  /// False when the sets were refused.
+  bool Try(PointId big, PointId small)
+  {
+    if (this->Sets.SizeOf(big) < this->Sets.SizeOf(small))
+    {
+      std::swap(big, small);
+    }
+    const std::uint64_t key = PairKey(big, small);
+    const std::int64_t size = std::int64_t(this->Sets.SizeOf(big)) + this->Sets.SizeOf(small);
+    const auto found = this->Here.Refusals.find(key);
+    if (found != this->Here.Refusals.end() && double(size) < Growth * double(found->second))
+    {
+      return false;
+    }
+    ColumnSet* const columns = this->ColumnsOf(big);
+    std::int64_t shared = 0;
+    if (!this->Fit.MayJoin(big, columns, small, this->Here, shared))
+    {
+      this->Here.Refusals[key] = size;
+      return false;
+    }
+    if (columns)
+    {
+      this->AddColumns(*columns, small);
+    }
+    if (this->Sets.SizeOf(small) >= LargestSearched)
+    {
+      this->Here.Columns.erase(small);
+    }
+    this->Sets.Absorb(big, small, shared > 0);
+    return true;
+  }
+
+  /// The columns of a large set, or null.
+  ColumnSet* ColumnsOf(PointId set)
+  {
+    if (this->Sets.SizeOf(set) < LargestSearched)
+    {
+      return nullptr;
+    }
+    const auto [found, isNew] = this->Here.Columns.try_emplace(set);
+    if (isNew)
+    {
+      this->AddColumns(found->second, set);
+    }
+    return &found->second;
+  }
+
+  void AddColumns(ColumnSet& columns, PointId set) const
+  {
+    this->Sets.ForEachMember(set,
+      [&](PointId pick)
+      {
+        const std::int32_t column = this->Sets.ColumnOf(pick);
+        columns.Add(this->Picks.IOf(column), this->Picks.JOf(column));
+        return true;
+      });
+  }
+
+  const ReflectionPicks& Picks;
+  const ReflectionLinks& Links;
+  const PartFit& Fit;
+  SurfaceSets& Sets;
+  JoiningWindow& Here;
+  std::vector<PointId> Waiting;
+};
+
+// ---- From windows to all columns -----------------------------------------------------------------------------------
+
 // By how much the sides of windows grow from level to level.
 constexpr int SideGrowth = 4;
+
+/// The side of a window that has about so many picks.
+int FirstSide(const ReflectionPicks& picks, double windowPicks)
+{
+  const double columns = double(picks.Columns[0]) * double(picks.Columns[1]);
+  const double perColumn = std::max(1.0, double(picks.Size()) / columns);
+  return std::max(1, int(std::sqrt(windowPicks / perColumn)));
 }
+
+std::vector<JoiningWindow> MakeWindows(const std::array<int, 2>& columns, int side)
+{
+  std::vector<JoiningWindow> windows;
+  for (int j = 0; j < columns[1]; j += side)
+  {
+    for (int i = 0; i < columns[0]; i += side)
+    {
+      windows.emplace_back();
+      windows.back().FirstI = i;
+      windows.back().EndI = std::min(i + side, columns[0]);
+      windows.back().FirstJ = j;
+      windows.back().EndJ = std::min(j + side, columns[1]);
+    }
+  }
+  return windows;
+}
+
+std::vector<JoiningWindow> MergeWindows(
+  const std::array<int, 2>& columns, std::vector<JoiningWindow>& windows, int side)
+{
+  std::vector<JoiningWindow> merged = MakeWindows(columns, side);
+  const int perRow = (columns[0] + side - 1) / side;
+  for (JoiningWindow& window : windows)
+  {
+    JoiningWindow& target = merged[window.FirstJ / side * perRow + window.FirstI / side];
+    target.IsFirst = false;
+    target.Left.insert(target.Left.end(), window.Left.begin(), window.Left.end());
+    target.Refused.insert(target.Refused.end(), window.Refused.begin(), window.Refused.end());
+    target.Refusals.merge(window.Refusals);
+    target.Columns.merge(window.Columns);
+    window = JoiningWindow();
+  }
+  return merged;
+}
+}
+
+struct BestFirstJoining::Parts
+{
+  explicit Parts(const ReflectionPicks& picks)
+    : Sets(picks)
+  {
+  }
+
+  SurfaceSets Sets;
+  bool AreSingle = true; // windows hold all sets
+  std::unordered_map<PointId, ColumnSet> Columns; // of large sets
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+BestFirstJoining::BestFirstJoining(const ReflectionPicks& picks, double windowPicks)
+  : Picks(picks)
+  , WindowPicks(windowPicks)
+  , Joined(std::make_unique<Parts>(picks))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BestFirstJoining::~BestFirstJoining() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
 void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rules, const Monitor& monitor)
 {
-  const PartFit fit(this->Picks, links, rules, this->Sets);
+  SurfaceSets& sets = this->Joined->Sets;
+  const PartFit fit(this->Picks, links, rules, sets);
   const int all = std::max(this->Picks.Columns[0], this->Picks.Columns[1]);
-  int side = std::exchange(this->AreSingle, false) ? this->FirstSide() : all;
-  std::vector<JoiningWindow> windows = this->MakeWindows(side);
+  int side = std::exchange(this->Joined->AreSingle, false) ? FirstSide(this->Picks, this->WindowPicks) : all;
+  std::vector<JoiningWindow> windows = MakeWindows(this->Picks.Columns, side);
+  assert(!rules.Correlate || windows.size() == 1); // it is for one thread
   constexpr double last = 0.6; // where the window of all columns begins, of the work
   double done = 0.0;
   while (windows.size() > 1)
@@ -34,60 +826,22 @@ void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rul
       {
         for (std::int64_t n = begin; n < end; ++n)
         {
-          JoinWindow(fit, this->Sets, windows[std::size_t(n)], Monitor());
+          WindowWorker(fit, sets, windows[n]).Run(Monitor());
         }
       });
     done = next;
     side = side < all / SideGrowth ? side * SideGrowth : all;
-    windows = this->MergeWindows(windows, side);
+    windows = MergeWindows(this->Picks.Columns, windows, side);
   }
-  windows.front().Columns.merge(this->Columns);
-  JoinWindow(fit, this->Sets, windows.front(), monitor.Step(last, 0.9));
-  JoinRefused(fit, this->Sets, windows.front(), monitor.Step(0.9, 1.0));
-  this->Columns = std::move(windows.front().Columns);
+  windows.front().Columns.merge(this->Joined->Columns);
+  WindowWorker(fit, sets, windows.front()).Run(monitor.Step(last, 0.9));
+  WindowWorker(fit, sets, windows.front()).TryRefused(monitor.Step(0.9, 1.0));
+  this->Joined->Columns = std::move(windows.front().Columns);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int BestFirstJoining::FirstSide() const
+RawVector<PointId> BestFirstJoining::TakeSurfaces()
 {
-  const double columns = double(this->Picks.Columns[0]) * double(this->Picks.Columns[1]);
-  const double perColumn = std::max(1.0, double(this->Picks.Size()) / columns);
-  return std::max(1, int(std::sqrt(this->WindowPicks / perColumn)));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<JoiningWindow> BestFirstJoining::MakeWindows(int side) const
-{
-  std::vector<JoiningWindow> windows;
-  for (int j = 0; j < this->Picks.Columns[1]; j += side)
-  {
-    for (int i = 0; i < this->Picks.Columns[0]; i += side)
-    {
-      windows.emplace_back();
-      windows.back().FirstI = i;
-      windows.back().EndI = std::min(i + side, this->Picks.Columns[0]);
-      windows.back().FirstJ = j;
-      windows.back().EndJ = std::min(j + side, this->Picks.Columns[1]);
-    }
-  }
-  return windows;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<JoiningWindow> BestFirstJoining::MergeWindows(std::vector<JoiningWindow>& windows, int side) const
-{
-  std::vector<JoiningWindow> merged = this->MakeWindows(side);
-  const int perRow = (this->Picks.Columns[0] + side - 1) / side;
-  for (JoiningWindow& window : windows)
-  {
-    JoiningWindow& target = merged[std::size_t(window.FirstJ / side * perRow + window.FirstI / side)];
-    target.IsFirst = false;
-    target.Left.insert(target.Left.end(), window.Left.begin(), window.Left.end());
-    target.Refused.insert(target.Refused.end(), window.Refused.begin(), window.Refused.end());
-    target.Refusals.merge(window.Refusals);
-    target.Columns.merge(window.Columns);
-    window = JoiningWindow();
-  }
-  return merged;
+  return this->Joined->Sets.TakeLabels();
 }
 }

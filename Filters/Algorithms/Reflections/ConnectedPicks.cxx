@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Threads join the picks of bands of rows, whose numbers are their own; then one joins the bands along their seams. The
-// least number of a set stands for it, in whatever order picks are joined.
+// Components of picks that are at most a step apart (thesis, 2.2.1), by union-find. Threads join the picks of bands of
+// rows, whose numbers are their own; then one joins the bands along their seams. The least number of a set stands for
+// it, in whatever order picks are joined.
 
-#include "ConnectedPicks.h"
+#include "SurfaceJoining.h"
 
 #include "Common/FixedChunks.h"
 
+#include <cassert>
 #include <numeric>
 
 namespace SeismicHorizons
@@ -34,72 +36,43 @@ public:
       {
         for (std::int64_t j = first; j < last; ++j)
         {
-          this->JoinRow(int(j), j + 1 < last);
+          this->JoinRow(int(j), 0, j + 1 < last ? this->Steps : 1);
         }
       });
     for (std::int64_t j = band; j < this->Picks.Columns[1]; j += band)
     {
-      this->JoinToNextRow(int(j - 1));
+      this->JoinRow(int(j - 1), 1, this->Steps);
     }
-    // Parents come before their children.
-    for (PointId& parent : this->Parents)
+    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
     {
-      parent = this->Parents[std::size_t(parent)];
+      PointId& parent = this->Parents[pick];
+      assert(parent <= pick);
+      parent = this->Parents[parent]; // which is a root already
     }
     return std::move(this->Parents);
   }
 
 private:
-  /// Joins the columns of a row, and with the next row where they are asked to.
-  void JoinRow(int j, bool withNext)
+  /// Joins the columns of a row along some of the steps; the first one stays in the row.
+  void JoinRow(int j, int firstStep, int endStep)
   {
-    for (int i = 0; i + 1 < this->Picks.Columns[0]; ++i)
+    for (int n = firstStep; n < endStep; ++n)
     {
-      this->JoinColumns(this->Picks.ColumnAt(i, j), this->Picks.ColumnAt(i + 1, j));
-    }
-    if (withNext)
-    {
-      this->JoinToNextRow(j);
-    }
-  }
-
-  void JoinToNextRow(int j)
-  {
-    for (int step = 1; step < this->Steps; ++step)
-    {
-      const int offset = NeighbourSteps[std::size_t(step)].I;
-      for (int i = std::max(0, -offset); i < this->Picks.Columns[0] - std::max(0, offset); ++i)
+      const ColumnStep& step = NeighbourSteps[n];
+      for (int i = std::max(0, -step.I); i < this->Picks.Columns[0] - std::max(0, step.I); ++i)
       {
-        this->JoinColumns(this->Picks.ColumnAt(i, j), this->Picks.ColumnAt(i + offset, j + 1));
-      }
-    }
-  }
-
-  void JoinColumns(std::int64_t columnA, std::int64_t columnB)
-  {
-    PointId low = this->Picks.Begin(columnB);
-    const PointId endB = this->Picks.End(columnB);
-    const PointId endA = this->Picks.End(columnA);
-    for (PointId a = this->Picks.Begin(columnA); a < endA; ++a)
-    {
-      const Depth place = this->Picks.PlaceOf(a);
-      while (low < endB && this->Picks.PlaceOf(low) < place - this->LargestStep)
-      {
-        ++low;
-      }
-      for (PointId b = low; b < endB && this->Picks.PlaceOf(b) <= place + this->LargestStep; ++b)
-      {
-        this->Join(a, b);
+        this->Picks.ForEachPair(this->Picks.ColumnAt(i, j), this->Picks.ColumnAt(i + step.I, j + step.J),
+          this->LargestStep, [this](PointId a, PointId b) { this->Join(a, b); });
       }
     }
   }
 
   PointId FindRoot(PointId pick)
   {
-    while (this->Parents[std::size_t(pick)] != pick)
+    while (this->Parents[pick] != pick)
     {
-      PointId& parent = this->Parents[std::size_t(pick)];
-      parent = this->Parents[std::size_t(parent)];
+      PointId& parent = this->Parents[pick];
+      parent = this->Parents[parent];
       pick = parent;
     }
     return pick;
@@ -109,7 +82,7 @@ private:
   {
     a = this->FindRoot(a);
     b = this->FindRoot(b);
-    this->Parents[std::size_t(std::max(a, b))] = std::min(a, b);
+    this->Parents[std::max(a, b)] = std::min(a, b);
   }
 
   const ReflectionPicks& Picks;

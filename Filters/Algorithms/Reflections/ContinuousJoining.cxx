@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces grow one after the other (Prim 1957): each from the strongest pick that is left, and over the best link that
+// leads from it to a pick in a column it does not have yet, until there is none. No link is ever refused for what
+// lies beyond it, so that strong events come out whole through places where parts would not fit.
 
-#include "ContinuousJoining.h"
+#include "SurfaceJoining.h"
 
 #include "Common/CountingSort.h"
 
+#include <cassert>
 #include <queue>
 #include <vector>
 
@@ -23,10 +28,10 @@ std::vector<PointId> SortByStrength(const ReflectionPicks& picks)
     sort.Count(keyOf(pick));
   }
   sort.EndCounting();
-  std::vector<PointId> sorted(std::size_t(picks.Size()));
+  std::vector<PointId> sorted(picks.Size());
   for (PointId pick = 0; pick < picks.Size(); ++pick)
   {
-    sorted[std::size_t(sort.NextPosition(keyOf(pick)))] = pick;
+    sorted[sort.NextPosition(keyOf(pick))] = pick;
   }
   return sorted;
 }
@@ -66,7 +71,7 @@ public:
       {
         monitor.Progress(double(n) / double(seeds.size()));
       }
-      if (this->Labels[std::size_t(seeds[n])] == NoPoint)
+      if (this->Labels[seeds[n]] == NoPoint)
       {
         this->Grow(seeds[n]);
       }
@@ -81,11 +86,12 @@ private:
     while (!this->Rim.empty())
     {
       const PointId pick = this->Rim.top().To;
+      assert(pick != NoPoint);
       this->Rim.pop();
-      PointId& last = this->LastInColumn[std::size_t(this->Columns[std::size_t(pick)])];
-      if (this->Labels[std::size_t(pick)] == NoPoint && last != seed)
+      PointId& last = this->LastInColumn[this->Columns[pick]];
+      if (this->Labels[pick] == NoPoint && last != seed)
       {
-        this->Labels[std::size_t(pick)] = seed;
+        this->Labels[pick] = seed;
         last = seed;
         this->AddRim(pick);
       }
@@ -105,7 +111,7 @@ private:
   /// Adds a link that begins in `from` and leads on to `to`, if that is free.
   void AddLink(PointId from, PointId to, int direction)
   {
-    if (to != NoPoint && this->Labels[std::size_t(to)] == NoPoint)
+    if (to != NoPoint && this->Labels[to] == NoPoint)
     {
       this->Rim.push({ float(this->Links.Score(from, direction)), to });
     }

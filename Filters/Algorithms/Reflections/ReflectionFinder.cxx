@@ -1,18 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Each row gives a list of all its reflections first. When the threshold is known, those that reach it are counted by
-// sign and column, and written to where they belong.
+// From traces to picks (thesis, 2.2.1), in three passes, each by all threads, row by row:
+//
+// 1. With the middle and a percentile, the threshold: it decides which samples belong to a run.
+// 2. The runs of each trace, and the reflections on them, weak ones included: a list for each row.
+// 3. The threshold of strengths, if it is a percentile. The reflections that reach it are the picks: counted by sign
+//    and column, which gives the dominant period too, and written to where they belong.
+//
+// Percentiles are exact, and take no copy of the numbers. As bits, positive floating point numbers have the order of
+// their values: all are counted by their upper 16 bits, and then those whose upper bits are the wanted ones by their
+// lower 16. So numbers are read twice.
 
 #include "ReflectionFinder.h"
 
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
-#include "MagnitudeSelection.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cassert>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -23,6 +30,211 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- A trace -------------------------------------------------------------------------------------------------------
+
+/// The samples from First to before End have one sign.
+struct Run
+{
+  int First = 0;
+  int End = 0;
+  float Sign = 1.0F;
+  float Mean = 0.0F;
+};
+
+class TraceScan
+{
+public:
+  TraceScan(const float* trace, int samples, const ReflectionRules& rules, std::vector<Reflection>& found)
+    : Trace(trace)
+    , Samples(samples)
+    , Rules(rules)
+    , Least(std::max(rules.SampleThreshold, std::numeric_limits<float>::denorm_min()))
+    , Found(found)
+  {
+  }
+
+  void Scan()
+  {
+    int sample = 0;
+    while (sample < this->Samples)
+    {
+      const float value = this->Trace[sample];
+      if (value >= this->Least)
+      {
+        sample = this->Take(sample, 1.0F);
+      }
+      else if (-value >= this->Least)
+      {
+        sample = this->Take(sample, -1.0F);
+      }
+      else
+      {
+        ++sample;
+      }
+    }
+  }
+
+private:
+  /// Adds the picks of the run that begins at a sample, and gives its end.
+  int Take(int first, float sign)
+  {
+    Run run{ first, first, sign, 0.0F };
+    double sum = 0.0;
+    while (run.End < this->Samples && sign * this->Trace[run.End] >= this->Least)
+    {
+      sum += this->Trace[run.End++];
+    }
+    const auto unwanted = sign > 0.0F ? ReflectionPolarity::Negative : ReflectionPolarity::Positive;
+    if (this->Rules.Polarity != unwanted)
+    {
+      run.Mean = float(sum / (run.End - run.First));
+      this->Rules.Position == ReflectionPosition::Middle ? this->AddMiddle(run) : this->AddPeaks(run);
+    }
+    return run.End;
+  }
+
+  void Add(const Run& run, Depth place, float strength)
+  {
+    this->Found.push_back({ place, run.End - run.First, run.Mean, strength });
+  }
+
+  void AddMiddle(const Run& run)
+  {
+    float strength = 0.0F;
+    for (int sample = run.First; sample < run.End; ++sample)
+    {
+      strength = std::max(strength, run.Sign * this->Trace[sample]);
+    }
+    this->Add(run, (run.First + run.End - 1) * (DepthsPerSample / 2), strength);
+  }
+
+  /// A pick for each sample, or row of equal ones, that is larger than those before and behind it in the run.
+  void AddPeaks(const Run& run)
+  {
+    bool isRising = true;
+    for (int first = run.First; first < run.End;)
+    {
+      const float strength = run.Sign * this->Trace[first];
+      int end = first + 1;
+      while (end < run.End && this->Trace[end] == this->Trace[first])
+      {
+        ++end;
+      }
+      const bool rises = end < run.End && run.Sign * this->Trace[end] > strength;
+      if (isRising && !rises)
+      {
+        const Depth middle = (first + end - 1) * (DepthsPerSample / 2);
+        this->Add(run, end == first + 1 ? middle + this->VertexOffset(first) : middle, strength);
+      }
+      isRising = rises;
+      first = end;
+    }
+  }
+
+  /// How far the vertex of the parabola through three samples is from the middle one, which is the largest.
+  Depth VertexOffset(int sample) const
+  {
+    if (sample == 0 || sample + 1 == this->Samples)
+    {
+      return 0;
+    }
+    const double before = this->Trace[sample - 1];
+    const double behind = this->Trace[sample + 1];
+    const double bend = before - 2.0 * this->Trace[sample] + behind;
+    const double offset = 0.5 * (before - behind) / bend * DepthsPerSample;
+    if (!std::isfinite(offset)) // beside a missing sample
+    {
+      return 0;
+    }
+    // Whatever rounding does, the sample stays the nearest one.
+    constexpr double half = DepthsPerSample / 2;
+    return Depth(std::clamp(std::floor(offset + 0.5), -half, half - 1.0));
+  }
+
+  const float* const Trace;
+  const int Samples;
+  const ReflectionRules& Rules;
+  const float Least;
+  std::vector<Reflection>& Found;
+};
+
+// ---- Percentiles ---------------------------------------------------------------------------------------------------
+
+/// Counts numbers that are at least 0 by their upper bits, or those with given upper bits by their lower ones.
+class MagnitudeCounts
+{
+public:
+  MagnitudeCounts() = default;
+  explicit MagnitudeCounts(std::uint32_t upper)
+    : Upper(upper)
+    , CountsLower(true)
+  {
+  }
+
+  void Add(float magnitude)
+  {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &magnitude, sizeof(bits));
+    if (!this->CountsLower)
+    {
+      ++this->Counts[bits >> 16];
+    }
+    else if (bits >> 16 == this->Upper)
+    {
+      ++this->Counts[bits & 0xFFFFU];
+    }
+  }
+
+  void Merge(const MagnitudeCounts& other)
+  {
+    std::transform(this->Counts.begin(), this->Counts.end(), other.Counts.begin(), this->Counts.begin(), std::plus<>());
+  }
+
+  std::int64_t Total() const { return std::accumulate(this->Counts.begin(), this->Counts.end(), std::int64_t(0)); }
+
+  /// The bits of the number that has `rank` smaller ones before it; `rank` becomes its rank among those of the same
+  /// bits.
+  std::uint32_t Find(std::int64_t& rank) const
+  {
+    assert(rank >= 0 && rank < this->Total());
+    std::uint32_t key = 0;
+    while (rank >= this->Counts[key])
+    {
+      rank -= this->Counts[key++];
+    }
+    return key;
+  }
+
+private:
+  std::uint32_t Upper = 0;
+  bool CountsLower = false;
+  std::vector<std::int64_t> Counts = std::vector<std::int64_t>(1 << 16, 0);
+};
+
+/// The smallest of some numbers that are at least 0 for which at least `percentile` percent of them are smaller, or the
+/// largest; 0 where there are none. `count(counts)` adds all of them to the counts; it is called twice.
+template <typename Count>
+float SelectPercentile(double percentile, Count&& count)
+{
+  MagnitudeCounts upperCounts;
+  count(upperCounts);
+  const std::int64_t total = upperCounts.Total();
+  if (total == 0)
+  {
+    return 0.0F;
+  }
+  std::int64_t rank = std::min(total - 1, std::int64_t(std::ceil(percentile / 100.0 * double(total))));
+  const std::uint32_t upper = upperCounts.Find(rank);
+  MagnitudeCounts lowerCounts(upper);
+  count(lowerCounts);
+  const std::uint32_t bits = upper << 16 | lowerCounts.Find(rank);
+  float magnitude = 0.0F;
+  std::memcpy(&magnitude, &bits, sizeof(bits));
+  return magnitude;
+}
+
+// ---- The cube ------------------------------------------------------------------------------------------------------
+
 // Of one sign: links between them are counted by 32 bits.
 constexpr std::int64_t MostPicks = std::int64_t(1) << 30;
 
@@ -62,13 +274,45 @@ void CheckSize(const std::array<int, 3>& size)
   }
 }
 
+bool IsWanted(const Found& found, bool isNegative, float threshold)
+{
+  return std::signbit(found.Strength) == isNegative && std::abs(found.Strength) >= threshold;
+}
+
+void AddEnergy(const Found& found, std::vector<double>& energies)
+{
+  assert(found.Thickness > 0);
+  if (std::size_t(found.Thickness) >= energies.size())
+  {
+    energies.resize(found.Thickness + 1, 0.0);
+  }
+  energies[found.Thickness] += double(found.Strength) * double(found.Strength);
+}
+
+/// Half of the energy is in runs of at most half the period.
+double FindPeriod(const std::vector<double>& energies)
+{
+  const double half = 0.5 * std::accumulate(energies.begin(), energies.end(), 0.0);
+  double before = 0.0;
+  for (std::size_t thickness = 0; thickness < energies.size(); ++thickness)
+  {
+    const double energy = energies[thickness];
+    if (before + energy >= half && energy > 0.0)
+    {
+      return 2.0 * (double(thickness) - 0.5 + (half - before) / energy);
+    }
+    before += energy;
+  }
+  return 0.0;
+}
+
 class Finder
 {
 public:
   Finder(const TraceCube& cube, const ReflectionOptions& options)
     : Cube(cube)
     , Options(options)
-    , Rows(std::size_t(cube.Size[1]))
+    , Rows(cube.Size[1])
   {
   }
 
@@ -104,7 +348,7 @@ public:
         this->Options.AmplitudePercentile, [this](MagnitudeCounts& counts) { this->CountStrengths(counts); });
     }
     std::vector<double> energies;
-    for (const std::size_t sign : { 0, 1 })
+    for (const int sign : { 0, 1 })
     {
       this->CountPicks(result.BySign[sign], sign == 1, result.Threshold, energies);
     }
@@ -193,8 +437,8 @@ private:
     this->ForEachRow(monitor,
       [&](int j, std::vector<float>& block)
       {
-        RowReflections& row = this->Rows[std::size_t(j)];
-        row.Ends.reserve(std::size_t(this->Cube.Size[0]));
+        RowReflections& row = this->Rows[j];
+        row.Ends.reserve(this->Cube.Size[0]);
         std::vector<Reflection> reflections;
         ForEachTrace(this->Cube, j, block,
           [&](int, const float* trace)
@@ -211,11 +455,6 @@ private:
       });
   }
 
-  static bool IsWanted(const Found& found, bool isNegative, float threshold)
-  {
-    return std::signbit(found.Strength) == isNegative && std::abs(found.Strength) >= threshold;
-  }
-
   /// Finds where the picks of one sign that reach the threshold begin, and adds their energies by thickness.
   void CountPicks(ReflectionPicks& picks, bool isNegative, float threshold, std::vector<double>& energies) const
   {
@@ -229,7 +468,7 @@ private:
         picks.Starts[column++] = PointId(total);
         for (; next < end; ++next)
         {
-          const Found& found = row.All[std::size_t(next)];
+          const Found& found = row.All[next];
           if (IsWanted(found, isNegative, threshold))
           {
             ++total;
@@ -244,8 +483,9 @@ private:
       }
     }
     picks.Starts[column] = PointId(total);
-    picks.Places.resize(std::size_t(total));
-    picks.Strengths.resize(std::size_t(total));
+    assert(column + 1 == picks.Starts.size());
+    picks.Places.resize(total);
+    picks.Strengths.resize(total);
   }
 
   /// Puts the picks of both signs together, and frees the rows.
@@ -256,56 +496,35 @@ private:
       {
         for (std::int64_t j = first; j < last; ++j)
         {
-          const RowReflections row = std::exchange(this->Rows[std::size_t(j)], RowReflections());
-          std::array<PointId, 2> next;
-          for (const std::size_t sign : { 0, 1 })
-          {
-            next[sign] = result.BySign[sign].Begin(result.BySign[sign].ColumnAt(0, int(j)));
-          }
+          const RowReflections row = std::exchange(this->Rows[j], RowReflections());
+          const std::int64_t column = result.BySign[0].ColumnAt(0, int(j));
+          std::array<PointId, 2> next = { result.BySign[0].Begin(column), result.BySign[1].Begin(column) };
           for (const Found& found : row.All)
           {
-            const std::size_t sign = std::signbit(found.Strength) ? 1 : 0;
+            const int sign = std::signbit(found.Strength) ? 1 : 0;
             if (IsWanted(found, sign == 1, result.Threshold))
             {
-              const auto pick = std::size_t(next[sign]++);
+              const PointId pick = next[sign]++;
               result.BySign[sign].Places[pick] = found.Place;
               result.BySign[sign].Strengths[pick] = CoarseStrength(std::abs(found.Strength));
             }
           }
+          assert(next[0] == result.BySign[0].End(column + this->Cube.Size[0] - 1));
+          assert(next[1] == result.BySign[1].End(column + this->Cube.Size[0] - 1));
         }
       });
-  }
-
-  static void AddEnergy(const Found& found, std::vector<double>& energies)
-  {
-    if (std::size_t(found.Thickness) >= energies.size())
-    {
-      energies.resize(std::size_t(found.Thickness) + 1, 0.0);
-    }
-    energies[std::size_t(found.Thickness)] += double(found.Strength) * double(found.Strength);
-  }
-
-  /// Half of the energy is in runs of at most half the period.
-  static double FindPeriod(const std::vector<double>& energies)
-  {
-    const double half = 0.5 * std::accumulate(energies.begin(), energies.end(), 0.0);
-    double before = 0.0;
-    for (std::size_t thickness = 0; thickness < energies.size(); ++thickness)
-    {
-      const double energy = energies[thickness];
-      if (before + energy >= half && energy > 0.0)
-      {
-        return 2.0 * (double(thickness) - 0.5 + (half - before) / energy);
-      }
-      before += energy;
-    }
-    return 0.0;
   }
 
   const TraceCube& Cube;
   const ReflectionOptions Options;
   std::vector<RowReflections> Rows;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FindReflections(const float* trace, int samples, const ReflectionRules& rules, std::vector<Reflection>& found)
+{
+  TraceScan(trace, samples, rules, found).Scan();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

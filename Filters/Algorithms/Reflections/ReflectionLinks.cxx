@@ -1,23 +1,231 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A thread holds the waveforms of two rows at a time, those between which it makes links. Each link is written by the
-// row it begins in, to places of its own.
+// Whether picks look alike is the correlation of their waveforms: of the traces around them, each cut out at its pick,
+// to parts of a sample (cubic convolution; Keys 1981), and scaled to the same energy. It is a sum of products of whole
+// numbers, which are the same in any order, and which compilers multiply eight at a time.
+//
+// Contacts: waveforms of both sides are added up as the whole numbers they are, and the sums correlated.
+//
+// Links: of the picks of two neighbouring columns, those are linked of which each is the best the other has there. A
+// thread holds the waveforms of two rows at a time, those between which it makes links. Each link is written by the row
+// it begins in, to places of its own.
 
 #include "ReflectionLinks.h"
 
 #include "Common/Parallel.h"
-#include "Waveforms.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// ---- Waveforms -----------------------------------------------------------------------------------------------------
+
+constexpr int Lanes = 8;
+
+// Zeros around a trace beyond the half width: samples that interpolation looks at.
+constexpr int Margin = 2;
+
+/// The weights of four samples for a place between the second and the third of them (cubic convolution; Keys 1981).
+std::array<float, 4> CubicWeights(float t)
+{
+  const float s = 1.0F - t;
+  return { -0.5F * t * s * s, 1.0F + t * t * (1.5F * t - 2.5F), 1.0F + s * s * (1.5F * s - 2.5F), -0.5F * s * t * t };
+}
+
+/// The sum of squares, added up in lanes, so that compilers may add several at a time.
+float Energy(const std::vector<float>& values)
+{
+  std::array<float, Lanes> sums = {};
+  for (std::size_t n = 0; n < values.size(); n += Lanes)
+  {
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
+    {
+      sums[lane] += values[n + lane] * values[n + lane];
+    }
+  }
+  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+/// Cuts waveforms out of a trace.
+class WaveformCutter
+{
+public:
+  static constexpr std::int32_t Length = 32000; // of a waveform as a vector
+
+  /// `halfWidth`: how many samples a waveform has before and behind its pick.
+  explicit WaveformCutter(int halfWidth)
+    : HalfWidth(halfWidth)
+    , ValuesPerWaveform((2 * halfWidth + 1 + Lanes - 1) / Lanes * Lanes)
+    , Shape(this->ValuesPerWaveform, 0.0F)
+  {
+  }
+
+  /// How many values a waveform has in memory: a multiple of 8, the last ones are 0.
+  int Width() const { return this->ValuesPerWaveform; }
+
+  /// Samples that are missing, or beyond the ends of the trace, are 0.
+  void SetTrace(const float* trace, int samples)
+  {
+    const int pad = this->HalfWidth + Margin;
+    // A waveform is cut out as wide as it lies in memory.
+    const std::size_t size = samples + pad + Margin + this->ValuesPerWaveform;
+    if (this->Padded.size() != size)
+    {
+      this->Padded.assign(size, 0.0F);
+    }
+    std::transform(
+      trace, trace + samples, this->Padded.begin() + pad, [](float value) { return value == value ? value : 0.0F; });
+  }
+
+  void CutOut(Depth place, std::int16_t* waveform)
+  {
+    const auto weights = CubicWeights(float(place % DepthsPerSample) / float(DepthsPerSample));
+    // The first value is half a width before the place, and interpolated between the second and third sample from here.
+    const int first = place / DepthsPerSample + Margin - 1;
+    assert(std::size_t(first + this->ValuesPerWaveform + 3) <= this->Padded.size());
+    const float* const samples = this->Padded.data() + first;
+    float* const shape = this->Shape.data();
+    for (int n = 0; n < this->ValuesPerWaveform; ++n)
+    {
+      shape[n] = (weights[0] * samples[n] + weights[1] * samples[n + 1]) +
+        (weights[2] * samples[n + 2] + weights[3] * samples[n + 3]);
+    }
+    std::fill(this->Shape.begin() + 2 * this->HalfWidth + 1, this->Shape.end(), 0.0F);
+    const float energy = Energy(this->Shape);
+    const float scale = energy > 0.0F ? float(Length) / std::sqrt(energy) : 0.0F;
+    for (int n = 0; n < this->ValuesPerWaveform; ++n)
+    {
+      waveform[n] = std::int16_t(std::int32_t(scale * shape[n]));
+    }
+  }
+
+private:
+  int HalfWidth;
+  int ValuesPerWaveform;
+  std::vector<float> Padded; // a trace between zeros
+  std::vector<float> Shape;
+};
+
+/// The waveforms of the picks of a row.
+class RowWaveforms
+{
+public:
+  explicit RowWaveforms(int halfWidth)
+    : Cutter(halfWidth)
+  {
+  }
+
+  /// Reads a row of the cube.
+  void Load(const TraceCube& cube, const ReflectionPicks& picks, int j)
+  {
+    const std::int64_t firstColumn = picks.ColumnAt(0, j);
+    this->First = picks.Begin(firstColumn);
+    const std::size_t size = picks.End(firstColumn + cube.Size[0] - 1) - this->First;
+    this->Values.resize(size * this->Cutter.Width());
+    std::int16_t* waveform = this->Values.data();
+    ForEachTrace(cube, j, this->Block,
+      [&](int i, const float* trace)
+      {
+        this->Cutter.SetTrace(trace, cube.Size[2]);
+        for (PointId pick = picks.Begin(firstColumn + i); pick < picks.End(firstColumn + i); ++pick)
+        {
+          this->Cutter.CutOut(picks.PlaceOf(pick), waveform);
+          waveform += this->Cutter.Width();
+        }
+      });
+  }
+
+  /// The correlation of two picks, each of its row, from -1 to 1, times One.
+  static std::int32_t Correlate(const RowWaveforms& rowA, PointId a, const RowWaveforms& rowB, PointId b)
+  {
+    const std::int16_t* const first = rowA.WaveformOf(a);
+    const std::int16_t* const second = rowB.WaveformOf(b);
+    std::int32_t sum = 0;
+    const int width = rowA.Cutter.Width();
+    for (int n = 0; n < width; ++n)
+    {
+      sum += std::int32_t(first[n]) * std::int32_t(second[n]);
+    }
+    return sum;
+  }
+
+  static constexpr std::int32_t One = WaveformCutter::Length * WaveformCutter::Length;
+
+private:
+  const std::int16_t* WaveformOf(PointId pick) const
+  {
+    assert(pick >= this->First);
+    return this->Values.data() + std::size_t(pick - this->First) * this->Cutter.Width();
+  }
+
+  WaveformCutter Cutter;
+  PointId First = 0; // pick of the row
+  std::vector<std::int16_t> Values;
+  std::vector<float> Block;
+};
+
+// ---- Contacts ------------------------------------------------------------------------------------------------------
+
+class ContactWaveforms
+{
+public:
+  ContactWaveforms(const TraceCube& cube, const ReflectionPicks& picks, int halfWidth)
+    : Cube(cube)
+    , Picks(picks)
+    , Cutter(halfWidth)
+    , Trace(cube.Size[2])
+    , Waveform(this->Cutter.Width())
+  {
+  }
+
+  double Correlate(std::vector<Edge> pairs)
+  {
+    constexpr std::size_t enough = 64;
+    std::sort(pairs.begin(), pairs.end(),
+      [](const Edge& a, const Edge& b) { return std::tie(a.From, a.To) < std::tie(b.From, b.To); });
+    std::vector<std::int32_t> from(this->Waveform.size(), 0);
+    std::vector<std::int32_t> to(this->Waveform.size(), 0);
+    const std::size_t step = std::max<std::size_t>(1, pairs.size() / enough);
+    for (std::size_t n = 0; n < pairs.size(); n += step)
+    {
+      this->AddWaveform(pairs[n].From, from);
+      this->AddWaveform(pairs[n].To, to);
+    }
+    const auto product = [](const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b)
+    { return double(std::inner_product(a.begin(), a.end(), b.begin(), std::int64_t(0), std::plus<>(), Multiply)); };
+    const double norm = std::sqrt(product(from, from) * product(to, to));
+    return norm > 0.0 ? product(from, to) / norm : 0.0;
+  }
+
+private:
+  static std::int64_t Multiply(std::int64_t x, std::int64_t y) { return x * y; }
+
+  void AddWaveform(PointId pick, std::vector<std::int32_t>& sum)
+  {
+    const std::int32_t column = this->Picks.ColumnOf(pick);
+    this->Cube.Read(this->Picks.JOf(column), this->Picks.IOf(column), 1, this->Trace.data());
+    this->Cutter.SetTrace(this->Trace.data(), this->Cube.Size[2]);
+    this->Cutter.CutOut(this->Picks.PlaceOf(pick), this->Waveform.data());
+    std::transform(sum.begin(), sum.end(), this->Waveform.begin(), sum.begin(), std::plus<>());
+  }
+
+  const TraceCube& Cube;
+  const ReflectionPicks& Picks;
+  WaveformCutter Cutter;
+  std::vector<float> Trace;
+  std::vector<std::int16_t> Waveform;
+};
+
+// ---- Links ---------------------------------------------------------------------------------------------------------
+
 constexpr double ScorePerSample = 0.05;
 
 // Of the strengths of two linked picks: the smaller one is at least that part of the other. Beside the end of a strong
@@ -46,8 +254,7 @@ void Consider(Best& best, PointId pick, double score, std::int32_t correlation)
 }
 }
 
-// ---- One thread
-// ------------------------------------------------------------------------------------------------------
+/// Makes the links that begin in some rows.
 class ReflectionLinks::RowLinker
 {
 public:
@@ -60,7 +267,6 @@ public:
   {
   }
 
-  /// Makes the links that begin in these rows.
   void Run(int firstRow, int lastRow)
   {
     this->Row.Load(this->Cube, this->Links.Picks, firstRow);
@@ -81,7 +287,7 @@ public:
 private:
   void LinkRow(int j, int direction)
   {
-    const ColumnStep& step = NeighbourSteps[std::size_t(direction)];
+    const ColumnStep& step = NeighbourSteps[direction];
     if (j + step.J >= this->Cube.Size[1])
     {
       return;
@@ -102,25 +308,18 @@ private:
   {
     const ReflectionPicks& picks = this->Links.Picks;
     const PointId beginA = picks.Begin(columnA);
-    PointId low = picks.Begin(columnB);
-    const PointId beginB = low;
-    this->OfA.assign(std::size_t(picks.End(columnA) - beginA), Best());
-    this->OfB.assign(std::size_t(picks.End(columnB) - beginB), Best());
-    for (PointId a = beginA; a < picks.End(columnA); ++a)
-    {
-      const Depth place = picks.PlaceOf(a);
-      while (low < picks.End(columnB) && picks.PlaceOf(low) < place - this->LargestStep)
-      {
-        ++low;
-      }
-      for (PointId b = low; b < picks.End(columnB) && picks.PlaceOf(b) <= place + this->LargestStep; ++b)
+    const PointId beginB = picks.Begin(columnB);
+    this->OfA.assign(picks.End(columnA) - beginA, Best());
+    this->OfB.assign(picks.End(columnB) - beginB, Best());
+    picks.ForEachPair(columnA, columnB, this->LargestStep,
+      [&](PointId a, PointId b)
       {
         const std::int32_t correlation = RowWaveforms::Correlate(this->Row, a, other, b);
-        const double score = ScoreOf(double(correlation) / RowWaveforms::One, std::abs(picks.PlaceOf(b) - place));
-        Consider(this->OfA[std::size_t(a - beginA)], b, score, correlation);
-        Consider(this->OfB[std::size_t(b - beginB)], a, score, correlation);
-      }
-    }
+        const Depth step = std::abs(picks.PlaceOf(b) - picks.PlaceOf(a));
+        const double score = ScoreOf(double(correlation) / RowWaveforms::One, step);
+        Consider(this->OfA[a - beginA], b, score, correlation);
+        Consider(this->OfB[b - beginB], a, score, correlation);
+      });
   }
 
   void WriteMutual(std::int64_t columnA, std::int64_t columnB, int direction)
@@ -130,11 +329,11 @@ private:
     PointId a = picks.Begin(columnA);
     for (const Best& best : this->OfA)
     {
-      if (best.Pick != NoPoint && this->OfB[std::size_t(best.Pick - beginB)].Pick == a)
+      if (best.Pick != NoPoint && this->OfB[best.Pick - beginB].Pick == a)
       {
         this->Links.Partners[this->Links.PlaceOf(a, direction)] = best.Pick;
         this->Links.Partners[this->Links.PlaceOf(best.Pick, direction) + 1] = a;
-        this->Links.Correlations[std::size_t(direction)][std::size_t(a)] =
+        this->Links.Correlations[direction][a] =
           std::int16_t(std::lround(double(best.Correlation) / RowWaveforms::One * LargestRounded));
       }
       ++a;
@@ -150,8 +349,7 @@ private:
   std::vector<Best> OfB;
 };
 
-// ---- All links
-// -------------------------------------------------------------------------------------------------------
+//----------------------------------------------------------------------------------------------------------------------
 ReflectionLinks::ReflectionLinks(
   const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options, const Monitor& monitor)
   : Picks(picks)
@@ -180,13 +378,7 @@ double ReflectionLinks::Score(PointId pick, int direction) const
 std::int64_t ReflectionLinks::Size() const
 {
   std::int64_t size = 0;
-  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
-  {
-    for (int direction = 0; direction < this->Directions(); ++direction)
-    {
-      size += this->Next(pick, direction) != NoPoint ? 1 : 0;
-    }
-  }
+  this->ForEach([&size](PointId, int) { ++size; });
   return size;
 }
 
@@ -196,25 +388,20 @@ double ReflectionLinks::MedianCorrelation() const
   constexpr int keys = 1 << 16;
   std::vector<std::int64_t> counts(keys, 0);
   std::int64_t total = 0;
-  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
-  {
-    for (int direction = 0; direction < this->Directions(); ++direction)
+  this->ForEach(
+    [&](PointId pick, int direction)
     {
-      if (this->Next(pick, direction) != NoPoint)
-      {
-        ++counts[std::size_t(this->Rounded(pick, direction) + keys / 2)];
-        ++total;
-      }
-    }
-  }
+      ++counts[this->Rounded(pick, direction) + keys / 2];
+      ++total;
+    });
   if (total == 0)
   {
     return 0.0;
   }
   int key = 0;
-  for (std::int64_t rank = total / 2; rank >= counts[std::size_t(key)]; ++key)
+  for (std::int64_t rank = total / 2; rank >= counts[key]; ++key)
   {
-    rank -= counts[std::size_t(key)];
+    rank -= counts[key];
   }
   return (key - keys / 2) / LargestRounded;
 }
@@ -231,18 +418,17 @@ bool ReflectionLinks::AreOfLikeStrength(PointId a, PointId b) const
 void ReflectionLinks::Drop(double smallestCorrelation)
 {
   const auto smallest = std::int32_t(std::ceil(smallestCorrelation * LargestRounded));
-  for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
-  {
-    for (int direction = 0; direction < this->Directions(); ++direction)
+  this->ForEach(
+    [&](PointId pick, int direction)
     {
       PointId& next = this->Partners[this->PlaceOf(pick, direction)];
-      if (next != NoPoint && (this->Rounded(pick, direction) < smallest || !this->AreOfLikeStrength(pick, next)))
+      assert(this->Previous(next, direction) == pick);
+      if (this->Rounded(pick, direction) < smallest || !this->AreOfLikeStrength(pick, next))
       {
         this->Partners[this->PlaceOf(next, direction) + 1] = NoPoint;
         next = NoPoint;
       }
-    }
-  }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -251,5 +437,11 @@ std::int64_t ReflectionLinks::Rank(PointId pick, int direction) const
   constexpr double ranks = 1 << 16; // of 2e-5 each, from a score of 1 down to -0.31; what is below comes last
   constexpr double perRank = 2e-5;
   return std::int64_t(std::clamp((1.0 - this->Score(pick, direction)) / perRank, 0.0, ranks - 1.0));
+}
+//----------------------------------------------------------------------------------------------------------------------
+ContactCorrelation MakeContactCorrelation(const TraceCube& cube, const ReflectionPicks& picks, int halfWidth)
+{
+  return [contact = ContactWaveforms(cube, picks, halfWidth)](std::vector<Edge> pairs) mutable
+  { return contact.Correlate(std::move(pairs)); };
 }
 }

@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Links between picks of neighbouring columns that look alike: pairs of which each is the best the other has there.
+// Links between picks of neighbouring columns that look alike: pairs of which each is the best the other has there. And
+// how much alike two parts of surfaces look.
 
 #ifndef SeismicHorizonsReflectionLinks_h
 #define SeismicHorizonsReflectionLinks_h
 
 #include "Common/Monitor.h"
 #include "Common/RawVector.h"
-#include "Reflection.h"
+#include "ReflectionFinder.h"
 #include "TraceCube.h"
 
 #include <array>
+#include <cassert>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -57,6 +60,22 @@ public:
   PointId Next(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction)]; }
   PointId Previous(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction) + 1]; }
 
+  /// Calls visit(pick, direction) for all links, in the order of their numbers.
+  template <typename Visit>
+  void ForEach(Visit&& visit) const
+  {
+    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
+    {
+      for (int direction = 0; direction < this->Directions(); ++direction)
+      {
+        if (this->Next(pick, direction) != NoPoint)
+        {
+          visit(pick, direction);
+        }
+      }
+    }
+  }
+
   /// The correlation of a link, -1 to 1.
   double Correlation(PointId pick, int direction) const { return this->Rounded(pick, direction) / LargestRounded; }
 
@@ -68,6 +87,7 @@ public:
 
   LinkId MakeId(PointId pick, int direction) const
   {
+    assert(direction < this->Directions());
     return LinkId(pick) * LinkId(this->Directions()) + LinkId(direction);
   }
   PointId PickOf(LinkId link) const { return PointId(link / LinkId(this->Directions())); }
@@ -82,16 +102,13 @@ public:
 private:
   // Correlations are kept in 16 bits.
   static constexpr double LargestRounded = 32767.0;
-  std::int16_t Rounded(PointId pick, int direction) const
-  {
-    return this->Correlations[std::size_t(direction)][std::size_t(pick)];
-  }
+  std::int16_t Rounded(PointId pick, int direction) const { return this->Correlations[direction][pick]; }
 
   bool AreOfLikeStrength(PointId a, PointId b) const;
 
   std::size_t PlaceOf(PointId pick, int direction) const
   {
-    return 2 * (std::size_t(pick) * this->Correlations.size() + std::size_t(direction));
+    return 2 * (std::size_t(pick) * this->Correlations.size() + direction);
   }
 
   class RowLinker;
@@ -100,6 +117,13 @@ private:
   RawVector<PointId> Partners; // by pick, then by direction: along the step, and against it
   std::vector<RawVector<std::int16_t>> Correlations; // by direction, then by pick
 };
+
+/// How much alike two parts look along their contact, -1 to 1: the correlation of the mean waveform of the picks that
+/// the pairs come from with that of the picks they lead to. Noise cancels out in means.
+using ContactCorrelation = std::function<double(std::vector<Edge> pairs)>;
+
+/// Of about 64 of the pairs, spread over all of them. For one thread.
+ContactCorrelation MakeContactCorrelation(const TraceCube& cube, const ReflectionPicks& picks, int halfWidth);
 }
 
 #endif

@@ -4,7 +4,6 @@
 #include "SeamChains.h"
 
 #include "BoundarySimplification/FewestPoints.h"
-#include "BoundarySimplification/SpanningEdge.h"
 #include "Common/SpacePoints.h"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ constexpr unsigned char Stays = 2;
 class Seam
 {
 public:
-  Seam(const std::vector<PlanePoint>& columns, std::int32_t row, bool isUpper, const BoundaryOptions& options)
+  Seam(PlanePoints columns, std::int32_t row, bool isUpper, const BoundaryOptions& options)
     : Columns(columns)
     , IsUpper(isUpper)
     , Radius(options.Radius)
@@ -40,7 +39,7 @@ public:
     std::sort(this->Points.begin(), this->Points.end(), [&](PointId a, PointId b) { return this->X(a) < this->X(b); });
     for (std::size_t n = 0; n < this->Points.size(); ++n)
     {
-      this->Number[std::size_t(this->Points[n])] = std::int32_t(n);
+      this->Number[this->Points[n]] = std::int32_t(n);
     }
     this->IsKept.assign(this->Points.size(), 0);
     this->IsNode.assign(this->Points.size(), 0);
@@ -54,11 +53,12 @@ public:
     for (const PointId point : this->Points)
     {
       places.push_back({ this->X(point), 0 });
-      heights.push_back(height[std::size_t(point)]);
+      heights.push_back(height[point]);
     }
     const std::vector<unsigned char> visits(places.size(), Stays);
     const SpacePoints points(places, heights, 1);
-    FewestPoints fewest(points, visits, 0.0, heightTolerance, []() {});
+    const ColumnIndex index(places);
+    FewestPoints fewest(points, index, visits, 0.0, heightTolerance, []() {});
     for (std::size_t from = 0; from < this->Points.size();)
     {
       std::size_t to = from + 1;
@@ -81,28 +81,28 @@ public:
   {
     for (std::size_t n = 0; n < length; ++n)
     {
-      const std::int32_t before = this->Number[std::size_t(loop[(n + length - 1) % length])];
-      const std::int32_t here = this->Number[std::size_t(loop[n])];
-      const std::int32_t after = this->Number[std::size_t(loop[(n + 1) % length])];
+      const std::int32_t before = this->Number[loop[(n + length - 1) % length]];
+      const std::int32_t here = this->Number[loop[n]];
+      const std::int32_t after = this->Number[loop[(n + 1) % length]];
       if (here != NotOnSeam && (before == NotOnSeam || after == NotOnSeam || after - here != here - before))
       {
-        this->IsKept[std::size_t(here)] = 1;
+        this->IsKept[here] = 1;
       }
       // Along the other side loops go to the right on an upper seam, and to the left on a lower one.
       const bool isInside = here != NotOnSeam && after != NotOnSeam && after - here == (this->IsUpper ? -1 : 1);
       if (isInside && this->StepTo(std::size_t(std::max(here, after))) > this->Radius)
       {
-        this->IsKept[std::size_t(here)] = 1;
-        this->IsKept[std::size_t(after)] = 1;
-        this->OpenGaps.push_back(this->Points[std::size_t(std::min(here, after))]);
+        this->IsKept[here] = 1;
+        this->IsKept[after] = 1;
+        this->OpenGaps.push_back(this->Points[std::min(here, after)]);
       }
     }
   }
 
   bool IsDropped(PointId point) const
   {
-    const std::int32_t number = this->Number[std::size_t(point)];
-    return number != NotOnSeam && this->IsKept[std::size_t(number)] == 0;
+    const std::int32_t number = this->Number[point];
+    return number != NotOnSeam && this->IsKept[number] == 0;
   }
 
   void Write(const std::vector<double>& height, SeamChains& result) const
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  std::int32_t X(PointId point) const { return this->Columns[std::size_t(point)].X; }
+  std::int32_t X(PointId point) const { return this->Columns[point].X; }
   std::int32_t StepTo(std::size_t n) const { return this->X(this->Points[n]) - this->X(this->Points[n - 1]); }
 
   /// The nearest points beside one that are marked. The ends of a seam are.
@@ -153,7 +153,7 @@ private:
     const auto place = [&](std::size_t number)
     {
       const PointId point = this->Points[number];
-      return Eigen::Vector3d(double(this->X(point)), 0.0, height[std::size_t(point)]);
+      return Eigen::Vector3d(double(this->X(point)), 0.0, height[point]);
     };
     const Eigen::Vector3d left = place(this->Before(n, this->IsNode));
     const Eigen::Vector3d right = place(this->After(n, this->IsNode));
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  const std::vector<PlanePoint>& Columns;
+  const PlanePoints Columns;
   const bool IsUpper;
   const std::int32_t Radius;
   const std::int32_t LongestEdge;
@@ -179,8 +179,8 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SeamChains SimplifySeams(const std::vector<PlanePoint>& columns, const std::vector<double>& height,
-  const Loops& boundary, const BoundaryOptions& options, double heightTolerance)
+SeamChains SimplifySeams(PlanePoints columns, const std::vector<double>& height, const Loops& boundary,
+  const BoundaryOptions& options, double heightTolerance)
 {
   std::vector<Seam> seams;
   for (const bool isUpper : { false, true })

@@ -45,8 +45,8 @@ struct SeamChains
 };
 
 /// Of a boundary with seams that was found for `options`; `columns` and `height` are those of all points it numbers.
-SeamChains SimplifySeams(const std::vector<PlanePoint>& columns, const std::vector<double>& height,
-  const Loops& boundary, const BoundaryOptions& options, double heightTolerance);
+SeamChains SimplifySeams(PlanePoints columns, const std::vector<double>& height, const Loops& boundary,
+  const BoundaryOptions& options, double heightTolerance);
 }
 
 #endif

@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: the gaps between points, for the radius; the search for the error of a number of triangles; and the
+// three methods one after the other.
 
 #include "Surface.h"
 
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "Common/BoundedHorizon.h"
+#include "Common/CountingSort.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
-#include "ErrorSearch.h"
-#include "GapHistogram.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -19,19 +22,193 @@ namespace SeismicHorizons
 {
 namespace
 {
-void CheckColumns(const SurfacePoints& points)
+constexpr double SpannedShare = 0.95; // of the steps along either axis
+
+using Lines = ItemLists<std::int32_t, std::uint32_t>; // coordinates along each line of the lattice
+
+/// The same points by lines across, in the order of the lines they came by.
+Lines Turn(const Lines& lines, std::int64_t size, std::int64_t across)
 {
-  for (std::size_t n = 0; n < points.Plane.size(); ++n)
-  {
-    const PlanePoint column = points.Columns[n];
-    const PlanePoint exact = { column.X * points.SubVoxelsPerColumn, column.Y * points.SubVoxelsPerColumn };
-    if (points.Plane[n] != exact)
+  return Lines(across,
+    [&](auto&& add)
     {
-      throw InputError("point " + std::to_string(n) + " stands beside its column, expected whole columns");
-    }
-  }
+      for (std::int64_t line = 0; line < size; ++line)
+      {
+        std::for_each(lines.begin(line), lines.end(line), [&](std::int32_t place) { add(place, std::int32_t(line)); });
+      }
+    });
 }
 
+/// Of lines whose points are in order.
+GapHistogram CountSteps(const Lines& lines, std::int64_t size)
+{
+  GapHistogram steps = {};
+  for (std::int64_t line = 0; line < size; ++line)
+  {
+    for (const std::int32_t* place = lines.begin(line); place < lines.end(line) - 1; ++place)
+    {
+      ++steps[std::min(place[1] - place[0], LargestRadius + 1)];
+    }
+  }
+  return steps;
+}
+
+GapHistograms Count(PlanePoints columns)
+{
+  const PlaneBox box(columns);
+  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
+  const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
+  const Lines unordered(width,
+    [&](auto&& add)
+    {
+      for (const PlanePoint& column : columns)
+      {
+        add(column.X - box.Least.X, column.Y - box.Least.Y);
+      }
+    });
+  const Lines rows = Turn(unordered, width, height);
+  return { CountSteps(rows, height), CountSteps(Turn(rows, height, width), width) };
+}
+
+int LeastSpanning(const GapHistogram& steps)
+{
+  const std::int64_t all = std::accumulate(steps.begin(), steps.end(), std::int64_t(0));
+  int radius = 1;
+  std::int64_t spanned = steps[0] + steps[1];
+  while (radius < LargestRadius && double(spanned) < SpannedShare * double(all))
+  {
+    spanned += steps[++radius];
+  }
+  return radius;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GapHistograms CountGaps(PlanePoints columns)
+{
+  if (columns.empty())
+  {
+    return {};
+  }
+  return AreScattered(columns) ? Count(NarrowEmptyBands(columns, LargestRadius)) : Count(columns);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int ChooseRadius(PlanePoints columns)
+{
+  const GapHistograms gaps = CountGaps(columns);
+  return std::max(LeastSpanning(gaps.AlongRows), LeastSpanning(gaps.AlongColumns));
+}
+
+namespace
+{
+constexpr double FirstError = 0.75;
+constexpr double Power = 1.5; // the number of triangles is as the error to the power of minus this
+// How far a first guess goes beyond where that leads, as a factor of the error: it is to come out on the other side.
+constexpr double Beyond = 1.3;
+// The search ends with so much of the number, or when its ends are so near to each other, as a factor.
+constexpr double EnoughOfNumber = 0.97;
+constexpr double NearEnough = 1.02;
+// Secants keep so far away from their ends, as a part of the way: the line is not quite straight.
+constexpr double KeptAway = 0.1;
+
+/// Logarithms of an error, and of the part that its triangles are of the number.
+struct Sample
+{
+  bool IsKnown = false;
+  double Error = 0.0;
+  double Part = 0.0;
+};
+
+class Search
+{
+public:
+  Search(std::size_t most, double largest)
+    : Most(double(most))
+    , Least(std::log(SmallestSearchedError))
+    , Largest(std::max(std::log(largest), this->Least))
+    , Next(std::clamp(std::log(FirstError), this->Least, this->Largest))
+  {
+  }
+
+  double NextError() const { return std::exp(this->Next); }
+
+  /// What the next error gives.
+  void Add(std::size_t triangles)
+  {
+    const bool isFirst = !this->Fine.IsKnown && !this->Coarse.IsKnown;
+    const double part = std::log(double(std::max<std::size_t>(triangles, 1)) / this->Most);
+    (part > 0.0 ? this->Fine : this->Coarse) = { true, this->Next, part };
+    if (this->Fine.IsKnown && this->Coarse.IsKnown)
+    {
+      this->Next = this->Secant();
+    }
+    else if (isFirst)
+    {
+      const double beyond = part > 0.0 ? std::log(Beyond) : -std::log(Beyond);
+      this->Next = std::clamp(this->Next + part / Power + beyond, this->Least, this->Largest);
+    }
+    else
+    {
+      this->Next = this->Fine.IsKnown ? this->Largest : this->Least;
+    }
+  }
+
+  bool IsDone() const
+  {
+    if (!this->Coarse.IsKnown)
+    {
+      return this->Fine.IsKnown && this->Fine.Error == this->Largest;
+    }
+    return this->Coarse.Part >= std::log(EnoughOfNumber) || this->Coarse.Error == this->Least ||
+      (this->Fine.IsKnown && this->Coarse.Error - this->Fine.Error <= std::log(NearEnough));
+  }
+
+  bool HasFound() const { return this->Coarse.IsKnown; }
+  double Found() const { return std::exp(this->Coarse.Error); }
+
+private:
+  double Secant() const
+  {
+    const double way = this->Fine.Part / (this->Fine.Part - this->Coarse.Part);
+    return this->Fine.Error + std::clamp(way, KeptAway, 1.0 - KeptAway) * (this->Coarse.Error - this->Fine.Error);
+  }
+
+  const double Most;
+  const double Least;
+  const double Largest;
+  double Next;
+  Sample Fine; // the largest error that gave more triangles than the number
+  Sample Coarse; // the least one that did not
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+InputError TooFewTriangles(std::size_t most, std::size_t least)
+{
+  return InputError("maximum number of triangles " + std::to_string(most) + ", expected at least the " +
+    std::to_string(least) + " that the outlines alone take");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double FindErrorForTriangles(std::size_t most, double largest, const TriangleCounter& count)
+{
+  Search search(most, largest);
+  std::size_t triangles = 0;
+  for (int run = 0; run < MostSearchRuns && !search.IsDone(); ++run)
+  {
+    triangles = count(search.NextError());
+    search.Add(triangles);
+  }
+  if (!search.HasFound())
+  {
+    throw TooFewTriangles(most, triangles);
+  }
+  return search.Found();
+}
+
+namespace
+{
 /// Runs the methods one after the other; a boundary is found again only when its holes change.
 class SurfaceMaker
 {
@@ -40,7 +217,6 @@ public:
     : Points(std::move(points))
     , Options(options)
   {
-    this->Points.Plane = std::vector<PlanePoint>();
     this->Result.Parameters.Radius = options.Radius ? *options.Radius : ChooseRadius(this->Points.Columns);
   }
 
@@ -115,32 +291,30 @@ private:
   }
 
   /// Of the points that have a patch.
-  std::vector<PlanePoint>& Columns() { return this->Result.Kept.AreAll() ? this->Points.Columns : this->KeptColumns; }
+  PlanePoints Columns() const
+  {
+    return this->Result.Kept.AreAll() ? this->Points.Columns : PlanePoints(this->KeptColumns);
+  }
   std::vector<double>& Height() { return this->Result.Kept.AreAll() ? this->Points.Height : this->KeptHeight; }
 
   /// The horizon within its simplified outlines, to be decimated. Points that were dropped from these are without
   /// patch.
-  BoundedHorizon MakeHorizon(std::vector<PlanePoint> columns, std::vector<double> height) const
+  BoundedHorizon MakeHorizon(std::vector<double> height) const
   {
     BoundedHorizon horizon;
-    horizon.SubVoxelsPerColumn = this->Points.SubVoxelsPerColumn;
-    horizon.Plane = std::move(columns);
-    for (PlanePoint& place : horizon.Plane)
-    {
-      place = { place.X * horizon.SubVoxelsPerColumn, place.Y * horizon.SubVoxelsPerColumn };
-    }
+    horizon.Plane.assign(this->Columns().begin(), this->Columns().end());
     horizon.Height = std::move(height);
     horizon.Patch = this->Result.Boundary.Patch;
     for (const DroppedPoint& dropped : this->Dropped)
     {
-      horizon.Patch[std::size_t(dropped.Point)] = NoPatch;
+      horizon.Patch[dropped.Point] = NoPatch;
     }
     horizon.Boundary = this->Outlines;
     return horizon;
   }
 
-  BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Columns(), this->Height()); }
-  BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Columns()), std::move(this->Height())); }
+  BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Height()); }
+  BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Height())); }
 
   /// Seams first, then what is left of the loops.
   BoundarySimplification SimplifyLoops(const Monitor& monitor)
@@ -153,6 +327,7 @@ private:
     const auto simplify = [&](const Loops& loops)
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.EndsOfMouths();
+    options.Index = this->Result.Kept.AreAll() ? &*this->Index : nullptr;
     if (!HasSeams(this->Options.Seams))
     {
       return simplify(this->Result.Boundary.Boundary);
@@ -161,7 +336,7 @@ private:
       this->BoundaryParameters, parameters.DistanceThreshold);
     for (const SeamPin& pin : seams.Pins)
     {
-      this->Height()[std::size_t(pin.Point)] = pin.Height;
+      this->Height()[pin.Point] = pin.Height;
     }
     options.Fixed = std::move(seams.Kept);
     BoundarySimplification simplified = simplify(seams.Boundary);
@@ -194,7 +369,11 @@ private:
     options.Seams = this->Options.Seams;
     options.Seams.LongestEdge = ChooseLongestSeamEdge(options.SmallestHoleSize);
     this->BoundaryParameters = options;
-    this->Result.Boundary = FindExteriorBoundary(this->Points.Columns, options, monitor);
+    if (!this->Index)
+    {
+      this->Index.emplace(IndexForBoundary(this->Points.Columns, options));
+    }
+    this->Result.Boundary = FindExteriorBoundary(this->Points.Columns, *this->Index, options, monitor);
     this->Result.Kept = DropPointsWithoutPatch(this->Result.Boundary);
     if (!this->Result.Kept.AreAll())
     {
@@ -225,11 +404,12 @@ private:
       options.MaximumError = parameters.MaximumError;
     }
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
+    this->Index.reset(); // memory that the mesh can use
     this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
     std::vector<PointId>& target = this->Result.Mesh.Points.Target;
     for (const DroppedPoint& dropped : this->Dropped)
     {
-      target[std::size_t(dropped.Point)] = target[std::size_t(dropped.Target)];
+      target[dropped.Point] = target[dropped.Target];
     }
   }
 
@@ -254,6 +434,7 @@ private:
   SurfacePoints Points; // moved away by the last run
   const SurfaceOptions& Options;
   Surface Result;
+  std::optional<ColumnIndex> Index; // of all points
   bool HasBoundary = false;
   BoundaryOptions BoundaryParameters; // with which it was found
   std::vector<PlanePoint> KeptColumns; // of the points that have a patch, where some have none
@@ -292,7 +473,6 @@ Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const M
   }
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   CheckAtLeast("distance threshold", options.DistanceThreshold.value_or(0.0), 0.0, " lattice units");
-  CheckColumns(points);
   return SurfaceMaker(std::move(points), options).Run(monitor);
 }
 }

@@ -18,14 +18,17 @@
 #define SeismicHorizonsSurface_h
 
 #include "Boundary/ExteriorBoundary.h"
+#include "Common/Errors.h"
 #include "Common/KeptPoints.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 #include "Decimation/Decimation.h"
 #include "SeamChains.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -68,10 +71,8 @@ struct SurfaceParameters
 
 struct SurfacePoints
 {
-  std::vector<PlanePoint> Columns;
-  std::vector<PlanePoint> Plane; // in sub-voxels, which have to be those of the columns; empty: they are
+  PlanePoints Columns;
   std::vector<double> Height; // lattice units
-  std::int32_t SubVoxelsPerColumn = 1;
 };
 
 struct Surface
@@ -103,6 +104,52 @@ int ChooseLongestSeamEdge(std::int64_t smallestHoleSize);
 
 /// The columns of the smallest hole that is left open.
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);
+
+// How far apart the points of a horizon are, and the radius of its boundary that follows.
+//
+//     a row of the lattice     #  #  #  .  #  .  .  #
+//     its steps                 1  1   2      3
+
+/// How many steps of each length lead from a point of a row to the next one: [n] counts those of n columns, the last
+/// entry all that are longer than LargestRadius.
+using GapHistogram = std::array<std::int64_t, LargestRadius + 2>;
+
+struct GapHistograms
+{
+  GapHistogram AlongRows = {};
+  GapHistogram AlongColumns = {};
+};
+
+/// Linear in the points, and in the rows and columns of the lattice between the outermost ones; where these are far
+/// more than points, n log n. 12 bytes per point and 24 per such row and column.
+GapHistograms CountGaps(PlanePoints columns);
+
+/// The least radius that spans 95 % of the steps along rows, and of those along columns; LargestRadius when none does.
+/// Horizons with a point in every column have 99 % of their steps from neighbour to neighbour, whatever their outlines
+/// and holes are like, and those on every n-th line none that is shorter than n; a radius for the last steps, too,
+/// would bridge holes and bays.
+int ChooseRadius(PlanePoints columns);
+
+// The error for which a mesh has a number of triangles.
+//
+// The number falls with the error, about as its power of -1.5. So the search takes logarithms of both, in which that is
+// a line: from a first error to one on the other side of the number, and then by secants between the two.
+
+/// How many triangles a mesh within an error has.
+using TriangleCounter = std::function<std::size_t(double)>;
+
+/// The most runs of the counter.
+constexpr int MostSearchRuns = 10;
+/// What no horizon of voxels can be told apart by, in lattice units.
+constexpr double SmallestSearchedError = 1.0 / 1024;
+
+/// An error from SmallestSearchedError to `largest` for which `count` gives at most `most`: as a rule from 97 % of it,
+/// unless the smallest one gives less. Throws InputError with the number for the largest error when that is more than
+/// `most`. The number need not fall everywhere.
+double FindErrorForTriangles(std::size_t most, double largest, const TriangleCounter& count);
+
+/// What is thrown when even the outlines take more triangles than there may be.
+InputError TooFewTriangles(std::size_t most, std::size_t least);
 }
 
 #endif

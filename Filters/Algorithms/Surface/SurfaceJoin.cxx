@@ -1,25 +1,243 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: loops out of edges; the rows that two parts share; and the parts put together along them.
 
 #include "SurfaceJoin.h"
 
+#include "Common/DisjointSets.h"
 #include "Common/Errors.h"
-#include "LoopAssembly.h"
+#include "Common/MeshChecker.h"
+#include "Common/Predicates.h"
+#include "Common/RawVector.h"
+#include "Common/Types.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// Loops out of edges in any order, with the patches that they and the triangles of a mesh connect.
+struct AssembledLoops
+{
+  /// First an outline for each patch, then loops of holes, in the order in which rows from the least y meet them. Each
+  /// begins at its point of least x, then least y.
+  Loops Boundary;
+  std::vector<std::int32_t> Patch; // by vertex
+  std::size_t NumberOfPatches = 0;
+};
+
+using Path = std::vector<PointId>;
+
+/// Rows first, as they are met from below.
+bool IsMetBefore(const PlanePoint& a, const PlanePoint& b)
+{
+  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
+}
+
+class Assembler
+{
+public:
+  Assembler(
+    const std::vector<PlanePoint>& vertices, const std::vector<Edge>& edges, const RawVector<PointId>& triangles)
+    : Vertices(vertices)
+    , Edges(edges)
+    , IsWalked(edges.size(), false)
+    , IsUsed(vertices.size(), false)
+    , Connected(vertices.size())
+  {
+    std::sort(this->Edges.begin(), this->Edges.end(),
+      [](const Edge& a, const Edge& b) { return std::tie(a.From, a.To) < std::tie(b.From, b.To); });
+    for (const Edge& edge : this->Edges)
+    {
+      this->Connect(edge.From, edge.To);
+    }
+    for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+    {
+      this->Connect(triangles[corner], triangles[corner + 1]);
+      this->Connect(triangles[corner], triangles[corner + 2]);
+    }
+  }
+
+  AssembledLoops Run()
+  {
+    for (std::size_t edge = 0; edge < this->Edges.size(); ++edge)
+    {
+      if (!this->IsWalked[edge])
+      {
+        this->Add(this->Walk(edge));
+      }
+    }
+    for (std::size_t vertex = 0; vertex < this->Vertices.size(); ++vertex)
+    {
+      if (!this->IsUsed[vertex])
+      {
+        this->Outlines.push_back({ PointId(vertex) });
+      }
+    }
+    return this->Number();
+  }
+
+private:
+  const PlanePoint& At(PointId vertex) const { return this->Vertices[vertex]; }
+
+  void Connect(PointId a, PointId b)
+  {
+    this->Connected.Join(a, b);
+    this->IsUsed[a] = true;
+    this->IsUsed[b] = true;
+  }
+
+  /// Goes around the face to the left of an edge (Boundary/Hops.h).
+  Path Walk(std::size_t edge)
+  {
+    Path path;
+    while (!this->IsWalked[edge])
+    {
+      this->IsWalked[edge] = true;
+      path.push_back(this->Edges[edge].From);
+      edge = this->Next(this->Edges[edge]);
+    }
+    if (this->Edges[edge].From != path.front())
+    {
+      throw InputError("a loop that does not come back to its vertex " + std::to_string(path.front()) +
+        ", expected parts whose seams fit");
+    }
+    return path;
+  }
+
+  /// The first edge from the end of another one that a clockwise sweep after it meets; that back comes last.
+  std::size_t Next(const Edge& edge) const
+  {
+    const auto first = std::lower_bound(
+      this->Edges.begin(), this->Edges.end(), edge.To, [](const Edge& a, PointId vertex) { return a.From < vertex; });
+    const auto last = std::find_if(first, this->Edges.end(), [&edge](const Edge& a) { return a.From != edge.To; });
+    const auto next = std::min_element(
+      first, last, [&](const Edge& a, const Edge& b) { return this->IsSweptBefore(edge, a.To, b.To); });
+    if (next == last)
+    {
+      throw InputError("no edge goes on from vertex " + std::to_string(edge.To) + ", expected parts whose seams fit");
+    }
+    return std::size_t(next - this->Edges.begin());
+  }
+
+  /// The quarter of a clockwise sweep in which it meets the direction to a vertex: less than half a turn, half a turn,
+  /// more, a whole turn.
+  int QuarterOf(const Edge& edge, PointId vertex) const
+  {
+    const PlanePoint& here = this->At(edge.To);
+    const std::int64_t side = SignedArea(here, this->At(edge.From), this->At(vertex));
+    if (side == 0)
+    {
+      return ScalarProduct(here, this->At(edge.From), this->At(vertex)) < 0 ? 1 : 3;
+    }
+    return side < 0 ? 0 : 2;
+  }
+
+  bool IsSweptBefore(const Edge& edge, PointId a, PointId b) const
+  {
+    const int quarterA = this->QuarterOf(edge, a);
+    const int quarterB = this->QuarterOf(edge, b);
+    return quarterA != quarterB ? quarterA < quarterB : SignedArea(this->At(edge.To), this->At(a), this->At(b)) < 0;
+  }
+
+  void Add(Path path)
+  {
+    Int128 area = 0;
+    for (std::size_t n = 0; n < path.size(); ++n)
+    {
+      area += SignedArea(this->At(path.front()), this->At(path[n]), this->At(path[(n + 1) % path.size()]));
+    }
+    std::rotate(path.begin(),
+      std::min_element(path.begin(), path.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); }),
+      path.end());
+    (area > 0 ? this->Holes : this->Outlines).push_back(std::move(path));
+  }
+
+  void SortAsMet(std::vector<Path>& paths) const
+  {
+    const auto firstOf = [this](const Path& path)
+    {
+      return this->At(*std::min_element(
+        path.begin(), path.end(), [this](PointId a, PointId b) { return IsMetBefore(this->At(a), this->At(b)); }));
+    };
+    std::vector<std::pair<PlanePoint, std::size_t>> order;
+    for (const Path& path : paths)
+    {
+      order.push_back({ firstOf(path), order.size() });
+    }
+    std::sort(order.begin(), order.end(),
+      [](const auto& a, const auto& b)
+      { return a.first == b.first ? a.second < b.second : IsMetBefore(a.first, b.first); });
+    std::vector<Path> sorted;
+    std::transform(order.begin(), order.end(), std::back_inserter(sorted),
+      [&paths](const auto& entry) { return std::move(paths[entry.second]); });
+    paths = std::move(sorted);
+  }
+
+  AssembledLoops Number()
+  {
+    AssembledLoops result;
+    this->SortAsMet(this->Outlines);
+    this->SortAsMet(this->Holes);
+    constexpr std::int32_t none = -1;
+    std::vector<std::int32_t> number(this->Vertices.size(), none);
+    for (const Path& path : this->Outlines)
+    {
+      std::int32_t& patch = number[this->Connected.Find(path.front())];
+      if (patch != none)
+      {
+        throw InputError("two outlines of one patch, one of them at vertex " + std::to_string(path.front()) +
+          ", expected parts whose seams fit");
+      }
+      patch = std::int32_t(result.NumberOfPatches++);
+    }
+    for (std::size_t vertex = 0; vertex < number.size(); ++vertex)
+    {
+      result.Patch.push_back(number[this->Connected.Find(std::int32_t(vertex))]);
+    }
+    for (const std::vector<Path>* paths : { &this->Outlines, &this->Holes })
+    {
+      for (const Path& path : *paths)
+      {
+        std::for_each(path.begin(), path.end(), [&result](PointId vertex) { result.Boundary.Append(vertex); });
+        result.Boundary.Close();
+      }
+    }
+    return result;
+  }
+
+  const std::vector<PlanePoint>& Vertices;
+  std::vector<Edge> Edges; // by their first and then their second vertex
+  std::vector<bool> IsWalked; // by edge
+  std::vector<bool> IsUsed; // by vertex: it has an edge or a triangle
+  DisjointSets Connected; // vertices
+  std::vector<Path> Outlines;
+  std::vector<Path> Holes;
+};
+
+/// `edges` are those of loops, with the surface of the triangles to their right; no two cross or are the same. A vertex
+/// without edges and triangles is a patch, and a loop, of its own. Throws InputError when the edges are no such loops.
+AssembledLoops AssembleLoops(
+  const std::vector<PlanePoint>& vertices, const std::vector<Edge>& edges, const RawVector<PointId>& triangles)
+{
+  return Assembler(vertices, edges, triangles).Run();
+}
+
 // How far a vertex may be off the line of a seam that it was put onto, in lattice units and as a part of its height.
 constexpr double Rounding = 1e-6;
 
@@ -88,7 +306,7 @@ private:
   std::size_t SeamOf(std::size_t part, PointId vertex) const
   {
     const SurfacePart& here = this->Parts[part];
-    const std::int32_t row = here.Vertices[std::size_t(vertex)].Y;
+    const std::int32_t row = here.Vertices[vertex].Y;
     return here.Seams.Upper && row == *here.Seams.Upper ? part
       : here.Seams.Lower && row == *here.Seams.Lower    ? part - 1
                                                         : this->Parts.size();
@@ -109,7 +327,7 @@ private:
       if (std::size_t(number) < this->Result.Vertices.size())
       {
         this->CheckHeight(number, here.Height[vertex], here.Height[vertex]);
-        this->Result.Count[std::size_t(number)] += here.Count[vertex];
+        this->Result.Count[number] += here.Count[vertex];
         continue;
       }
       this->Result.Sources.push_back({ std::int32_t(part), std::int32_t(vertex) });
@@ -120,8 +338,8 @@ private:
 
   double HeightOf(PointId vertex) const
   {
-    const PartItem& source = this->Result.Sources[std::size_t(vertex)];
-    return this->Parts[std::size_t(source.Part)].Height[std::size_t(source.Item)];
+    const PartItem& source = this->Result.Sources[vertex];
+    return this->Parts[source.Part].Height[source.Item];
   }
 
   /// A vertex of one part against what another part has there.
@@ -130,7 +348,7 @@ private:
     const double off = std::abs(this->HeightOf(vertex) - height);
     if (!(off <= Rounding * std::max(1.0, std::abs(size))))
     {
-      const PlanePoint& column = this->Result.Vertices[std::size_t(vertex)];
+      const PlanePoint& column = this->Result.Vertices[vertex];
       std::ostringstream text;
       text << "heights " << this->HeightOf(vertex) << " and " << height << " in column (" << column.X << ", "
            << column.Y << ") on both sides of a seam, expected the same: parts of one horizon with the same parameters";
@@ -146,7 +364,7 @@ private:
       for (const PointId vertex : this->Parts[part].OpenGaps)
       {
         const bool isUpper = this->SeamOf(part, vertex) == part;
-        (isUpper ? this->OpenBelow : this->OpenAbove).insert(this->Number[part][std::size_t(vertex)]);
+        (isUpper ? this->OpenBelow : this->OpenAbove).insert(this->Number[part][vertex]);
       }
     }
   }
@@ -156,12 +374,12 @@ private:
   void ForEachPiece(std::size_t part, PointId from, PointId to, Visitor&& visit) const
   {
     const std::size_t seam = this->SeamOf(part, from);
-    PointId last = this->Number[part][std::size_t(from)];
-    const PointId end = this->Number[part][std::size_t(to)];
+    PointId last = this->Number[part][from];
+    const PointId end = this->Number[part][to];
     if (seam < this->Parts.size() && seam == this->SeamOf(part, to))
     {
-      const std::int32_t x = this->Result.Vertices[std::size_t(last)].X;
-      const std::int32_t endX = this->Result.Vertices[std::size_t(end)].X;
+      const std::int32_t x = this->Result.Vertices[last].X;
+      const std::int32_t endX = this->Result.Vertices[end].X;
       std::vector<PointId> between;
       const auto first = this->Seams[seam].upper_bound(std::min(x, endX));
       const auto stop = this->Seams[seam].lower_bound(std::max(x, endX));
@@ -182,8 +400,7 @@ private:
   void AddEdges(std::size_t part)
   {
     std::set<PointId> covered;
-    this->Parts[part].Boundary.ForEachPoint(
-      [&](PointId vertex) { covered.insert(this->Number[part][std::size_t(vertex)]); });
+    this->Parts[part].Boundary.ForEachPoint([&](PointId vertex) { covered.insert(this->Number[part][vertex]); });
     this->Parts[part].Boundary.ForEachEdge(
       [&](PointId from, PointId to)
       {
@@ -210,7 +427,7 @@ private:
   /// gap that is open.
   bool IsLeft(std::size_t part, std::size_t seam, PointId from, PointId to) const
   {
-    const bool isRightward = this->Result.Vertices[std::size_t(from)].X < this->Result.Vertices[std::size_t(to)].X;
+    const bool isRightward = this->Result.Vertices[from].X < this->Result.Vertices[to].X;
     const bool isOwn = isRightward != (seam == part);
     const PointId left = isRightward ? from : to;
     return isOwn && !(this->OpenBelow.count(left) != 0 && this->OpenAbove.count(left) != 0);
@@ -220,17 +437,17 @@ private:
   void CheckLine(std::size_t part, PointId from, PointId to) const
   {
     const SurfacePart& here = this->Parts[part];
-    const double fromX = here.Vertices[std::size_t(from)].X;
-    const double width = here.Vertices[std::size_t(to)].X - fromX;
-    const double fromHeight = here.Height[std::size_t(from)];
-    const double rise = here.Height[std::size_t(to)] - fromHeight;
-    const PointId end = this->Number[part][std::size_t(to)];
+    const double fromX = here.Vertices[from].X;
+    const double width = here.Vertices[to].X - fromX;
+    const double fromHeight = here.Height[from];
+    const double rise = here.Height[to] - fromHeight;
+    const PointId end = this->Number[part][to];
     this->ForEachPiece(part, from, to,
       [&](PointId, PointId vertex)
       {
         if (vertex != end)
         {
-          const double way = (this->Result.Vertices[std::size_t(vertex)].X - fromX) / width;
+          const double way = (this->Result.Vertices[vertex].X - fromX) / width;
           this->CheckHeight(vertex, fromHeight + way * rise, std::max(std::abs(fromHeight), std::abs(rise)));
         }
       });
@@ -246,7 +463,7 @@ private:
         if (covered.count(vertex) == 0)
         {
           throw InputError("no edge of part " + std::to_string(part) + " at column (" + std::to_string(x) + ", " +
-            std::to_string(this->Result.Vertices[std::size_t(vertex)].Y) +
+            std::to_string(this->Result.Vertices[vertex].Y) +
             ") of its seam, expected parts of one horizon with the same parameters");
         }
       }
@@ -270,7 +487,7 @@ private:
       {
         std::rotate(corners.begin(), corners.begin() + 1, corners.end());
       }
-      const PointId apex = this->Number[part][std::size_t(corners[2])];
+      const PointId apex = this->Number[part][corners[2]];
       this->ForEachPiece(part, corners[0], corners[1],
         [&](PointId a, PointId b)
         {
@@ -285,7 +502,7 @@ private:
     std::vector<std::int64_t> size(this->Result.NumberOfPatches, 0);
     for (std::size_t vertex = 0; vertex < this->Result.Vertices.size(); ++vertex)
     {
-      size[std::size_t(this->Result.Patch[vertex])] += this->Result.Count[vertex];
+      size[this->Result.Patch[vertex]] += this->Result.Count[vertex];
     }
     std::vector<std::int32_t> patchNumber(size.size(), NoPatch);
     std::int32_t patches = 0;
@@ -305,7 +522,7 @@ private:
     JoinedSurface all = std::exchange(this->Result, JoinedSurface());
     this->Result.NumberOfPatches = all.NumberOfPatches;
     this->Result.DroppedPoints = all.DroppedPoints;
-    const auto patchOf = [&](PointId vertex) { return patchNumber[std::size_t(all.Patch[std::size_t(vertex)])]; };
+    const auto patchOf = [&](PointId vertex) { return patchNumber[all.Patch[vertex]]; };
     std::vector<PointId> number(all.Vertices.size(), NoPoint);
     for (std::size_t vertex = 0; vertex < number.size(); ++vertex)
     {
@@ -320,7 +537,7 @@ private:
     }
     for (std::size_t corner = 0; corner < all.Triangles.size(); ++corner)
     {
-      const PointId vertex = number[std::size_t(all.Triangles[corner])];
+      const PointId vertex = number[all.Triangles[corner]];
       if (vertex != NoPoint)
       {
         this->Result.Triangles.push_back(vertex);
@@ -364,6 +581,11 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 JoinedSurface JoinSurface(const std::vector<SurfacePart>& parts, std::int64_t minimumPatchSize)
 {
-  return Joiner(parts).Run(minimumPatchSize);
+  JoinedSurface joined = Joiner(parts).Run(minimumPatchSize);
+  if (MeshChecker::IsOn)
+  {
+    MeshChecker::Require("JoinSurface", joined.Vertices, joined.Boundary, joined.Triangles, MeshChecker::Kind::Any);
+  }
+  return joined;
 }
 }

@@ -1,77 +1,530 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Each direction, from one surface to the other, is measured in four passes:
+//
+//   MeasurePoints   all points; their distances are results, too;
+//   MeasureEdges    samples of edges, but only where they may be farther away than any place so far;
+//   FaceMeter       samples of faces, spread evenly by area, for means and percentiles;
+//   MeasureOutline  points and samples of the outline to the outline of the other surface, in plan.
+//
+// The two-sided figures follow from the sums and histograms of both directions.
+//
+// Faces are not measured in the order of the triangles, but in the order in which their own surface is sorted for
+// searches: then each place is near the one before, and its search begins with the triangle that was nearest there.
+// Each chunk begins its own search, samples follow from the seed and the number of their edge or triangle, and
+// histograms have integer weights, so that results are the same for any number of threads.
 
 #include "SurfaceDistance.h"
 
-#include "FaceMeter.h"
-#include "MeasuredSurface.h"
-#include "PlaceMeters.h"
+#include "Common/FixedChunks.h"
+#include "DistanceProbe.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// ---- Percentiles ----------------------------------------------------------------------------------------------------
+
+/// Adds up the weights of values that are not negative, in bins that are at most 1/1024 of the value wide, from 2^-64
+/// to 2^64. What is smaller counts as 0, what is larger as infinite. Weights are integers, so that their sums do not
+/// depend on the order, and thus not on the number of threads.
+class WeightedHistogram
+{
+public:
+  /// A value on its way into the histogram.
+  struct Entry
+  {
+    std::uint32_t Bin;
+    std::uint64_t Weight;
+  };
+
+  static Entry MakeEntry(double value, std::uint64_t weight) { return { BinOf(value), weight }; }
+
+  /// Adds all entries and clears the list. Any thread may call it.
+  void Add(std::vector<Entry>& entries)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (const Entry& entry : entries)
+    {
+      this->Weights[entry.Bin] += entry.Weight;
+    }
+    entries.clear();
+  }
+
+  void Add(const WeightedHistogram& other)
+  {
+    std::transform(this->Weights.begin(), this->Weights.end(), other.Weights.begin(), this->Weights.begin(),
+      [](std::uint64_t a, std::uint64_t b) { return a + b; });
+  }
+
+  /// The value below which a part of the weight lies, 0 to 1; right to 1/1024 of the value. Nan when there is no
+  /// weight.
+  double Percentile(double part) const
+  {
+    const double wanted = part * double(std::accumulate(this->Weights.begin(), this->Weights.end(), std::uint64_t(0)));
+    std::uint64_t below = 0;
+    for (std::uint32_t bin = 0; bin < Bins; ++bin)
+    {
+      const std::uint64_t weight = this->Weights[bin];
+      if (weight > 0 && double(below + weight) >= wanted)
+      {
+        const double within = (wanted - double(below)) / double(weight);
+        return bin == 0     ? 0.0
+          : bin == Bins - 1 ? std::numeric_limits<double>::infinity()
+                            : LowEnd(bin) + within * (LowEnd(bin + 1) - LowEnd(bin));
+      }
+      below += weight;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+private:
+  static constexpr int LeastExponent = -64;
+  static constexpr int GreatestExponent = 64;
+  static constexpr std::uint32_t BinsPerOctave = 1024; // of equal width
+  // The first bin is for 0, the last for infinity.
+  static constexpr std::uint32_t Bins = std::uint32_t(GreatestExponent - LeastExponent) * BinsPerOctave + 2;
+
+  static std::uint32_t BinOf(double value)
+  {
+    assert(value >= 0.0);
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent); // from 1/2 to below 1
+    if (value == 0.0 || exponent <= LeastExponent)
+    {
+      return 0;
+    }
+    if (!std::isfinite(value) || exponent > GreatestExponent)
+    {
+      return Bins - 1;
+    }
+    return 1 + std::uint32_t(exponent - 1 - LeastExponent) * BinsPerOctave +
+      std::uint32_t((2.0 * fraction - 1.0) * BinsPerOctave);
+  }
+
+  static double LowEnd(std::uint32_t bin)
+  {
+    const double fraction = 1.0 + double((bin - 1) % BinsPerOctave) / BinsPerOctave;
+    return std::ldexp(fraction, int((bin - 1) / BinsPerOctave) + LeastExponent);
+  }
+
+  std::mutex Mutex;
+  std::vector<std::uint64_t> Weights = std::vector<std::uint64_t>(Bins, 0);
+};
+
+constexpr std::int64_t TrianglesPerGradingChunk = 4096; // after which a thread locks the histogram
+
+// ---- A surface to measure from and to -------------------------------------------------------------------------------
+
+constexpr std::int64_t TrianglesPerAreaChunk = 16384;
+
+/// What the samples on the faces of a surface, or of a chunk of it, add up to, by metric.
+struct FaceSums
+{
+  struct Sums
+  {
+    double Area = 0.0;
+    double Distance = 0.0; // weighted by area
+    double Square = 0.0; // of the distance, weighted by area
+    double Largest = 0.0;
+  };
+  std::array<Sums, MostMetrics> In;
+  std::int64_t Samples = 0;
+
+  void Add(const FaceSums& other)
+  {
+    for (std::size_t metric = 0; metric < MostMetrics; ++metric)
+    {
+      this->In[metric].Area += other.In[metric].Area;
+      this->In[metric].Distance += other.In[metric].Distance;
+      this->In[metric].Square += other.In[metric].Square;
+      this->In[metric].Largest = std::max(this->In[metric].Largest, other.In[metric].Largest);
+    }
+    this->Samples += other.Samples;
+  }
+};
+
+/// The areas of what counts of a surface, before it is sampled.
+FaceSums MeasureAreas(const TriangleSurface& surface, const std::vector<Metric>& metrics)
+{
+  return AddUpChunks<FaceSums>(std::int64_t(surface.Triangles.size()), TrianglesPerAreaChunk, Monitor(),
+    [&](FaceSums& sums, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const Corners& corners = surface.Triangles[n];
+        for (std::size_t metric = 0; metric < metrics.size() && surface.Counts(corners); ++metric)
+        {
+          sums.In[metric].Area += metrics[metric].Area(surface, corners);
+        }
+      }
+    });
+}
+
+/// A surface with what it takes to measure from it and to it.
+struct MeasuredSurface
+{
+  const TriangleSurface& Surface;
+  const std::vector<Metric>& Metrics;
+  TriangleSearch Search;
+  SurfaceEdges Edges;
+  TriangleSurface Outline;
+  FaceSums Areas;
+
+  MeasuredSurface(const TriangleSurface& surface, const std::vector<Metric>& metrics, const Monitor& monitor)
+    : Surface(surface)
+    , Metrics(metrics)
+    , Search(surface, monitor.Step(0.0, 0.7))
+    , Edges(surface)
+  {
+    monitor.Progress(0.8);
+    this->Outline = FindOutline(surface, this->Edges);
+    monitor.Progress(0.9);
+    this->Areas = MeasureAreas(surface, metrics);
+  }
+};
+
+// ---- Points ---------------------------------------------------------------------------------------------------------
+
+// So much work that it hardly matters for the speed where a chunk's first search begins.
+constexpr std::int64_t PointsPerChunk = 4096;
+
+void KeepLarger(const MetricValues& other, MetricValues& largest)
+{
+  std::transform(
+    other.begin(), other.end(), largest.begin(), largest.begin(), [](double a, double b) { return std::max(a, b); });
+}
+
+/// Of all chunks.
+MetricValues LargestOf(const std::vector<MetricValues>& chunks)
+{
+  MetricValues largest = {};
+  for (const MetricValues& chunk : chunks)
+  {
+    KeepLarger(chunk, largest);
+  }
+  return largest;
+}
+
+/// The corners of triangles that count.
+std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
+{
+  std::vector<unsigned char> marks(surface.Points.size(), 0);
+  for (const Corners& triangle : surface.Triangles)
+  {
+    for (const PointId corner : triangle)
+    {
+      marks[corner] = surface.Counts(corner) ? 1 : 0;
+    }
+  }
+  return marks;
+}
+
+/// Writes the distances of all points, by metric, and returns the largest of corners that count. With a tolerance above
+/// 0 (as of FindHeight), also writes how far points are above the other surface, in the first metric.
+MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to, const std::vector<Metric>& metrics,
+  double tolerance, std::vector<PointDistances>& points, const Monitor& monitor)
+{
+  const std::int64_t size = std::int64_t(from.Points.size());
+  points.resize(metrics.size());
+  for (PointDistances& distances : points)
+  {
+    distances.Distance.resize(size);
+  }
+  points[0].Vertical.resize(tolerance > 0.0 ? size : 0);
+  const std::vector<unsigned char> corners = MarkCorners(from);
+  std::vector<MetricValues> largest(CountChunks(size, PointsPerChunk), MetricValues());
+  ForEachChunk(size, PointsPerChunk, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      DistanceProbe probe(to, metrics);
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        const Eigen::Vector3d& place = from.Points[point];
+        const MetricValues& found = probe(place);
+        for (std::size_t metric = 0; metric < metrics.size(); ++metric)
+        {
+          points[metric].Distance[point] = found[metric];
+        }
+        if (tolerance > 0.0)
+        {
+          points[0].Vertical[point] = place.z() - probe.FindHeight(place, tolerance);
+        }
+        if (corners[point] != 0)
+        {
+          KeepLarger(found, largest[chunk]);
+        }
+      }
+    });
+  return LargestOf(largest);
+}
+
+// ---- Edges ----------------------------------------------------------------------------------------------------------
+
+// The most samples on all edges of a surface: far more than it takes where triangles are no needles, about four per
+// point.
+constexpr double MostEdgeSamples = 1e5;
+constexpr double MostEdgeSamplesPerPoint = 64.0;
+
+double LengthOf(const TriangleSurface& surface, PointId low, PointId high, const Metric& metric)
+{
+  return metric.Length(surface.Point(high) - surface.Point(low));
+}
+
+/// Whether a place on an edge may be farther away than `largest`. Distances of two places differ by no more than how
+/// far these are apart, so that none is farther than half of the edge and of what its ends have together.
+bool MayExceed(const TriangleSurface& surface, PointId low, PointId high, const std::vector<Metric>& metrics,
+  const std::vector<PointDistances>& points, const MetricValues& largest)
+{
+  for (std::size_t metric = 0; metric < metrics.size(); ++metric)
+  {
+    const std::vector<double>& distance = points[metric].Distance;
+    const double most = 0.5 * (LengthOf(surface, low, high, metrics[metric]) + distance[low] + distance[high]);
+    if (!(most <= largest[metric]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The spacing of samples on edges: the given one, or a wider one where that would give too many. Spacings are made
+/// from the area, and the edges of needles and of steep surfaces are long beside it.
+double SpacingOnEdges(const TriangleSurface& surface, const SurfaceEdges& edges, const Metric& metric, double spacing)
+{
+  const std::int64_t size = std::int64_t(surface.Points.size());
+  std::vector<double> lengths(CountChunks(size, PointsPerChunk), 0.0);
+  ForEachChunk(size, PointsPerChunk, Monitor(),
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      edges.ForEach(first, last,
+        [&](PointId low, PointId high, std::uint32_t) { lengths[chunk] += LengthOf(surface, low, high, metric); });
+    });
+  const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  return std::max(spacing, total / (MostEdgeSamples + MostEdgeSamplesPerPoint * double(size)));
+}
+
+/// The largest distance of the points, from MeasurePoints, and of samples on edges, one for each `spacing` of their
+/// length in the first metric. Shorter edges have no samples: their ends are measured as points.
+MetricValues MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleSearch& to,
+  const std::vector<Metric>& metrics, const std::vector<PointDistances>& points, const MetricValues& ofPoints,
+  double spacing, std::uint64_t seed, const Monitor& monitor)
+{
+  assert(points.size() == metrics.size() && points[0].Distance.size() == from.Points.size());
+  const std::int64_t size = std::int64_t(from.Points.size());
+  const double wide = SpacingOnEdges(from, edges, metrics[0], spacing);
+  std::vector<MetricValues> largest(CountChunks(size, PointsPerChunk), MetricValues());
+  ForEachChunk(size, PointsPerChunk, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    {
+      DistanceProbe probe(to, metrics);
+      probe.SetLargest(ofPoints);
+      edges.ForEach(first, last,
+        [&](PointId low, PointId high, std::uint32_t)
+        {
+          const std::int64_t count = std::int64_t(LengthOf(from, low, high, metrics[0]) / wide);
+          if (count > 0 && from.Counts(low) && from.Counts(high) &&
+            MayExceed(from, low, high, metrics, points, probe.Largest()))
+          {
+            const std::uint64_t edge = (std::uint64_t(low) << 32U) | std::uint64_t(high);
+            SampleEdge(from.Point(low), from.Point(high), count, Scramble(seed ^ Scramble(edge)),
+              [&probe](const Eigen::Vector3d& place) { probe.RaiseLargest(place); });
+          }
+        });
+      largest[chunk] = probe.Largest();
+    });
+  MetricValues result = LargestOf(largest);
+  KeepLarger(ofPoints, result);
+  return result;
+}
+
+// ---- Outline --------------------------------------------------------------------------------------------------------
+
+/// The largest distance of one outline to the other; nan when one of them is empty.
+MetricValues MeasureOutline(const MeasuredSurface& from, const MeasuredSurface& to, double spacing, std::uint64_t seed)
+{
+  MetricValues largest;
+  largest.fill(std::numeric_limits<double>::quiet_NaN());
+  if (!from.Outline.Triangles.empty() && !to.Outline.Triangles.empty())
+  {
+    const TriangleSearch search(to.Outline);
+    std::vector<PointDistances> points;
+    largest = MeasurePoints(from.Outline, search, from.Metrics, 0.0, points, Monitor());
+    largest = MeasureEdges(
+      from.Outline, SurfaceEdges(from.Outline), search, from.Metrics, points, largest, spacing, seed, Monitor());
+  }
+  return largest;
+}
+
+// ---- Faces ----------------------------------------------------------------------------------------------------------
+
+// The number of samples for which the histogram is locked once.
+constexpr std::size_t EntriesAtOnce = 16384;
+
+// The weight of all faces of both surfaces, in the integers of the histogram: small parts of it keep many digits, and
+// sums stay below 2^64.
+const double TotalWeight = std::ldexp(1.0, 60);
+
+using Histograms = std::array<WeightedHistogram, MostMetrics>;
+
+/// Measures samples on the triangles of one chunk: `density` on each unit of area in the first metric, at least one on
+/// each triangle with an area. All distances are added to the histograms, by metric, weighted by area: both surfaces
+/// together weigh as much as any two.
+class FaceMeter
+{
+public:
+  FaceMeter(
+    const MeasuredSurface& from, const MeasuredSurface& to, double density, std::uint64_t seed, Histograms& histograms)
+    : From(from)
+    , Probe(to.Search, from.Metrics)
+    , Density(density)
+    , Seed(seed)
+    , InAll(histograms)
+  {
+    for (std::size_t metric = 0; metric < from.Metrics.size(); ++metric)
+    {
+      this->WeightPerArea[metric] = TotalWeight / (from.Areas.In[metric].Area + to.Areas.In[metric].Area);
+    }
+  }
+
+  FaceSums Run(std::int64_t first, std::int64_t last)
+  {
+    this->From.Search.ForEachTriangle(first, last, [this](std::int32_t triangle) { this->MeasureTriangle(triangle); });
+    this->EmptyEntries();
+    for (std::size_t metric = 0; metric < this->From.Metrics.size(); ++metric)
+    {
+      this->Sums.In[metric].Largest = this->Probe.Largest()[metric];
+    }
+    return this->Sums;
+  }
+
+private:
+  void MeasureTriangle(std::int32_t triangle)
+  {
+    const TriangleSurface& surface = this->From.Surface;
+    const Corners& t = surface.Triangles[triangle];
+    const double area = this->From.Metrics[0].Area(surface, t);
+    if (!(area > 0.0) || !surface.Counts(t))
+    {
+      return;
+    }
+    const std::int64_t count = std::max<std::int64_t>(1, std::int64_t(area * this->Density + 0.5));
+    for (std::size_t metric = 0; metric < this->From.Metrics.size(); ++metric)
+    {
+      const double inMetric = metric == 0 ? area : this->From.Metrics[metric].Area(surface, t);
+      this->Sums.In[metric].Area += inMetric;
+      this->Share[metric] = inMetric / double(count);
+      this->Weight[metric] = std::uint64_t(this->Share[metric] * this->WeightPerArea[metric]);
+    }
+    this->Sums.Samples += count;
+    SampleTriangle(surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]), count,
+      Scramble(this->Seed ^ Scramble(std::uint64_t(triangle))),
+      [this](const Eigen::Vector3d& place) { this->MeasurePlace(place); });
+  }
+
+  void MeasurePlace(const Eigen::Vector3d& place)
+  {
+    const MetricValues& found = this->Probe(place);
+    for (std::size_t metric = 0; metric < this->From.Metrics.size(); ++metric)
+    {
+      const double distance = found[metric];
+      FaceSums::Sums& sums = this->Sums.In[metric];
+      sums.Distance += this->Share[metric] * distance;
+      sums.Square += this->Share[metric] * distance * distance;
+      this->Entries[metric].push_back(WeightedHistogram::MakeEntry(distance, this->Weight[metric]));
+    }
+    if (this->Entries[0].size() == EntriesAtOnce)
+    {
+      this->EmptyEntries();
+    }
+  }
+
+  void EmptyEntries()
+  {
+    for (std::size_t metric = 0; metric < this->From.Metrics.size(); ++metric)
+    {
+      this->InAll[metric].Add(this->Entries[metric]);
+    }
+  }
+
+  const MeasuredSurface& From;
+  DistanceProbe Probe;
+  double Density;
+  std::uint64_t Seed;
+  Histograms& InAll;
+  MetricValues WeightPerArea = {};
+  FaceSums Sums;
+  std::array<std::vector<WeightedHistogram::Entry>, MostMetrics> Entries;
+  // Of each sample on the triangle that is measured.
+  MetricValues Share = {};
+  std::array<std::uint64_t, MostMetrics> Weight = {};
+};
+
+// ---- Figures --------------------------------------------------------------------------------------------------------
+
 // How far outside a triangle, seen from above, a place still counts as above or below it: a millionth of the spacing of
 // samples. Rounding may put places of an outline just outside, but by far less.
 constexpr double HeightTolerance = 1e-6;
 
-/// Fills in the figures that follow from the faces.
-void SetFaceFigures(
-  const FaceSums& sums, std::size_t metric, const WeightedHistogram& histogram, DistanceFigures& figures)
+/// What is measured from one surface to the other.
+struct Direction
 {
-  const FaceSums::Sums& in = sums.In[metric];
+  std::vector<DistanceFigures> Figures; // by metric
+  std::vector<PointDistances> Points; // by metric
+  // On the faces.
+  FaceSums Sums;
+  Histograms Histogram;
+};
+
+/// Fills in the figures that follow from the faces.
+void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures& figures)
+{
+  const FaceSums::Sums& in = faces.Sums.In[metric];
   figures.Largest = std::max(figures.Largest, in.Largest);
   figures.Mean = in.Distance / in.Area;
   figures.Rms = std::sqrt(in.Square / in.Area);
-  figures.Samples = sums.Samples;
+  figures.Samples = faces.Sums.Samples;
   for (std::size_t n = 0; n < Percentiles.size(); ++n)
   {
     // A bin of the histogram may end beyond the largest distance in it.
-    figures.Percentile[n] = std::min(histogram.Percentile(0.01 * Percentiles[n]), in.Largest);
+    figures.Percentile[n] = std::min(faces.Histogram[metric].Percentile(0.01 * Percentiles[n]), in.Largest);
   }
 }
 
-/// Measures from one surface to the other.
-struct Direction
+/// Measures one direction, with about `samples` on the faces.
+void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, double samples,
+  const SurfaceDistanceOptions& options, Direction& result, const Monitor& monitor)
 {
-  const MeasuredSurface& From;
-  const MeasuredSurface& To;
-  double Samples; // on the faces
-  const SurfaceDistanceOptions& Options;
-  // What Run finds on the faces.
-  FaceSums Sums;
-  Histograms Histogram;
-
-  /// Figures by metric.
-  std::vector<DistanceFigures> Run(std::vector<PointDistances>& points, const Monitor& monitor)
+  const double density = samples / from.Areas.In[0].Area;
+  const double spacing = 1.0 / std::sqrt(density);
+  const double tolerance = options.Vertical ? HeightTolerance * spacing : 0.0;
+  const MetricValues ofPoints =
+    MeasurePoints(from.Surface, to.Search, from.Metrics, tolerance, result.Points, monitor.Step(0.0, 0.2));
+  const MetricValues ofEdges = MeasureEdges(from.Surface, from.Edges, to.Search, from.Metrics, result.Points, ofPoints,
+    spacing, options.Seed, monitor.Step(0.2, 0.5));
+  result.Sums = AddUpChunks<FaceSums>(from.Search.Pieces(), TriangleSearch::PiecesPerChunk, monitor.Step(0.5, 0.95),
+    [&](FaceSums& sums, std::int64_t first, std::int64_t last)
+    { sums = FaceMeter(from, to, density, options.Seed, result.Histogram).Run(first, last); });
+  monitor.Progress(0.95);
+  const MetricValues ofOutline = MeasureOutline(from, to, spacing, options.Seed);
+  result.Figures.resize(from.Metrics.size());
+  for (std::size_t metric = 0; metric < from.Metrics.size(); ++metric)
   {
-    const std::vector<Metric>& metrics = this->From.Metrics;
-    const double density = this->Samples / this->From.Area[0];
-    const double spacing = 1.0 / std::sqrt(density);
-    const double tolerance = this->Options.Vertical ? HeightTolerance * spacing : 0.0;
-    const MetricValues ofPoints =
-      MeasurePoints(this->From.Surface, this->To.Search, metrics, tolerance, points, monitor.Step(0.0, 0.2));
-    const MetricValues ofEdges = MeasureEdges(this->From.Surface, this->From.Edges, this->To.Search, metrics, points,
-      ofPoints, spacing, this->Options.Seed, monitor.Step(0.2, 0.5));
-    this->Sums =
-      MeasureFaces(this->From, this->To, density, this->Options.Seed, this->Histogram, monitor.Step(0.5, 0.95));
-    monitor.Progress(0.95);
-    const MetricValues ofOutline = MeasureOutline(this->From, this->To, spacing, this->Options.Seed);
-    std::vector<DistanceFigures> figures(metrics.size());
-    for (std::size_t metric = 0; metric < metrics.size(); ++metric)
-    {
-      figures[metric].Largest = ofEdges[metric]; // and of points
-      figures[metric].Outline = ofOutline[metric];
-      SetFaceFigures(this->Sums, metric, this->Histogram[metric], figures[metric]);
-    }
-    return figures;
+    result.Figures[metric].Largest = ofEdges[metric]; // and of points
+    result.Figures[metric].Outline = ofOutline[metric];
+    SetFaceFigures(result, metric, result.Figures[metric]);
   }
-};
+}
 
-/// Adds what a direction found on the faces to another one.
+/// Adds what one direction found on the faces to the other one.
 void AddFaces(const Direction& other, Direction& direction)
 {
   direction.Sums.Add(other.Sums);
@@ -92,24 +545,22 @@ std::vector<SurfaceDistance> MeasureSurfaceDistances(const TriangleSurface& refe
   const MeasuredSurface measuredMesh(mesh, metrics, monitor.Step(0.1, 0.2));
   const double samples = std::max(SurfaceDistanceOptions::LeastSamples,
     options.SamplesPerPoint * double(std::max(reference.Points.size(), mesh.Points.size())));
-  Direction toMesh{ measuredReference, measuredMesh, samples, options, {}, {} };
-  Direction toReference{ measuredMesh, measuredReference, samples, options, {}, {} };
-  std::vector<PointDistances> ofReference;
-  std::vector<PointDistances> ofMesh;
-  const std::vector<DistanceFigures> figuresToMesh = toMesh.Run(ofReference, monitor.Step(0.2, 0.6));
-  const std::vector<DistanceFigures> figuresToReference = toReference.Run(ofMesh, monitor.Step(0.6, 1.0));
+  Direction toMesh;
+  Direction toReference;
+  MeasureDirection(measuredReference, measuredMesh, samples, options, toMesh, monitor.Step(0.2, 0.6));
+  MeasureDirection(measuredMesh, measuredReference, samples, options, toReference, monitor.Step(0.6, 1.0));
   AddFaces(toReference, toMesh);
   std::vector<SurfaceDistance> results(metrics.size());
   for (std::size_t metric = 0; metric < metrics.size(); ++metric)
   {
     SurfaceDistance& result = results[metric];
-    result.ReferenceToMesh = figuresToMesh[metric];
-    result.MeshToReference = figuresToReference[metric];
+    result.ReferenceToMesh = toMesh.Figures[metric];
+    result.MeshToReference = toReference.Figures[metric];
     result.TwoSided.Largest = std::max(result.ReferenceToMesh.Largest, result.MeshToReference.Largest);
     result.TwoSided.Outline = std::max(result.ReferenceToMesh.Outline, result.MeshToReference.Outline);
-    SetFaceFigures(toMesh.Sums, metric, toMesh.Histogram[metric], result.TwoSided);
-    result.Reference = std::move(ofReference[metric]);
-    result.Mesh = std::move(ofMesh[metric]);
+    SetFaceFigures(toMesh, metric, result.TwoSided);
+    result.Reference = std::move(toMesh.Points[metric]);
+    result.Mesh = std::move(toReference.Points[metric]);
   }
   return results;
 }
@@ -119,5 +570,29 @@ SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const T
   const SurfaceDistanceOptions& options, const Monitor& monitor)
 {
   return std::move(MeasureSurfaceDistances(reference, mesh, { Metric() }, options, monitor).front());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Grading MeasureGrading(const TriangleSurface& surface)
+{
+  WeightedHistogram histogram;
+  ForEachChunk(std::int64_t(surface.Triangles.size()), TrianglesPerGradingChunk, Monitor(),
+    [&](std::size_t, std::int64_t first, std::int64_t last)
+    {
+      std::vector<WeightedHistogram::Entry> entries;
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const Corners& t = surface.Triangles[n];
+        const double sides[3] = { (surface.Point(t[1]) - surface.Point(t[0])).norm(),
+          (surface.Point(t[2]) - surface.Point(t[1])).norm(), (surface.Point(t[0]) - surface.Point(t[2])).norm() };
+        for (const auto [a, b] :
+          { std::minmax(sides[0], sides[1]), std::minmax(sides[1], sides[2]), std::minmax(sides[2], sides[0]) })
+        {
+          entries.push_back(WeightedHistogram::MakeEntry(b == 0.0 ? 1.0 : b / a, 1));
+        }
+      }
+      histogram.Add(entries);
+    });
+  return { histogram.Percentile(0.5), histogram.Percentile(0.95) };
 }
 }

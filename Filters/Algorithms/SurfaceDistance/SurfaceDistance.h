@@ -14,7 +14,6 @@
 
 #include "Common/Monitor.h"
 #include "Metric.h"
-#include "TriangleSurface.h"
 
 #include <array>
 #include <cstdint>
@@ -83,6 +82,18 @@ SurfaceDistance MeasureSurfaceDistance(const TriangleSurface& reference, const T
 std::vector<SurfaceDistance> MeasureSurfaceDistances(const TriangleSurface& reference, const TriangleSurface& mesh,
   const std::vector<Metric>& metrics, const SurfaceDistanceOptions& options = SurfaceDistanceOptions(),
   const Monitor& monitor = Monitor());
+
+/// How quickly the triangles of a mesh change in size: median and percentile, over the corners of all triangles, of the
+/// ratio of the longer to the shorter of the two sides that meet there. 1 where they are equal, infinite where one has
+/// no length. Right to 1/1024 of their value.
+struct Grading
+{
+  double Median = 0.0;
+  double Percentile95 = 0.0;
+};
+
+/// `surface` has at least one triangle.
+Grading MeasureGrading(const TriangleSurface& surface);
 }
 
 #endif

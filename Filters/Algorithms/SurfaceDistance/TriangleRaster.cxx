@@ -1,12 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The raster is made in five passes. Any but the last may find that a tree is better:
+//
+//   MakeGrid       chooses cells of about the area of a mean triangle; on a lattice they hold whole squares;
+//   SortIntoCells  lists the triangles that touch each cell, the items;
+//   IsCrowded      checks whether too many triangles share their cells;
+//   FindOverlaps   marks the triangles that overlap others in plan;
+//   MakePyramid    finds the heights within each cell, and then, level by level, within each square of four.
+//
+// A search takes the few cells within the best distance so far; where these are many, it goes down the pyramid.
+//
+// Triangles are listed as if they were smaller by the slack, a millionth of a cell: the two of a lattice square then
+// lie in one cell, not in the nine that they touch. Searches allow for it with boxes that are larger by twice as much.
 
 #include "TriangleRaster.h"
 
-#include "CellSpans.h"
 #include "Common/FixedChunks.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -24,13 +38,202 @@ constexpr double LeastSlack = 64.0;
 // Rounding to single precision moves a height by up to 2^-24 of half of their range, and so does the margin itself.
 constexpr double RoundingOfHeights = 0x1p-22;
 
-// Limits beyond which a tree takes less time and memory.
+// Limits beyond which a raster may take far more time or memory than a tree, as for heaps, piles and walls. Beyond them
+// needles still take less time in a raster, but no count of items separates these from walls.
 constexpr std::int64_t MostCellsPerTriangle = 2;
 constexpr std::int64_t MostItemsPerTriangle = 8;
 constexpr double MostItemsPerCell = 32.0; // in the cells of a mean item
 constexpr double MostOverlapping = 0.25; // of all triangles
 constexpr std::int64_t FewItems = 1024; // whatever there are
 constexpr double FewOverlapping = 512.0;
+
+// Within so many cells all triangles are tried; where there are more, the pyramid is searched.
+constexpr std::int64_t FewCells = 16;
+
+// On each level a box is taken off the stack and four are put there; 64 levels are more than there can be.
+constexpr std::size_t MostWaiting = 3 * 64 + 1;
+
+// How far outside a triangle a place still counts as across: of its area. It is then searched for anything nearer all
+// the same.
+constexpr double Across = 1e-9;
+
+double Square(double value)
+{
+  return value * value;
+}
+
+// ---- Triangles in plan ----------------------------------------------------------------------------------------------
+
+/// A triangle in plan. Its sides may turn either way.
+struct PlanTriangle
+{
+  std::array<Eigen::Vector2d, 3> Corner;
+
+  PlanTriangle(const TriangleSurface& surface, const Corners& t)
+    : Corner{ surface.Point(t[0]).head<2>(), surface.Point(t[1]).head<2>(), surface.Point(t[2]).head<2>() }
+  {
+  }
+
+  /// Twice the area of a side and a place: positive where the place is on the left.
+  double DoubledArea(std::size_t side, const Eigen::Vector2d& place) const
+  {
+    const Eigen::Vector2d along = this->Corner[(side + 1) % 3] - this->Corner[side];
+    const Eigen::Vector2d to = place - this->Corner[side];
+    return along.x() * to.y() - along.y() * to.x();
+  }
+  /// Positive where sides turn left.
+  double DoubledArea() const { return this->DoubledArea(0, this->Corner[2]); }
+
+  double Low(int axis) const
+  {
+    return std::min({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] });
+  }
+  double High(int axis) const
+  {
+    return std::max({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] });
+  }
+
+  /// Whether its box reaches a place up to a tolerance.
+  bool MayReach(const Eigen::Vector3d& place, double tolerance) const
+  {
+    const auto low = this->Corner[0].array().min(this->Corner[1].array()).min(this->Corner[2].array());
+    const auto high = this->Corner[0].array().max(this->Corner[1].array()).max(this->Corner[2].array());
+    const auto plan = place.head<2>().array();
+    return (low - plan).max(plan - high).maxCoeff() <= tolerance;
+  }
+};
+
+/// Whether all of another triangle is beyond one side of a triangle of that area, up to rounding.
+bool IsBeyondSide(const PlanTriangle& triangle, double doubledArea, const PlanTriangle& other)
+{
+  const double turn = doubledArea < 0.0 ? -1.0 : 1.0;
+  const double rounding = 1e-12 * std::abs(doubledArea);
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    if (turn * triangle.DoubledArea(side, other.Corner[0]) <= rounding &&
+      turn * triangle.DoubledArea(side, other.Corner[1]) <= rounding &&
+      turn * triangle.DoubledArea(side, other.Corner[2]) <= rounding)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether two triangles overlap in plan, by more than rounding. Convex shapes do not where one is beyond a side of the
+/// other. One without an area counts as overlapping where the boxes do.
+bool Overlap(const PlanTriangle& a, const PlanTriangle& b)
+{
+  if (a.High(0) < b.Low(0) || b.High(0) < a.Low(0) || a.High(1) < b.Low(1) || b.High(1) < a.Low(1))
+  {
+    return false;
+  }
+  const double areaOfA = a.DoubledArea();
+  const double areaOfB = b.DoubledArea();
+  return areaOfA == 0.0 || areaOfB == 0.0 || (!IsBeyondSide(a, areaOfA, b) && !IsBeyondSide(b, areaOfB, a));
+}
+
+/// The part of a triangle between two values of y, along x.
+std::array<double, 2> SpanWithin(const PlanTriangle& triangle, double low, double high)
+{
+  std::array<double, 2> span = { triangle.High(0), triangle.Low(0) };
+  const auto add = [&span](double x) { span = { std::min(span[0], x), std::max(span[1], x) }; };
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    const Eigen::Vector2d& from = triangle.Corner[side];
+    const Eigen::Vector2d& to = triangle.Corner[(side + 1) % 3];
+    if (from.y() >= low && from.y() <= high)
+    {
+      add(from.x());
+    }
+    for (const double y : { low, high })
+    {
+      if ((from.y() < y) != (to.y() < y))
+      {
+        add(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+      }
+    }
+  }
+  return span;
+}
+
+/// The cells of an interval that is taken to be smaller by the slack at both ends, but not empty.
+CellRange ShrunkRange(const RasterGrid& grid, int axis, double low, double high)
+{
+  const double middle = 0.5 * (low + high);
+  return grid.Range(axis, std::min(low + grid.Slack, middle), std::max(high - grid.Slack, middle));
+}
+
+/// The cells, along both axes, of the box of a triangle.
+std::array<CellRange, 2> BoxOf(const RasterGrid& grid, const PlanTriangle& triangle)
+{
+  return { ShrunkRange(grid, 0, triangle.Low(0), triangle.High(0)),
+    ShrunkRange(grid, 1, triangle.Low(1), triangle.High(1)) };
+}
+
+constexpr std::uint32_t ManyCells = 0xffffffffU;
+
+/// The one cell that a triangle touches, or ManyCells.
+std::uint32_t OnlyCell(const RasterGrid& grid, const PlanTriangle& triangle)
+{
+  const auto [x, y] = BoxOf(grid, triangle);
+  return x.Size() == 1 && y.Size() == 1 ? std::uint32_t(y.First * grid.Size[0] + x.First) : ManyCells;
+}
+
+/// Calls visit(cell) for all cells that a triangle touches. Each place of the triangle is in one of them, or beyond it
+/// by twice the slack at most.
+template <typename Visitor>
+void ForEachCell(const RasterGrid& grid, const PlanTriangle& triangle, Visitor&& visit)
+{
+  const auto [x, y] = BoxOf(grid, triangle);
+  const bool isBox = x.Size() == 1 || y.Size() == 1;
+  for (std::int64_t row = y.First; row <= y.Last; ++row)
+  {
+    CellRange cells = x;
+    if (!isBox)
+    {
+      const double low = grid.Low[1] + double(row) * grid.Side - grid.Slack;
+      const std::array<double, 2> span = SpanWithin(triangle, low, low + grid.Side + 2.0 * grid.Slack);
+      cells = ShrunkRange(grid, 0, std::min(span[0], span[1]), std::max(span[0], span[1]));
+    }
+    for (std::int64_t cell = row * grid.Size[0] + cells.First; cell <= row * grid.Size[0] + cells.Last; ++cell)
+    {
+      visit(cell);
+    }
+  }
+}
+
+struct HeightRange
+{
+  double Low;
+  double High;
+};
+
+/// The heights of a triangle, or of its plane within a square where these are fewer.
+HeightRange HeightsWithin(const TriangleSurface& surface, const Corners& t, const Eigen::Array2d& middle, double reach)
+{
+  const Eigen::Vector3d& a = surface.Point(t[0]);
+  const Eigen::Vector3d& b = surface.Point(t[1]);
+  const Eigen::Vector3d& c = surface.Point(t[2]);
+  const double low = std::min({ a.z(), b.z(), c.z() });
+  const double high = std::max({ a.z(), b.z(), c.z() });
+  const auto offset = [&middle](const Eigen::Vector3d& v) { return (v.head<2>().array() - middle).abs().maxCoeff(); };
+  if (std::max({ offset(a), offset(b), offset(c) }) <= reach)
+  {
+    return { low, high };
+  }
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const Eigen::Array2d slope = -normal.head<2>().array() / normal.z();
+  const double height = a.z() + (slope * (middle - a.head<2>().array())).sum();
+  // The slope of a needle in plan is inexact: rounding is multiplied by its height over its width.
+  const double change = slope.abs().sum() * reach + 1e-9 * (high - low);
+  const double longer = std::max((b - a).head<2>().squaredNorm(), (c - a).head<2>().squaredNorm());
+  const bool isPlane = std::abs(normal.z()) > 1e-5 * longer && std::isfinite(height);
+  return isPlane ? HeightRange{ std::max(low, height - change), std::min(high, height + change) }
+                 : HeightRange{ low, high };
+}
+
+// ---- Making the raster ----------------------------------------------------------------------------------------------
 
 /// What the size of cells follows from.
 struct Extent
@@ -50,7 +253,7 @@ Extent MeasureExtent(const TriangleSurface& surface)
   return AddUpChunks<Extent>(std::int64_t(surface.Triangles.size()), TrianglesPerChunk, Monitor(),
     [&](Extent& extent, std::int64_t first, std::int64_t last)
     {
-      for (std::size_t n = std::size_t(first); n < std::size_t(last); ++n)
+      for (std::int64_t n = first; n < last; ++n)
       {
         const PlanTriangle triangle(surface, surface.Triangles[n]);
         for (const PointId corner : surface.Triangles[n])
@@ -73,6 +276,7 @@ double RoundSide(double side)
 TriangleRaster::TriangleRaster(const TriangleSurface& surface, const Monitor& monitor)
   : Surface(surface)
 {
+  assert(surface.Triangles.size() < OwnerBit);
   monitor.Progress(0.0);
   bool isWorthwhile = this->MakeGrid();
   monitor.Progress(0.2);
@@ -92,8 +296,8 @@ TriangleRaster::TriangleRaster(const TriangleSurface& surface, const Monitor& mo
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Cells of about four mean triangles, but no more of them than that; false where coordinates are too large for cells
-/// so small.
+/// Cells of about the area of a mean triangle, but no more than two for each; false where coordinates are too large for
+/// cells so small, or nothing has an area.
 bool TriangleRaster::MakeGrid()
 {
   const Extent extent = MeasureExtent(this->Surface);
@@ -135,7 +339,7 @@ std::vector<std::uint32_t> TriangleRaster::FindOnlyCells() const
   ParallelFor(std::int64_t(triangles.size()), TrianglesPerChunk,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (std::size_t n = std::size_t(first); n < std::size_t(last); ++n)
+      for (std::int64_t n = first; n < last; ++n)
       {
         only[n] = OnlyCell(this->Grid, PlanTriangle(this->Surface, triangles[n]));
       }
@@ -210,13 +414,13 @@ bool TriangleRaster::FindOverlaps()
       const std::uint32_t begin = this->Sort.First(cell);
       for (std::uint32_t n = begin; n < this->Sort.End(cell); ++n)
       {
-        triangles.emplace_back(this->Surface, this->Surface.Triangles[this->Items[n] & ~OwnerBit]);
+        triangles.emplace_back(this->Surface, this->Surface.Triangles[this->TriangleOf(n)]);
         for (std::uint32_t other = begin; other < n; ++other)
         {
           if (Overlap(triangles[n - begin], triangles[other - begin]))
           {
-            this->Overlaps[this->Items[n] & ~OwnerBit].store(1, std::memory_order_relaxed);
-            this->Overlaps[this->Items[other] & ~OwnerBit].store(1, std::memory_order_relaxed);
+            this->Overlaps[this->TriangleOf(n)].store(1, std::memory_order_relaxed);
+            this->Overlaps[this->TriangleOf(other)].store(1, std::memory_order_relaxed);
           }
         }
       }
@@ -239,7 +443,7 @@ TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
   for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
   {
     const HeightRange heights =
-      HeightsWithin(this->Surface, this->Surface.Triangles[this->Items[n] & ~OwnerBit], middle, reach);
+      HeightsWithin(this->Surface, this->Surface.Triangles[this->TriangleOf(n)], middle, reach);
     low = std::min(low, heights.Low);
     high = std::max(high, heights.High);
   }
@@ -250,13 +454,13 @@ TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
 void TriangleRaster::MakePyramid()
 {
   this->Pyramid.push_back({ { this->Grid.Size[0], this->Grid.Size[1] }, this->Grid.Side, {} });
-  this->Pyramid[0].Cells.resize(std::size_t(this->Grid.Cells()));
+  this->Pyramid[0].Cells.resize(this->Grid.Cells());
   ParallelFor(this->Grid.Cells(), CellGrain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t cell = first; cell < last; ++cell)
       {
-        this->Pyramid[0].Cells[std::size_t(cell)] = this->HeightsOf(cell);
+        this->Pyramid[0].Cells[cell] = this->HeightsOf(cell);
       }
     });
   while (this->Pyramid.back().Cells.size() > 1)
@@ -264,17 +468,180 @@ void TriangleRaster::MakePyramid()
     const Level& below = this->Pyramid.back();
     Level level{ { (below.Size[0] + 1) / 2, (below.Size[1] + 1) / 2 }, 2.0 * below.Side, {} };
     constexpr float Infinity = std::numeric_limits<float>::infinity();
-    level.Cells.assign(std::size_t(level.Size[0] * level.Size[1]), { Infinity, -Infinity });
+    level.Cells.assign(level.Size[0] * level.Size[1], { Infinity, -Infinity });
     for (std::int64_t y = 0; y < below.Size[1]; ++y)
     {
       for (std::int64_t x = 0; x < below.Size[0]; ++x)
       {
-        const Heights& part = below.Cells[std::size_t(y * below.Size[0] + x)];
-        Heights& whole = level.Cells[std::size_t(y / 2 * level.Size[0] + x / 2)];
+        const Heights& part = below.Cells[y * below.Size[0] + x];
+        Heights& whole = level.Cells[y / 2 * level.Size[0] + x / 2];
         whole = { std::min(whole.Low, part.Low), std::max(whole.High, part.High) };
       }
     }
     this->Pyramid.push_back(std::move(level));
   }
+}
+
+// ---- Searches -------------------------------------------------------------------------------------------------------
+
+/// A box that is still to be searched.
+struct TriangleRaster::Waiting
+{
+  double SquaredDistance;
+  std::uint32_t LevelOf;
+  std::uint32_t X;
+  std::uint32_t Y;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int32_t TriangleRaster::FindAcross(const Eigen::Vector3d& place) const
+{
+  const std::int64_t cell = this->Grid.CellOf(place);
+  if (cell < 0)
+  {
+    return -1;
+  }
+  for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
+  {
+    const std::int32_t number = this->TriangleOf(n);
+    const Corners& t = this->Surface.Triangles[number];
+    const auto [first, second, third] =
+      DoubledAreas(place, this->Surface.Point(t[0]), this->Surface.Point(t[1]), this->Surface.Point(t[2]));
+    const double whole = first + second + third;
+    const double least =
+      whole < 0.0 ? -std::max(std::max(first, second), third) : std::min(std::min(first, second), third);
+    if (least >= -Across * std::abs(whole))
+    {
+      return number;
+    }
+  }
+  return -1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TriangleRaster::SearchCells(const Eigen::Vector3d& place, const Metric& metric, const CellRange& x,
+  const CellRange& y, std::int32_t& nearest, double& best) const
+{
+  for (std::int64_t row = y.First; row <= y.Last; ++row)
+  {
+    const std::uint32_t end = this->Sort.End(row * this->Grid.Size[0] + x.Last);
+    for (std::uint32_t n = this->Sort.First(row * this->Grid.Size[0] + x.First); n < end; ++n)
+    {
+      const std::int32_t triangle = this->TriangleOf(n);
+      const Corners& corners = this->Surface.Triangles[triangle];
+      if (triangle != nearest && metric.SquaredDistanceToBox(this->Surface, corners, place) < best)
+      {
+        const double distance = metric.SquaredDistance(this->Surface, corners, place);
+        nearest = distance < best ? triangle : nearest;
+        best = std::min(best, distance);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Puts those of the four boxes below a box on the stack that are nearer than the best triangle, the nearest one last.
+TriangleRaster::Waiting* TriangleRaster::PushChildren(
+  const Eigen::Vector3d& place, const Metric& metric, const Waiting& box, double best, Waiting* end) const
+{
+  const Level& cells = this->Pyramid[box.LevelOf - 1];
+  const double reach = 2.0 * this->Grid.Slack;
+  const std::int64_t first[2] = { 2 * box.X, 2 * box.Y };
+  double gaps[2][2]; // by axis, squared
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    for (int n = 0; n < 2; ++n)
+    {
+      const double low = this->Grid.Low[axis] + double(first[axis] + n) * cells.Side - reach;
+      const double gap = std::max(low - place[axis], place[axis] - (low + cells.Side + 2.0 * reach));
+      gaps[axis][n] = Square(std::max(gap, 0.0) * metric.Weights()[axis]);
+    }
+  }
+  Waiting* next = end;
+  for (int y = 0; y < 2 && first[1] + y < cells.Size[1]; ++y)
+  {
+    for (int x = 0; x < 2 && first[0] + x < cells.Size[0]; ++x)
+    {
+      const Heights& heights = cells.Cells[(first[1] + y) * cells.Size[0] + first[0] + x];
+      const double height = place.z() - this->Middle;
+      const double gap = std::max(double(heights.Low) - height, height - double(heights.High));
+      const double squared = gaps[0][x] + gaps[1][y] + Square(std::max(gap, 0.0) * metric.Weights()[2]);
+      if (squared < best)
+      {
+        *next++ = { squared, std::uint32_t(box.LevelOf - 1), std::uint32_t(first[0] + x), std::uint32_t(first[1] + y) };
+      }
+    }
+  }
+  SortByDistance(end, next);
+  return next;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TriangleRaster::SearchPyramid(
+  const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const
+{
+  Waiting stack[MostWaiting];
+  Waiting* end = stack;
+  *end++ = { 0.0, std::uint32_t(this->Pyramid.size() - 1), 0, 0 };
+  while (end != stack)
+  {
+    const Waiting box = *--end;
+    if (box.SquaredDistance >= best)
+    {
+      continue;
+    }
+    if (box.LevelOf == 0)
+    {
+      this->SearchCells(place, metric, { box.X, box.X }, { box.Y, box.Y }, nearest, best);
+      continue;
+    }
+    assert(end + 4 <= stack + MostWaiting);
+    end = this->PushChildren(place, metric, box, best, end);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TriangleRaster::Search(
+  const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const
+{
+  assert(this->IsWorthwhile() && nearest >= 0 && best >= 0.0);
+  const Eigen::Array2d reach = std::sqrt(best) / metric.Weights().head<2>() + 2.0 * this->Grid.Slack;
+  const CellRange x = this->Grid.Range(0, place.x() - reach[0], place.x() + reach[0]);
+  const CellRange y = this->Grid.Range(1, place.y() - reach[1], place.y() + reach[1]);
+  if (x.Size() <= 0 || y.Size() <= 0)
+  {
+    return;
+  }
+  if (x.Size() <= FewCells && y.Size() <= FewCells && x.Size() * y.Size() <= FewCells)
+  {
+    this->SearchCells(place, metric, x, y, nearest, best);
+    return;
+  }
+  this->SearchPyramid(place, metric, nearest, best);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double TriangleRaster::FindHeight(const Eigen::Vector3d& point, double tolerance) const
+{
+  const double reach = 2.0 * (tolerance + this->Grid.Slack);
+  const CellRange x = this->Grid.Range(0, point.x() - reach, point.x() + reach);
+  const CellRange y = this->Grid.Range(1, point.y() - reach, point.y() + reach);
+  double best = std::numeric_limits<double>::quiet_NaN();
+  for (std::int64_t row = y.First; row <= y.Last; ++row)
+  {
+    for (std::int64_t column = x.First; column <= x.Last; ++column)
+    {
+      const std::int64_t cell = row * this->Grid.Size[0] + column;
+      for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
+      {
+        const Corners& t = this->Surface.Triangles[this->TriangleOf(n)];
+        if (PlanTriangle(this->Surface, t).MayReach(point, 2.0 * tolerance))
+        {
+          best = NearerHeight(this->Surface, t, point, tolerance, best);
+        }
+      }
+    }
+  }
+  return best;
 }
 }

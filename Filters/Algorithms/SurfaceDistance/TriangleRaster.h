@@ -9,8 +9,8 @@
 // far away, or ends) a pyramid over the cells is searched, as a tree of boxes: each box has the heights of four of the
 // level below.
 //
-// Nothing is taken for granted: a surface of any shape is searched rightly, but not quickly when many triangles touch
-// one cell. IsWorthwhile tells.
+// A surface of any shape is searched correctly, but slowly where many triangles touch one cell; for such a surface the
+// raster stays empty (IsWorthwhile).
 
 #ifndef SeismicHorizonsTriangleRaster_h
 #define SeismicHorizonsTriangleRaster_h
@@ -18,7 +18,6 @@
 #include "Common/CountingSort.h"
 #include "Common/Monitor.h"
 #include "Metric.h"
-#include "TriangleSurface.h"
 
 #include <Eigen/Core>
 
@@ -43,8 +42,8 @@ struct RasterGrid
   Eigen::Array2d Low = Eigen::Array2d::Zero(); // the corner of the first cell
   double Side = 1.0;
   double CellsPerUnit = 1.0; // one over the side
-  // Triangles are a little smaller for the raster than they are, so that those of a lattice square lie in one cell, and
-  // boxes of cells that much larger. Far more than rounding moves anything.
+  // By how much triangles are taken to be smaller, so that the two of a lattice square lie in one cell, and boxes of
+  // cells to be larger. Far more than rounding moves anything.
   double Slack = 0.0;
   std::int64_t Size[2] = { 0, 0 };
 
@@ -90,7 +89,7 @@ public:
     {
       if ((this->Items[n] & OwnerBit) != 0)
       {
-        visit(std::int32_t(this->Items[n] & ~OwnerBit));
+        visit(this->TriangleOf(n));
       }
     }
   }
@@ -101,19 +100,16 @@ public:
   std::int32_t FindAcross(const Eigen::Vector3d& place) const;
 
   /// Whether a triangle overlaps no other one in plan, but for a strip along its sides that is narrower than Slack.
-  bool IsAlone(std::int32_t triangle) const
-  {
-    return this->Overlaps[std::size_t(triangle)].load(std::memory_order_relaxed) == 0;
-  }
+  bool IsAlone(std::int32_t triangle) const { return this->Overlaps[triangle].load(std::memory_order_relaxed) == 0; }
 
   /// Triangles reach over the cells that they are listed in by twice the slack of the grid at most, along both axes.
   double Slack() const { return 4.0 * this->Grid.Slack; }
 
-  /// Finds the nearest triangle. `best` and `nearest` are the squared distance to a triangle and its number, and become
+  /// Finds the nearest triangle. `best` and `nearest`, the squared distance to any triangle and its number, become
   /// those of the nearest one.
   void Search(const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const;
 
-  /// As that of TriangleTree.
+  /// As TriangleTree::FindHeight.
   double FindHeight(const Eigen::Vector3d& point, double tolerance) const;
 
 private:
@@ -135,6 +131,7 @@ private:
   };
   struct Waiting;
 
+  std::int32_t TriangleOf(std::uint32_t item) const { return std::int32_t(this->Items[item] & ~OwnerBit); }
   bool MakeGrid();
   std::vector<std::uint32_t> FindOnlyCells() const;
   bool SortIntoCells();

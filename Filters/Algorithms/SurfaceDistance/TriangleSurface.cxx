@@ -7,7 +7,7 @@
 #include "Common/Parallel.h"
 
 #include <atomic>
-#include <cstdint>
+#include <cassert>
 #include <sstream>
 #include <string>
 
@@ -15,9 +15,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points or triangles that a thread takes at a time
+// What a thread takes at a time.
+constexpr std::int64_t Grain = 16384; // points or triangles to check
+constexpr std::int64_t GrainOfLists = 4096; // points whose edges are sorted
 
-void CheckPoint(const Eigen::Vector3d& place, std::size_t point, const char* name)
+void CheckPoint(const Eigen::Vector3d& place, std::int64_t point, const char* name)
 {
   if (!(place.cwiseAbs().maxCoeff() <= LargestCoordinate) || !place.allFinite())
   {
@@ -28,7 +30,7 @@ void CheckPoint(const Eigen::Vector3d& place, std::size_t point, const char* nam
   }
 }
 
-void CheckCorners(const TriangleSurface& surface, std::size_t triangle, const char* name)
+void CheckCorners(const TriangleSurface& surface, std::int64_t triangle, const char* name)
 {
   for (const PointId corner : surface.Triangles[triangle])
   {
@@ -36,6 +38,23 @@ void CheckCorners(const TriangleSurface& surface, std::size_t triangle, const ch
     {
       throw InputError(std::string(name) + ": triangle " + std::to_string(triangle) + " has the corner " +
         std::to_string(corner) + ", expected points from 0 to " + std::to_string(surface.Points.size() - 1));
+    }
+  }
+}
+
+/// Calls visit(low, high) for the sides of all triangles.
+template <typename Visitor>
+void ForEachSide(const std::vector<Corners>& triangles, Visitor&& visit)
+{
+  for (const Corners& t : triangles)
+  {
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      const auto [low, high] = std::minmax(t[n], t[(n + 1) % 3]);
+      if (low != high)
+      {
+        visit(low, high);
+      }
     }
   }
 }
@@ -52,7 +71,7 @@ void CheckSurface(const TriangleSurface& surface, const char* name)
   ParallelFor(std::int64_t(surface.Points.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (std::size_t point = std::size_t(first); point < std::size_t(last); ++point)
+      for (std::int64_t point = first; point < last; ++point)
       {
         CheckPoint(surface.Points[point], point, name);
       }
@@ -62,7 +81,7 @@ void CheckSurface(const TriangleSurface& surface, const char* name)
     [&](std::int64_t first, std::int64_t last)
     {
       bool found = false;
-      for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
+      for (std::int64_t triangle = first; triangle < last; ++triangle)
       {
         CheckCorners(surface, triangle, name);
         const Corners& corners = surface.Triangles[triangle];
@@ -93,5 +112,48 @@ double MeasureDiagonal(const TriangleSurface& surface)
     }
   }
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfaceEdges::SurfaceEdges(const TriangleSurface& surface)
+  : Highs(std::int64_t(surface.Points.size()), [&surface](auto&& add) { ForEachSide(surface.Triangles, add); })
+{
+  ParallelFor(std::int64_t(surface.Points.size()), GrainOfLists,
+    [this](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        std::sort(this->Highs.begin(point), this->Highs.end(point));
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TriangleSurface FindOutline(const TriangleSurface& surface, const SurfaceEdges& edges)
+{
+  TriangleSurface outline;
+  std::vector<PointId> number(surface.Points.size(), NoPoint);
+  const auto keep = [&](PointId point)
+  {
+    PointId& kept = number[point];
+    if (kept == NoPoint)
+    {
+      kept = PointId(outline.Points.size());
+      outline.Points.emplace_back(surface.Point(point).x(), surface.Point(point).y(), 0.0);
+    }
+    return kept;
+  };
+  edges.ForEach(0, std::int64_t(surface.Points.size()),
+    [&](PointId low, PointId high, std::uint32_t triangles)
+    {
+      assert(low < high);
+      if (triangles == 1)
+      {
+        const PointId from = keep(low);
+        const PointId to = keep(high);
+        outline.Triangles.push_back({ from, to, to });
+      }
+    });
+  return outline;
 }
 }

@@ -1,16 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangle mesh of any origin, as plain data.
+// A triangle mesh of any origin, as plain data; its edges, places spread evenly over it, and its height at a place.
 
 #ifndef SeismicHorizonsTriangleSurface_h
 #define SeismicHorizonsTriangleSurface_h
 
+#include "Common/CountingSort.h"
 #include "Common/Types.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -28,9 +33,9 @@ struct TriangleSurface
   /// Empty when all count.
   std::vector<unsigned char> LeftOut;
 
-  const Eigen::Vector3d& Point(PointId point) const { return this->Points[std::size_t(point)]; }
+  const Eigen::Vector3d& Point(PointId point) const { return this->Points[point]; }
 
-  bool Counts(PointId point) const { return this->LeftOut.empty() || this->LeftOut[std::size_t(point)] == 0; }
+  bool Counts(PointId point) const { return this->LeftOut.empty() || this->LeftOut[point] == 0; }
   bool Counts(const Corners& t) const { return this->Counts(t[0]) && this->Counts(t[1]) && this->Counts(t[2]); }
 
   double Area(const Corners& t) const
@@ -48,6 +53,141 @@ void CheckSurface(const TriangleSurface& surface, const char* name);
 
 /// The diagonal of the bounding box of all triangles.
 double MeasureDiagonal(const TriangleSurface& surface);
+
+// ---- Edges ----------------------------------------------------------------------------------------------------------
+
+/// The edges of a surface, each once.
+class SurfaceEdges
+{
+public:
+  /// Linear; 4 bytes per point and 12 per triangle.
+  explicit SurfaceEdges(const TriangleSurface& surface);
+
+  /// Calls visit(low, high, triangles) for each edge whose end of lower number is in a range of points: its ends, and
+  /// how many triangles it is a side of. A triangle that has one point as two of its corners counts twice for its one
+  /// edge.
+  template <typename Visitor>
+  void ForEach(std::int64_t firstPoint, std::int64_t lastPoint, Visitor&& visit) const
+  {
+    for (std::int64_t low = firstPoint; low < lastPoint; ++low)
+    {
+      const PointId* const end = this->Highs.end(low);
+      for (const PointId* first = this->Highs.begin(low); first != end;)
+      {
+        const PointId* const next = std::find_if(first, end, [first](PointId high) { return high != *first; });
+        visit(PointId(low), *first, std::uint32_t(next - first));
+        first = next;
+      }
+    }
+  }
+
+private:
+  ItemLists<PointId, std::uint32_t> Highs; // by the end of lower number: the other ends, sorted, one for each triangle
+};
+
+/// The edges that are a side of one triangle alone, in plan (z = 0). Each is given as a triangle without an area, over
+/// points of their own.
+TriangleSurface FindOutline(const TriangleSurface& surface, const SurfaceEdges& edges);
+
+// ---- Samples --------------------------------------------------------------------------------------------------------
+// Places follow from a random number alone, which the caller makes out of a seed and the triangle or edge: so they are
+// the same for any number of threads.
+
+/// A pseudo-random number of 64 bits for each counter (Steele, Lea and Flood 2014, the last step of SplitMix64).
+inline std::uint64_t Scramble(std::uint64_t counter)
+{
+  std::uint64_t bits = counter * 0x9e3779b97f4a7c15ULL;
+  bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebULL;
+  return bits ^ (bits >> 31U);
+}
+
+/// From 0 to below 1.
+inline double Fraction(std::uint64_t bits)
+{
+  return double(bits >> 11U) * 0x1.0p-53;
+}
+
+/// Calls visit(place) for `count` places on a triangle: those of the sequence R2 (Roberts 2018), which fills the unit
+/// square evenly for any count, shifted at random, and folded from the square onto the triangle.
+template <typename Visitor>
+void SampleTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, std::int64_t count,
+  std::uint64_t random, Visitor&& visit)
+{
+  constexpr double StepU = 0.7548776662466927; // 1 / g and 1 / g^2, where g^3 = g + 1
+  constexpr double StepV = 0.5698402909980532;
+  double u = Fraction(random);
+  double v = Fraction(Scramble(random));
+  for (std::int64_t n = 0; n < count; ++n)
+  {
+    const bool beyond = u + v > 1.0; // in the half of the square that is folded
+    visit(Eigen::Vector3d(a + (beyond ? 1.0 - u : u) * (b - a) + (beyond ? 1.0 - v : v) * (c - a)));
+    u += u + StepU < 1.0 ? StepU : StepU - 1.0;
+    v += v + StepV < 1.0 ? StepV : StepV - 1.0;
+  }
+}
+
+/// Calls visit(place) for `count` places on an edge: a random one on each of `count` equal pieces.
+template <typename Visitor>
+void SampleEdge(
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::int64_t count, std::uint64_t random, Visitor&& visit)
+{
+  for (std::int64_t n = 0; n < count; ++n)
+  {
+    const double part = (double(n) + Fraction(Scramble(random + std::uint64_t(n)))) / double(count);
+    visit(Eigen::Vector3d(a + part * (b - a)));
+  }
+}
+
+// ---- Heights --------------------------------------------------------------------------------------------------------
+
+/// In plan, twice the areas of the triangles of a place with the side across from each corner. Their sum is twice the
+/// area of the triangle, and all have its sign where the place is inside.
+inline std::array<double, 3> DoubledAreas(
+  const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  const double ax = a.x() - p.x();
+  const double ay = a.y() - p.y();
+  const double bx = b.x() - p.x();
+  const double by = b.y() - p.y();
+  const double cx = c.x() - p.x();
+  const double cy = c.y() - p.y();
+  return { bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx };
+}
+
+/// The z of a triangle at a place in plan; nan where NearerHeight has none.
+inline double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners, double tolerance)
+{
+  std::array<double, 3> part = DoubledAreas(p, corners[0], corners[1], corners[2]);
+  const double sum = part[0] + part[1] + part[2];
+  const double turn = sum < 0.0 ? -1.0 : 1.0;
+  double height = 0.0;
+  double inside = 0.0;
+  for (std::size_t n = 0; n < 3; ++n)
+  {
+    const double square = (corners[(n + 2) % 3] - corners[(n + 1) % 3]).head<2>().squaredNorm() * tolerance * tolerance;
+    if (!(sum * sum > square) || (turn * part[n] < 0.0 && part[n] * part[n] > square))
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    // Just outside an edge the height is that on it.
+    part[n] = std::max(0.0, turn * part[n]);
+    inside += part[n];
+    height += part[n] * corners[n].z();
+  }
+  return height / inside;
+}
+
+/// The z of a triangle right above or below a place where that is nearer to the place than `best`, or else `best`; nan
+/// stands for none. A place that is no more than `tolerance` outside the triangle in plan counts as inside; a triangle
+/// that is no wider than that in plan has no z.
+inline double NearerHeight(
+  const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& place, double tolerance, double best)
+{
+  const double height = HeightAt(place, { surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]) }, tolerance);
+  // The first comparison is false for nan.
+  return std::abs(height - place.z()) >= std::abs(best - place.z()) || std::isnan(height) ? best : height;
+}
 }
 
 #endif

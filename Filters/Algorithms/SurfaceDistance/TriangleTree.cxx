@@ -1,11 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The tree is made from the root down, and filled from the leaves up:
+//
+//   MakeLevels   counts the nodes of each level, from the number of triangles;
+//   Sort         halves the triangles of each node, level by level, by the middles of their boxes;
+//   FillNodes    makes the boxes of the lowest nodes from their triangles, and those of others from their children.
+//
+// Both searches go down from the root (Descend), with a stack of boxes that are still to be searched.
+//
+// Boxes are in single precision, and triangles in double precision: boxes are widened, and searches go a little farther
+// than the best distance so far, so that rounding hides no triangle.
 
 #include "TriangleTree.h"
 
 #include "Common/Parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +32,13 @@ constexpr std::int64_t GrainOfNodes = 256;
 // both are rounded, and so is the box once more when it is widened: four times as much is enough.
 constexpr double RoundingOfCoordinates = 4 * 0x1p-24;
 
+// On each level a box is taken off the stack and four are put there; numbers of 32 bits fit 16 levels.
+constexpr std::size_t MostWaiting = 64;
+
+// A squared distance in single precision is wrong by a few roundings, less than 1e-6 of it. Boxes that are farther than
+// the best triangle by this factor have nothing nearer.
+constexpr double SlackOfDistances = 1.0 + 1e-5;
+
 /// The middle of a triangle's box, by twice its coordinates, for sorting triangles.
 struct Middle
 {
@@ -27,7 +46,7 @@ struct Middle
   std::int32_t Triangle;
 };
 
-Middle MiddleOf(const TriangleSurface& surface, std::size_t triangle)
+Middle MiddleOf(const TriangleSurface& surface, std::int64_t triangle)
 {
   Eigen::AlignedBox3d box;
   for (const PointId corner : surface.Triangles[triangle])
@@ -67,17 +86,26 @@ void SplitIntoChildren(Middle* first, Middle* last, std::size_t capacity)
 {
   const std::size_t children = (std::size_t(last - first) + capacity - 1) / capacity;
   Middle* const half = std::min(last, first + (children + 1) / 2 * capacity);
-  Split(first, std::size_t(half - first), last);
+  Split(first, half - first, last);
   Split(first, capacity, half);
   Split(half, capacity, last);
 }
 
+/// A box that is still to be searched: a node, or on the level below the last one a leaf.
+struct Waiting
+{
+  float SquaredDistance;
+  std::uint32_t Node;
+  std::uint32_t Level;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 TriangleTree::TriangleTree(const TriangleSurface& surface, const Monitor& monitor)
   : Surface(surface)
 {
+  assert(
+    !surface.Triangles.empty() && surface.Triangles.size() <= std::size_t(std::numeric_limits<std::int32_t>::max()));
   double largest = 0.0;
   for (const Eigen::Vector3d& point : surface.Points)
   {
@@ -116,7 +144,7 @@ void TriangleTree::Sort(const Monitor& monitor)
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        middles[std::size_t(n)] = MiddleOf(this->Surface, std::size_t(n));
+        middles[n] = MiddleOf(this->Surface, n);
       }
     });
   std::size_t capacity = Fan; // triangles of a child
@@ -142,7 +170,7 @@ void TriangleTree::Sort(const Monitor& monitor)
   for (const Middle& middle : middles)
   {
     this->Numbers.push_back(middle.Triangle);
-    this->Triangles.push_back(this->Surface.Triangles[std::size_t(middle.Triangle)]);
+    this->Triangles.push_back(this->Surface.Triangles[middle.Triangle]);
   }
 }
 
@@ -206,11 +234,120 @@ void TriangleTree::FillNodes()
     ParallelFor(std::int64_t(this->NodesOf(level)), GrainOfNodes,
       [&](std::int64_t first, std::int64_t last)
       {
-        for (std::size_t node = std::size_t(first); node < std::size_t(last); ++node)
+        for (std::int64_t node = first; node < last; ++node)
         {
           lowest ? this->FillLowest(node) : this->FillFromChildren(level, node);
         }
       });
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void TriangleTree::SearchLeaf(
+  std::size_t leaf, const Eigen::Vector3d& point, const Metric& metric, std::int32_t& nearest, double& best) const
+{
+  const TriangleRange triangles = this->TrianglesOf(leaf);
+  for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
+  {
+    // The boxes of most triangles are too far away already, which takes less time to find out.
+    const Corners& corners = this->Triangles[triangle];
+    if (std::int32_t(triangle) != nearest && metric.SquaredDistanceToBox(this->Surface, corners, point) < best)
+    {
+      const double distance = metric.SquaredDistance(this->Surface, corners, point);
+      nearest = distance < best ? std::int32_t(triangle) : nearest;
+      best = std::min(best, distance);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Calls searchLeaf(leaf), which returns a new bound, for the leaves whose boxes are nearer than the bound, the nearest
+/// first: distancesOf(node) has the squared distances of the boxes of its four children.
+template <typename DistancesOf, typename LeafSearch>
+void TriangleTree::Descend(float bound, DistancesOf&& distancesOf, LeafSearch&& searchLeaf) const
+{
+  const std::uint32_t levels = std::uint32_t(this->Levels());
+  Waiting stack[MostWaiting];
+  std::size_t size = 1;
+  stack[0] = { 0.0F, 0, 0 };
+  while (size > 0)
+  {
+    const Waiting box = stack[--size];
+    if (box.SquaredDistance >= bound)
+    {
+      continue;
+    }
+    if (box.Level == levels)
+    {
+      bound = searchLeaf(box.Node);
+      continue;
+    }
+    const Eigen::Array4f distances = distancesOf(this->Nodes[this->LevelStart[box.Level] + box.Node]);
+    assert(size + Fan <= MostWaiting);
+    const std::size_t oldSize = size;
+    for (std::uint32_t child = 0; child < Fan; ++child)
+    {
+      if (distances[child] < bound)
+      {
+        stack[size++] = { distances[child], box.Node * std::uint32_t(Fan) + child, box.Level + 1 };
+      }
+    }
+    SortByDistance(stack + oldSize, stack + size);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint, const Metric& metric) const
+{
+  assert(hint >= 0 && std::size_t(hint) < this->Triangles.size());
+  const Eigen::Vector3f place = point.cast<float>();
+  const Eigen::Array3f weights = metric.Weights().cast<float>();
+  double best = metric.SquaredDistance(this->Surface, this->Triangles[hint], point);
+  this->Descend(
+    float(SlackOfDistances * best),
+    [&](const Node& node)
+    {
+      Eigen::Array4f distances = Eigen::Array4f::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        distances +=
+          (weights[axis] * (node.Low[axis] - place[axis]).max(place[axis] - node.High[axis]).max(0.0F)).square();
+      }
+      return distances;
+    },
+    [&](std::size_t leaf)
+    {
+      this->SearchLeaf(leaf, point, metric, hint, best);
+      return float(SlackOfDistances * best);
+    });
+  return best;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double TriangleTree::FindHeight(const Eigen::Vector3d& point, double tolerance) const
+{
+  const Eigen::Vector3f place = point.cast<float>();
+  const float reach = std::max(this->Margin, float(2.0 * tolerance)); // twice: the tolerance is rounded as well
+  double best = std::numeric_limits<double>::quiet_NaN();
+  // Boxes that the vertical through the point meets are at no distance, all others out of bounds.
+  constexpr float Bound = 1.0F;
+  this->Descend(
+    Bound,
+    [&](const Node& node) -> Eigen::Array4f
+    {
+      return (node.Low[0] <= place.x() + reach && node.High[0] >= place.x() - reach &&
+        node.Low[1] <= place.y() + reach && node.High[1] >= place.y() - reach)
+        .select(Eigen::Array4f::Zero(), Eigen::Array4f::Constant(Bound));
+    },
+    [&](std::size_t leaf)
+    {
+      const TriangleRange triangles = this->TrianglesOf(leaf);
+      for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
+      {
+        best = NearerHeight(this->Surface, this->Triangles[triangle], point, tolerance, best);
+      }
+      return Bound;
+    });
+  return best;
 }
 }

@@ -14,7 +14,6 @@
 
 #include "Common/Monitor.h"
 #include "Metric.h"
-#include "TriangleSurface.h"
 
 #include <Eigen/Core>
 
@@ -76,7 +75,8 @@ private:
   }
   void SearchLeaf(
     std::size_t leaf, const Eigen::Vector3d& point, const Metric& metric, std::int32_t& nearest, double& best) const;
-  double HeightInLeaf(std::size_t leaf, const Eigen::Vector3d& point, double tolerance, double best) const;
+  template <typename DistancesOf, typename LeafSearch>
+  void Descend(float bound, DistancesOf&& distancesOf, LeafSearch&& searchLeaf) const;
 
   const TriangleSurface& Surface;
   std::vector<Corners> Triangles;

@@ -1,22 +1,61 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The convex hull, which is an outline for points that have none (Andrew, "Another efficient algorithm for convex hulls
-// in two dimensions", 1979).
+// The convex hull, which is an outline for points that have none: a chain along the upper side, and one back along the
+// lower side (Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
 
 #ifndef SeismicHorizonsConvexHull_h
 #define SeismicHorizonsConvexHull_h
 
+#include "Common/Predicates.h"
 #include "Common/Types.h"
 
+#include <algorithm>
+#include <cassert>
+#include <numeric>
 #include <vector>
 
 namespace SeismicHorizons
 {
+namespace Detail
+{
+/// A chain of points from the first to the last that has all others to its right or on it, and turns to the right only.
+template <typename Iterator>
+std::vector<PointId> MakeHullChain(Iterator first, Iterator last, const std::vector<PlanePoint>& places)
+{
+  std::vector<PointId> chain;
+  for (; first != last; ++first)
+  {
+    while (chain.size() > 1 && SignedArea(places[chain[chain.size() - 2]], places[chain.back()], places[*first]) > 0)
+    {
+      chain.pop_back();
+    }
+    chain.push_back(*first);
+  }
+  return chain;
+}
+}
+
 /// The convex hull of the places as one loop, clockwise from the place of least x, then least y, with all places that
 /// lie on its edges. Places on one line give a loop there and back. There must be at least one place, and no two the
 /// same.
-Loops FindConvexHull(const std::vector<PlanePoint>& places);
+inline Loops FindConvexHull(const std::vector<PlanePoint>& places)
+{
+  assert(!places.empty());
+  std::vector<PointId> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&places](PointId a, PointId b) { return places[a] < places[b]; });
+  const std::vector<PointId> upper = Detail::MakeHullChain(order.begin(), order.end(), places);
+  const std::vector<PointId> lower = Detail::MakeHullChain(order.rbegin(), order.rend(), places);
+  Loops hull;
+  std::for_each(upper.begin(), upper.end(), [&hull](PointId point) { hull.Append(point); });
+  for (std::size_t n = 1; n + 1 < lower.size(); ++n)
+  {
+    hull.Append(lower[n]);
+  }
+  hull.Close();
+  return hull;
+}
 }
 
 #endif

@@ -1,14 +1,31 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// 1. The triangles at the edges of the boundary that exceed a limit are candidates, in a queue by the lengths of the
+//    edges.
+// 2. The one with the longest edge comes off: the boundary now runs along its other two edges, whose triangles may
+//    become candidates. A triangle stays when the point that faces its edge is on the boundary already, so that the
+//    mesh stays in one piece. Points never leave the boundary: no candidate has to be looked at twice.
+// 3. The gaps in the list of triangles are closed.
+//
+// The thesis (5.3.8) looks at the angle between two consecutive edges of a known outline, on its outer side: wherever
+// it is below 180 degrees, it contains a triangle that lies outside. Here no outline is known, only the mesh. A
+// triangle with an edge on the boundary lies outside when the outline should run along its other two edges instead. The
+// angle between these, at the point that faces the boundary edge, is the thesis's; how large it may be, and how long
+// the boundary edge, is up to the user. The order in which triangles go, and the rule that keeps the mesh in one piece,
+// are those of Duckham et al., "Efficient generation of simple polygons for characterizing the shape of a set of points
+// in the plane", 2008.
 
 #include "OutsideTriangles.h"
 
 #include "Common/CountingSort.h"
+#include "Common/MeshChecker.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -18,12 +35,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-void CheckLimits(const BoundaryLimits& limits)
-{
-  CheckWithin("boundary angle", limits.LargestAngle, 0.0, 180.0, " degrees");
-  CheckAtLeast("boundary edge length", limits.LongestEdge, 0.0, " lattice units");
-}
-
 // The length of the vector, in whole numbers, that stands for an angle. So angles are cut to 2^-30 in radians, which is
 // finer than the 10^-7 degrees that BoundaryLimits promises, and products with squared distances fit 128 bits.
 constexpr double DirectionLength = 1 << 30;
@@ -104,7 +115,7 @@ public:
     , Corners(ListCorners(hull.Plane.size(), triangles))
     , Next(hull.Plane.size(), NoPoint)
   {
-    hull.Boundary.ForEachEdge([this](PointId from, PointId to) { this->Next[std::size_t(from)] = to; });
+    hull.Boundary.ForEachEdge([this](PointId from, PointId to) { this->Next[from] = to; });
     hull.Boundary.ForEachEdge([this](PointId from, PointId to) { this->Consider(from, to); });
   }
 
@@ -134,7 +145,7 @@ public:
     do
     {
       boundary.Append(point);
-      point = this->Next[std::size_t(point)];
+      point = this->Next[point];
     } while (point != start);
     boundary.Close();
     return boundary;
@@ -160,19 +171,21 @@ private:
     }
   };
 
-  const PlanePoint& At(PointId point) const { return this->Places[std::size_t(point)]; }
+  const PlanePoint& At(PointId point) const { return this->Places[point]; }
 
-  bool IsOnBoundary(PointId point) const { return this->Next[std::size_t(point)] != NoPoint; }
+  bool IsOnBoundary(PointId point) const { return this->Next[point] != NoPoint; }
 
   /// The corner at `from` of the triangle to the left of an edge.
   CornerId Find(PointId from, PointId to) const
   {
-    return *std::find_if(this->Corners.begin(from), this->Corners.end(from),
-      [this, to](CornerId corner) { return this->Triangles[NextInTriangle(corner)] == to; });
+    const CornerId* const corner = std::find_if(this->Corners.begin(from), this->Corners.end(from),
+      [this, to](CornerId found) { return this->Triangles[NextInTriangle(found)] == to; });
+    assert(corner != this->Corners.end(from));
+    return *corner;
   }
 
   /// Looks at the triangle of a boundary edge. The surface lies to the right of the edge, so the triangle has the
-  /// reverse of it. Points never leave the boundary: a triangle that has to stay now has to stay for good.
+  /// reverse of it.
   void Consider(PointId from, PointId to)
   {
     const CornerId corner = this->Find(to, from);
@@ -187,8 +200,8 @@ private:
   void Remove(const Candidate& outside)
   {
     this->Triangles[outside.FirstCorner] = NoPoint;
-    this->Next[std::size_t(outside.From)] = outside.Third;
-    this->Next[std::size_t(outside.Third)] = outside.To;
+    this->Next[outside.From] = outside.Third;
+    this->Next[outside.Third] = outside.To;
     this->Consider(outside.From, outside.Third);
     this->Consider(outside.Third, outside.To);
   }
@@ -223,7 +236,8 @@ private:
 void RemoveOutsideTriangles(
   BoundedHorizon& hull, Triangulation& mesh, const BoundaryLimits& limits, const Monitor& monitor)
 {
-  CheckLimits(limits);
+  CheckWithin("boundary angle", limits.LargestAngle, 0.0, 180.0, " degrees");
+  CheckAtLeast("boundary edge length", limits.LongestEdge, 0.0, " lattice units");
   const bool unlimited = limits.LargestAngle == 180.0 && limits.LongestEdge == 0.0;
   if (unlimited || mesh.Triangles.empty())
   {
@@ -234,5 +248,9 @@ void RemoveOutsideTriangles(
   remover.Run(monitor.Step(0.5, 1.0));
   hull.Boundary = remover.Boundary(*hull.Boundary.begin(0));
   mesh.BoundaryEdges = hull.Boundary.TotalLength();
+  if (MeshChecker::IsOn)
+  {
+    MeshChecker::Require("RemoveOutsideTriangles", hull.Plane, hull.Boundary, mesh.Triangles);
+  }
 }
 }

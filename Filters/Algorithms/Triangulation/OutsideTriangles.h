@@ -3,14 +3,6 @@
 //
 // An outline for points that have none, from the mesh of their convex hull: triangles outside are taken off, from the
 // boundary inwards.
-//
-// The thesis (5.3.8) looks at the angle between two consecutive edges of a known outline, on its outer side: wherever
-// it is below 180 degrees, it contains a triangle that lies outside. Here no outline is known, only the mesh. A
-// triangle with an edge on the boundary lies outside when the outline should run along its other two edges instead. The
-// angle between these, at the point that faces the boundary edge, is the thesis's; how large it may be, and how long
-// the boundary edge, is up to the user. The order in which triangles go, and the rule that keeps the mesh in one piece,
-// are those of Duckham et al., "Efficient generation of simple polygons for characterizing the shape of a set of points
-// in the plane", 2008.
 
 #ifndef SeismicHorizonsOutsideTriangles_h
 #define SeismicHorizonsOutsideTriangles_h

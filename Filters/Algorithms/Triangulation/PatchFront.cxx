@@ -1,5 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// 1. The voxels are cut into strips of rows.
+// 2. Triangles that reach across the line between two strips make a wall; the walls part the rest, so that fronts can
+//    grow in each strip without regard to the others. The wall on the middle line is made first, then in either half
+//    the one on its middle line, and so on (Cignoni, Montani, Scopigno, "DeWall: A fast divide and conquer Delaunay
+//    triangulation algorithm in E^d", 1998):
+//
+//     +-----------------+
+//     |  front          |
+//     |-/\/\/\/\/\/\/\/-|  wall, made second
+//     |  front          |
+//     |=/\/\/\/\/\/\/\/=|  wall, made first
+//     |  front          |
+//     |-/\/\/\/\/\/\/\/-|  wall, made second
+//     |  front          |
+//     +-----------------+
+//
+//    A wall is made by a front, too: of the edges that cross the line. It begins at those of the boundary, where the
+//    line enters the patch, and ends where it leaves it. Sides of its triangles that do not cross the line go to one of
+//    the halves.
+// 3. In each strip a front grows until no edge waits.
+//
+// A region is a range of strips with the sides that wait in it: first the whole patch, in the end single strips. It may
+// surprise that the triangles are those of a single front: each third point follows from the edge alone. And as strips
+// depend on the points alone, triangles are in the same order for any number of threads.
 
 #include "PatchFront.h"
 
@@ -43,7 +68,7 @@ std::int64_t CountVoxels(const SearchGrid& points)
 PatchFront::PatchFront(const SearchGrid& points, const ThirdPointSearch& search, std::int64_t strips)
   : Points(points)
   , Search(search)
-  , Used(std::size_t(points.NumberOfPoints()), 0)
+  , Used(points.NumberOfPoints(), 0)
 {
   this->MakeStrips(strips);
 }
@@ -110,9 +135,9 @@ std::vector<PatchFront::Region> PatchFront::GrowRegions(const std::vector<Region
     ParallelFor(std::int64_t(std::min(RegionsPerCall, regions.size() - done)), 1,
       [&](std::int64_t first, std::int64_t last)
       {
-        for (std::size_t n = done + std::size_t(first); n < done + std::size_t(last); ++n)
+        for (std::int64_t n = first; n < last; ++n)
         {
-          grown[n] = this->GrowWall(regions[n]);
+          grown[done + n] = this->GrowWall(regions[done + n]);
         }
       });
     for (std::size_t n = done; n < std::min(done + RegionsPerCall, regions.size()); ++n)
@@ -240,9 +265,9 @@ void PatchFront::MoveTriangles(RawVector<PointId>& corners)
   ParallelFor(std::int64_t(this->Parts.size()), 1,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (std::size_t n = std::size_t(first); n < std::size_t(last); ++n)
+      for (std::int64_t n = first; n < last; ++n)
       {
-        std::transform(this->Parts[n].begin(), this->Parts[n].end(), corners.begin() + std::ptrdiff_t(starts[n]),
+        std::transform(this->Parts[n].begin(), this->Parts[n].end(), corners.begin() + starts[n],
           [this](PointId point) { return this->Points.NameOf(point); });
         RawVector<PointId>().swap(this->Parts[n]);
       }

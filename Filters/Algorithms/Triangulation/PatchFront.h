@@ -2,43 +2,130 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Meshes a patch by advancing fronts, several of them side by side.
-//
-// The voxels are cut into strips of rows. Triangles that reach across the line between two strips make a wall; the
-// walls part the rest, so that fronts can grow in each strip without regard to the others. The wall on the middle line
-// is made first, then in either half the one on its middle line, and so on (Cignoni, Montani, Scopigno, "DeWall: A fast
-// divide and conquer Delaunay triangulation algorithm in E^d", 1998):
-//
-//     +-----------------+
-//     |  front          |
-//     |-/\/\/\/\/\/\/\/-|  wall, made second
-//     |  front          |
-//     |=/\/\/\/\/\/\/\/=|  wall, made first
-//     |  front          |
-//     |-/\/\/\/\/\/\/\/-|  wall, made second
-//     |  front          |
-//     +-----------------+
-//
-// A wall is made by a front, too: of the edges that cross the line. It begins at those of the boundary, where the line
-// enters the patch, and ends where it leaves it. Sides of its triangles that do not cross the line go to one of the
-// halves. As each third point follows from the edge alone, the triangles are those of a single front.
-//
-// Strips depend on the points alone. So the mesh has its triangles in the same order for any number of threads.
 
 #ifndef SeismicHorizonsPatchFront_h
 #define SeismicHorizonsPatchFront_h
 
-#include "AdvancingFront.h"
 #include "Common/Monitor.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
 #include "SearchGrid.h"
 #include "ThirdPointSearch.h"
 
+#include <cassert>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Points have the numbers of the search here, except where names are told.
+/// A side that has something to its left, or an edge that waits for it.
+struct FrontEdge
+{
+  PointId From = NoPoint;
+  PointId To = NoPoint;
+  /// Of the circle of the triangle on the side that is meshed; 0 where that is not known.
+  float Diameter = 0.0f;
+};
+
+/// The edges that wait for a triangle to their left (the thesis's edge pool, 5.3.7); the newest can be taken.
+/// Few of its edges begin in the same point, so each point has a linked list of those that begin in it. 4 bytes per
+/// point, and 24 per edge.
+class AdvancingFront
+{
+public:
+  /// For edges that begin in the points from `first` to before `end`.
+  AdvancingFront(PointId first, PointId end)
+    : FirstPoint(first)
+    , First(end - first, None)
+  {
+  }
+
+  void Add(const FrontEdge& edge)
+  {
+    std::int32_t& first = this->FirstLink(edge.From);
+    const std::int32_t link = this->NewLink();
+    this->Links[link] = { edge.To, first };
+    first = link;
+    this->Newest.push_back(edge);
+  }
+
+  /// Removes an edge; false when it is not in the front.
+  bool Remove(PointId from, PointId to)
+  {
+    std::int32_t* link = &this->FirstLink(from);
+    while (*link != None && this->Links[*link].To != to)
+    {
+      link = &this->Links[*link].Next;
+    }
+    if (*link == None)
+    {
+      return false;
+    }
+    this->Free.push_back(*link);
+    *link = this->Links[*link].Next;
+    return true;
+  }
+
+  /// Adds a side that has something to its left now: if it waited for that it leaves the front, else its reverse waits
+  /// for a triangle.
+  void AddSide(const FrontEdge& side)
+  {
+    if (!this->Remove(side.From, side.To))
+    {
+      this->Add({ side.To, side.From, side.Diameter });
+    }
+  }
+
+  /// Removes the edge that was added last; false when the front is empty.
+  bool TakeNewest(FrontEdge& edge)
+  {
+    while (!this->Newest.empty())
+    {
+      edge = this->Newest.back();
+      this->Newest.pop_back();
+      // Edges that were removed in the meantime are still in this list.
+      if (this->Remove(edge.From, edge.To))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  static constexpr std::int32_t None = -1;
+
+  struct Link
+  {
+    PointId To;
+    std::int32_t Next;
+  };
+
+  std::int32_t& FirstLink(PointId from)
+  {
+    assert(from >= this->FirstPoint && std::size_t(from - this->FirstPoint) < this->First.size());
+    return this->First[from - this->FirstPoint];
+  }
+
+  std::int32_t NewLink()
+  {
+    if (this->Free.empty())
+    {
+      this->Links.emplace_back();
+      return std::int32_t(this->Links.size() - 1);
+    }
+    const std::int32_t link = this->Free.back();
+    this->Free.pop_back();
+    return link;
+  }
+
+  const PointId FirstPoint;
+  std::vector<std::int32_t> First; // for each point the first link of its list
+  std::vector<Link> Links;
+  std::vector<std::int32_t> Free; // links that are in no list
+  std::vector<FrontEdge> Newest; // in the order in which they were added
+};
+
+/// Points have the numbers of the search here, except where names are asked for.
 class PatchFront
 {
 public:
@@ -64,13 +151,14 @@ public:
   /// The edge whose triangle was made last, with a single strip.
   Edge LastEdge() const
   {
+    assert(this->Parts.size() == 1 && !this->Parts.back().empty());
     const RawVector<PointId>& triangles = this->Parts.back();
     return { triangles[triangles.size() - 3], triangles[triangles.size() - 2] };
   }
 
   /// Whether a side or a triangle has the point.
-  bool IsUsed(PointId point) const { return this->Used[std::size_t(point)] != 0; }
-  void Use(PointId point) { this->Used[std::size_t(point)] = 1; }
+  bool IsUsed(PointId point) const { return this->Used[point] != 0; }
+  void Use(PointId point) { this->Used[point] = 1; }
 
   /// Appends the triangles by the names of their points, and forgets them.
   void MoveTriangles(RawVector<PointId>& corners);
@@ -106,7 +194,7 @@ private:
 
   const SearchGrid& Points;
   const ThirdPointSearch& Search;
-  std::vector<PointId> StripStarts; // the first point of each strip, and at last the number of points
+  std::vector<PointId> StripStarts; // the first point of each strip, and in the end the number of points
   std::vector<FrontEdge> Sides;
   std::vector<unsigned char> Used; // bytes, as several threads write them
   std::vector<RawVector<PointId>> Parts; // triangles, of the walls and strips in the order in which they are made

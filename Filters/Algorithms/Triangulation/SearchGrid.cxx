@@ -1,40 +1,48 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// 1. Space: the area inside the boundary for each point. The side of a voxel is the power of two that is nearest to it.
+// 2. Points are sorted by voxel, and edges listed for each voxel that they touch.
+// 3. Input is checked, as a search would make wrong triangles of it: points in one place are in one voxel, edges that
+//    cross share one, and so do an edge and a point on it.
+// 4. For each voxel, how far the nearest edge is. Most lines of sight are shorter, and need no look at edges.
+//
+// The pyramid has two kinds of boxes: of squares of voxels, and of runs, points whose numbers follow each other.
+// Squares lead to where points are near, and runs to the near ones of the many points that a single row of voxels can
+// have along an outline.
 
 #include "SearchGrid.h"
 
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 
-#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
-#include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// The largest distance to boundary edges that is told from larger ones: distances are kept in bytes.
-constexpr unsigned char FarFromEdges = 255;
-
-// How many voxels a thread takes at a time.
-constexpr std::int64_t Grain = 16384;
+constexpr std::int64_t Grain = 16384; // voxels that a thread takes at a time
 
 // Bounds the memory of the grid where points are crowded in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
 
+// The largest distance to boundary edges that differs from larger ones: distances are kept in bytes.
+constexpr unsigned char FarFromEdges = 255;
+
 /// The side of a square with the area that there is for each point inside the boundary.
 double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
 {
+  assert(!points.empty());
   const PlanePoint size = PlaneBox(points).Greatest; // no coordinate is below 0
   const double box = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
   std::int64_t doubledArea = 0;
   boundary.ForEachEdge(
     [&](PointId from, PointId to) {
-      doubledArea += SignedArea({ 0, 0 }, points[std::size_t(to)], points[std::size_t(from)]);
+      doubledArea += SignedArea({ 0, 0 }, points[to], points[from]);
     });
   const double inside = std::max(0.5 * double(doubledArea), box / MostVoxelsPerPoint);
   return std::sqrt(std::min(box, inside) / double(points.size()));
@@ -44,6 +52,20 @@ double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
 std::int64_t VoxelSizeFor(double spacing)
 {
   return std::int64_t(1) << std::max(0L, std::lround(std::log2(spacing)));
+}
+
+/// Calls check(voxel) for all voxels.
+template <typename Check>
+void ForEachVoxel(std::int64_t voxels, Check&& check)
+{
+  ParallelFor(voxels, Grain,
+    [&check](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t voxel = first; voxel < last; ++voxel)
+      {
+        check(voxel);
+      }
+    });
 }
 
 /// Lowers the distances of a row to one more than the least of the three beside each in the next row.
@@ -90,10 +112,9 @@ SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& bound
   , Sorted(this->Grid, points, names)
   , EdgesInVoxel(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
-  ParallelFor(
-    this->Grid.Size(), Grain, [this](std::int64_t first, std::int64_t last) { this->CheckPlaces(first, last); });
-  ParallelFor(
-    this->Grid.Size(), Grain, [this](std::int64_t first, std::int64_t last) { this->CheckEdges(first, last); });
+  assert(this->Grid.CellSize() == std::int64_t(1) << this->Shift);
+  ForEachVoxel(this->Grid.Size(), [this](std::int64_t voxel) { this->CheckPlaces(voxel); });
+  ForEachVoxel(this->Grid.Size(), [this](std::int64_t voxel) { this->CheckEdges(voxel); });
   this->MeasureEdgeDistances();
 }
 
@@ -114,41 +135,11 @@ SearchGrid::SortedPoints::SortedPoints(
   {
     const PointId number = this->Voxels.NextPosition(grid.CellOf(points[point]));
     this->Numbers[point] = number;
-    this->Places[std::size_t(number)] = points[point];
-    this->Names[std::size_t(number)] = names[point];
+    this->Places[number] = points[point];
+    this->Names[number] = names[point];
   }
   // A search that looks at places after the last point then finds no better ones than that of the point.
-  std::fill_n(this->Places.end() - Padding, Padding, points.empty() ? PlanePoint{} : this->Places[points.size() - 1]);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// A shortest way from an edge goes along a row first, and then from row to row, straight or across corners. So
-// distances along the rows come first, and then two passes over the rows, upwards and downwards.
-void SearchGrid::MeasureEdgeDistances()
-{
-  this->EdgeDistances.assign(std::size_t(this->Grid.Size()), FarFromEdges);
-  if (this->EdgesInVoxel.Size() == 0)
-  {
-    return;
-  }
-  const std::int64_t size = this->Grid.SizeX();
-  unsigned char* const distances = this->EdgeDistances.data();
-  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
-  {
-    distances[voxel] = this->EdgesInVoxel.IsEmpty(voxel) ? FarFromEdges : 0;
-  }
-  for (std::int64_t y = 0; y < this->Grid.SizeY(); ++y)
-  {
-    LowerAlong(size, distances + y * size);
-  }
-  for (std::int64_t y = 1; y < this->Grid.SizeY(); ++y)
-  {
-    LowerTo(distances + (y - 1) * size, size, distances + y * size);
-  }
-  for (std::int64_t y = this->Grid.SizeY() - 1; y-- > 0;)
-  {
-    LowerTo(distances + (y + 1) * size, size, distances + y * size);
-  }
+  std::fill_n(this->Places.end() - Padding, Padding, this->Places[points.size() - 1]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -167,38 +158,31 @@ bool SearchGrid::AreFewAndApart(std::int64_t voxel) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckPlaces(std::int64_t firstVoxel, std::int64_t endVoxel) const
+void SearchGrid::CheckPlaces(std::int64_t voxel) const
 {
-  std::vector<PointId> numbers;
-  for (std::int64_t cell = firstVoxel; cell < endVoxel; ++cell)
+  if (this->AreFewAndApart(voxel))
   {
-    if (this->AreFewAndApart(cell))
-    {
-      continue;
-    }
-    numbers.resize(std::size_t(this->EndOf(cell) - this->FirstIn(cell)));
-    std::iota(numbers.begin(), numbers.end(), this->FirstIn(cell));
-    std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
-    const auto twin = std::adjacent_find(
-      numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) == this->At(b); });
-    if (twin != numbers.end())
-    {
-      const auto names = std::minmax({ this->NameOf(*twin), this->NameOf(*(twin + 1)) });
-      throw InputError("points " + std::to_string(names.first) + " and " + std::to_string(names.second) +
-        " in one place in plan, expected at most one point of a horizon above each place");
-    }
+    return;
+  }
+  std::vector<PointId> numbers(this->EndOf(voxel) - this->FirstIn(voxel));
+  std::iota(numbers.begin(), numbers.end(), this->FirstIn(voxel));
+  std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
+  const auto twin = std::adjacent_find(
+    numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) == this->At(b); });
+  if (twin != numbers.end())
+  {
+    const auto names = std::minmax({ this->NameOf(*twin), this->NameOf(*(twin + 1)) });
+    throw InputError("points " + std::to_string(names.first) + " and " + std::to_string(names.second) +
+      " in one place in plan, expected at most one point of a horizon above each place");
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckEdges(std::int64_t firstVoxel, std::int64_t endVoxel) const
+void SearchGrid::CheckEdges(std::int64_t voxel) const
 {
-  for (std::int64_t voxel = firstVoxel; voxel < endVoxel; ++voxel)
+  for (const Edge* edge = this->EdgesInVoxel.begin(voxel); edge != this->EdgesInVoxel.end(voxel); ++edge)
   {
-    for (const Edge* edge = this->EdgesInVoxel.begin(voxel); edge != this->EdgesInVoxel.end(voxel); ++edge)
-    {
-      this->CheckEdge(edge, voxel);
-    }
+    this->CheckEdge(edge, voxel);
   }
 }
 
@@ -229,5 +213,111 @@ void SearchGrid::CheckEdge(const Edge* edge, std::int64_t voxel) const
 std::string SearchGrid::Describe(const Edge& edge) const
 {
   return "boundary edge " + std::to_string(this->NameOf(edge.From)) + " - " + std::to_string(this->NameOf(edge.To));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// A shortest way from an edge goes along a row first, and then from row to row, straight or across corners. So
+// distances along the rows come first, and then two passes over the rows, upwards and downwards.
+void SearchGrid::MeasureEdgeDistances()
+{
+  this->EdgeDistances.assign(this->Grid.Size(), FarFromEdges);
+  if (this->EdgesInVoxel.Size() == 0)
+  {
+    return;
+  }
+  const std::int64_t size = this->Grid.SizeX();
+  unsigned char* const distances = this->EdgeDistances.data();
+  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
+  {
+    distances[voxel] = this->EdgesInVoxel.IsEmpty(voxel) ? FarFromEdges : 0;
+  }
+  for (std::int64_t y = 0; y < this->Grid.SizeY(); ++y)
+  {
+    LowerAlong(size, distances + y * size);
+  }
+  for (std::int64_t y = 1; y < this->Grid.SizeY(); ++y)
+  {
+    LowerTo(distances + (y - 1) * size, size, distances + y * size);
+  }
+  for (std::int64_t y = this->Grid.SizeY() - 1; y-- > 0;)
+  {
+    LowerTo(distances + (y + 1) * size, size, distances + y * size);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointPyramid::PointPyramid(const SearchGrid& points)
+  : Points(points)
+{
+  this->MakeRuns();
+  this->MakeLowest();
+  while (this->Levels.back().Boxes.size() > 1)
+  {
+    this->MakeNext();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointPyramid::MakeRuns()
+{
+  const PointId count = this->Points.EndOf(this->Points.Voxels().Size() - 1);
+  this->Runs.emplace_back((count - 1) / RunSize + 1);
+  PlaneBox* run = this->Runs.back().data();
+  for (PointId first = 0; first < count; first += RunSize, ++run)
+  {
+    for (PointId point = first; point < std::min(first + RunSize, count); ++point)
+    {
+      run->Add(this->Points.At(point));
+    }
+  }
+  while (this->Runs.back().size() > 1)
+  {
+    const std::vector<PlaneBox>& below = this->Runs.back();
+    std::vector<PlaneBox> runs(((below.size() - 1) >> RunShift) + 1);
+    for (std::size_t n = 0; n < below.size(); ++n)
+    {
+      runs[n >> RunShift].Add(below[n]);
+    }
+    this->Runs.push_back(std::move(runs));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointPyramid::MakeLowest()
+{
+  const CellGrid& voxels = this->Points.Voxels();
+  Level level{ (voxels.SizeX() - 1) / BaseSize + 1, (voxels.SizeY() - 1) / BaseSize + 1, {} };
+  level.Boxes.resize(level.SizeX * level.SizeY);
+  for (std::int64_t y = 0; y < voxels.SizeY(); ++y)
+  {
+    PlaneBox* box = level.Boxes.data() + y / BaseSize * level.SizeX;
+    for (std::int64_t x = 0; x < voxels.SizeX(); x += BaseSize, ++box)
+    {
+      const std::int64_t last = std::min(x + BaseSize, voxels.SizeX()) - 1;
+      const PointId end = this->Points.EndOf(voxels.Index(last, y));
+      for (PointId point = this->Points.FirstIn(voxels.Index(x, y)); point < end; ++point)
+      {
+        box->Add(this->Points.At(point));
+      }
+    }
+  }
+  this->Levels.push_back(std::move(level));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointPyramid::MakeNext()
+{
+  const Level& below = this->Levels.back();
+  Level level{ (below.SizeX + 1) / 2, (below.SizeY + 1) / 2, {} };
+  level.Boxes.resize(level.SizeX * level.SizeY);
+  for (std::int64_t y = 0; y < below.SizeY; ++y)
+  {
+    for (std::int64_t x = 0; x < below.SizeX; ++x)
+    {
+      const PlaneBox& box = below.Boxes[y * below.SizeX + x];
+      level.Boxes[y / 2 * level.SizeX + x / 2].Add(box);
+    }
+  }
+  this->Levels.push_back(std::move(level));
 }
 }

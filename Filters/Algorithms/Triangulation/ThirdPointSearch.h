@@ -2,57 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The point that makes a triangle with an edge (thesis 5.3.4 to 5.3.6 and 5.4): of all points to the left of the edge
-// that can be seen from it, the one whose circle with the edge has no other such point inside.
-//
-// Points are looked up in a grid of square voxels with about one point each. A first candidate is found by one of two
-// strategies in the square box of the edge, which is as far around its middle as the edge is long.
-//
-// VoxelTraversal looks into the voxels along the perpendicular bisector, from the middle of the edge, and then into
-// those of its dilatations, until it finds a point. The n-th dilatation is the bisector's line of voxels moved by n to
-// either side, along the axis on which the line advances less (5.3.6.2):
-//
-//      1 0 1 2 . . .
-//      1 0 1 2 . . .        a-b    the edge, from a to b: its left is above
-//      2 1 0 1 2 . .        0      the perpendicular bisector
-//      2 1 0 1 2 . .        1      the first dilatation, both lines of it
-//      2 1 0 1 2 . .        2      the second one
-//      . 2 1 0 1 2 b
-//      . 2 1 0 1 2 .
-//      a . . . . . .
-//
-// Most often the point is in the voxel beside the edge. So before all this a circle through a and b is searched, the
-// part of it to the left of the edge: one as large as the circle of the triangle on the other side of the edge
-// suggests, which is empty, or little higher than points are apart. When it has points, the third point is one of them.
-//
-// Compactness takes that point of the box which makes the most compact triangle (eq. 5.9).
-//
-// When the box has no point, or is so large that going through it takes long, boxes of points are searched, from near
-// to far (PointPyramid.h). Whatever the candidate in the box of the edge, the circle through it and the edge is then
-// searched for better points (the Delaunay criterion, Alg. 5.1), so that both strategies end with the same point:
-//
-//           . c .             a-b    the edge, from a to b
-//        .         .          c      the candidate
-//      .       d     .        d      a better point: inside the circle, from where the edge is seen at a larger angle
-//     .               .              than from c
-//     .               .
-//     .               .       Searched are the voxels that the part of the circle to the left of the edge may touch. Of
-//      a-------------b        the points in it, that which sees the edge at the largest angle is the third point: its
-//        .         .          own circle has none in the part to the left.
-//           . . .
-//
-// With constraints, a point counts only when the segment from the middle of the edge to it crosses no boundary edge.
-// Looking from the middle is enough: the third point is seen from every place on the edge, and a point of the circle
-// that is seen from the middle would be seen from inside the triangle as well, which a constrained Delaunay triangle
-// excludes. As few edges have a boundary edge near, the best of all points is looked for first, seen or not; if it is
-// seen, it is the third point.
+// that can be seen from it, the one whose circle with the edge has no other such point inside. Tests look at the steps
+// of the search, which is why they are here.
 
 #ifndef SeismicHorizonsThirdPointSearch_h
 #define SeismicHorizonsThirdPointSearch_h
 
+#include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
-#include "PointPyramid.h"
 #include "SearchGrid.h"
-#include "ThirdPointQuery.h"
+#include "Triangulation.h"
 
 #include <memory>
 #include <mutex>
@@ -60,11 +19,77 @@
 
 namespace SeismicHorizons
 {
-enum class SearchStrategy
+/// A voxel that was looked into, to show how the search works.
+struct WalkedVoxel
 {
-  VoxelTraversal,
-  Compactness
+  std::int64_t X = 0;
+  std::int64_t Y = 0;
+  /// 0 on the perpendicular bisector, n on its n-th dilatation, -1 where neither led there: in the box of the edge for
+  /// Compactness, in squares around it, or in the circle of the candidate.
+  int Dilatation = 0;
 };
+
+/// An edge from A to B, and the best point that was found for it so far.
+struct ThirdPointQuery
+{
+  /// Keeps a reference to the points.
+  ThirdPointQuery(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedVoxel>* walk)
+    : Points(points)
+    , A(points.At(from))
+    , B(points.At(to))
+    , Walk(walk)
+  {
+  }
+
+  PlanePoint DoubledMiddle() const { return { this->A.X + this->B.X, this->A.Y + this->B.Y }; }
+  SegmentEnd Middle() const { return { 0.5 * this->DoubledMiddle().X, 0.5 * this->DoubledMiddle().Y }; }
+
+  double SquaredLength() const { return double(SquaredDistance(this->A, this->B)); }
+
+  /// Takes a point as the best if it is better than the best so far, to the left of the edge, and visible where only
+  /// such points count.
+  void Consider(PointId candidate);
+
+  /// Takes a point to the left of the edge as the best; `area` is twice that of its triangle with the edge.
+  void Take(PointId point, std::int64_t area);
+
+  /// Whether the segment from the middle of the edge to a point crosses no boundary edge.
+  bool IsVisible(PointId point) const;
+
+  const SearchGrid& Points;
+  const PlanePoint A;
+  const PlanePoint B;
+  std::vector<WalkedVoxel>* const Walk; // takes the voxels that are looked into, if not null
+  int Dilatation = -1; // of the voxels that are being looked into
+  bool OnlyVisible = false; // whether points behind boundary edges do not count
+  PointId Best = NoPoint;
+  double BestCotangent = 0.0; // of the angle at which the best point sees the edge
+
+private:
+  double CotangentOf(const PlanePoint& place, std::int64_t area) const;
+  bool IsBetter(const PlanePoint& place, PointId candidate, double cotangent) const;
+};
+
+/// A block of voxels, the last row and column included.
+struct VoxelBox
+{
+  std::int64_t FirstX;
+  std::int64_t FirstY;
+  std::int64_t LastX;
+  std::int64_t LastY;
+};
+
+/// The voxels that the part of a circle to the left of an edge may touch. The circle is that of the points to the left
+/// from which the edge is seen at an angle with some cotangent; `radius` is its own.
+VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius);
+
+/// The same for the circle of the best point so far.
+VoxelBox VoxelsOfBest(const ThirdPointQuery& query);
+
+/// Lets the query consider those of the points in a box, in which the edge has to be, that may be the third point, as
+/// long as there is one whose cotangent is not above the bound; else perhaps others, or none. When only visible points
+/// count, these are all up to the bound.
+void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound);
 
 struct ThirdPoint
 {
@@ -75,8 +100,8 @@ struct ThirdPoint
 class ThirdPointSearch
 {
 public:
-  /// `grid` must outlive the search; edges are asked for by its numbers.
-  ThirdPointSearch(const SearchGrid& grid, SearchStrategy strategy);
+  /// `points` must outlive the search; edges are asked for by its numbers.
+  ThirdPointSearch(const SearchGrid& points, SearchStrategy strategy);
 
   /// The third point for the edge from a to b. `neighbor` is about the diameter of the circle of the triangle on the
   /// other side of the edge, 0 where that is not known: it says where to look first. `walk`, when given, takes the
@@ -91,26 +116,10 @@ public:
 private:
   void Search(ThirdPointQuery& query, float height) const;
   bool SearchNearby(ThirdPointQuery& query, float height) const;
-  float FirstHeight(float neighbor) const;
-  void TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
-  void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift) const;
-  void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
-  void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox) const;
   void SearchFar(ThirdPointQuery& query) const;
-
-  VoxelBox SquareAround(const EdgeBox& edgeBox, std::int64_t radius) const;
-  void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound) const;
-  void SearchBox(ThirdPointQuery& query, const VoxelBox& box) const;
-  void SearchRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
-  void Trace(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last) const;
-  template <typename Visitor>
-  void VisitRow(ThirdPointQuery& query, std::int64_t row, std::int64_t first, std::int64_t last, Visitor&& visit) const;
-
-  const PlanePoint& At(PointId point) const { return this->Points.At(point); }
 
   const SearchStrategy Strategy;
   const SearchGrid& Points;
-  const CellGrid& Grid;
   const float UsualHeight;
   const float GreatestHeight;
   mutable std::once_flag PyramidFlag;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <mutex>
 
@@ -16,8 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// How many triangles a thread takes at a time.
-constexpr std::int64_t Grain = 16384;
+constexpr std::int64_t Grain = 16384; // triangles that a thread takes at a time
 
 /// A triangle as its sides, the shortest first, and its area.
 struct Shape
@@ -58,9 +58,10 @@ struct Shape
 TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles)
 {
   TriangleQuality quality;
+  assert(triangles.size() % 3 == 0);
   quality.Compactness.resize(triangles.size() / 3);
   quality.Shape.resize(triangles.size() / 3);
-  const auto at = [&](std::size_t corner) { return places[std::size_t(triangles[corner])]; };
+  const auto at = [&](std::int64_t corner) { return places[triangles[corner]]; };
   // The largest cotangent belongs to the smallest angle.
   double largest = -1.0;
   std::mutex mutex;
@@ -68,7 +69,7 @@ TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawV
     [&](std::int64_t first, std::int64_t last)
     {
       double largestHere = -1.0;
-      for (std::size_t triangle = std::size_t(first); triangle < std::size_t(last); ++triangle)
+      for (std::int64_t triangle = first; triangle < last; ++triangle)
       {
         const Shape shape(at(3 * triangle), at(3 * triangle + 1), at(3 * triangle + 2));
         quality.Compactness[triangle] = float(shape.Compactness());

@@ -17,15 +17,22 @@
 #include "Common/BoundedHorizon.h"
 #include "Common/Monitor.h"
 #include "Common/RawVector.h"
-#include "ThirdPointSearch.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace SeismicHorizons
 {
+/// How the third point of an edge is looked for (thesis 5.3.4 to 5.3.6): first in the voxels along its perpendicular
+/// bisector, or for the most compact triangle in a box. The mesh is the same.
+enum class SearchStrategy
+{
+  VoxelTraversal,
+  Compactness
+};
+
 struct TriangulationOptions
 {
-  /// How the third point of an edge is looked for. The mesh is the same.
   SearchStrategy Strategy = SearchStrategy::VoxelTraversal;
   /// To show how the mesh grows: stops when a patch has so many triangles, and searches for all of them, those of full
   /// blocks too; 0 makes all.

@@ -3,7 +3,6 @@
 //
 // Boundaries of horizons that are cut along links.
 
-#include "Boundary/BoundaryMarks.h"
 #include "Boundary/ExteriorBoundary.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Boundary/BoundaryMarks.h"
 #include "Boundary/ExteriorBoundary.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"

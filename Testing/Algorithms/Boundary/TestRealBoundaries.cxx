@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Common/MeshChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/RealHorizons.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"

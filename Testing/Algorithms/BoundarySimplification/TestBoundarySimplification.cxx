@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "BoundarySimplification/BoundarySimplification.h"
+#include "Common/MeshChecker.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"

@@ -4,9 +4,9 @@
 #include "ShortcutSearch.h"
 
 #include "BoundarySimplification/BoundarySimplification.h"
+#include "Common/MeshChecker.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"
@@ -29,7 +29,7 @@ BoundarySimplificationOptions Options(double tolerance, double threshold)
 
 BoundarySimplification Simplify(const BoundedHorizon& horizon, double tolerance, double threshold)
 {
-  return SimplifyBoundary(horizon, horizon.Boundary, Options(tolerance, threshold));
+  return SimplifyBoundary(OnColumns(horizon), horizon.Boundary, Options(tolerance, threshold));
 }
 
 /// The columns of the points that the loops of a level horizon keep.
@@ -255,10 +255,10 @@ void TestErrors()
   const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ "####", "####", "####", "####" }));
   CHECK_THROWS_WITH(Simplify(horizon, -1.0, 0.5), "outline tolerance -1, expected at least 0 columns");
   CHECK_THROWS_WITH(Simplify(horizon, 1.0, -0.5), "distance threshold -0.5, expected at least 0 lattice units");
-  BoundedHorizon points = horizon;
-  points.Plane[5].X += points.SubVoxelsPerColumn / 2;
-  CHECK_THROWS_WITH(SimplifyBoundary(points, horizon.Boundary, Options(1.0, 1.0)),
-    "point 5 at (1.5, 1) stands beside its column, expected whole columns");
+  BoundedHorizon twice = OnColumns(horizon);
+  twice.Plane[5] = twice.Plane[6];
+  CHECK_THROWS_WITH(SimplifyBoundary(twice, horizon.Boundary, Options(1.0, 1.0)),
+    "points 5 and 6 both in column (2, 1), expected at most one point of a horizon in a column");
 }
 
 /// Also along one loop, which takes long.
@@ -269,7 +269,7 @@ void TestMonitor()
   Patches::Random random(45);
   const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random));
   const auto work = [&](const Monitor& monitor)
-  { SimplifyBoundary(horizon, horizon.Boundary, Options(1.0, 1.0), monitor); };
+  { SimplifyBoundary(OnColumns(horizon), horizon.Boundary, Options(1.0, 1.0), monitor); };
   CHECK_EQUAL(MonitorChecker::Check(10, work), std::string());
 }
 }

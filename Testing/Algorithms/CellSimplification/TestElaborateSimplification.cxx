@@ -4,11 +4,11 @@
 // The elaborate simplification: the points that stand for cells, whole horizons, and errors.
 
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/MeshChecker.h"
 #include "Common/Parallel.h"
 #include "ElaborateFixtures.h"
 #include "Generator/HorizonGenerator.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/MonitorChecker.h"
 #include "Triangulation/Triangulation.h"
 
@@ -133,9 +133,9 @@ void TestGeneratedHorizon()
   generator.NumberOfHorizons = 1;
   const HorizonVoxels voxels = HorizonGenerator(generator).MakeHorizon(0);
   Patches::Columns columns;
-  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {
-    columns.push_back({ voxels.I[n], voxels.J[n] });
+    columns.push_back({ voxels.Column[n].X, voxels.Column[n].Y });
   }
   const std::vector<double> heights(voxels.K.begin(), voxels.K.end());
   const BoundedHorizon full = MakeHorizon(MovedToOrigin(columns), heights);

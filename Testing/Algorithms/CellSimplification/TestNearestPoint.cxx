@@ -1,39 +1,44 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The nearest of some points beside a search through all of them.
+// The nearest of some boundary points beside a search through all of them.
 
-#include "CellSimplification/NearestPoint.h"
+#include "CellSimplification/RoughSimplification.h"
 #include "Common/PlaneGeometry.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 
 #include <algorithm>
-#include <numeric>
 
 using namespace SeismicHorizons;
 
 namespace
 {
-PointId FindByTrying(const std::vector<PlanePoint>& plane, const PlanePoint& place)
-{
-  const auto nearest = std::min_element(plane.begin(), plane.end(),
-    [&](const PlanePoint& a, const PlanePoint& b) { return SquaredDistance(a, place) < SquaredDistance(b, place); });
-  return PointId(nearest - plane.begin());
-}
-
+/// All in one cell, the first points on the boundary: the others count for the nearest of these.
 void Compare(int count, std::int32_t size, Patches::Random& random)
 {
-  const auto place = [&]() { return PlanePoint{ random.Below(size) - size / 2, random.Below(size) - size / 2 }; };
-  std::vector<PlanePoint> plane(std::size_t(count), PlanePoint{});
-  std::generate(plane.begin(), plane.end(), place);
-  std::vector<PointId> points(plane.size());
-  std::iota(points.begin(), points.end(), 0);
-  const NearestPoint nearest(plane, points);
-  for (int n = 0; n < 100; ++n)
+  constexpr int asked = 100;
+  BoundedHorizon horizon;
+  for (int n = 0; n < count + asked; ++n)
   {
-    const PlanePoint asked = place();
-    CHECK_EQUAL(nearest.Find(asked), FindByTrying(plane, asked));
+    const std::int32_t x = random.Below(size) - size / 2;
+    horizon.Plane.push_back({ x, random.Below(size) - size / 2 });
+    if (n < count)
+    {
+      horizon.Boundary.Append(n);
+    }
+  }
+  horizon.Boundary.Close();
+  horizon.Height.assign(horizon.Plane.size(), 0.0);
+  horizon.Patch.assign(horizon.Plane.size(), 0);
+  const Reduction result = SimplifyRough(horizon, 1 << 30);
+  for (std::size_t n = std::size_t(count); n < horizon.Plane.size(); ++n)
+  {
+    const auto boundary = horizon.Plane.begin();
+    const auto nearest = std::min_element(boundary, boundary + count,
+      [&](const PlanePoint& a, const PlanePoint& b)
+      { return SquaredDistance(a, horizon.Plane[n]) < SquaredDistance(b, horizon.Plane[n]); });
+    CHECK_EQUAL(result.Target[n], PointId(nearest - boundary));
   }
 }
 }

@@ -8,47 +8,65 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 using namespace SeismicHorizons;
 
 namespace
 {
+/// The sheet of each point; -1 for one that is dropped.
+std::vector<int> FindSheets(PlanePoints columns, const std::vector<double>& heights)
+{
+  const ColumnSheets sheets = SplitIntoSheets(columns, heights);
+  std::vector<int> sheetOf(heights.size(), -1);
+  for (std::size_t sheet = 0; sheet < sheets.Points.size(); ++sheet)
+  {
+    CHECK(std::is_sorted(sheets.Points[sheet].begin(), sheets.Points[sheet].end()));
+    for (const std::int32_t point : sheets.Points[sheet])
+    {
+      CHECK_EQUAL(sheetOf[point], -1);
+      sheetOf[point] = int(sheet);
+    }
+  }
+  CHECK_EQUAL(sheets.Dropped, std::count(sheetOf.begin(), sheetOf.end(), -1));
+  return sheetOf;
+}
+
 void HeightsMayBeFractionsAndLarge()
 {
   // Two columns, each with a point at the least and at the largest height there is.
-  const std::vector<int> i = { 0, 0, 1, 1 };
-  const std::vector<int> j(4, 7);
-  CHECK(FindSheets(i.data(), j.data(), { -1.7e308, 1.7e308, 1.7e308, -1.7e308 }) == std::vector<int>({ 0, 1, 1, 0 }));
-  CHECK(FindSheets(i.data(), j.data(), { 0.25, 0.5, 0.375, 0.625 }) == std::vector<int>({ 0, 1, 0, 1 }));
+  const std::vector<PlanePoint> columns = { { 0, 7 }, { 0, 7 }, { 1, 7 }, { 1, 7 } };
+  CHECK(FindSheets(columns, { -1.7e308, 1.7e308, 1.7e308, -1.7e308 }) == std::vector<int>({ 0, 1, 1, 0 }));
+  CHECK(FindSheets(columns, { 0.25, 0.5, 0.375, 0.625 }) == std::vector<int>({ 0, 1, 0, 1 }));
 }
 
 void NoPointsNoSheets()
 {
-  CHECK(FindSheets(nullptr, nullptr, {}).empty());
+  CHECK(FindSheets({}, {}).empty());
+  CHECK_EQUAL(SplitIntoSheets({}, {}).Points.size(), 1U);
 }
 
 /// Points of all horizons under one name, or of a well: comparing each with each would take hours, and all memory.
 void PilesAreQuick()
 {
   constexpr std::size_t pile = 100000;
-  std::vector<int> i;
+  std::vector<PlanePoint> columns;
   std::vector<double> heights;
   for (int column = 0; column < 2; ++column)
   {
     for (std::size_t n = 0; n < pile; ++n)
     {
-      i.push_back(column);
+      columns.push_back({ column, 0 });
       heights.push_back(double(n));
     }
   }
-  const std::vector<int> j(i.size(), 0);
-  const std::vector<int> sheets = FindSheets(i.data(), j.data(), heights);
+  const std::vector<int> sheets = FindSheets(columns, heights);
   CHECK_EQUAL(std::count(sheets.begin(), sheets.end(), -1), std::ptrdiff_t(2 * (pile - MostSheets)));
   for (int sheet = 0; sheet < MostSheets; ++sheet)
   {
-    CHECK_EQUAL(sheets[std::size_t(sheet)], sheet);
-    CHECK_EQUAL(sheets[pile + std::size_t(sheet)], sheet);
+    CHECK_EQUAL(sheets[sheet], sheet);
+    CHECK_EQUAL(sheets[pile + sheet], sheet);
   }
 }
 }

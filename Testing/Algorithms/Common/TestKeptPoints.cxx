@@ -107,7 +107,6 @@ void TestDropped()
   CHECK(KeepOthers({}, 9).AreAll());
 }
 
-/// Negative places, too, are on columns, or beside them.
 void TestSpacePoints()
 {
   BoundedHorizon horizon;
@@ -117,8 +116,6 @@ void TestSpacePoints()
   const SpacePoints points(horizon);
   CHECK(points[0].X == 2.0 && points[0].Y == -1.0 && points[0].Z == 1.5);
   CHECK(points[1].X == 1.75 && points[2].Y == -0.25);
-  CHECK(points.IsOnColumn(0) && !points.IsOnColumn(1) && !points.IsOnColumn(2));
-  CHECK(points.Column(0) == (PlanePoint{ 2, -1 }));
 }
 }
 

@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsDecimationChecker_h
 #define SeismicHorizonsDecimationChecker_h
 
+#include "Common/MeshChecker.h"
 #include "Decimation/Decimation.h"
 #include "Tools/ExactPlane.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"

@@ -134,7 +134,7 @@ std::string CheckDecimations(const BoundedHorizon& horizon, Patches::Random& ran
   std::string wrong;
   const auto check = [&](const char* target, const DecimationOptions& options, double error, MeshChecker::Kind kind)
   {
-    const Decimation result = Decimate(horizon, options);
+    const Decimation result = Decimate(OnColumns(horizon), options);
     const std::string here = DecimationChecker::Checker(horizon, result).Check(error, kind);
     wrong = wrong.empty() && !here.empty() ? target + (": " + here) : wrong;
   };
@@ -173,7 +173,7 @@ void TestRandomLattices()
     fewest.Method = OutlineMethod::FewestPoints;
     const auto simplified = [&horizon](const BoundarySimplificationOptions& options)
     {
-      BoundedHorizon result = Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, options));
+      BoundedHorizon result = Drop(horizon, SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, options));
       result.Cuts = horizon.Cuts;
       return result;
     };

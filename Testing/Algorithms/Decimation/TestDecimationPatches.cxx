@@ -44,7 +44,7 @@ BoundedHorizon MakePatch(int n, Patches::Random& random)
   BoundaryOptions boundary;
   boundary.HoleBoundaries = n % 3 == 0;
   boundary.Radius = 1 + n % 2;
-  BoundedHorizon horizon = TestHorizons::MakeHorizon(columns, heights, boundary);
+  BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, heights, boundary));
   return n % 2 == 1 ? horizon
                     : TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, { 1.0, false, 1.5 }));
 }

@@ -81,7 +81,7 @@ BoundedHorizon MakeSurface(bool isCut, const BoundarySimplificationOptions& outl
   BoundaryOptions options;
   options.Cuts = isCut ? &cuts : nullptr;
   const BoundedHorizon horizon = MakeHorizon(columns, heights, options);
-  BoundedHorizon result = Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, outlines));
+  BoundedHorizon result = Drop(horizon, SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, outlines));
   result.Cuts = isCut ? std::make_shared<const LinkCuts>(cuts) : nullptr;
   return result;
 }
@@ -152,13 +152,13 @@ void CompareErrorBounded()
   outlines.DistanceThreshold = Error;
   DecimationOptions options;
   options.MaximumError = Error;
-  const Decimation mesh = Decimate(MakeSurface(true, outlines), options);
+  const Decimation mesh = Decimate(OnColumns(MakeSurface(true, outlines)), options);
   for (const DecimationPriority priority : { DecimationPriority::LargestError, DecimationPriority::SumOfSquares })
   {
     options.MaximumError = 0.0; // not the target
     options.MaximumNumberOfPoints = mesh.Points.Source.size();
     options.Priority = priority;
-    const Decimation whole = Decimate(MakeSurface(false, outlines), options);
+    const Decimation whole = Decimate(OnColumns(MakeSurface(false, outlines)), options);
     Compare(
       "error-bounded", mesh.Points.Source.size(), mesh.LargestError, whole.Points.Source.size(), whole.LargestError);
   }

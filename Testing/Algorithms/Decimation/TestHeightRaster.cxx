@@ -4,7 +4,6 @@
 // The columns of triangles, and their largest distances, beside a look at every column of the box.
 
 #include "Decimation/HeightRaster.h"
-#include "Decimation/TriangleRows.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"

@@ -58,8 +58,7 @@ inline Cracks FindAgain(const Cracked& cracked, const BoundedHorizon& horizon)
   Cracks cracks = cracked.Open;
   for (Edge& mouth : cracks.Mouths)
   {
-    mouth = { pointAt.at(cracked.Horizon.Plane[std::size_t(mouth.From)]),
-      pointAt.at(cracked.Horizon.Plane[std::size_t(mouth.To)]) };
+    mouth = { pointAt.at(cracked.Horizon.Plane[mouth.From]), pointAt.at(cracked.Horizon.Plane[mouth.To]) };
   }
   return cracks;
 }
@@ -68,7 +67,8 @@ inline Cracks FindAgain(const Cracked& cracked, const BoundedHorizon& horizon)
 inline BoundedHorizon Simplify(const Cracked& cracked, BoundarySimplificationOptions options)
 {
   options.Fixed = cracked.Open.EndsOfMouths();
-  BoundedHorizon result = Drop(cracked.Horizon, SimplifyBoundary(cracked.Horizon, cracked.Horizon.Boundary, options));
+  BoundedHorizon result =
+    Drop(cracked.Horizon, SimplifyBoundary(OnColumns(cracked.Horizon), cracked.Horizon.Boundary, options));
   result.Cuts = cracked.Horizon.Cuts;
   return result;
 }

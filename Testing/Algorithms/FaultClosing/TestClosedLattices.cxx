@@ -51,7 +51,7 @@ std::string CheckMeshes(const Cracked& cracked, const BoundedHorizon& horizon, c
   {
     DecimationOptions options;
     options.Effort = effort;
-    const Decimation decimation = Decimate(horizon, options);
+    const Decimation decimation = Decimate(OnColumns(horizon), options);
     const std::string here =
       CheckMesh("decimation", cracked, Reduce(horizon, decimation.Points), decimation.Triangles, outline);
     wrong = wrong.empty() ? here : wrong;

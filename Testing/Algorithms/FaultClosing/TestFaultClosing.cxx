@@ -46,7 +46,7 @@ void CutFile(CrackedPatch& patch, std::int32_t file, std::int32_t first, std::in
 
 std::string Column(const CrackedPatch& patch, PointId point)
 {
-  const PlanePoint& column = patch.Columns[std::size_t(point)];
+  const PlanePoint& column = patch.Columns[point];
   return std::to_string(column.X) + ',' + std::to_string(column.Y);
 }
 

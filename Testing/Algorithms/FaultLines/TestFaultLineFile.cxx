@@ -157,6 +157,8 @@ void WrongFiles()
   CHECK_THROWS_WITH(Read(ZmapHeader + "1 2 3\n"), "line 9: \"1 2 3\", expected a finite number, x");
   CHECK_THROWS_WITH(
     Read("GOCAD PLine 1\nILINE\nVRTX 1 1 2 3\n"), "line 3: end of file, expected END of the GOCAD object");
+  CHECK_THROWS_WITH(Read("GOCAD PLine 1\nILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEN\nGOCAD VSet 1\nEND\n"),
+    "line 7: \"GOCAD\", expected END of the GOCAD object");
   CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX 1 1 2\n"), "line 2: 4 words, expected a vertex: id, x, y and z");
   CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX a 1 2 3\n"), "line 2: \"a\", expected the id of a vertex");
   CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX 1 1 2 3\nVRTX 1 1 2 3\n"), "line 3: vertex 1 for the second time");

@@ -58,7 +58,7 @@ inline std::string ToText(const FaultLines& lines)
 /// Whether the cuts of each line lead from corner to corner.
 inline bool AreChains(const FaultLines& lines)
 {
-  const LinkGrid grid(PlaneBox({ { -10, -10 }, { 2000, 2000 } }));
+  const LinkGrid grid(PlaneBox({ { -10, -10 }, { 1 << 29, 1 << 29 } }));
   for (std::size_t line = 0; line < lines.Size(); ++line)
   {
     std::int64_t end = -1;

@@ -6,7 +6,6 @@
 #include "Common/Parallel.h"
 #include "FaultPictures.h"
 #include "Faults/FaultDetection.h"
-#include "Faults/LinkDeviations.h"
 #include "Generator/FaultGenerator.h"
 #include "Tools/Check.h"
 #include "Tools/FaultScore.h"
@@ -163,6 +162,64 @@ void SmallHorizonsHaveNoFaults()
   CHECK_EQUAL(DetectFaults(ColumnHeights({ { 0, 0 }, { 300, 200 } }, { 5.0, 99.0 }), {}).Lines.Size(), 0U);
 }
 
+/// The links that cut two equal parts with faults, the second of which begins at `second`, counted from their part.
+std::string CutsOfParts(const FaultedHorizon& part, const PlanePoint& second, int largestGap)
+{
+  std::vector<PlanePoint> columns = part.Columns;
+  std::vector<double> heights = part.Height;
+  for (std::size_t point = 0; point < part.Columns.size(); ++point)
+  {
+    columns.push_back({ part.Columns[point].X + second.X, part.Columns[point].Y + second.Y });
+    heights.push_back(part.Height[point] + 30.0);
+  }
+  const ColumnHeights horizon(columns, heights);
+  FaultDetectionOptions options;
+  options.Noise = 0.5;
+  options.LargestGap = largestGap;
+  FaultLines lines = DetectFaults(horizon, options).Lines;
+  CHECK(AreChains(lines));
+  // Along the diagonal of both parts, and from the first to the second.
+  const double end = 199.5;
+  lines.Append(CutAlong(horizon, { { { 0.5, 0.3 }, { end, end } }, { { 20.5, 180.3 }, { end, 180.3 } } }));
+  lines.Append(CutAlong(horizon, { { { second.X + 0.5, second.Y + 0.3 }, { second.X + end, second.Y + end } } }));
+  std::string text;
+  for (std::size_t n = 0; n < lines.NumberOfLinks(); ++n)
+  {
+    LatticeLink link = lines[n].Place;
+    const bool isSecond = link.Column.X >= second.X && link.Column.Y >= second.Y;
+    link.Column = isSecond ? PlanePoint{ link.Column.X - second.X, link.Column.Y - second.Y } : link.Column;
+    text += ToText(link) + ' ' + std::to_string(lines[n].Throw) + ' ' + std::to_string(lines[n].Middle) + '\n';
+  }
+  return text;
+}
+
+/// Parts far apart give what they give near each other; a raster of all columns between would not fit memory.
+void PartsFarApartAreFound()
+{
+  FaultGeneratorOptions options;
+  options.GapWidth = 3.0;
+  options.AreCrossed = true;
+  const FaultedHorizon part = MakeFaultedHorizon(options);
+  const std::string near = CutsOfParts(part, { 230, 250 }, 5);
+  CHECK(near.size() > 1000U);
+  for (const PlanePoint& second : { PlanePoint{ 3000, 250 }, { 230, 3000 }, { 300000, 1 << 28 } })
+  {
+    CHECK_EQUAL(CutsOfParts(part, second, 5), near);
+  }
+  // A band that is left out of the raster in part, which planes from both sides cross.
+  const auto step = [](int i, int) { return i < 8 ? 1.0 : i < 2008 ? Missing : 9.0; };
+  FaultDetectionOptions wide;
+  wide.LargestGap = 2000;
+  wide.SmallestExtent = 8;
+  const FaultDetection found = DetectFaults(MakeHeights(2016, 16, step), wide);
+  const FaultDetection same = DetectFaults(MakeHeights(2016, 1000, step), wide);
+  CHECK_EQUAL(found.Lines.NumberOfLinks(), 16U);
+  CHECK_EQUAL(ToText(found.Lines).substr(0, 19), "E(1007,0) E(1007,1)");
+  CHECK_EQUAL(same.Lines.NumberOfLinks(), 1000U);
+  CHECK_EQUAL(ToText(same.Lines).substr(0, 19), "E(1007,0) E(1007,1)");
+  CHECK_EQUAL(same.Lines[3].Throw, found.Lines[3].Throw);
+}
+
 void ThreadsDoNotMatter()
 {
   FaultGeneratorOptions options;
@@ -228,6 +285,7 @@ int TestFaultDetection(int, char*[])
   FindsNothingWhereNothingIs();
   BridgesGaps();
   SmallHorizonsHaveNoFaults();
+  PartsFarApartAreFound();
   ThreadsDoNotMatter();
   RefusesBadInput();
   StopsOnRequest();

@@ -4,7 +4,6 @@
 // Cuts along given lines: which links, on which side of a line columns come to lie, and lines that lie anywhere.
 
 #include "FaultPictures.h"
-#include "Faults/FaultPolylines.h"
 #include "Generator/SmoothNoise.h"
 #include "Tools/Check.h"
 

@@ -4,7 +4,6 @@
 // Where sticks pass through a horizon, and which passages make a trace.
 
 #include "FaultPictures.h"
-#include "Faults/FaultSticks.h"
 #include "Tools/Check.h"
 
 #include <limits>

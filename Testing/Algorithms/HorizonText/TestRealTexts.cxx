@@ -98,8 +98,8 @@ std::vector<Point> WorldPoints(const SurveyHorizons& survey)
   const LatticeHorizon& horizon = survey.Horizons.front();
   for (std::size_t n = 0; n < horizon.Z.size(); ++n)
   {
-    const Eigen::Vector2d place =
-      survey.Lattice.Origin + survey.Lattice.ColumnStep * horizon.I[n] + survey.Lattice.RowStep * horizon.J[n];
+    const Eigen::Vector2d place = survey.Lattice.Origin + survey.Lattice.ColumnStep * horizon.Column[n].X +
+      survey.Lattice.RowStep * horizon.Column[n].Y;
     points.push_back({ horizon.Z[n], place.x(), place.y() });
   }
   std::sort(points.begin(), points.end());

@@ -32,10 +32,10 @@ std::string Describe(std::istream& stream, std::size_t bufferSize)
     std::ostringstream text;
     for (const HorizonVoxels& horizon : matrix.Horizons)
     {
-      for (std::size_t n = 0; n < horizon.I.size(); ++n)
+      for (std::size_t n = 0; n < horizon.Column.size(); ++n)
       {
-        text << horizon.SurfaceId << ' ' << horizon.I[n] << ' ' << horizon.J[n] << ' ' << horizon.K[n] << ' '
-             << horizon.Amplitude[n] << '\n';
+        text << horizon.SurfaceId << ' ' << horizon.Column[n].X << ' ' << horizon.Column[n].Y << ' ' << horizon.K[n]
+             << ' ' << horizon.Amplitude[n] << '\n';
       }
     }
     return text.str();

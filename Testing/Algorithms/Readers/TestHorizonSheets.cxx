@@ -4,60 +4,63 @@
 // Horizons that lie above themselves: which voxels are on which sheet.
 
 #include "Tools/Check.h"
-#include "VerneySparseMatrix/HorizonSheets.h"
 #include "VerneySparseMatrix/SparseMatrixParser.h"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace SeismicHorizons;
 
 namespace
 {
-/// A horizon of width times length columns, with a voxel at each of ks(i, j).
+/// A file of one horizon, 7, of width times length columns, with a voxel at each of ks(i, j).
 template <typename Ks>
-HorizonVoxels Make(int width, int length, Ks&& ks)
+std::string Make(int width, int length, Ks&& ks)
 {
-  HorizonVoxels voxels;
-  voxels.SurfaceId = 7;
+  std::ostringstream text;
+  text << width << ' ' << length << " 1000\n";
   for (int j = 0; j < length; ++j)
   {
     for (int i = 0; i < width; ++i)
     {
       for (const int k : ks(i, j))
       {
-        voxels.I.push_back(i);
-        voxels.J.push_back(j);
-        voxels.K.push_back(k);
-        voxels.Thickness.push_back(1.0);
-        voxels.Amplitude.push_back(double(k));
-        voxels.RealZ.push_back(4.0 * k);
+        text << k << " 7 1 " << k << ' ' << 4.0 * k << ' ';
       }
+      text << '\n';
     }
   }
-  return voxels;
+  return text.str();
 }
 
 /// All voxels are there once, no column of a sheet has two, and they are in their order.
-std::vector<HorizonVoxels> Split(const HorizonVoxels& voxels)
+std::vector<HorizonVoxels> Split(const std::string& text)
 {
-  std::vector<HorizonVoxels> sheets = SplitIntoSheets(voxels);
+  std::istringstream stream(text);
+  SparseMatrixOptions options;
+  options.Policy = DuplicatePolicy::Sheets;
+  std::vector<HorizonVoxels> sheets = ReadSparseMatrix(stream, options).Horizons;
   std::size_t total = 0;
   std::set<std::vector<int>> all;
   for (const HorizonVoxels& sheet : sheets)
   {
     CHECK_EQUAL(sheet.SurfaceId, 7);
-    total += sheet.I.size() + std::size_t(sheet.DroppedDuplicates);
-    for (std::size_t n = 0; n < sheet.I.size(); ++n)
+    total += sheet.Column.size() + std::size_t(sheet.DroppedDuplicates);
+    for (std::size_t n = 0; n < sheet.Column.size(); ++n)
     {
-      CHECK(n == 0 || std::make_pair(sheet.J[n - 1], sheet.I[n - 1]) < std::make_pair(sheet.J[n], sheet.I[n]));
+      CHECK(n == 0 ||
+        std::make_pair(sheet.Column[n - 1].Y, sheet.Column[n - 1].X) <
+          std::make_pair(sheet.Column[n].Y, sheet.Column[n].X));
       CHECK_EQUAL(sheet.RealZ[n], 4.0 * sheet.K[n]);
-      all.insert({ sheet.I[n], sheet.J[n], sheet.K[n] });
+      all.insert({ sheet.Column[n].X, sheet.Column[n].Y, sheet.K[n] });
     }
   }
-  CHECK_EQUAL(total, voxels.I.size());
+  CHECK_EQUAL(
+    total, std::size_t(std::count(text.begin(), text.end(), ' ') - 2) / 5); // those of the header, and of voxels
   return sheets;
 }
 
@@ -66,8 +69,8 @@ void SingleHorizonsStayWhole()
   const std::vector<HorizonVoxels> sheets =
     Split(Make(5, 4, [](int i, int j) { return std::vector<int>{ 9 * i + j }; }));
   CHECK_EQUAL(sheets.size(), 1U);
-  CHECK_EQUAL(sheets.front().I.size(), 20U);
-  CHECK_EQUAL(Split(HorizonVoxels(Make(0, 0, [](int, int) { return std::vector<int>(); }))).size(), 1U);
+  CHECK_EQUAL(sheets.front().Column.size(), 20U);
+  CHECK(Split(Make(2, 1, [](int, int) { return std::vector<int>(); })).empty());
 }
 
 void FaultsThatRunThroughGiveTwoBlocks()
@@ -95,10 +98,10 @@ void FaultsThatEndLeaveOneLayer()
       return j < 5 && i >= 6 && i < 10 ? std::vector<int>{ 5, 15 } : std::vector<int>{ j < 5 ? k : 10 };
     }));
   CHECK_EQUAL(sheets.size(), 2U);
-  CHECK_EQUAL(sheets[0].I.size(), 170U);
-  CHECK_EQUAL(sheets[1].I.size(), 20U);
+  CHECK_EQUAL(sheets[0].Column.size(), 170U);
+  CHECK_EQUAL(sheets[1].Column.size(), 20U);
   const int layer = sheets[1].K[0];
-  for (std::size_t n = 0; n < sheets[1].I.size(); ++n)
+  for (std::size_t n = 0; n < sheets[1].Column.size(); ++n)
   {
     CHECK_EQUAL(sheets[1].K[n], layer); // one layer whole, and not parts of both
   }
@@ -111,8 +114,8 @@ void PartsThatAreApartShareASheet()
       return i == 4 || i == 12 ? std::vector<int>{ 9, 5 } : std::vector<int>{ 5 };
     }));
   CHECK_EQUAL(sheets.size(), 2U);
-  CHECK_EQUAL(sheets[0].I.size(), 60U);
-  CHECK_EQUAL(sheets[1].I.size(), 6U);
+  CHECK_EQUAL(sheets[0].Column.size(), 60U);
+  CHECK_EQUAL(sheets[1].Column.size(), 6U);
 }
 
 void DropsWhatTakesTooManySheets()
@@ -135,8 +138,8 @@ void TheParserSplits()
   options.Policy = DuplicatePolicy::Sheets;
   const SparseMatrix matrix = ReadSparseMatrix(stream, options);
   CHECK_EQUAL(matrix.Horizons.size(), 2U);
-  CHECK_EQUAL(matrix.Horizons[0].I.size(), 3U);
-  CHECK_EQUAL(matrix.Horizons[1].I.size(), 2U);
+  CHECK_EQUAL(matrix.Horizons[0].Column.size(), 3U);
+  CHECK_EQUAL(matrix.Horizons[1].Column.size(), 2U);
   CHECK_EQUAL(matrix.Horizons[1].K[1], 15);
   CHECK_EQUAL(matrix.Horizons[1].DroppedDuplicates, 0);
   stream.clear();

@@ -154,8 +154,8 @@ bool IsAccepted(const std::string& text, std::size_t bufferSize)
     const SparseMatrix matrix = Load(text, DuplicatePolicy::Lowest, bufferSize);
     for (const HorizonVoxels& horizon : matrix.Horizons)
     {
-      CHECK(!horizon.I.empty() && horizon.J.size() == horizon.I.size());
-      CHECK(horizon.RealZ.size() == horizon.I.size() && horizon.K.size() == horizon.I.size());
+      CHECK(!horizon.Column.empty() && horizon.Column.size() == horizon.Column.size());
+      CHECK(horizon.RealZ.size() == horizon.Column.size() && horizon.K.size() == horizon.Column.size());
     }
     return true;
   }

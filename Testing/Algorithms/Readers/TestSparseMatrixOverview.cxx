@@ -52,10 +52,10 @@ std::string Tell(const SparseMatrix& matrix)
   for (const HorizonVoxels& horizon : matrix.Horizons)
   {
     text << "horizon " << horizon.SurfaceId << ", " << horizon.DroppedDuplicates << " dropped\n";
-    for (std::size_t n = 0; n < horizon.I.size(); ++n)
+    for (std::size_t n = 0; n < horizon.Column.size(); ++n)
     {
-      text << horizon.I[n] << ' ' << horizon.J[n] << ' ' << horizon.K[n] << ' ' << horizon.Thickness[n] << ' '
-           << horizon.Amplitude[n] << ' ' << horizon.RealZ[n] << '\n';
+      text << horizon.Column[n].X << ' ' << horizon.Column[n].Y << ' ' << horizon.K[n] << ' ' << horizon.Thickness[n]
+           << ' ' << horizon.Amplitude[n] << ' ' << horizon.RealZ[n] << '\n';
     }
   }
   return text.str();
@@ -113,12 +113,12 @@ void TestCounts()
       {
         for (int last = first - 1; last < 16; ++last)
         {
-          const auto count =
-            std::count_if(voxels.J.begin(), voxels.J.end(), [=](int row) { return row >= first && row <= last; });
+          const auto count = std::count_if(voxels.Column.begin(), voxels.Column.end(),
+            [=](const PlanePoint& column) { return column.Y >= first && column.Y <= last; });
           CHECK_EQUAL(horizon.CountVoxels(first, last), std::int64_t(count));
         }
       }
-      CHECK_EQUAL(horizon.CountVoxels(0, std::numeric_limits<int>::max() - 1), std::int64_t(voxels.J.size()));
+      CHECK_EQUAL(horizon.CountVoxels(0, std::numeric_limits<int>::max() - 1), std::int64_t(voxels.Column.size()));
     }
     // To the bit, and the same for some rows as for all.
     SparseMatrixOptions rows;
@@ -144,7 +144,7 @@ void TestNotRead()
   SparseMatrixOptions options;
   options.RowRange = { 100, 800 };
   std::istringstream stream(broken);
-  CHECK_EQUAL(ReadSparseMatrixRows(stream, overview, options, Monitor(), 64).Horizons.at(0).J.size(), 701u);
+  CHECK_EQUAL(ReadSparseMatrixRows(stream, overview, options, Monitor(), 64).Horizons.at(0).Column.size(), 701u);
   options.RowRange = { 100, 999 };
   std::istringstream again(broken);
   CHECK_THROWS_WITH(ReadSparseMatrixRows(again, overview, options, Monitor(), 64), "line 903: vertical index \"x\"");

@@ -27,7 +27,7 @@ Counts Count(const SparseMatrix& matrix)
   Counts counts;
   for (const HorizonVoxels& horizon : matrix.Horizons)
   {
-    counts[horizon.SurfaceId] = static_cast<std::int64_t>(horizon.I.size()) + horizon.DroppedDuplicates;
+    counts[horizon.SurfaceId] = static_cast<std::int64_t>(horizon.Column.size()) + horizon.DroppedDuplicates;
   }
   return counts;
 }
@@ -57,8 +57,7 @@ void LoadGivesAllAttributes()
     CHECK_EQUAL(matrix.Horizons.size(), 2u);
     const HorizonVoxels& horizon = matrix.Horizons.at(1);
     CHECK_EQUAL(horizon.SurfaceId, 4);
-    CHECK((horizon.I == std::vector<int>{ 0, 1, 2 }));
-    CHECK((horizon.J == std::vector<int>{ 0, 0, 1 }));
+    CHECK((horizon.Column == std::vector<PlanePoint>{ { 0, 0 }, { 1, 0 }, { 2, 1 } }));
     CHECK((horizon.K == std::vector<int>{ 5, 6, 0 }));
     CHECK((horizon.Thickness == std::vector<double>{ 1.5, 2.0, 1.0 }));
     CHECK((horizon.Amplitude == std::vector<double>{ -20.0, -0.5, 3.0 }));
@@ -72,7 +71,7 @@ void HorizonsComeByAscendingId()
   const SparseMatrix matrix = Load(Small);
   CHECK_EQUAL(matrix.Horizons.size(), 2u);
   CHECK_EQUAL(matrix.Horizons.at(0).SurfaceId, -7);
-  CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 2u);
+  CHECK_EQUAL(matrix.Horizons.at(0).Column.size(), 2u);
   CHECK_EQUAL(matrix.Horizons.at(1).SurfaceId, 4);
 }
 
@@ -166,7 +165,7 @@ int KeptIndex(const std::string& column, DuplicatePolicy policy, int expectedDro
 {
   const SparseMatrix matrix = Load("1 1 10\n" + column + "\n", policy);
   CHECK_EQUAL(matrix.Horizons.at(0).DroppedDuplicates, expectedDropped);
-  CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 1u);
+  CHECK_EQUAL(matrix.Horizons.at(0).Column.size(), 1u);
   CHECK_EQUAL(matrix.Horizons.at(0).RealZ.front(), 4.0 * matrix.Horizons.at(0).K.front());
   return matrix.Horizons.at(0).K.front();
 }
@@ -188,7 +187,7 @@ void EquallyStrongDuplicatesKeepTheTopmost()
 void NeighbouringColumnsAreNoDuplicates()
 {
   const SparseMatrix matrix = Load("2 2 5\n1 1 0 0 0\n1 1 0 0 0\n1 1 0 0 0\n1 1 0 0 0\n");
-  CHECK_EQUAL(matrix.Horizons.at(0).I.size(), 4u);
+  CHECK_EQUAL(matrix.Horizons.at(0).Column.size(), 4u);
   CHECK_EQUAL(matrix.Horizons.at(0).DroppedDuplicates, 0);
 }
 

@@ -85,19 +85,11 @@ inline ReflectionPicks MakePicks(const std::array<int, 2>& columns, const std::v
 }
 
 /// All links, by rank; of equal ones that of the first pick first.
-inline std::vector<LinkId> SortByRank(const ReflectionLinks& links, const ReflectionPicks& picks)
+inline std::vector<LinkId> SortByRank(const ReflectionLinks& links)
 {
   std::vector<std::pair<std::int64_t, LinkId>> ranked;
-  for (PointId pick = 0; pick < picks.Size(); ++pick)
-  {
-    for (int direction = 0; direction < links.Directions(); ++direction)
-    {
-      if (links.Next(pick, direction) != NoPoint)
-      {
-        ranked.emplace_back(links.Rank(pick, direction), links.MakeId(pick, direction));
-      }
-    }
-  }
+  links.ForEach([&](PointId pick, int direction)
+    { ranked.emplace_back(links.Rank(pick, direction), links.MakeId(pick, direction)); });
   std::sort(ranked.begin(), ranked.end());
   std::vector<LinkId> sorted;
   for (const auto& [rank, link] : ranked)

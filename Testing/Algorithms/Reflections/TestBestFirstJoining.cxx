@@ -4,7 +4,7 @@
 // Surfaces joined best first, beside an implementation of the same rules that keeps each part as a map.
 
 #include "PickFixtures.h"
-#include "Reflections/BestFirstJoining.h"
+#include "Reflections/SurfaceJoining.h"
 #include "Tools/Check.h"
 
 #include <map>
@@ -42,7 +42,7 @@ public:
 
   std::vector<PointId> Run()
   {
-    std::vector<LinkId> refused = this->TryAll(SortByRank(this->Links, this->Picks));
+    std::vector<LinkId> refused = this->TryAll(SortByRank(this->Links));
     this->Sizes.clear();
     this->TryAll(refused);
     return this->Names;
@@ -169,10 +169,10 @@ struct Case
   std::unique_ptr<ReflectionLinks> Links;
 };
 
-Case MakeCase(unsigned seed, ColumnConnectivity connectivity)
+Case MakeCase(unsigned seed, ColumnConnectivity connectivity, const std::array<int, 3>& size = { 14, 12, 48 })
 {
   Case test;
-  test.Cube = Rough({ 14, 12, 48 }, seed);
+  test.Cube = Rough(size, seed);
   test.Picks = FindReflections(test.Cube.View()).BySign[seed % 2];
   LinkOptions options;
   options.Connectivity = connectivity;
@@ -184,9 +184,9 @@ Case MakeCase(unsigned seed, ColumnConnectivity connectivity)
 
 RawVector<PointId> Join(const Case& test, const JoiningRules& rules, double windowPicks = 1e9)
 {
-  SurfaceSets sets(test.Picks);
-  BestFirstJoining(test.Picks, sets, windowPicks).Run(*test.Links, rules, Monitor());
-  return sets.TakeLabels();
+  BestFirstJoining joining(test.Picks, windowPicks);
+  joining.Run(*test.Links, rules, Monitor());
+  return joining.TakeSurfaces();
 }
 
 bool HasColumnTwice(const ReflectionPicks& picks, const RawVector<PointId>& surfaces)
@@ -251,6 +251,27 @@ void TestOracle()
   }
 }
 
+/// Parts that spread over hundreds of columns, along i and along j.
+void TestLongParts()
+{
+  JoiningRules rules;
+  rules.LargestShare = 0.1;
+  rules.SmallestContact = 0.3;
+  std::size_t longest = 0;
+  for (const std::array<int, 3>& size : { std::array<int, 3>{ 210, 2, 20 }, std::array<int, 3>{ 3, 140, 20 } })
+  {
+    const Case test = MakeCase(8, ColumnConnectivity::Eight, size);
+    const RawVector<PointId> found = Join(test, rules);
+    const std::vector<PointId> expected = Oracle(test.Picks, *test.Links, rules).Run();
+    CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+    for (const PointId part : expected)
+    {
+      longest = std::max(longest, std::size_t(std::count(expected.begin(), expected.end(), part)));
+    }
+  }
+  CHECK(longest > 300);
+}
+
 /// Windows of one column, of some, and of all give the same, on any number of threads.
 void TestWindows()
 {
@@ -283,11 +304,10 @@ void TestSecondRun()
   const std::vector<PointId> before = oracle.Run();
   const std::vector<PointId> expected = oracle.Run(looser);
   CHECK(before != expected);
-  SurfaceSets sets(test.Picks);
-  BestFirstJoining joining(test.Picks, sets, 100.0);
+  BestFirstJoining joining(test.Picks, 100.0);
   joining.Run(*test.Links, rules, Monitor());
   joining.Run(*test.Links, looser, Monitor());
-  const RawVector<PointId> found = sets.TakeLabels();
+  const RawVector<PointId> found = joining.TakeSurfaces();
   CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
 }
 }
@@ -295,6 +315,7 @@ void TestSecondRun()
 int TestBestFirstJoining(int, char*[])
 {
   TestOracle();
+  TestLongParts();
   TestWindows();
   TestSecondRun();
   return Check::Result();

@@ -4,7 +4,7 @@
 // Components of picks, beside a search that looks at all pairs.
 
 #include "PickFixtures.h"
-#include "Reflections/ConnectedPicks.h"
+#include "Reflections/SurfaceJoining.h"
 #include "Tools/Check.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 // Mean waveforms on both sides of a contact, in cubes of noise.
 
 #include "PickFixtures.h"
-#include "Reflections/ContactWaveforms.h"
+#include "Reflections/ReflectionLinks.h"
 #include "Tools/Check.h"
 
 using namespace PickFixtures;
@@ -39,15 +39,14 @@ double Correlate(int distance, int rows)
   const TraceCube cube = traces.View();
   const ReflectionPicks picks =
     MakePicks({ 2, Rows }, std::vector<std::vector<double>>(std::size_t(2 * Rows), { 30.0 }));
-  const SurfaceSets sets(picks);
   std::vector<Edge> pairs;
   for (PointId j = 0; j < rows; ++j)
   {
     pairs.push_back({ 2 * j, 2 * j + 1 });
   }
-  const double correlation = ContactWaveforms(cube, picks, sets, 20).Correlate(pairs);
+  const double correlation = MakeContactCorrelation(cube, picks, 20)(pairs);
   std::reverse(pairs.begin(), pairs.end());
-  CHECK_EQUAL(ContactWaveforms(cube, picks, sets, 20).Correlate(pairs), correlation);
+  CHECK_EQUAL(MakeContactCorrelation(cube, picks, 20)(pairs), correlation);
   return correlation;
 }
 }

@@ -4,7 +4,7 @@
 // Surfaces that grow one after the other, beside a search that looks through the whole rim at each step.
 
 #include "PickFixtures.h"
-#include "Reflections/ContinuousJoining.h"
+#include "Reflections/SurfaceJoining.h"
 #include "Tools/Check.h"
 
 #include <limits>

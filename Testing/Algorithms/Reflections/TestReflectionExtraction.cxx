@@ -37,7 +37,7 @@ CubeGeneratorOptions SmallCube(double noise = 0.0)
 
 bool AreEqual(const HorizonVoxels& a, const HorizonVoxels& b)
 {
-  return a.SurfaceId == b.SurfaceId && a.I == b.I && a.J == b.J && a.K == b.K && a.Thickness == b.Thickness &&
+  return a.SurfaceId == b.SurfaceId && a.Column == b.Column && a.K == b.K && a.Thickness == b.Thickness &&
     a.Amplitude == b.Amplitude && a.RealZ == b.RealZ && a.DroppedDuplicates == b.DroppedDuplicates;
 }
 
@@ -49,14 +49,15 @@ void CheckSurfaces(const Extraction& extraction, const ExtractionOptions& option
   for (const HorizonVoxels& surface : extraction.Surfaces)
   {
     CHECK_EQUAL(surface.SurfaceId, ++number);
-    CHECK(surface.I.size() <= last);
-    CHECK(std::int64_t(surface.I.size()) >= options.SmallestSize);
-    last = surface.I.size();
-    for (std::size_t n = 1; n < surface.I.size(); ++n)
+    CHECK(surface.Column.size() <= last);
+    CHECK(std::int64_t(surface.Column.size()) >= options.SmallestSize);
+    last = surface.Column.size();
+    for (std::size_t n = 1; n < surface.Column.size(); ++n)
     {
-      CHECK(std::make_pair(surface.J[n - 1], surface.I[n - 1]) < std::make_pair(surface.J[n], surface.I[n]));
+      CHECK(std::make_pair(surface.Column[n - 1].Y, surface.Column[n - 1].X) <
+        std::make_pair(surface.Column[n].Y, surface.Column[n].X));
     }
-    for (std::size_t n = 0; n < surface.I.size(); ++n)
+    for (std::size_t n = 0; n < surface.Column.size(); ++n)
     {
       CHECK(std::abs(surface.RealZ[n] - surface.K[n]) <= 0.5);
       CHECK((surface.Amplitude[n] < 0.0) == (surface.Amplitude[0] < 0.0));
@@ -115,9 +116,9 @@ void TestNoise()
 std::set<bool> SidesOf(const CubeGenerator& cube, const HorizonVoxels& surface)
 {
   std::set<bool> sides;
-  for (std::size_t n = 0; n < surface.I.size(); ++n)
+  for (std::size_t n = 0; n < surface.Column.size(); ++n)
   {
-    const double distance = cube.Truth().FaultDistance(surface.I[n], surface.J[n], surface.RealZ[n]);
+    const double distance = cube.Truth().FaultDistance(surface.Column[n].X, surface.Column[n].Y, surface.RealZ[n]);
     if (std::abs(distance) >= 1.5)
     {
       sides.insert(distance > 0.0);
@@ -194,7 +195,7 @@ void TestSelection()
     options.SmallestCorrelation = 0.0; // the strong trace looks different
     const Extraction both = ExtractReflections(traces.View(), options);
     CHECK_EQUAL(both.Surfaces.size(), 2u);
-    CHECK_EQUAL(both.Surfaces[0].I.size(), 20u);
+    CHECK_EQUAL(both.Surfaces[0].Column.size(), 20u);
     CHECK_EQUAL(both.Surfaces[0].K[0], 10);
     CHECK_EQUAL(both.Surfaces[0].Amplitude[0], -1.0);
     CHECK_EQUAL(both.Surfaces[1].Amplitude[7], 5.0);
@@ -223,7 +224,7 @@ void TestDuplicates()
   options.SmallestSize = 2;
   const Extraction found = ExtractReflections(traces.View(), options);
   CHECK_EQUAL(found.Surfaces.size(), 1u);
-  CHECK_EQUAL(found.Surfaces[0].I.size(), 2u);
+  CHECK_EQUAL(found.Surfaces[0].Column.size(), 2u);
   CHECK_EQUAL(found.Surfaces[0].K[1], 7);
   CHECK_EQUAL(found.Surfaces[0].DroppedDuplicates, 1);
   options.SmallestSize = 3; // columns count
@@ -242,7 +243,7 @@ void TestDegenerate()
     std::fill(flat.Samples.begin(), flat.Samples.end(), 2.0F);
     const Extraction plane = ExtractReflections(flat.View(), options);
     CHECK_EQUAL(plane.Surfaces.size(), 1u);
-    CHECK_EQUAL(plane.Surfaces[0].I.size(), 30u);
+    CHECK_EQUAL(plane.Surfaces[0].Column.size(), 30u);
     Traces single = Empty({ 1, 1, 5 });
     single.Samples[2] = -1.0F;
     CHECK_EQUAL(ExtractReflections(single.View(), options).Surfaces.size(), 1u);

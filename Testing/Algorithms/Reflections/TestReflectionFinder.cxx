@@ -5,7 +5,6 @@
 // errors.
 
 #include "PickFixtures.h"
-#include "Reflections/MagnitudeSelection.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 
@@ -40,26 +39,33 @@ float Select(std::vector<float> numbers, double percentile)
   return numbers[std::min(numbers.size() - 1, std::size_t(rank))];
 }
 
+/// Traces of one sample: their strengths are the numbers. Those of 0 are no reflections.
 void TestSelection()
 {
   std::mt19937 random(1);
   std::vector<float> numbers;
-  for (int n = 0; n < 300; ++n)
+  for (int size = 1; size < 300; size += 7)
   {
-    numbers.push_back(std::ldexp(float(random() % 1000), int(random() % 40) - 20));
-    for (const double percentile : { 0.0, 50.0, 99.7, n % 101 * 1.0 })
+    while (int(numbers.size()) < size)
     {
-      const float found = SelectPercentile(percentile,
-        [&](MagnitudeCounts& counts)
-        { std::for_each(numbers.begin(), numbers.end(), [&](float x) { counts.Add(x); }); });
-      if (found != Select(numbers, percentile))
+      numbers.push_back(std::ldexp(float(1 + random() % 1000), int(random() % 40) - 20));
+    }
+    for (const double percentile : { 0.0, 50.0, 99.7, size % 101 * 1.0 })
+    {
+      const Traces traces = { { size, 1, 1 }, numbers };
+      const float expected = Select(numbers, percentile);
+      for (const ReflectionPosition position : { ReflectionPosition::Peak, ReflectionPosition::Middle })
       {
-        CHECK_EQUAL(found, Select(numbers, percentile));
-        return;
+        const float found = FindReflections(traces.View(), Percentile(percentile, position)).Threshold;
+        if (found != expected)
+        {
+          CHECK_EQUAL(found, expected);
+          return;
+        }
       }
     }
   }
-  CHECK_EQUAL(SelectPercentile(50.0, [](MagnitudeCounts&) {}), 0.0F);
+  CHECK_EQUAL(FindReflections(Empty({ 2, 2, 2 }).View(), Percentile(50.0)).Threshold, 0.0F);
 }
 
 /// Ten traces with a peak of 1, 2 to 10.

@@ -144,7 +144,7 @@ void TestSortedAndDropped()
   Case test = MakeCase(5, ColumnConnectivity::Four);
   ReflectionLinks links(test.Cube.View(), test.Picks, test.Options);
   const auto score = [&links](LinkId link) { return links.Score(links.PickOf(link), links.DirectionOf(link)); };
-  const std::vector<LinkId> sorted = SortByRank(links, test.Picks);
+  const std::vector<LinkId> sorted = SortByRank(links);
   CHECK_EQUAL(std::int64_t(sorted.size()), links.Size());
   CHECK_EQUAL(std::set<LinkId>(sorted.begin(), sorted.end()).size(), sorted.size());
   for (std::size_t n = 1; n < sorted.size(); ++n)
@@ -155,7 +155,7 @@ void TestSortedAndDropped()
   const std::int64_t size = links.Size();
   links.Drop(median);
   CHECK(std::abs(double(links.Size()) - 0.5 * double(size)) <= 2.0);
-  for (const LinkId link : SortByRank(links, test.Picks))
+  for (const LinkId link : SortByRank(links))
   {
     CHECK(links.Correlation(links.PickOf(link), links.DirectionOf(link)) >= median);
   }
@@ -176,7 +176,7 @@ void TestThreads()
 {
   Case test = MakeCase(7, ColumnConnectivity::Eight);
   const auto [one, three] = OnThreads([&]() { return ReflectionLinks(test.Cube.View(), test.Picks, test.Options); });
-  CHECK(SortByRank(one, test.Picks) == SortByRank(three, test.Picks));
+  CHECK(SortByRank(one) == SortByRank(three));
 }
 
 /// Traces that are the same but for an amplitude and half a sample correlate fully; missing samples count as 0.

@@ -6,11 +6,11 @@
 #ifndef SeismicHorizonsSurfaceParts_h
 #define SeismicHorizonsSurfaceParts_h
 
+#include "Common/MeshChecker.h"
 #include "Surface/Surface.h"
 #include "Surface/SurfaceJoin.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/ExactPlane.h"
-#include "Tools/MeshChecker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,16 +26,23 @@ namespace SurfaceParts
 {
 using namespace SeismicHorizons;
 
-inline SurfacePoints Select(const SurfacePoints& points, std::int32_t first, std::int32_t last)
+/// The points of a surface with the memory for them.
+struct Points
 {
-  SurfacePoints part;
-  part.SubVoxelsPerColumn = points.SubVoxelsPerColumn;
+  std::vector<PlanePoint> Columns;
+  std::vector<double> Height;
+
+  operator SurfacePoints() const { return { this->Columns, this->Height }; }
+};
+
+inline Points Select(const Points& points, std::int32_t first, std::int32_t last)
+{
+  Points part;
   for (std::size_t n = 0; n < points.Columns.size(); ++n)
   {
     if (points.Columns[n].Y >= first && points.Columns[n].Y <= last)
     {
       part.Columns.push_back(points.Columns[n]);
-      part.Plane.push_back(points.Plane[n]);
       part.Height.push_back(points.Height[n]);
     }
   }
@@ -43,15 +50,14 @@ inline SurfacePoints Select(const SurfacePoints& points, std::int32_t first, std
 }
 
 /// The mesh of a part with vertices on whole columns, as it is joined.
-inline SurfacePart ToPart(const SurfacePoints& points, const Surface& surface, const SeamRows& seams)
+inline SurfacePart ToPart(const Points& points, const Surface& surface, const SeamRows& seams)
 {
   SurfacePart part;
   part.Seams = seams;
   const Reduction& vertices = surface.Mesh.Points;
   for (std::size_t vertex = 0; vertex < vertices.Plane.size(); ++vertex)
   {
-    const PlanePoint& place = vertices.Plane[vertex];
-    part.Vertices.push_back({ place.X / points.SubVoxelsPerColumn, place.Y / points.SubVoxelsPerColumn });
+    part.Vertices.push_back(vertices.Plane[vertex]);
   }
   part.Height = vertices.Height;
   part.Count.assign(part.Vertices.size(), 0);
@@ -73,7 +79,7 @@ inline SurfacePart ToPart(const SurfacePoints& points, const Surface& surface, c
 /// be farther above or below the mesh.
 using Columns = std::set<std::pair<std::int32_t, std::int32_t>>;
 
-inline void AddOutlines(const SurfacePoints& points, const Surface& surface, const SeamRows& seams, Columns& onOutlines)
+inline void AddOutlines(const Points& points, const Surface& surface, const SeamRows& seams, Columns& onOutlines)
 {
   surface.Boundary.Boundary.ForEachPoint(
     [&](PointId point)
@@ -88,7 +94,7 @@ inline void AddOutlines(const SurfacePoints& points, const Surface& surface, con
 
 /// The parts between rows where the horizon is cut, ascending.
 inline std::vector<SurfacePart> MakeParts(
-  const SurfacePoints& points, const std::vector<std::int32_t>& cuts, SurfaceOptions options, Columns& onOutlines)
+  const Points& points, const std::vector<std::int32_t>& cuts, SurfaceOptions options, Columns& onOutlines)
 {
   options.Radius = options.Radius ? *options.Radius : 1;
   std::vector<SurfacePart> parts;
@@ -98,7 +104,7 @@ inline std::vector<SurfacePart> MakeParts(
     const bool isLast = n == cuts.size();
     options.Seams.Lower = isFirst ? std::optional<std::int32_t>() : cuts[n - 1];
     options.Seams.Upper = isLast ? std::optional<std::int32_t>() : cuts[n];
-    const SurfacePoints part = Select(points, isFirst ? std::numeric_limits<std::int32_t>::min() : cuts[n - 1],
+    const Points part = Select(points, isFirst ? std::numeric_limits<std::int32_t>::min() : cuts[n - 1],
       isLast ? std::numeric_limits<std::int32_t>::max() : cuts[n]);
     const Surface surface = part.Columns.empty() ? Surface() : MakeSurface(part, options);
     AddOutlines(part, surface, options.Seams, onOutlines);
@@ -148,8 +154,8 @@ inline double DistanceTo(const PlanePoint& a, const PlanePoint& b, const PlanePo
   return std::hypot(a.X + part * x - p.X, a.Y + part * y - p.Y);
 }
 
-inline Fit Measure(const SurfacePoints& points, const JoinedSurface& joined, const std::vector<double>& heights,
-  const Columns& onOutlines)
+inline Fit Measure(
+  const Points& points, const JoinedSurface& joined, const std::vector<double>& heights, const Columns& onOutlines)
 {
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> pointAt;
   for (std::size_t n = 0; n < points.Columns.size(); ++n)
@@ -210,8 +216,8 @@ inline Fit Measure(const SurfacePoints& points, const JoinedSurface& joined, con
 }
 
 /// What is wrong with a joined mesh; empty when nothing is.
-inline std::string Check(const SurfacePoints& points, const std::vector<SurfacePart>& parts,
-  const JoinedSurface& joined, const Columns& onOutlines, double error)
+inline std::string Check(const Points& points, const std::vector<SurfacePart>& parts, const JoinedSurface& joined,
+  const Columns& onOutlines, double error)
 {
   const std::vector<double> heights = HeightsOf(parts, joined);
   const BoundedHorizon horizon = ToHorizon(joined, heights);

@@ -3,7 +3,7 @@
 //
 // The search for an error, on numbers of triangles that are formulas.
 
-#include "Surface/ErrorSearch.h"
+#include "Surface/Surface.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

@@ -19,17 +19,9 @@ using namespace SeismicHorizons;
 
 namespace
 {
-SurfacePoints ToPoints(const Patches::Columns& columns, const std::vector<double>& heights)
+SurfaceParts::Points ToPoints(const Patches::Columns& columns, const std::vector<double>& heights)
 {
-  SurfacePoints points;
-  points.SubVoxelsPerColumn = TestHorizons::SubVoxelsPerColumn;
-  points.Columns = columns;
-  points.Height = heights;
-  for (const PlanePoint& column : columns)
-  {
-    points.Plane.push_back({ column.X * points.SubVoxelsPerColumn, column.Y * points.SubVoxelsPerColumn });
-  }
-  return points;
+  return { columns, heights };
 }
 
 std::vector<std::int32_t> RandomCuts(const Patches::Columns& columns, int most, Patches::Random& random)
@@ -71,7 +63,7 @@ void TestRandomPatches()
   {
     Patches::Random random(std::uint64_t(seed) * 7919u);
     const Patches::Columns columns = Patches::Make(Patches::Shape(seed % int(Patches::Shape::Count)), random);
-    const SurfacePoints points = ToPoints(columns, TestHorizons::MakeHeights(columns, random));
+    const SurfaceParts::Points points = ToPoints(columns, TestHorizons::MakeHeights(columns, random));
     const SurfaceOptions options = RandomOptions(seed, random);
     const std::vector<std::int32_t> cuts = RandomCuts(columns, 1 + random.Below(6), random);
     SurfaceParts::Columns onOutlines;
@@ -85,7 +77,7 @@ void TestRandomPatches()
 }
 
 /// The voxels of a generated horizon: holes, one of them with an island, a ragged outline, single missing voxels.
-SurfacePoints MakeGenerated(std::uint64_t seed, double dropouts)
+SurfaceParts::Points MakeGenerated(std::uint64_t seed, double dropouts)
 {
   HorizonGeneratorOptions options;
   options.Seed = seed;
@@ -95,9 +87,9 @@ SurfacePoints MakeGenerated(std::uint64_t seed, double dropouts)
   const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
   Patches::Columns columns;
   std::vector<double> heights;
-  for (std::size_t n = 0; n < voxels.I.size(); ++n)
+  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {
-    columns.push_back({ voxels.I[n], voxels.J[n] });
+    columns.push_back({ voxels.Column[n].X, voxels.Column[n].Y });
     heights.push_back(double(voxels.K[n]));
   }
   return ToPoints(columns, heights);
@@ -116,7 +108,7 @@ void TestGenerated()
 {
   for (int seed = 1; seed <= 12; ++seed)
   {
-    const SurfacePoints points = MakeGenerated(std::uint64_t(seed), seed % 2 == 0 ? 0.03 : 0.0);
+    const SurfaceParts::Points points = MakeGenerated(std::uint64_t(seed), seed % 2 == 0 ? 0.03 : 0.0);
     SurfaceOptions options;
     options.MaximumError = seed % 3 == 0 ? 1.5 : 0.75;
     options.Radius = seed % 4 == 3 ? 2 : 1;
@@ -145,7 +137,7 @@ void TestOnePart()
   {
     Patches::Random random(std::uint64_t(seed) * 31u);
     const Patches::Columns columns = Patches::Make(Patches::Shape(seed % int(Patches::Shape::Count)), random);
-    const SurfacePoints points = ToPoints(columns, TestHorizons::MakeHeights(columns, random));
+    const SurfaceParts::Points points = ToPoints(columns, TestHorizons::MakeHeights(columns, random));
     SurfaceParts::Columns onOutlines;
     const std::vector<SurfacePart> parts = SurfaceParts::MakeParts(points, {}, RandomOptions(seed, random), onOutlines);
     const JoinedSurface joined = JoinSurface(parts);
@@ -156,7 +148,7 @@ void TestOnePart()
   }
 }
 
-SurfacePoints FromPicture(const std::vector<std::string>& rows)
+SurfaceParts::Points FromPicture(const std::vector<std::string>& rows)
 {
   const Patches::Columns columns = Patches::FromPicture(rows);
   return ToPoints(columns, std::vector<double>(columns.size(), 4.0));
@@ -168,7 +160,7 @@ JoinedSurface JoinPicture(const std::vector<std::string>& rows, const std::vecto
   SurfaceOptions options;
   options.MaximumError = 0.0;
   options.Radius = radius;
-  const SurfacePoints points = FromPicture(rows);
+  const SurfaceParts::Points points = FromPicture(rows);
   SurfaceParts::Columns onOutlines;
   const std::vector<SurfacePart> parts = SurfaceParts::MakeParts(points, cuts, options, onOutlines);
   JoinedSurface joined = JoinSurface(parts, minimumPatchSize);
@@ -258,7 +250,7 @@ void TestSpecks()
 
 void TestThreads()
 {
-  const SurfacePoints points = MakeGenerated(5, 0.03);
+  const SurfaceParts::Points points = MakeGenerated(5, 0.03);
   SurfaceOptions options;
   const auto tell = [&]()
   {
@@ -275,7 +267,7 @@ void TestThreads()
 
 void TestSeamErrors()
 {
-  const SurfacePoints points = FromPicture(std::vector<std::string>(7, "########"));
+  const SurfaceParts::Points points = FromPicture(std::vector<std::string>(7, "########"));
   const auto refuse = [&](const std::string& message, void (*change)(SurfaceOptions&))
   {
     SurfaceOptions options;
@@ -302,7 +294,7 @@ void TestSeamErrors()
 
 void TestJoinErrors()
 {
-  const SurfacePoints points = MakeGenerated(5, 0.03);
+  const SurfaceParts::Points points = MakeGenerated(5, 0.03);
   SurfaceParts::Columns onOutlines;
   const auto make = [&](const std::vector<std::int32_t>& cuts, double error)
   {

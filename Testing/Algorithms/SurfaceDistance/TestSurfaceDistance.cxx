@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Common/Parallel.h"
-#include "SurfaceDistance/ClosestPoint.h"
-#include "SurfaceDistance/Grading.h"
 #include "SurfaceDistance/SurfaceDistance.h"
-#include "SurfaceDistance/SurfaceEdges.h"
-#include "SurfaceDistance/WeightedHistogram.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/RandomSurfaces.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 using namespace RandomSurfaces;
 
@@ -235,25 +234,39 @@ void TestEdges()
   CHECK_EQUAL(FindOutline(field, SurfaceEdges(field)).Points.size(), std::size_t(12));
 }
 
+/// The value below which a part of all values lies.
+double PercentileByHand(std::vector<double> values, double part)
+{
+  std::sort(values.begin(), values.end());
+  return values[std::size_t(part * double(values.size()))];
+}
+
+/// Percentiles of many values are right to a thousandth; those of no distance are 0, and those without a bound
+/// infinite.
 void TestPercentiles()
 {
-  WeightedHistogram histogram;
-  CHECK(std::isnan(histogram.Percentile(0.5)));
-  std::vector<WeightedHistogram::Entry> entries;
-  for (int n = 1; n <= 1000; ++n)
+  TriangleSurface fans;
+  std::vector<double> ratios;
+  for (PointId n = 0; n < 3 * 2000; n += 3)
   {
-    entries.push_back(WeightedHistogram::MakeEntry(1e-7 * n, 3));
+    const double side = 1.0 + 0.01 * n;
+    const double slant = std::sqrt(1.0 + side * side);
+    fans.Points.insert(fans.Points.end(), { { 0, 0, 0 }, { side, 0, 0 }, { 0, 1, 0 } });
+    fans.Triangles.push_back({ n, n + 1, n + 2 });
+    ratios.insert(ratios.end(), { side, slant, slant / side });
   }
-  histogram.Add(entries);
-  CHECK(entries.empty());
-  for (const double part : { 0.25, 0.5, 0.95, 0.99 })
+  const Grading grading = MeasureGrading(fans);
+  const double median = PercentileByHand(ratios, 0.5);
+  const double high = PercentileByHand(ratios, 0.95);
+  CHECK(IsNear(grading.Median, median, 2e-3 * median) && IsNear(grading.Percentile95, high, 2e-3 * high));
+  for (PointId n = 0; n < 400; ++n)
   {
-    CHECK(IsNear(histogram.Percentile(part), 1e-4 * part, 2e-3 * 1e-4 * part));
+    fans.Triangles.push_back({ n, n, n + 1 });
   }
-  entries = { WeightedHistogram::MakeEntry(0.0, 7000), WeightedHistogram::MakeEntry(1e300, 1000) };
-  histogram.Add(entries);
-  CHECK_EQUAL(histogram.Percentile(0.5), 0.0);
-  CHECK(std::isinf(histogram.Percentile(0.99)));
+  CHECK(std::isinf(MeasureGrading(fans).Percentile95));
+  const SurfaceDistance none = MeasureSurfaceDistance(MakeField(8, 1.0, Flat), MakeField(4, 2.0, Flat));
+  CHECK_EQUAL(none.TwoSided.Percentile[0], 0.0);
+  CHECK_EQUAL(none.TwoSided.Percentile[3], 0.0);
 }
 
 /// A right-angled triangle has the ratios 1, sqrt(2), sqrt(2); one of sides 1 and 10 has 10, and about 10 and 1.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "SurfaceDistance/DistanceProbe.h"
-#include "SurfaceDistance/TriangleRaster.h"
-#include "SurfaceDistance/TriangleTree.h"
 #include "Tools/Check.h"
 #include "Tools/RandomSurfaces.h"
 
@@ -38,8 +36,8 @@ double DistanceByHand(const TriangleSurface& surface, const Metric& metric, cons
   for (const Corners& t : surface.Triangles)
   {
     squared = std::min(squared,
-      SquaredDistanceToTriangle(metric(place), metric(surface.Point(t[0])), metric(surface.Point(t[1])),
-        metric(surface.Point(t[2]))));
+      SquaredDistanceToTriangle(
+        metric(place), metric(surface.Point(t[0])), metric(surface.Point(t[1])), metric(surface.Point(t[2]))));
   }
   return std::sqrt(squared);
 }
@@ -95,12 +93,13 @@ void CheckPlaces(const std::string& name, const TriangleSurface& surface, const 
 }
 
 /// Places near a surface, at its points, and far away.
-std::vector<Eigen::Vector3d> MakePlaces(const TriangleSurface& surface, int count, double reach, Patches::Random& random)
+std::vector<Eigen::Vector3d> MakePlaces(
+  const TriangleSurface& surface, int count, double reach, Patches::Random& random)
 {
   std::vector<Eigen::Vector3d> places;
   for (int n = 0; n < count; ++n)
   {
-    const Corners& t = surface.Triangles[std::size_t(random.Below(int(surface.Triangles.size())))];
+    const Corners& t = surface.Triangles[random.Below(int(surface.Triangles.size()))];
     const double u = random.Fraction();
     const double v = random.Fraction() * (1.0 - u);
     const Eigen::Vector3d on = u * surface.Point(t[0]) + v * surface.Point(t[1]) + (1.0 - u - v) * surface.Point(t[2]);
@@ -259,7 +258,8 @@ void TestSlack()
 {
   TriangleSurface surface = MakeField(8, 1.0, [](double, double) { return -4e-7; });
   const PointId first = PointId(surface.Points.size());
-  surface.Points.insert(surface.Points.end(), { { 2.2, 2.0, 0.0 }, { 3.0 + 5e-7, 2.0, 0.0 }, { 3.0 + 5e-7, 3.0, 0.0 } });
+  surface.Points.insert(
+    surface.Points.end(), { { 2.2, 2.0, 0.0 }, { 3.0 + 5e-7, 2.0, 0.0 }, { 3.0 + 5e-7, 3.0, 0.0 } });
   surface.Triangles.push_back({ first, first + 1, first + 2 });
   CHECK(HasRaster(surface));
   CheckPlaces("slack", surface, { { 3.0 + 7e-7, 2.5, 0.0 }, { 3.0 + 6e-7, 2.25, 1e-8 } });
@@ -276,8 +276,8 @@ void TestEachOnce()
     std::vector<int> visits(surface.Triangles.size(), 0);
     for (std::int64_t first = 0; first < search.Pieces(); first += 7)
     {
-      search.ForEachTriangle(first, std::min(first + 7, search.Pieces()),
-        [&visits](std::int32_t triangle) { ++visits[std::size_t(triangle)]; });
+      search.ForEachTriangle(
+        first, std::min(first + 7, search.Pieces()), [&visits](std::int32_t triangle) { ++visits[triangle]; });
     }
     CHECK_EQUAL(std::count(visits.begin(), visits.end(), 1), std::ptrdiff_t(visits.size()));
   }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "SurfaceDistance/ClosestPoint.h"
 #include "SurfaceDistance/TriangleTree.h"
 #include "Tools/Check.h"
 #include "Tools/RandomSurfaces.h"

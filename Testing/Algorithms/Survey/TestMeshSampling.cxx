@@ -24,13 +24,22 @@ SpacePoint OnPlane(double x, double y)
   return { x, y, Plane(x, y) };
 }
 
+/// The heights of all columns of a lattice, that of column (i, j) at i + j * columns[0]; nan where there is none.
+std::vector<double> Sample(
+  const std::vector<SpacePoint>& points, const Triangles& triangles, const std::array<int, 2>& columns)
+{
+  std::vector<double> heights(columns[0] * columns[1], std::numeric_limits<double>::quiet_NaN());
+  SampleMesh(points, triangles, columns, [&](int i, int j) -> double& { return heights[i + j * columns[0]]; });
+  return heights;
+}
+
 /// The columns within a square and on its sides, both diagonals of which are tried, have the height of the plane.
 void TestSquare()
 {
   const std::vector<SpacePoint> points = { OnPlane(1, 1), OnPlane(4, 1), OnPlane(4, 3), OnPlane(1, 3) };
   for (const Triangles& triangles : { Triangles{ { 0, 1, 2 }, { 0, 2, 3 } }, Triangles{ { 0, 3, 1 }, { 3, 2, 1 } } })
   {
-    const std::vector<double> heights = SampleMesh(points, triangles, { 6, 5 });
+    const std::vector<double> heights = Sample(points, triangles, { 6, 5 });
     CHECK_EQUAL(heights.size(), std::size_t(30));
     for (int j = 0; j < 5; ++j)
     {
@@ -49,12 +58,12 @@ void TestCorners()
 {
   const std::vector<SpacePoint> points = { OnPlane(-7.5, -3), OnPlane(20, -3), OnPlane(2.5, 9), OnPlane(1 - 1e-9, 1),
     OnPlane(3 + 1e-9, 1), OnPlane(2, 1 - 1e-9) };
-  const std::vector<double> all = SampleMesh(points, { { 0, 1, 2 } }, { 4, 3 });
+  const std::vector<double> all = Sample(points, { { 0, 1, 2 } }, { 4, 3 });
   CHECK_EQUAL(std::count_if(all.begin(), all.end(), [](double z) { return std::isnan(z); }), 0);
   CHECK(std::abs(all[6] - Plane(2, 1)) < 1e-12);
-  const std::vector<double> needle = SampleMesh(points, { { 3, 5, 4 } }, { 4, 3 });
+  const std::vector<double> needle = Sample(points, { { 3, 5, 4 } }, { 4, 3 });
   CHECK(std::abs(needle[5] - Plane(1, 1)) < 1e-6 && std::abs(needle[7] - Plane(3, 1)) < 1e-6);
-  const std::vector<double> nothing = SampleMesh(points, { { 3, 3, 4 } }, { 4, 3 });
+  const std::vector<double> nothing = Sample(points, { { 3, 3, 4 } }, { 4, 3 });
   CHECK(std::isnan(nothing[5]));
 }
 
@@ -74,7 +83,7 @@ void TestFans()
       points.push_back(OnPlane(10 + radius * std::cos(angle), 10 + radius * std::sin(angle)));
       triangles.push_back({ 0, n + 1, (n + 1) % corners + 1 });
     }
-    const std::vector<double> heights = SampleMesh(points, triangles, { 21, 21 });
+    const std::vector<double> heights = Sample(points, triangles, { 21, 21 });
     for (int j = 0; j < 21; ++j)
     {
       for (int i = 0; i < 21; ++i)

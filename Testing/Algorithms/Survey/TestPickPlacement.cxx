@@ -61,8 +61,8 @@ void TestLinesAlone()
   CHECK_EQUAL(placed.Horizons.size(), std::size_t(1));
   const LatticeHorizon& horizon = placed.Horizons.front();
   CHECK_EQUAL(horizon.Name, std::string("Top"));
-  CHECK_EQUAL(horizon.I[6], 1);
-  CHECK_EQUAL(horizon.J[6], 1);
+  CHECK_EQUAL(horizon.Column[6].X, 1);
+  CHECK_EQUAL(horizon.Column[6].Y, 1);
   CHECK_EQUAL(horizon.Z[6], 104022.0);
 }
 
@@ -88,7 +88,7 @@ void TestPlacesAlone()
   CHECK(IsNear(placed.Lattice.ColumnStep, 50.0, 0.0));
   const LatticeHorizon& horizon = placed.Horizons.front();
   CHECK_EQUAL(horizon.Z[1], 104020.0); // by ascending j, then i
-  CHECK_EQUAL(horizon.I[1], 1);
+  CHECK_EQUAL(horizon.Column[1].X, 1);
 }
 
 /// Picks of one inline do not tell the step to the next: it is as long as that along the line, and to its left.
@@ -175,8 +175,7 @@ void TestDuplicatesAndNulls()
   const SurveyHorizons strongest = PlacePicks(picks, options);
   const LatticeHorizon& a = strongest.Horizons[0];
   CHECK(a.Z == std::vector<double>({ 11.0, 10.0, 12.0 }));
-  CHECK(a.I == std::vector<int>({ 0, 1, 0 }));
-  CHECK(a.J == std::vector<int>({ 0, 0, 1 }));
+  CHECK(a.Column == std::vector<PlanePoint>({ { 0, 0 }, { 1, 0 }, { 0, 1 } }));
   CHECK(a.Attributes[0].Values == std::vector<double>({ 1.0, -5.0, 1.0 }));
   CHECK_EQUAL(a.DroppedDuplicates, 1);
   CHECK_EQUAL(a.DroppedNulls, 0);
@@ -221,10 +220,19 @@ void TestSheets()
   CHECK_EQUAL(sheets.size(), std::size_t(4));
   CHECK(sheets[1].Name == "Faulted" && sheets[2].Name == "Faulted");
   CHECK(sheets[0].Number == 0 && sheets[1].Number == 1 && sheets[2].Number == 1 && sheets[3].Number == 2);
-  CHECK(sheets[1].I == std::vector<int>({ 2, 3, 4, 5, 6 }));
+  const auto columns = [](const LatticeHorizon& sheet)
+  {
+    std::vector<int> i;
+    for (const PlanePoint& column : sheet.Column)
+    {
+      i.push_back(column.X);
+    }
+    return i;
+  };
+  CHECK(columns(sheets[1]) == std::vector<int>({ 2, 3, 4, 5, 6 }));
   CHECK(sheets[1].Z == std::vector<double>(5, 30.5));
   CHECK(sheets[1].Attributes[0].Values == sheets[1].Z);
-  CHECK(sheets[2].I == std::vector<int>({ 0, 1, 2, 3 }));
+  CHECK(columns(sheets[2]) == std::vector<int>({ 0, 1, 2, 3 }));
   CHECK(sheets[2].Z == std::vector<double>(4, 10.25));
   CHECK_EQUAL(sheets[1].DroppedDuplicates, 4); // those that are there twice
   CHECK_EQUAL(sheets[2].DroppedDuplicates, 0);

@@ -19,8 +19,7 @@ LatticeHorizon Slope(double first, double alongI, double alongJ)
   {
     for (int i = 0; i < 30; ++i)
     {
-      horizon.I.push_back(i);
-      horizon.J.push_back(j);
+      horizon.Column.push_back({ i, j });
       horizon.Z.push_back(first + alongI * i + alongJ * j);
     }
   }
@@ -46,8 +45,7 @@ void TestStep()
 void TestNeighboursOnly()
 {
   LatticeHorizon horizon; // steps over gaps do not count
-  horizon.I = { 0, 1, 5, 0, 5 };
-  horizon.J = { 0, 0, 0, 1, 2 };
+  horizon.Column = { { 0, 0 }, { 1, 0 }, { 5, 0 }, { 0, 1 }, { 5, 2 } };
   horizon.Z = { 0.0, 2.0, 99.0, 2.0, 1000.0 };
   CHECK_EQUAL(StepOf(horizon), 2.0);
 }

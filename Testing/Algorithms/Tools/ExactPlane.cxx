@@ -6,14 +6,6 @@
 namespace ExactPlane
 {
 //----------------------------------------------------------------------------------------------------------------------
-// By cofactors of the 4 x 4 determinant.
-int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
-{
-  const auto lift = [&d](const PlanePoint& p) { return Wide(p.X - d.X) * (p.X - d.X) + Wide(p.Y - d.Y) * (p.Y - d.Y); };
-  return SignOf(lift(a) * Turn(d, b, c) - lift(b) * Turn(d, a, c) + lift(c) * Turn(d, a, b));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 int Locate(const std::vector<PlanePoint>& places, const Loops& boundary, const PlanePoint& place)
 {
   bool inside = false;

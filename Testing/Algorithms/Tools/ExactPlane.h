@@ -6,6 +6,8 @@
 #ifndef SeismicHorizonsExactPlane_h
 #define SeismicHorizonsExactPlane_h
 
+#include "Common/MeshChecker.h"
+#include "Common/Portable.h"
 #include "Common/Types.h"
 
 #include <algorithm>
@@ -16,7 +18,9 @@ namespace ExactPlane
 {
 using SeismicHorizons::Loops;
 using SeismicHorizons::PlanePoint;
-__extension__ typedef __int128 Wide;
+using SeismicHorizons::MeshChecker::SideOfCircle;
+using SeismicHorizons::MeshChecker::Turn;
+using Wide = SeismicHorizons::Int128;
 
 inline int SignOf(Wide value)
 {
@@ -27,12 +31,6 @@ inline int SignOf(Wide value)
 inline Wide Cross(const PlanePoint& a, const PlanePoint& b)
 {
   return Wide(a.X) * b.Y - Wide(a.Y) * b.X;
-}
-
-/// Twice the area of the triangle a, b, c: positive when it turns to the left.
-inline Wide Turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
-{
-  return Wide(b.X - a.X) * (c.Y - a.Y) - Wide(b.Y - a.Y) * (c.X - a.X);
 }
 
 /// Whether two segments cross in one point that is an end of neither.
@@ -53,9 +51,6 @@ inline int Apart(const PlanePoint& a, const PlanePoint& b)
 {
   return std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y));
 }
-
-/// 1 when d is inside the circle of a, b and c, which turn to the left, 0 when on it, -1 when outside.
-int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 
 /// Whether a place is inside a set of loops, on them, or outside: 1, 0 or -1.
 int Locate(const std::vector<PlanePoint>& places, const Loops& boundary, const PlanePoint& place);

@@ -71,7 +71,7 @@ private:
 
   bool IsOn(std::size_t reflector, const HorizonVoxels& surface, std::size_t voxel) const
   {
-    const std::size_t column = this->ColumnAt(surface.I[voxel], surface.J[voxel]);
+    const std::size_t column = this->ColumnAt(surface.Column[voxel].X, surface.Column[voxel].Y);
     return std::abs(surface.RealZ[voxel] - this->Places[reflector][column]) <= this->Tolerance;
   }
 
@@ -79,10 +79,10 @@ private:
   {
     const HorizonVoxels& surface = this->Surfaces[number];
     SideCounts sides = { 0, 0 };
-    for (std::size_t voxel = 0; voxel < surface.I.size(); ++voxel)
+    for (std::size_t voxel = 0; voxel < surface.Column.size(); ++voxel)
     {
-      const int i = surface.I[voxel];
-      const int j = surface.J[voxel];
+      const int i = surface.Column[voxel].X;
+      const int j = surface.Column[voxel].Y;
       const double sample = surface.RealZ[voxel];
       const std::size_t side = this->SideOf(i, j, sample);
       constexpr double unclear = 1.5; // columns
@@ -93,12 +93,12 @@ private:
       }
     }
     constexpr std::size_t large = 200;
-    if (this->HasFault && surface.I.size() >= large)
+    if (this->HasFault && surface.Column.size() >= large)
     {
       this->Result.FaultPicks += sides[0] + sides[1];
       this->Result.LeakedPicks += std::min(sides[0], sides[1]);
     }
-    this->Result.AllPicks += std::int64_t(surface.I.size());
+    this->Result.AllPicks += std::int64_t(surface.Column.size());
     this->Result.DroppedDuplicates += surface.DroppedDuplicates;
     this->Result.HomeSurfaces += this->HomeOf(number) != Nowhere ? 1 : 0;
   }
@@ -116,7 +116,7 @@ private:
         home = int(reflector);
       }
     }
-    return 2 * most > std::int64_t(this->Surfaces[surface].I.size()) ? home : Nowhere;
+    return 2 * most > std::int64_t(this->Surfaces[surface].Column.size()) ? home : Nowhere;
   }
 
   void ScoreReflector(std::size_t reflector)
@@ -170,11 +170,11 @@ private:
       this->Best.push_back(best);
     }
     const HorizonVoxels& surface = this->Surfaces[best];
-    for (std::size_t voxel = 0; voxel < surface.I.size(); ++voxel)
+    for (std::size_t voxel = 0; voxel < surface.Column.size(); ++voxel)
     {
-      const double place = this->Places[reflector][this->ColumnAt(surface.I[voxel], surface.J[voxel])];
+      const double place = this->Places[reflector][this->ColumnAt(surface.Column[voxel].X, surface.Column[voxel].Y)];
       if (this->IsOn(reflector, surface, voxel) &&
-        this->SideOf(surface.I[voxel], surface.J[voxel], surface.RealZ[voxel]) == side)
+        this->SideOf(surface.Column[voxel].X, surface.Column[voxel].Y, surface.RealZ[voxel]) == side)
       {
         this->Result.Errors.push_back(float(std::abs(surface.RealZ[voxel] - place)));
       }
@@ -190,8 +190,8 @@ private:
     {
       most = std::max(most, sides[0] + sides[1]);
     }
-    this->Result.BestPicks += std::int64_t(surface.I.size());
-    this->Result.WrongPicks += std::int64_t(surface.I.size()) - most;
+    this->Result.BestPicks += std::int64_t(surface.Column.size());
+    this->Result.WrongPicks += std::int64_t(surface.Column.size()) - most;
   }
 
   void CountChannel(std::size_t reflector)
@@ -200,9 +200,9 @@ private:
     for (const std::size_t best : this->Best)
     {
       const HorizonVoxels& surface = this->Surfaces[best];
-      for (std::size_t voxel = 0; this->HomeOf(best) == int(reflector) && voxel < surface.I.size(); ++voxel)
+      for (std::size_t voxel = 0; this->HomeOf(best) == int(reflector) && voxel < surface.Column.size(); ++voxel)
       {
-        isTaken[this->ColumnAt(surface.I[voxel], surface.J[voxel])] = 1;
+        isTaken[this->ColumnAt(surface.Column[voxel].X, surface.Column[voxel].Y)] = 1;
       }
     }
     for (int j = 0; j < this->Size[1]; ++j)

@@ -62,11 +62,11 @@ inline TriangleSurface MakeSoup(int count, double size, Patches::Random& random)
     const int kind = random.Below(8);
     if (kind == 0) // a needle or a segment
     {
-      last = 0.5 * (surface.Points[std::size_t(n)] + surface.Points[std::size_t(n) + 1]);
+      last = 0.5 * (surface.Points[n] + surface.Points[n + 1]);
     }
     else if (kind == 1) // vertical
     {
-      last.head<2>() = surface.Points[std::size_t(n)].head<2>();
+      last.head<2>() = surface.Points[n].head<2>();
     }
     surface.Triangles.push_back({ n, kind == 2 ? n : n + 1, kind == 2 || kind == 3 ? n : n + 2 });
   }

@@ -35,9 +35,9 @@ HorizonGeneratorOptions MakeOptions(std::uint64_t seed)
 Columns ColumnsOf(const HorizonVoxels& horizon)
 {
   Columns columns;
-  for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
+  for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
   {
-    columns.insert({ horizon.I[voxel], horizon.J[voxel] });
+    columns.insert({ horizon.Column[voxel].X, horizon.Column[voxel].Y });
   }
   return columns;
 }
@@ -108,8 +108,8 @@ void FileHoldsTheSameAsTheArrays()
     const HorizonVoxels made = generator.MakeHorizon(position);
     const HorizonVoxels& read = matrix.Horizons.at(static_cast<std::size_t>(position));
     CHECK_EQUAL(read.SurfaceId, made.SurfaceId);
-    CHECK_EQUAL(counts.at(made.SurfaceId), static_cast<std::int64_t>(made.I.size()));
-    CHECK(read.I == made.I && read.J == made.J && read.K == made.K);
+    CHECK_EQUAL(counts.at(made.SurfaceId), static_cast<std::int64_t>(made.Column.size()));
+    CHECK(read.Column == made.Column && read.K == made.K);
     CHECK(read.Thickness == made.Thickness && read.Amplitude == made.Amplitude && read.RealZ == made.RealZ);
     CHECK_EQUAL(read.DroppedDuplicates, 0);
   }
@@ -140,11 +140,11 @@ void CheckOrder(const HorizonGenerator& generator)
   for (int position = 0; position < generator.Options().NumberOfHorizons; ++position)
   {
     const HorizonVoxels horizon = generator.MakeHorizon(position);
-    CHECK_EQUAL(ColumnsOf(horizon).size(), horizon.I.size());
-    for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
+    CHECK_EQUAL(ColumnsOf(horizon).size(), horizon.Column.size());
+    for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
     {
       const int k = horizon.K[voxel];
-      const auto [place, isFirst] = above.insert({ { horizon.I[voxel], horizon.J[voxel] }, k });
+      const auto [place, isFirst] = above.insert({ { horizon.Column[voxel].X, horizon.Column[voxel].Y }, k });
       CHECK(k >= 0 && k < generator.Options().Size[2] && (isFirst || k > place->second));
       place->second = k;
     }
@@ -248,14 +248,14 @@ void AttributesArePlausible()
 {
   const HorizonVoxels horizon = HorizonGenerator(MakeOptions(1)).MakeHorizon(1);
   int negative = 0;
-  for (std::size_t voxel = 0; voxel < horizon.I.size(); ++voxel)
+  for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
   {
     CHECK(horizon.Thickness[voxel] >= 1.0 && horizon.Thickness[voxel] <= 6.0);
     CHECK(std::abs(horizon.Amplitude[voxel]) >= 400.0 && std::abs(horizon.Amplitude[voxel]) <= 2100.0);
     CHECK(std::abs(horizon.RealZ[voxel] - 4.0 * horizon.K[voxel]) <= 2.0005);
     negative += horizon.Amplitude[voxel] < 0.0 ? 1 : 0;
   }
-  const double part = negative / static_cast<double>(horizon.I.size());
+  const double part = negative / static_cast<double>(horizon.Column.size());
   CHECK(part > 0.005 && part < 0.3);
 }
 
@@ -268,26 +268,26 @@ void NoiseIsInPatches()
   options.DropoutFraction = 0.0;
   std::map<std::pair<int, int>, int> heights;
   const HorizonVoxels smooth = HorizonGenerator(options).MakeHorizon(0);
-  for (std::size_t voxel = 0; voxel < smooth.I.size(); ++voxel)
+  for (std::size_t voxel = 0; voxel < smooth.Column.size(); ++voxel)
   {
-    heights[{ smooth.I[voxel], smooth.J[voxel] }] = smooth.K[voxel];
+    heights[{ smooth.Column[voxel].X, smooth.Column[voxel].Y }] = smooth.K[voxel];
   }
   options.NoiseFraction = 0.3;
   const HorizonVoxels noisy = HorizonGenerator(options).MakeHorizon(0);
-  const double size = static_cast<double>(smooth.I.size());
-  CHECK(std::abs((size - static_cast<double>(noisy.I.size())) / size - 0.5 * 0.3) < 0.02);
+  const double size = static_cast<double>(smooth.Column.size());
+  CHECK(std::abs((size - static_cast<double>(noisy.Column.size())) / size - 0.5 * 0.3) < 0.02);
   int off = 0;
   int largest = 0;
-  for (std::size_t voxel = 0; voxel < noisy.I.size(); ++voxel)
+  for (std::size_t voxel = 0; voxel < noisy.Column.size(); ++voxel)
   {
-    const int difference = std::abs(noisy.K[voxel] - heights.at({ noisy.I[voxel], noisy.J[voxel] }));
+    const int difference = std::abs(noisy.K[voxel] - heights.at({ noisy.Column[voxel].X, noisy.Column[voxel].Y }));
     off += difference > 0 ? 1 : 0;
     largest = std::max(largest, difference);
   }
   CHECK_EQUAL(largest, 3);
   CHECK(std::abs(off / size - 0.5 * 0.3 * 5.0 / 6.0) < 0.02); // of offsets of up to 3, a sixth is below a half
   options.NoiseGaps = 0.0;
-  CHECK_EQUAL(HorizonGenerator(options).MakeHorizon(0).I.size(), smooth.I.size());
+  CHECK_EQUAL(HorizonGenerator(options).MakeHorizon(0).Column.size(), smooth.Column.size());
 }
 
 // ---- The options -------------------------------------------------------------------------------------------------
@@ -298,7 +298,7 @@ void FeaturesCanBeTurnedOff()
   options.NumberOfHorizons = 1;
   options.NumberOfHoles = 0;
   options.NumberOfIslands = 0;
-  CHECK(HorizonGenerator(options).MakeHorizon(0).I.size() <= 1u);
+  CHECK(HorizonGenerator(options).MakeHorizon(0).Column.size() <= 1u);
 }
 
 void SizeFollowsTheNumberOfPoints()
@@ -313,7 +313,7 @@ void SizeFollowsTheNumberOfPoints()
     std::size_t found = 0;
     for (int position = 0; position < options.NumberOfHorizons; ++position)
     {
-      found += HorizonGenerator(options).MakeHorizon(position).I.size();
+      found += HorizonGenerator(options).MakeHorizon(position).Column.size();
     }
     CHECK(std::abs(static_cast<double>(found) / static_cast<double>(wanted) - 1.0) < 0.03);
   }

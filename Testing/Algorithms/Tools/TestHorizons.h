@@ -51,6 +51,17 @@ inline BoundedHorizon MakeHorizon(const Patches::Columns& columns, const std::ve
   return horizon;
 }
 
+/// The same horizon with its columns as places, as it is decimated.
+inline BoundedHorizon OnColumns(BoundedHorizon horizon)
+{
+  for (PlanePoint& place : horizon.Plane)
+  {
+    place = { place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn };
+  }
+  horizon.SubVoxelsPerColumn = 1;
+  return horizon;
+}
+
 /// A horizon whose heights are all 0.
 inline BoundedHorizon MakeLevelHorizon(
   const Patches::Columns& columns, const BoundaryOptions& options = BoundaryOptions())
@@ -101,12 +112,16 @@ inline BoundedHorizon Drop(const BoundedHorizon& horizon, const BoundarySimplifi
   return result;
 }
 
-/// The horizon that a reduction makes of another one.
+/// The horizon that a reduction makes of another one, with its sub-voxels.
 inline BoundedHorizon Reduce(const BoundedHorizon& horizon, const Reduction& reduction)
 {
   BoundedHorizon result;
   result.SubVoxelsPerColumn = horizon.SubVoxelsPerColumn;
-  result.Plane = reduction.Plane;
+  const std::int32_t scale = horizon.SubVoxelsPerColumn / reduction.SubVoxelsPerColumn;
+  for (const PlanePoint& place : reduction.Plane)
+  {
+    result.Plane.push_back({ place.X * scale, place.Y * scale });
+  }
   result.Height = reduction.Height;
   result.Boundary = reduction.Boundary;
   result.Count.assign(reduction.Source.size(), 0);

@@ -4,8 +4,8 @@
 // Every boundary, whatever its radius, rule and holes, is one that the stages after it can work with.
 
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/MeshChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"
 

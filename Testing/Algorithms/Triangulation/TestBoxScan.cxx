@@ -5,9 +5,10 @@
 
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
-#include "Triangulation/BoxScan.h"
+#include "Triangulation/ThirdPointSearch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -74,7 +75,7 @@ void CompareEdge(const SearchGrid& grid, PointId a, PointId b, float cotangent)
   for (const VoxelBox& searched : { box, all })
   {
     ThirdPointQuery scanned(grid, a, b, nullptr);
-    BoxScan::Run(scanned, searched, cotangent);
+    ScanBox(scanned, searched, cotangent);
     const ThirdPointQuery expected = FindBest(grid, a, b, searched);
     if (expected.Best != NoPoint && expected.BestCotangent <= cotangent)
     {
@@ -82,13 +83,13 @@ void CompareEdge(const SearchGrid& grid, PointId a, PointId b, float cotangent)
       CHECK_EQUAL(scanned.BestCotangent, expected.BestCotangent);
       CHECK(IsInside(box, grid, grid.At(expected.Best)));
       // Once more, with the best point known.
-      BoxScan::Run(scanned, VoxelsOfBest(scanned), float(scanned.BestCotangent));
+      ScanBox(scanned, VoxelsOfBest(scanned), float(scanned.BestCotangent));
       CHECK_EQUAL(scanned.Best, expected.Best);
     }
     // All visible points up to the bound are considered: here all are.
     ThirdPointQuery visible(grid, a, b, nullptr);
     visible.OnlyVisible = true;
-    BoxScan::Run(visible, searched, cotangent);
+    ScanBox(visible, searched, cotangent);
     CHECK(expected.Best == NoPoint || expected.BestCotangent > cotangent || visible.Best == expected.Best);
   }
 }

@@ -60,9 +60,9 @@ RawVector<PointId> MeshWithCgal(const BoundedHorizon& horizon, std::int32_t patc
   horizon.Boundary.ForEachEdge(
     [&](PointId from, PointId to)
     {
-      if (horizon.Patch[std::size_t(from)] == patch)
+      if (horizon.Patch[from] == patch)
       {
-        cdt.insert_constraint(vertices[std::size_t(from)], vertices[std::size_t(to)]);
+        cdt.insert_constraint(vertices[from], vertices[to]);
         const Edge wall = std::minmax(from, to);
         if (walls.erase(wall) == 0)
         {
@@ -107,7 +107,7 @@ RawVector<PointId> MeshWithCgal(const BoundedHorizon& horizon, std::int32_t patc
 /// such triangles.
 bool DifferByTiesOnly(const BoundedHorizon& horizon, const Thirds& one, const Thirds& other)
 {
-  const auto at = [&horizon](PointId point) { return horizon.Plane[std::size_t(point)]; };
+  const auto at = [&horizon](PointId point) { return horizon.Plane[point]; };
   for (const auto& [edge, third] : one)
   {
     const Edge back(edge.second, edge.first);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Common/MeshChecker.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/Patches.h"
 #include "Triangulation/ConvexHull.h"
 #include "Triangulation/Triangulation.h"
@@ -53,10 +53,10 @@ void TestRandomPoints()
       CHECK(horizon.Plane.size() == 1 || ExactPlane::Locate(horizon.Plane, horizon.Boundary, place) >= 0);
     }
     const Ids hull(horizon.Boundary.begin(0), horizon.Boundary.end(0));
-    CHECK(horizon.Plane[std::size_t(hull.front())] == *std::min_element(horizon.Plane.begin(), horizon.Plane.end()));
+    CHECK(horizon.Plane[hull.front()] == *std::min_element(horizon.Plane.begin(), horizon.Plane.end()));
     for (std::size_t corner = 0; corner < hull.size(); ++corner)
     {
-      const auto at = [&](std::size_t number) { return horizon.Plane[std::size_t(hull[number % hull.size()])]; };
+      const auto at = [&](std::size_t number) { return horizon.Plane[hull[number % hull.size()]]; };
       const PlanePoint a = at(corner);
       const PlanePoint b = at(corner + 1);
       const PlanePoint c = at(corner + 2);

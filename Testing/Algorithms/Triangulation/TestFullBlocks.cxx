@@ -3,9 +3,9 @@
 //
 // Meshes of horizons that are full in large parts: there triangles are made without a search.
 
+#include "Common/MeshChecker.h"
 #include "Common/Parallel.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
 #include "Triangulation/Triangulation.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Common/MeshChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
@@ -127,7 +127,7 @@ private:
     return found != nullptr;
   }
 
-  const PlanePoint& At(PointId point) const { return this->Horizon.Plane[std::size_t(point)]; }
+  const PlanePoint& At(PointId point) const { return this->Horizon.Plane[point]; }
 
   bool IsOutside(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
   {
@@ -311,7 +311,7 @@ std::set<std::array<PlanePoint, 3>> ByPlace(const Hull& hull)
   std::set<std::array<PlanePoint, 3>> result;
   for (const Triangle& t : Canonical(hull.Mesh.Triangles))
   {
-    const auto at = [&](std::size_t corner) { return hull.Horizon.Plane[std::size_t(t[corner])]; };
+    const auto at = [&](std::size_t corner) { return hull.Horizon.Plane[t[corner]]; };
     std::array<PlanePoint, 3> places = { at(0), at(1), at(2) };
     std::sort(places.begin(), places.end());
     result.insert(places);
@@ -337,8 +337,7 @@ void TestErrors()
   CHECK_THROWS_WITH(peel(-1.0, 0.0), "boundary angle -1, expected 0 to 180 degrees");
   CHECK_THROWS_WITH(peel(181.0, 0.0), "boundary angle 181, expected");
   CHECK_THROWS_WITH(peel(std::nan(""), 0.0), "boundary angle nan, expected");
-  CHECK_THROWS_WITH(
-    peel(180.0, -2.0), "boundary edge length -2, expected at least 0 lattice units");
+  CHECK_THROWS_WITH(peel(180.0, -2.0), "boundary edge length -2, expected at least 0 lattice units");
   CHECK_THROWS_WITH(peel(180.0, std::nan("")), "boundary edge length nan, expected");
   CHECK_THROWS_WITH(peel(180.0, HUGE_VAL), "boundary edge length inf, expected");
 }

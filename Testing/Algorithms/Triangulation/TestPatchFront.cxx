@@ -4,10 +4,10 @@
 // Meshes made in strips beside those of a single front.
 
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/MeshChecker.h"
 #include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
 #include "Triangulation/PatchFront.h"
@@ -66,8 +66,7 @@ void TestShapes()
       const Patches::Columns columns = Patches::Make(Patches::Shape(shape), random);
       const BoundedHorizon full = MakeHorizon(columns, MakeHeights(columns, random));
       Compare(full);
-      const BoundedHorizon straight =
-        Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
+      const BoundedHorizon straight = Drop(full, SimplifyBoundary(full, full.Boundary, 3.0 * random.Fraction()));
       Compare(straight);
       Compare(Reduce(straight, SimplifyRough(straight, 1 + random.Below(7))));
     }

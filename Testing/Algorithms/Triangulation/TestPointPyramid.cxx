@@ -7,8 +7,7 @@
 #include "Common/PlaneGeometry.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
-#include "Triangulation/PointPyramid.h"
-#include "Triangulation/ThirdPointQuery.h"
+#include "Triangulation/SearchGrid.h"
 
 #include <algorithm>
 #include <limits>

@@ -6,8 +6,8 @@
 // points as text: comments with #, a line `nX nY n`, then a line `i j z` for each point).
 
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/MeshChecker.h"
 #include "Tools/Check.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Triangulation/Triangulation.h"
 #include "VerneySparseMatrix/SparseMatrixParser.h"
@@ -65,9 +65,9 @@ void CheckSparseMatrix(const std::filesystem::path& path)
   for (const HorizonVoxels& voxels : ReadSparseMatrix(stream).Horizons)
   {
     Patches::Columns columns;
-    for (std::size_t voxel = 0; voxel < voxels.I.size(); ++voxel)
+    for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)
     {
-      columns.push_back({ voxels.I[voxel], voxels.J[voxel] });
+      columns.push_back({ voxels.Column[voxel].X, voxels.Column[voxel].Y });
     }
     CheckStages(path.filename().string() + " horizon " + std::to_string(voxels.SurfaceId), columns,
       std::vector<double>(voxels.K.begin(), voxels.K.end()));

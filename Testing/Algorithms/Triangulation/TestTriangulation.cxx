@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/MeshChecker.h"
 #include "Common/Predicates.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
-#include "Tools/MeshChecker.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
@@ -197,13 +197,13 @@ void TestNonDelaunayEdgesAreCounted()
       std::vector<PlanePoint> patch;
       for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
       {
-        if (horizon.Patch[point] == horizon.Patch[std::size_t(from)])
+        if (horizon.Patch[point] == horizon.Patch[from])
         {
           patch.push_back(horizon.Plane[point]);
         }
       }
-      least += IsDelaunay(patch, horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)], true) ? 0 : 1;
-      most += IsDelaunay(patch, horizon.Plane[std::size_t(from)], horizon.Plane[std::size_t(to)], false) ? 0 : 1;
+      least += IsDelaunay(patch, horizon.Plane[from], horizon.Plane[to], true) ? 0 : 1;
+      most += IsDelaunay(patch, horizon.Plane[from], horizon.Plane[to], false) ? 0 : 1;
     }
     const Triangulation mesh = Triangulate(horizon);
     CHECK_EQUAL(mesh.BoundaryEdges, edges.size());
@@ -226,7 +226,7 @@ void TestStopsAndTraces()
       CHECK_EQUAL(part.Triangles.size(), 3 * most);
       const auto triangles = Canonical(part.Triangles);
       CHECK(std::includes(whole.begin(), whole.end(), triangles.begin(), triangles.end()));
-      const PlanePoint third = horizon.Plane[std::size_t(part.Triangles.back())];
+      const PlanePoint third = horizon.Plane[part.Triangles.back()];
       CHECK(std::any_of(part.Walk.begin(), part.Walk.end(),
         [&third](const TracedVoxel& voxel)
         {

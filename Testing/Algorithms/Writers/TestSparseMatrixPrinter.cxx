@@ -59,8 +59,7 @@ void VoxelsAreSorted()
   std::swap(matrix.Horizons.front(), matrix.Horizons.back());
   for (HorizonVoxels& horizon : matrix.Horizons)
   {
-    std::reverse(horizon.I.begin(), horizon.I.end());
-    std::reverse(horizon.J.begin(), horizon.J.end());
+    std::reverse(horizon.Column.begin(), horizon.Column.end());
     std::reverse(horizon.K.begin(), horizon.K.end());
     std::reverse(horizon.Thickness.begin(), horizon.Thickness.end());
     std::reverse(horizon.Amplitude.begin(), horizon.Amplitude.end());
@@ -83,7 +82,7 @@ void SampleIsReadBack(const std::string& folder)
   {
     const HorizonVoxels& a = before.Horizons[n];
     const HorizonVoxels& b = after.Horizons[n];
-    CHECK(a.SurfaceId == b.SurfaceId && a.I == b.I && a.J == b.J && a.K == b.K);
+    CHECK(a.SurfaceId == b.SurfaceId && a.Column == b.Column && a.K == b.K);
     CHECK(a.Thickness == b.Thickness && a.Amplitude == b.Amplitude && a.RealZ == b.RealZ);
   }
   CHECK_EQUAL(Print(after), printed);
@@ -100,9 +99,9 @@ void WrongVoxelsAreRefused()
   using Horizons = std::vector<HorizonVoxels>;
   check([](Horizons& horizons) { horizons[1].SurfaceId = -7; },
     "two horizons with the surface ID -7, expected one ID for each");
-  check([](Horizons& horizons) { horizons[0].I[1] = 3; },
+  check([](Horizons& horizons) { horizons[0].Column[1].X = 3; },
     "i = 3 of voxel 1 of the horizon with the surface ID -7, expected 0 to 2");
-  check([](Horizons& horizons) { horizons[0].J[1] = -1; }, "j = -1 of voxel 1");
+  check([](Horizons& horizons) { horizons[0].Column[1].Y = -1; }, "j = -1 of voxel 1");
   check([](Horizons& horizons) { horizons[0].K[0] = 10; }, "k = 10 of voxel 0");
   check([](Horizons& horizons) { horizons[0].K[0] = 6; }, "two voxels in the cell (1, 0, 6), of the surface IDs");
   check([](Horizons& horizons) { horizons[1].RealZ[2] = std::nan(""); },

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ColumnIndex.h"
+
+#include "PlaneGeometry.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// An index may have so many columns per point, or so many in all, before empty bands are narrowed.
+constexpr std::int64_t EnoughColumnsPerPoint = 16;
+constexpr std::int64_t EnoughColumns = 1 << 20;
+
+/// Throws InputError when two points stand in the same column.
+void CheckColumns(PlanePoints columns)
+{
+  std::vector<PointId> order(columns.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto column = [&columns](PointId point) -> const PlanePoint& { return columns[std::size_t(point)]; };
+  std::stable_sort(order.begin(), order.end(), [&](PointId a, PointId b) { return column(a) < column(b); });
+  const auto twin =
+    std::adjacent_find(order.begin(), order.end(), [&](PointId a, PointId b) { return column(a) == column(b); });
+  if (twin != order.end())
+  {
+    throw SameColumnError(*twin, *(twin + 1), column(*twin));
+  }
+}
+
+/// Narrows the bands across one axis to `widest` columns from point to point.
+void Narrow(std::vector<PlanePoint>& columns, std::int32_t PlanePoint::*axis, std::int32_t widest)
+{
+  std::vector<std::int32_t> before;
+  before.reserve(columns.size());
+  std::transform(columns.begin(), columns.end(), std::back_inserter(before),
+    [axis](const PlanePoint& column) { return column.*axis; });
+  std::sort(before.begin(), before.end());
+  before.erase(std::unique(before.begin(), before.end()), before.end());
+  std::vector<std::int32_t> after(before.size(), 0);
+  for (std::size_t n = 1; n < before.size(); ++n)
+  {
+    after[n] = after[n - 1] + std::int32_t(std::min<std::int64_t>(std::int64_t(before[n]) - before[n - 1], widest));
+  }
+  for (PlanePoint& column : columns)
+  {
+    const auto found = std::lower_bound(before.begin(), before.end(), column.*axis);
+    column.*axis = after[std::size_t(found - before.begin())];
+  }
+}
+
+bool AreRowByRow(PlanePoints columns)
+{
+  return std::is_sorted(columns.begin(), columns.end(),
+    [](const PlanePoint& a, const PlanePoint& b) { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; });
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+InputError SameColumnError(PointId first, PointId second, const PlanePoint& column)
+{
+  return InputError("points " + std::to_string(first) + " and " + std::to_string(second) + " both in column (" +
+    std::to_string(column.X) + ", " + std::to_string(column.Y) +
+    "), expected at most one point of a horizon in a column");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreScattered(PlanePoints columns)
+{
+  if (columns.empty())
+  {
+    return false;
+  }
+  const PlaneBox box(columns);
+  const double width = double(box.Greatest.X) - box.Least.X + 1.0;
+  const double height = double(box.Greatest.Y) - box.Least.Y + 1.0;
+  return width * height > double(std::max(EnoughColumns, EnoughColumnsPerPoint * std::int64_t(columns.size())));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PlanePoint> NarrowEmptyBands(PlanePoints columns, int reach)
+{
+  CheckColumns(columns); // first, so that the message names the columns as they were
+  std::vector<PlanePoint> narrow(columns.begin(), columns.end());
+  Narrow(narrow, &PlanePoint::X, reach + 1);
+  Narrow(narrow, &PlanePoint::Y, reach + 1);
+  return narrow;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlaceSet::PlaceSet(std::int64_t width, std::int64_t height)
+  : Width(width)
+  , Places(width * height)
+  , Margin((width / WordBits + 1) * WordBits)
+  , Words(std::size_t((2 * this->Margin + this->Places) / WordBits + 4), 0)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
+  : Given(given)
+{
+  if (given.empty())
+  {
+    return;
+  }
+  if (reach != AllBands && AreScattered(given))
+  {
+    this->Narrow = NarrowEmptyBands(given, reach);
+  }
+  const PlanePoints columns = this->Columns();
+  const PlaneBox box(columns);
+  this->MinX = std::int64_t(box.Least.X) - rim;
+  this->MinY = std::int64_t(box.Least.Y) - rim;
+  this->SizeX = std::int64_t(box.Greatest.X) + rim + 1 - this->MinX;
+  this->SizeY = std::int64_t(box.Greatest.Y) + rim + 1 - this->MinY;
+  this->Points = PlaceSet(this->SizeX, this->SizeY);
+  for (std::size_t n = 0; n < columns.size(); ++n)
+  {
+    const std::int64_t place = this->Place(columns[n]);
+    if (this->Points.Contains(place))
+    {
+      const PlanePoint* const first = std::find(columns.begin(), columns.end(), columns[n]);
+      throw SameColumnError(PointId(first - columns.begin()), PointId(n), columns[n]);
+    }
+    this->Points.Add(place);
+  }
+  this->CountPoints();
+  if (!AreRowByRow(columns))
+  {
+    this->SortPoints();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ColumnIndex::CountPoints()
+{
+  std::uint32_t count = 0;
+  for (std::int64_t place = 0; place < this->NumberOfPlaces(); place += PlaceSet::WordBits)
+  {
+    this->Before.push_back(count);
+    count += std::uint32_t(CountBits(std::uint64_t(this->Points.From(place))));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ColumnIndex::SortPoints()
+{
+  const PlanePoints columns = this->Columns();
+  std::vector<PointId> order(columns.size());
+  for (std::size_t n = 0; n < columns.size(); ++n)
+  {
+    order[this->Rank(this->Place(columns[n]))] = PointId(n);
+  }
+  this->Order = std::move(order);
+}
+}

@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What becomes of the comments of setters, in the panel and on the page, on two classes made up for it.
+
+Arguments: the program that makes texts, and a folder.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+PROGRAM, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:3])
+
+BASE = """
+/**
+ * @class   vtkBase
+ * @brief   a base
+ *
+ */
+class VTK_EXPORT vtkBase : public vtkObject
+{
+public:
+  ///@{
+  /**
+   * How far, in
+   * the array RowCount. Unit: WidthUnit. Range: 0.5 to 1e3. Default: 4.5 in vtkOne, 2 in vtkTwo.
+   *
+   * For programmers.
+   */
+  vtkSetMacro(RowWidth, double);
+  vtkGetMacro(RowWidth, double);
+  ///@}
+
+protected:
+"""
+ONE = """
+/**
+ * @class   vtkOne
+ * @brief   does one thing
+ *          of two
+ *
+ */
+class VTK_EXPORT vtkOne : public vtkBase
+{
+public:
+  /// Values of Kind.
+  enum Kinds
+  {
+    ByRow = 0,
+    Column2 = 1
+  };
+
+  ///@{
+  /**
+   * What is done with RowWidth, as in vtkTwo. ByRow: rows. Column2: columns. See "Some kinds" in One.md. Default: ByRow.
+   */
+  vtkSetClampMacro(Kind, int, ByRow, Column2);
+  vtkGetMacro(Kind, int);
+  void SetKindToByRow() { this->SetKind(ByRow); }
+  ///@}
+
+  /// Whether it is on. See "Some kinds" in Two.md. Default: off.
+  vtkSetMacro(On, bool);
+
+  /// How many there were.
+  int GetCount();
+
+protected:
+"""
+XML = """<ServerManagerConfiguration><ProxyGroup name="filters">
+<SourceProxy name="One" class="vtkOne" label="Number One"><Documentation long_help="Long."/>
+<InputProperty name="Input" command="SetInputConnection"><Documentation>The points.</Documentation></InputProperty>
+<DoubleVectorProperty name="RowWidth" command="SetRowWidth" default_values="4.5"/>
+<IntVectorProperty name="Kind" command="SetKind"><EnumerationDomain name="enum">
+<Entry text="By Row" value="0"/><Entry text="Column 2" value="1"/></EnumerationDomain></IntVectorProperty>
+<IntVectorProperty name="On" command="SetOn"><BooleanDomain name="bool"/></IntVectorProperty>
+<IntVectorProperty name="Count" command="GetCount" information_only="1"/>
+</SourceProxy>
+<SourceProxy name="Two" class="vtkTwo" label="Number Two"><Documentation long_help="Long."/>
+<DoubleVectorProperty name="RowWidth" command="SetRowWidth" label="Width" default_values="2"/>
+</SourceProxy></ProxyGroup></ServerManagerConfiguration>
+"""
+PAGE = "# A page\n\n| Property | Default | Range | Unit | Meaning |\n| --- | --- | --- | --- | --- |\n| old |\n\nMore.\n"
+ROWS = """| RowWidth | 4.5 | 0.5 to 1e3 | `WidthUnit` | How far, in the array `RowCount`. |
+| Kind | ByRow | ByRow (0), Column2 (1) | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
+Column2: columns. See [Some kinds](#some-kinds). |
+| On | off | off (0), on (1) | - | Whether it is on. See [Some kinds](Two.md#some-kinds). |
+"""
+
+
+class TextsTest(unittest.TestCase):
+    def setUp(self):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        files = {"Filters/vtkBase.h": BASE, "Filters/vtkOne.h": ONE, "ParaViewPlugin/Both.xml": XML,
+                 "Filters/vtkTwo.h": BASE.replace("vtkBase", "vtkTwo").replace("vtkObject", "vtkBase"),
+                 "Documentation/One.md": PAGE, "Documentation/Two.md": PAGE}
+        for name, text in files.items():
+            self.write(name, text)
+        self.program = FOLDER / "Utilities" / "CMake" / PROGRAM.name
+        self.program.parent.mkdir(parents=True)
+        shutil.copy(PROGRAM, self.program)
+
+    def write(self, name, text):
+        path = FOLDER / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def run_program(self, *arguments):
+        return subprocess.run([sys.executable, self.program, *arguments], capture_output=True, text=True, check=False)
+
+    def panel(self):
+        self.run_program("panel", FOLDER / "made").check_returncode()
+        proxies = ElementTree.parse(FOLDER / "made" / "Both.xml").iter("SourceProxy")
+        return {proxy.get("name"): {element.get("name"): element.find("Documentation").text for element in proxy
+                                    if element.tag.endswith("Property")} for proxy in proxies}
+
+    def test_the_panel_has_its_own_names(self):
+        self.assertEqual(self.panel()["One"], {
+            "Input": "The points.",
+            "RowWidth": "How far, in the array RowCount. Unit: WidthUnit. Range: 0.5 to 1e3. Default: 4.5.",
+            "Kind": "What is done with Row Width, as in Number Two. By Row: rows. Column 2: columns. Default: By Row.",
+            "On": "Whether it is on. Default: off.",
+            "Count": "How many there were."})
+        self.assertIn("Default: 2.", self.panel()["Two"]["RowWidth"])
+
+    def test_the_brief_is_the_short_help(self):
+        self.panel()
+        text = (FOLDER / "made" / "Both.xml").read_text(encoding="utf-8")
+        self.assertIn('short_help="Does one thing of two."', text)
+
+    def test_what_stays_is_not_written_again(self):
+        self.panel()
+        path = FOLDER / "made" / "Both.xml"
+        before = path.stat().st_mtime_ns
+        self.panel()
+        self.assertEqual(path.stat().st_mtime_ns, before)
+
+    def test_the_page_has_code_and_links(self):
+        self.run_program("pages").check_returncode()
+        text = (FOLDER / "Documentation" / "One.md").read_text(encoding="utf-8")
+        self.assertEqual(text, PAGE.replace("| old |\n", ROWS))
+
+    def test_a_setter_without_a_comment_is_an_error(self):
+        self.write("Filters/vtkOne.h", ONE.replace("  /// Whether it is on.", "  // Whether it is on."))
+        self.assertIn("One: On has no text, expected a comment of SetOn in vtkOne.h", self.run_program("panel", FOLDER).stderr)
+
+    def test_two_texts_are_an_error(self):
+        self.write("ParaViewPlugin/Both.xml", XML.replace('default_values="4.5"/>', "><Documentation>Another.</Documentation>"
+                                                          "</DoubleVectorProperty>"))
+        self.assertIn("One: RowWidth has a text in its XML file and one in C++", self.run_program("pages").stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One text for a property: the comment of its setter. The help of the panel and the table of the page are made from it.
+
+    property_texts.py panel FOLDER    writes the XML files of the plugin, with help, into a folder (the build does)
+    property_texts.py pages           writes the tables of properties into Documentation (the target texts does)
+
+The first paragraph of a comment is the text; more paragraphs are for programmers. It ends with what there is of
+
+    Unit: columns. Range: 1 to 16. Default: 2.
+
+The range of a choice is its enumerators, those below '/// Values of ...'. 'Default: 3 in vtkA, 8 in vtkB.' is one for each
+class. Names of properties, values and classes are written as in C++; the panel shows them with its labels, the page as code
+and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is left out of the panel. What a class has no
+method of its own for (inputs) keeps its text in the XML file, in the same form. The brief of a class is the short help of
+its proxy.
+"""
+
+import argparse
+import collections
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+TREE = pathlib.Path(__file__).resolve().parents[2]
+COLUMNS = ("Property", "Default", "Range", "Unit", "Meaning")
+NAME = r"(?<!array )(?<!field data )\b[A-Z]\w*\b"
+COMPOUND = r"[A-Z]\w*[a-z0-9][A-Z]\w*$|[A-Z]{2}[a-z]{2}\w*$"
+SEE = r'See "([^"]+)" in (\w+\.md)\.'
+
+Text = collections.namedtuple("Text", "meaning unit range default")
+Header = collections.namedtuple("Header", "base brief texts values")
+
+
+def split_facts(paragraph):
+    """A text with its facts taken off the end; None for those it does not have."""
+    text = " ".join(paragraph.split())
+    facts = {}
+    for name in ("default", "range", "unit"):
+        found = re.fullmatch(r"(.*?) ?\b%s: (.*)\." % name.capitalize(), text)
+        if found:
+            text, facts[name] = found.groups()
+    return Text(text, facts.get("unit"), facts.get("range"), facts.get("default"))
+
+
+def read_header(path):
+    """The base of a class, its brief, the text of each method that has one, and the values of each choice."""
+    text = path.read_text(encoding="utf-8")
+    brief = re.search(r"@brief +((?:.+\n)+?) \*\n", text)
+    base = re.search(r"^class \w+ (?:vtk\w+) : public (\w+)", text, re.M)
+    texts = {}
+    comment = r"^  (?:/\*\*\n((?:   \*(?!/).*\n)+)   \*/|/// (.*))\n((?:  (?!/).*\n)+)"
+    for block, line, lines in re.findall(comment, text, re.M):
+        paragraph = re.sub(r"^   \* ?", "", block, flags=re.M).split("\n\n")[0] or line
+        for access, name, method in re.findall(r"^  (?:vtk(Set|Get)\w*Macro\((\w+)|[^(\n]*?(\w+)\()", lines, re.M):
+            texts[method or access + name] = paragraph
+        if "vtkHorizonFileNamesMacro" in lines:
+            texts["AddFileName"] = paragraph
+    enums = re.findall(r"/// Values of (\w+)[^\n]*\n  enum \w+\n  {\n(.*?)  };", text, re.S)
+    values = {name: re.findall(r"(\w+) = (\d+)", body) for name, body in enums}
+    return Header(base and base.group(1), brief and " ".join(brief.group(1).replace("\n *", " ").split()), texts, values)
+
+
+class Proxy:
+    """A proxy of the plugin with its properties, those of its bases first."""
+
+    def __init__(self, element, proxies):
+        base = proxies.get(element.get("base_proxyname"))
+        self.name = element.get("name")
+        self.class_name = element.get("class") or "vtk" + self.name  # a base is named as its class
+        self.is_base = not element.get("class")
+        self.label = element.get("label", self.name)
+        self.element = element
+        self.properties = (base.properties if base else []) + [e for e in element if e.tag.endswith("Property")]
+
+
+def label_of(prop):
+    """What the panel calls a property: ParaView puts blanks into the name."""
+    return prop.get("label") or re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", prop.get("name"))
+
+
+class Texts:
+    """The texts of all properties of the plugin."""
+
+    def __init__(self, tree=TREE):
+        self.documentation = tree / "Documentation"
+        folders = ("Common", "Filters", "Readers", "Writers")
+        self.headers = {path.stem: read_header(path) for folder in folders for path in (tree / folder).rglob("vtk*.h")}
+        self.files = {}
+        self.proxies = {}
+        waiting = [(path, ElementTree.parse(path)) for path in sorted((tree / "ParaViewPlugin").glob("*.xml"))]
+        waiting.sort(key=lambda entry: entry[1].find("ProxyGroup[@name='horizon_bases']") is None)  # bases first
+        for path, document in waiting:
+            self.files[path.name] = document
+            for kind in ("SourceProxy", "WriterProxy"):
+                for element in document.iter(kind):
+                    self.proxies[element.get("name")] = Proxy(element, self.proxies)
+        self.of_class = {proxy.class_name: proxy for proxy in self.proxies.values() if not proxy.is_base}
+
+    def lineage(self, class_name):
+        while class_name in self.headers:
+            yield self.headers[class_name]
+            class_name = self.headers[class_name].base
+
+    def find(self, proxy, prop):
+        """The text of a property; None where neither a header nor the XML file has one."""
+        own = prop.find("Documentation")
+        command = prop.get("command")
+        for header in self.lineage(proxy.class_name):
+            if command in header.texts:
+                if own is not None:
+                    sys.exit("%s: %s has a text in its XML file and one in C++" % (proxy.name, prop.get("name")))
+                text = split_facts(header.texts[command])
+                own_default = re.search(r"(\S+) in %s\b" % proxy.class_name, text.default or "")
+                return text._replace(default=own_default.group(1)) if own_default else text
+        return split_facts(own.text) if own is not None and own.text else None
+
+    def values(self, proxy, prop):
+        """The names of a choice in C++ with their numbers, as texts."""
+        if prop.find("EnumerationDomain") is None:
+            return []
+        name = re.sub("^Set", "", prop.get("command", ""))
+        return next((header.values[name] for header in self.lineage(proxy.class_name) if name in header.values), [])
+
+    def labels(self, proxy):
+        """What the panel of a proxy calls the names of C++."""
+        labels = {prop.get("name"): label_of(prop) for prop in proxy.properties}
+        for prop in proxy.properties:
+            entries = {entry.get("value"): entry.get("text") for entry in prop.iter("Entry")}
+            labels.update((name, entries[value]) for name, value in self.values(proxy, prop) if value in entries)
+        return labels
+
+    def help(self, proxy, prop):
+        """A text as the panel shows it."""
+        text = self.find(proxy, prop)
+        if not text:
+            sys.exit("%s: %s has no text, expected a comment of %s in %s.h" % (
+                proxy.name, prop.get("name"), prop.get("command"), proxy.class_name))
+        labels = self.labels(proxy)
+
+        def shown(match):
+            word = match.group(0)
+            return word if re.fullmatch("[A-Z][a-z]+", word) else labels.get(word, word)
+
+        words = [re.sub(" ?" + SEE, "", text.meaning)]
+        words += ["%s: %s." % (name, fact) for name, fact in
+                  (("Unit", text.unit), ("Range", text.range), ("Default", text.default)) if fact]
+        words = re.sub(NAME, shown, " ".join(words))
+        return re.sub(r"\bvtk\w+", lambda m: self.of_class[m[0]].label if m[0] in self.of_class else m[0], words)
+
+    def row(self, proxy, prop):
+        """A line of the table on the page, its cells; None for what is only shown or connected."""
+        text = self.find(proxy, prop)
+        if not text or not text.default or prop.get("information_only") == "1":
+            return None
+        reach = text.range
+        plain = {name for other in proxy.properties for name, _ in self.values(proxy, other)}
+        values = self.values(proxy, prop)
+        if values:
+            reach = ", ".join("%s (%s)" % entry for entry in values)
+        elif prop.find("BooleanDomain") is not None:
+            reach = "off (0), on (1)"
+
+        def see(match):
+            words, page = match.groups()
+            anchor = "#" + words.lower().replace(" ", "-")
+            return "See [%s](%s)." % (words, anchor if page == proxy.name + ".md" else page + anchor)
+
+        def code(match):
+            return "`%s`" % match[0] if re.match(COMPOUND, match[0]) and match[0] not in plain else match[0]
+
+        def link(match):
+            other = self.of_class.get(match[0])
+            return "[%s](%s.md)" % (other.label, other.name) if other else "`%s`" % match[0]
+
+        def cell(words):
+            words = re.sub(r"\bvtk\w+", link, re.sub(SEE, see, words))
+            words = re.sub(r"\b(array|attribute|field data) ([A-Z]\w*)", r"\1 `\2`", words)
+            parts = re.split(r"(\[[^]]*\]\([^)]*\)|`[^`]*`)", words)
+            return "".join(part if part[:1] in ("[", "`") else re.sub(r"\b[A-Z]\w*\b", code, part) for part in parts)
+
+        return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
+
+    def table(self, proxy):
+        rows = [row for row in (self.row(proxy, prop) for prop in proxy.properties) if row]
+        lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows
+        return "".join("| %s |\n" % " | ".join(line) for line in lines)
+
+    def pages(self):
+        """Each page that has a table of properties, and what it should be."""
+        for proxy in self.proxies.values():
+            if not proxy.is_base:
+                path = self.documentation / (proxy.name + ".md")
+                text = path.read_text(encoding="utf-8")
+                table = r"^\| %s \|\n(?:\|.*\n)*" % r" \| ".join(COLUMNS)
+                fresh, count = re.subn(table, lambda _: self.table(proxy), text, flags=re.M)
+                if count != 1:
+                    sys.exit("%s: %d tables of properties, expected one" % (path.name, count))
+                yield path, text, fresh
+
+    def write_panel(self, folder):
+        """The XML files of the plugin with the text of each property; none is touched that stays as it is."""
+        for proxy in self.proxies.values():
+            for prop in proxy.element:
+                if prop.tag.endswith("Property") and prop.get("command"):
+                    text = self.help(proxy, prop)
+                    if prop.find("Documentation") is None:
+                        ElementTree.SubElement(prop, "Documentation").text = text
+            if not proxy.is_base:
+                brief = self.headers[proxy.class_name].brief
+                proxy.element.find("Documentation").set("short_help", brief[0].upper() + brief[1:] + ".")
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, document in self.files.items():
+            path = folder / name
+            text = ElementTree.tostring(document.getroot(), encoding="unicode") + "\n"
+            is_menu = document.getroot().tag != "ServerManagerConfiguration"
+            if not is_menu and not (path.is_file() and path.read_text(encoding="utf-8") == text):
+                path.write_text(text, encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("panel", "pages"))
+    parser.add_argument("folder", nargs="?", type=pathlib.Path)
+    arguments = parser.parse_args()
+    texts = Texts()
+    if arguments.what == "panel":
+        texts.write_panel(arguments.folder)
+        return
+    for path, text, fresh in texts.pages():
+        if text != fresh:
+            path.write_text(fresh, encoding="utf-8")
+            print(path)
+
+
+if __name__ == "__main__":
+    main()
