@@ -12,6 +12,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -51,6 +52,9 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
       boundary, options, monitor.Step(0.2, 0.7));
   points.Height = std::vector<double>(); // memory that the output can use
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
-  AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::BoundaryDeviation, simplified.Deviation);
-  AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::OutlineDeviation, simplified.OutlineDeviation);
+  vtkFieldData* const figures = output->GetFieldData();
+  AddValue<vtkDoubleArray>(figures, FieldArray::BoundaryDeviation, simplified.Deviation);
+  AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, simplified.OutlineDeviation);
+  AddValue<vtkDoubleArray>(figures, FieldArray::OutlineHeightDeviation, simplified.HeightDeviation);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(simplified.NumberOutside));
 }

@@ -4,12 +4,15 @@
  * @class   vtkHorizonBoundarySimplification
  * @brief   drops points from straight stretches of the outlines of a horizon
  *
- * Input: what vtkHorizonExteriorBoundary gives. Output: the same without the boundary points that were dropped, which
- * leave the surface altogether; points inside are untouched. PointCount of a dropped point goes to the nearer end of
- * the boundary edge that now spans it. New field data:
- *  - BoundaryDeviation (1 double): the largest distance in space, in lattice units, of a dropped point to the edge
- *    that spans it;
- *  - OutlineDeviation (1 double): the same in plan, in columns; 0 when OutlineTolerance is.
+ * Input: what vtkHorizonExteriorBoundary gives. Output: the same with fewer points on the outlines. Those that the new
+ * outlines leave outside, or pass through, leave the horizon; their PointCount goes to the nearer end of the edge that
+ * now spans them. Those that come to lie inside stay, with the Boundary 0. New field data, one value each:
+ *  - OutlineDeviation (double): the largest distance in plan, in columns, of a point that was on the outlines to the
+ *    edge that spans it; 0 when OutlineTolerance is;
+ *  - BoundaryDeviation (double): the same in space, in lattice units;
+ *  - OutlineHeightDeviation (double): the largest vertical distance, in lattice units, of a point that left the horizon
+ *    to the edge that spans it, where that is nearest in plan;
+ *  - NumberOfOutsidePoints (vtkIdType): how many points the new outlines leave outside.
  *
  * A loop is split into runs that are straight seen from above; the ends of a run stay. Within a run the middle one of
  * three points in succession is dropped when its distance in space from the line through the other two is less than
@@ -84,11 +87,9 @@ public:
 
   ///@{
   /**
-   * Whether every dropped point must stay within DistanceThreshold of the outline that remains. Off: only of the line
-   * through its neighbours when it is dropped, as in the thesis; many drops can add up beyond the threshold.
-   * FewestPoints always does this. Default: off.
-   *
-   * Where corners are dropped it is the height that has to stay within.
+   * Whether every dropped point must stay within DistanceThreshold above or below the outline that remains. Off: it is
+   * only within that of the line through its neighbours when it is dropped, as in the thesis; many drops can add up
+   * beyond the threshold. FewestPoints always does this. Default: off.
    */
   vtkSetMacro(BoundDeviation, bool);
   vtkGetMacro(BoundDeviation, bool);
@@ -98,8 +99,8 @@ public:
   ///@{
   /**
    * How far a dropped point may be from the new outline on the map. 0 keeps the outline as it is on the map; from about
-   * 0.5, staircases that come from the lattice become straight lines. Outlines never cross, and no point of the horizon
-   * ends up outside. Unit: columns. Range: at least 0. Default: 0.
+   * 0.5, staircases that come from the lattice become straight lines. Outlines never cross. Their points that come to lie
+   * inside stay, and those outside are counted (NumberOfOutsidePoints); no other point changes sides. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);

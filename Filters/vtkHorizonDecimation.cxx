@@ -6,6 +6,7 @@
 #include "Common/Parameters.h"
 #include "Decimation/Decimation.h"
 #include "Marshalling/CrackData.h"
+#include "Marshalling/CutData.h"
 #include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
 
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 using namespace SeismicHorizons;
@@ -64,6 +67,10 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   const SeismicHorizons::Lattice& grid = points.Grid;
   BoundedHorizon bounded = ReadPatchesAndBoundary(points);
   bounded.Height = std::move(points.Height);
+  if (std::optional<LinkCuts> cuts = FindCuts(points.Horizon, PlaneBox(points.Column)))
+  {
+    bounded.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
+  }
   ReadCounts(points.Horizon); // refuses wrong ones before the work
   monitor.Progress(0.1);
   const DecimationOptions options = this->MakeOptions(bounded, grid);

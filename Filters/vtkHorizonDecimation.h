@@ -13,8 +13,9 @@
  *  - Error (double): the largest vertical distance of a point inside a triangle, or on its sides, in lattice units
  * New field data, one value each, in lattice units:
  *  - LargestError, MeanError (double): vertical distances of points from the mesh; the mean is over all points
- *  - LargestLoopError (double): the largest distance of loops, which are kept as they are, from the lines between
- *    neighbouring columns that they cross
+ *  - LargestLoopError (double): the largest vertical distance of loops, which are kept as they are, from the lines
+ *    between neighbouring columns that they cross, and from the points that the boundary simplification before dropped
+ *    from them (OutlineHeightDeviation)
  *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees)
  *
  * With the Target LargestError no point is farther from the mesh than that, vertically, and no inner side of the mesh

@@ -190,6 +190,8 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     vtkFieldData* const figures = mesh->GetFieldData();
     AddValue<vtkDoubleArray>(figures, FieldArray::BoundaryDeviation, surface.BoundaryDeviation);
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, surface.OutlineDeviation);
+    AddValue<vtkDoubleArray>(figures, FieldArray::OutlineHeightDeviation, surface.OutlineHeightDeviation);
+    AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(surface.NumberOutside));
     WriteDecimation(outlines, points.Grid, surface.Mesh, mesh);
     if (this->GetCloseFaults())
     {

@@ -210,6 +210,34 @@ void WriteColumns(const Reduction& reduction, vtkPolyData* output)
   }
 }
 
+/// Points that simplified loops have left inside are no longer on the boundary.
+void UnmarkInside(const Loops& boundary, vtkPolyData* output)
+{
+  vtkDataArray* const marks = output->GetPointData()->GetArray(PointArray::Boundary);
+  if (!marks)
+  {
+    return;
+  }
+  const std::vector<unsigned char> isOnLoop = boundary.MarkPoints(std::size_t(output->GetNumberOfPoints()));
+  vtkSmartPointer<vtkDataArray> changed; // the input may have the same array
+  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+  {
+    if (isOnLoop[point] == 0 && marks->GetComponent(point, 0) != 0.0)
+    {
+      if (!changed)
+      {
+        changed.TakeReference(marks->NewInstance());
+        changed->DeepCopy(marks);
+      }
+      changed->SetComponent(point, 0, double(BoundaryKind::Inside));
+    }
+  }
+  if (changed)
+  {
+    output->GetPointData()->AddArray(changed);
+  }
+}
+
 /// The counts of the points that are kept, with those of the others.
 vtkSmartPointer<vtkIdTypeArray> AddDropped(
   const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
@@ -306,6 +334,7 @@ void WriteReduction(vtkPolyData* input, const Lattice& grid, const Reduction& re
   vtkPointData* const data = output->GetPointData();
   const MergedPoints points(reduction, ReadCounts(input));
   ReduceAttributes(input, reduction.Source, points, output);
+  UnmarkInside(reduction.Boundary, output);
   WriteColumns(reduction, output);
   if (input->GetPointData()->HasArray(PointArray::PointCount) ||
     output->GetNumberOfPoints() < input->GetNumberOfPoints())
@@ -332,7 +361,9 @@ void WriteDropped(vtkPolyData* input, const DroppedPoints& dropped, const Loops&
 {
   const KeptPoints kept = KeepOthers(dropped, std::size_t(input->GetNumberOfPoints()));
   CopyPoints(input, kept, output);
-  output->SetLines(MakePolylines(RenumberWithout(dropped, boundary)));
+  const Loops loops = RenumberWithout(dropped, boundary);
+  output->SetLines(MakePolylines(loops));
+  UnmarkInside(loops, output);
   if (!dropped.empty())
   {
     output->GetPointData()->AddArray(AddDropped(ReadCounts(input), kept, dropped));

@@ -161,6 +161,16 @@ void WriteLargest(const std::vector<vtkPolyData*>& meshes, const char* name, vtk
   AddValue<vtkDoubleArray>(figures, name, largest);
 }
 
+void WriteSum(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFieldData* figures)
+{
+  double sum = 0.0;
+  for (vtkPolyData* const mesh : meshes)
+  {
+    sum += ValueOf(mesh, name);
+  }
+  AddValue<vtkIdTypeArray>(figures, name, vtkIdType(sum));
+}
+
 /// The mean over the points of all parts. Those on seams are in two.
 double FindMeanError(const std::vector<vtkPolyData*>& meshes)
 {
@@ -183,18 +193,16 @@ void WriteFigures(
   figures->PassData(meshes.front()->GetFieldData());
   figures->RemoveArray(FieldArray::SeamRows);
   for (const char* const name : { FieldArray::LargestError, FieldArray::LargestLoopError, FieldArray::BoundaryDeviation,
-         FieldArray::OutlineDeviation })
+         FieldArray::OutlineDeviation, FieldArray::OutlineHeightDeviation })
   {
     WriteLargest(meshes, name, figures);
   }
-  double duplicates = 0.0;
-  for (vtkPolyData* const mesh : meshes)
+  for (const char* const name : { FieldArray::DroppedDuplicates, FieldArray::NumberOfOutsidePoints })
   {
-    duplicates += ValueOf(mesh, FieldArray::DroppedDuplicates);
-  }
-  if (figures->HasArray(FieldArray::DroppedDuplicates))
-  {
-    AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedDuplicates, vtkIdType(duplicates));
+    if (figures->HasArray(name))
+    {
+      WriteSum(meshes, name, figures);
+    }
   }
   AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, FindMeanError(meshes));
   AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);

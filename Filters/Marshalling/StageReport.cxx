@@ -29,7 +29,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 25> Figures = { {
+constexpr std::array<Figure, 27> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
@@ -37,15 +37,17 @@ constexpr std::array<Figure, 25> Figures = { {
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
   { FieldArray::DroppedSpeckPoints, "points in specks left out" },
-  { FieldArray::BoundaryDeviation, "boundary off by up to" },
-  { FieldArray::OutlineDeviation, "on the map by up to" },
   { FieldArray::TriangleCount, "triangles" },
   { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
   { FieldArray::SmallestAngle, "smallest angle" },
-  { FieldArray::LargestError, "largest error" },
-  { FieldArray::LargestLoopError, "largest error of loops" },
-  { FieldArray::MeanError, "mean error" },
+  { FieldArray::LargestError, "largest vertical error" },
+  { FieldArray::MeanError, "mean vertical error" },
+  { FieldArray::LargestLoopError, "largest vertical error of outlines" },
+  { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
+  { FieldArray::OutlineDeviation, "outlines moved on the map by up to" },
+  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to" },
+  { FieldArray::BoundaryDeviation, "outlines off in space by up to" },
   { FieldArray::NumberOfParts, "parts" },
   { FieldArray::SeamPoints, "vertices on seams" },
   { FieldArray::ChosenRadius, "chosen radius" },

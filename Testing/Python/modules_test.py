@@ -239,7 +239,7 @@ class ResultTest(unittest.TestCase):
         row = ("1", "20", "1", "14", "4", "10", "14", "50.0 %", "1.00", "0.50", "-", "-", "12.35")
         self.assertEqual(tables.row(self.result), row + ("0.000", "0.000", "0.000", "0.00"))
         self.assertEqual(len(tables.row(self.result)), len(tables.COLUMNS + tables.ERROR_COLUMNS))
-        self.assertTrue(tables.table([self.result])[0].endswith("outline error  error s"))
+        self.assertTrue(tables.table([self.result])[0].endswith("outlines off  error s"))
         self.result.figures = None
         self.assertEqual(tables.row(self.result), row)
         self.assertTrue(tables.table([self.result])[0].endswith("elaborate s  mesh s"))

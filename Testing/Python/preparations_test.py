@@ -42,7 +42,8 @@ class PreparationsTest(unittest.TestCase):
             self.assertIn("filled", tables.table([result])[0].split())
             self.assertEqual(tables.row(result)[len(tables.COLUMNS)], "1")
             self.assertEqual(len(tables.row(result)), len(tables.COLUMNS) + len(tables.PREPARATION_COLUMNS["filled"]) +
-                             len(tables.ERROR_COLUMNS) + (len(tables.CHOSEN_COLUMNS) if settings.surface else 0))
+                             len(tables.ERROR_COLUMNS) +
+                             (len(tables.CHOSEN_COLUMNS) + len(tables.VERTICAL_COLUMNS) if settings.surface else 0))
             panel = overview.panels(result)[1]
             self.assertEqual((panel.title, panel.caption), ("Hole filling", "1 new point"))
             self.assertFalse(settings.can_cut())

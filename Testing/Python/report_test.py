@@ -244,7 +244,7 @@ class ReportTest(unittest.TestCase):
             batch.run([SAMPLE], self.folder, settings, False, run, prints=False)
         page = Page(report.make(run.as_values(), run.album, None))
         self.assertIn("not measured: the horizons are larger than memory.", page.text())
-        self.assertIn("as the decimation keeps it", page.text())
+        self.assertIn("on average; at outlines at most", page.text())
         self.assertEqual([image["alt"].split(";")[0] for image in page.all("img") if image["alt"].startswith("Mesh")][:1],
                          ["Mesh of Horizon 1: 6,282 points, %d triangles" % run.files[0]["horizons"][0]["triangles"]])
         self.assertFalse(pipeline.Settings(surface={}, error={}).can_cut())

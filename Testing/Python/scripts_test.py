@@ -86,7 +86,7 @@ def test_fault_cut():
     writer.SetInputConnection(source.GetOutputPort())
     writer.Write()
     said = run(PVBATCH, "fault_cut", FOLDER / "faulted.vsm", FOLDER / "cut", "--triangles", 60)
-    before, after = (float(value) for value in re.findall(r"largest error ([\d.e-]+)", said))
+    before, after = (float(value) for value in re.findall(r"largest vertical error ([\d.e-]+)", said))
     assert after < 0.25 * before, said
     names = sorted(path.name for path in (FOLDER / "cut").iterdir())
     assert {"after.vtpc", "before.vtpc", "faults.vtpc"} <= set(names), names

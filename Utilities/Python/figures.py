@@ -25,6 +25,7 @@ CHUNK = 1 << 20  # triangles whose angles are computed at a time
 ERRORS = {"LargestDistance": "largest", "MeanDistance": "mean", "RmsDistance": "rms", "DistancePercentile50": "median",
           "DistancePercentile90": "percentile_90", "DistancePercentile95": "percentile_95",
           "DistancePercentile99": "percentile_99", "OutlineDistance": "outline"}
+VERTICAL = {"LargestError": "largest", "MeanError": "mean", "LargestLoopError": "outlines"}
 STATED = {"VerticalUnit": "vertical_unit", "VerticalDomain": "vertical_domain", "HorizontalUnit": "horizontal_unit",
           "CoordinateSystem": "coordinate_system"}
 UNITS = ("Lattice", "World")
@@ -77,7 +78,7 @@ def horizon(result):
     data = mesh.GetFieldData()
     before, after = result.number_of_points, mesh.GetNumberOfPoints()
     loops, loop_points = result.loops or (result.simplified[0], None)
-    largest = _values(data, "LargestError")
+    vertical = {key: (_values(data, name) or [None])[0] for name, key in VERTICAL.items()}
     return {
         "name": result.name, "points_in": before, "points_out": after, "triangles": triangles.count_surface(mesh),
         "fault_triangles": triangles.count_at_faults(mesh),
@@ -89,7 +90,8 @@ def horizon(result):
         "seconds": {**result.seconds, "total": sum(result.seconds.values())},
         "chosen": chosen_parameters(mesh),
         "prepared": {name: prepared_number(data, name) for name in PREPARATIONS if name in result.seconds},
-        "largest_vertical_error": largest[0] if largest else None,
+        "vertical_error": None if vertical["largest"] is None else vertical,
+        "points_outside": _count(data, "NumberOfOutsidePoints"),
         "error": None if result.figures is None else {unit.lower(): _errors(result.figures, row, unit)
                                                       for row, unit in enumerate(UNITS)},
         "distances": distances(result),

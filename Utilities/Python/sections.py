@@ -16,12 +16,16 @@ COLUMNS = (
     ("Patches", "connected parts", lambda h: h["patches"], "{:,}"),
     ("Triangles", "of the mesh", lambda h: h["triangles"], "{:,}"),
     FAULT_COLUMN,
-    ("Largest deviation", "of mesh and horizon, both ways, in lattice units", lambda h: _error(h, "largest"), "{:.3f}"),
-    ("Mean", "mean deviation, both ways, in lattice units", lambda h: _error(h, "mean"), "{:.3f}"),
+    ("Vertical error", "the largest, of points under the mesh, in vertical indices", lambda h: _vertical(h, "largest"),
+     "{:.3f}"),
+    ("Outside", "points outside the outlines of the mesh", lambda h: h["points_outside"], "{:,}"),
+    ("Hausdorff distance", "the largest distance in space, both ways, in lattice units", lambda h: _error(h, "largest"),
+     "{:.3f}"),
+    ("Mean distance", "in space, both ways, in lattice units", lambda h: _error(h, "mean"), "{:.3f}"),
     ("Smallest angle", "of a triangle, as seen from above, in degrees", lambda h: h["angles"] and h["angles"]["smallest"],
      "{:.1f}\u00b0"),
     ("Time", "of all stages, in seconds", lambda h: h["seconds"]["total"], "{:.2f} s"))
-ERROR_ROWS = (("largest", "largest"), ("mean", "mean"), ("root mean square", "rms"), ("median", "median"),
+ERROR_ROWS = (("largest (Hausdorff)", "largest"), ("mean", "mean"), ("root mean square", "rms"), ("median", "median"),
               ("90 % are below", "percentile_90"), ("95 %", "percentile_95"), ("99 %", "percentile_99"),
               ("outlines, on the map", "outline"))
 STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole filling", "simplified": "outline"}
@@ -29,6 +33,10 @@ PREPARED = {"despiked": "spikes removed", "torn": "links cut along faults", "fil
 MOST_OPEN_FILES = 3
 METER = "vtkHorizonSurfaceDistance"
 FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
+
+
+def _vertical(horizon, name):
+    return horizon["vertical_error"] and horizon["vertical_error"][name]
 
 
 def _error(horizon, name):
@@ -47,7 +55,6 @@ def horizons_of(run):
 def tiles(run):
     horizons = [horizon for _, horizon in horizons_of(run)]
     before, after = (sum(h[name] for h in horizons) for name in ("points_in", "points_out"))
-    largest = [_error(h, "largest") for h in horizons if _error(h, "largest") is not None]
     shown = [("Horizons", "{:,}".format(len(horizons))), ("Points in", "{:,}".format(before)),
              ("Points out", "{:,}".format(after)),
              ("Fewer by", "%.1f %%" % (100.0 * (before - after) / before) if before else "-"),
@@ -55,8 +62,10 @@ def tiles(run):
     closing = sum(h["fault_triangles"] for h in horizons)
     if closing:
         shown.append((FAULT_COLUMN[0], "{:,}".format(closing)))
-    if largest:
-        shown.append(("Largest deviation", "%.3f" % max(largest)))
+    for name, value_of in (("Vertical error", _vertical), ("Hausdorff distance", _error)):
+        known = [value_of(horizon, "largest") for horizon in horizons if value_of(horizon, "largest") is not None]
+        if known:
+            shown.append((name, "%.3f" % max(known)))
     return join(fill("tile", name=name, value=value) for name, value in shown)
 
 
@@ -157,20 +166,20 @@ def horizon_table(run, album):
                          cells=join(_cell(value(horizon), form) for _, _, value, form in columns)))
     heads = [fill("head", kind="name", text="Horizon", meaning="its name")]
     heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in columns]
-    return fill("horizons", heads=join(heads), rows=join(rows), note=_about_deviations(run),
+    return fill("horizons", heads=join(heads), rows=join(rows), note=_about_distances(run),
                 filter=fill("filter") if len(pairs) > FROM_HERE_FILTERED else None)
 
 
-def _about_deviations(run):
+def _about_distances(run):
     """Their unit, and of which horizons there are none."""
     known = [horizon["error"] is not None for _, horizon in horizons_of(run)]
-    note = "Deviations are in lattice units, 1 being a step from column to column, or a vertical index."
+    note = "Distances are in lattice units, 1 being a step from column to column, or a vertical index."
     if all(known):
         return note
     if METER not in run["parameters"]:
-        return "Deviations were not measured."
+        return "Distances were not measured."
     if not any(known):
-        return "Deviations were not measured: the horizons are larger than memory."
+        return "Distances were not measured: the horizons are larger than memory."
     return note + " They were measured for %d of %d horizons; the others are larger than memory." % (sum(known), len(known))
 
 
@@ -195,10 +204,12 @@ def details(run, album):
 
 
 def _details(number, horizon, entry, label):
-    largest = _error(horizon, "largest")
+    largest = _vertical(horizon, "largest")
+    distance = _error(horizon, "largest")
     unit = horizon["distances"] and "%s units" % horizon["distances"]["unit"]
     words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
-             None if largest is None else "at most %.3g off" % largest]
+             "at most %.3g off vertically" % largest if largest is not None else
+             None if distance is None else "at most %.3g off" % distance]
     return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon),
                 turn=fill("turn", number=number) if entry.mesh else None,
                 pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon),
@@ -245,10 +256,16 @@ def _horizon_facts(horizon):
             "" if before is None else " of {:,}".format(before))),
         (FAULT_COLUMN[0], "{:,}".format(horizon["fault_triangles"]) if horizon["fault_triangles"] else None),
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
-        ("Largest vertical error", None if horizon["largest_vertical_error"] is None else
-         "%.3g lattice units, as the decimation keeps it" % horizon["largest_vertical_error"]),
+        ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon)),
         ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
         ("Time", seconds), ("Written", ", ".join(horizon["results"]))])
+
+
+def _vertical_text(horizon):
+    text = "at most %.3g vertical indices, %.3g on average; at outlines at most %.3g" % tuple(
+        _vertical(horizon, name) for name in ("largest", "mean", "outlines"))
+    outside = horizon["points_outside"]
+    return text + (", with %s outside" % count(outside, "point") if outside else "")
 
 
 def _error_table(error):

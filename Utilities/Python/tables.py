@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of results, for reading: a row for each horizon."""
 
+from vtkmodules.vtkCommonCore import VTK_DOUBLE
+
 from . import triangles
 from .pipeline import chosen_parameters
 from .reading import short_name
@@ -16,7 +18,10 @@ PREPARATION_COLUMNS = {
     "torn": ("cut links", "faults s"),
     "filled": ("filled", "fill s")}
 FAULT_COLUMNS = ("fault triangles",)  # where a mesh has any
-ERROR_COLUMNS = ("largest error", "mean error", "outline error", "error s")
+# Of meshes within an error, by the names of the field data: the vertical error that was asked for first.
+VERTICAL_COLUMNS = {"LargestError": "vertical error", "LargestLoopError": "at outlines", "NumberOfOutsidePoints": "outside"}
+# Of the measure: distances in space, both ways.
+ERROR_COLUMNS = ("Hausdorff", "mean distance", "outlines off", "error s")
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
 
@@ -32,7 +37,7 @@ def row(result, has_fault_triangles=False):
             "%d" % triangles.count_surface(result.data["mesh"]), "%.1f %%" % (100.0 * (before - after) / before),
             *("-" if s is None else "%.2f" % s for s in seconds), *_preparation_cells(result),
             *(["%d" % triangles.count_at_faults(result.data["mesh"])] if has_fault_triangles else []),
-            *_chosen_cells(result), *_error_cells(result))
+            *_chosen_cells(result), *_vertical_cells(result), *_error_cells(result))
 
 
 def _preparation_cells(result):
@@ -58,6 +63,17 @@ def _chosen_cells(result):
                  for name in CHOSEN_COLUMNS if name in chosen)
 
 
+def _vertical_cells(result):
+    data = result.data["mesh"].GetFieldData()
+    arrays = [data.GetArray(name) for name in _vertical_columns(result)]
+    return tuple("-" if array is None else "%.3f" % array.GetTuple1(0) if array.GetDataType() == VTK_DOUBLE else
+                 "%d" % array.GetTuple1(0) for array in arrays)
+
+
+def _vertical_columns(result):
+    return VERTICAL_COLUMNS if result.data["mesh"].GetFieldData().HasArray("LargestError") else {}
+
+
 def _error_cells(result):
     if result.figures is None:
         return ()
@@ -71,7 +87,8 @@ def table(results):
     chosen = tuple(CHOSEN_COLUMNS.values()) if chosen_parameters(results[0].data["mesh"]) else ()
     prepared = sum((names for name, names in PREPARATION_COLUMNS.items() if name in results[0].seconds), ())
     closed = any(triangles.count_at_faults(result.data["mesh"]) for result in results)
-    columns = COLUMNS + prepared + (FAULT_COLUMNS if closed else ()) + chosen + (
+    vertical = tuple(_vertical_columns(results[0]).values())
+    columns = COLUMNS + prepared + (FAULT_COLUMNS if closed else ()) + chosen + vertical + (
         ERROR_COLUMNS if results[0].figures is not None else ())
     return align([columns] + [row(result, closed) for result in results])
 

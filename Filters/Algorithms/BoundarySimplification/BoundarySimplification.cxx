@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // In this order: what corners can be cut off without a loop coming to cross another (LoopGuard); the passes over
-// straight runs and corners of one loop, or the fewest points of it (FewestPoints.h); what was dropped, and how far off
-// it is.
+// straight runs and corners of one loop, or the fewest points of it (FewestPoints.h); on which side of the new loops
+// the points are that were on them.
 
 #include "BoundarySimplification.h"
 
 #include "Common/CellGrid.h"
 #include "Common/Parameters.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 #include "Common/SpacePoints.h"
 #include "FewestPoints.h"
@@ -75,18 +76,20 @@ int Turn(const Point& a, const Point& b, const Point& c)
 //     ---a---b---     to cross a-m or m-b, or to have a point inside. So loops that did not cross still do not, and no
 //                     point changes sides or lies on the new edge.
 //
-/// Answers are exact for places that are multiples of 2^-20 of a column, as all on a lattice are.
+/// Points that were dropped from other edges count as well: they stay on their side, too. Answers are exact for places
+/// that are multiples of 2^-20 of a column, as all on a lattice are.
 class LoopGuard
 {
 public:
   /// `points` are all points of the horizon, in lattice units, on the boundary or inside.
   explicit LoopGuard(const SpacePoints& points);
 
-  /// True when no point that is left lies in the triangle a, m, b or on its sides, other than these three.
-  bool IsClear(PointId a, PointId m, PointId b) const;
+  /// Takes a loop that loops visit so many times at each point.
+  void SetLoop(const std::vector<PointId>& loop, const std::vector<unsigned char>& visits);
 
-  /// Takes a point away.
-  void Remove(PointId point) { this->Removed[point] = true; }
+  /// True when no point lies in the triangle of three positions in the loop or on its sides, other than these three and
+  /// what is between them in the loop. The last one can be the loop's length, for its first point.
+  bool IsClear(std::size_t before, std::size_t middle, std::size_t after) const;
 
 private:
   /// A place in the plane, in whole parts of a column.
@@ -104,7 +107,8 @@ private:
   const std::vector<PlanePoint> Columns; // of each point
   const CellGrid Grid;
   const PointLists InColumn;
-  std::vector<bool> Removed;
+  std::vector<PointId> Loop;
+  std::vector<std::size_t> Position; // by point, in the loop, from 1 on; 0 for points that are elsewhere, or stay
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -113,8 +117,22 @@ LoopGuard::LoopGuard(const SpacePoints& points)
   , Columns(FindColumns(points))
   , Grid(this->Columns, 1, 1)
   , InColumn(SortByCell(this->Grid, this->Columns))
-  , Removed(points.size(), false)
+  , Position(points.size(), 0)
 {
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void LoopGuard::SetLoop(const std::vector<PointId>& loop, const std::vector<unsigned char>& visits)
+{
+  for (const PointId point : this->Loop)
+  {
+    this->Position[point] = 0;
+  }
+  this->Loop = loop;
+  for (std::size_t n = 0; n < loop.size(); ++n)
+  {
+    this->Position[loop[n]] = visits[loop[n]] > 1 ? 0 : n + 1;
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -144,13 +162,16 @@ bool LoopGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, cons
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool LoopGuard::IsClear(PointId a, PointId m, PointId b) const
+bool LoopGuard::IsClear(std::size_t before, std::size_t middle, std::size_t after) const
 {
+  const PointId a = this->Loop[before];
+  const PointId m = this->Loop[middle];
+  const PointId b = this->Loop[after % this->Loop.size()];
   const std::array<FinePoint, 3> corner = { this->Fine(a), this->Fine(m), this->Fine(b) };
   const auto isIn = [&](PointId point)
   {
-    return point != a && point != m && point != b && !this->Removed[point] &&
-      this->IsIn(point, corner[0], corner[1], corner[2]);
+    const bool isBetween = this->Position[point] > before + 1 && this->Position[point] <= after;
+    return point != a && point != m && point != b && !isBetween && this->IsIn(point, corner[0], corner[1], corner[2]);
   };
   const std::array<RowSegment, 3> sides = { this->Side(a, m), this->Side(m, b), this->Side(b, a) };
   const double bottom = std::floor(std::min(sides[0].LeastY(), sides[1].LeastY()));
@@ -188,16 +209,24 @@ bool HasLongEdges(const SpacePoints& points, const Loops& boundary)
   return hasLong;
 }
 
+/// A point that is no longer on the loops.
+struct SpannedPoint
+{
+  DroppedPoint Point; // with the nearer end, in plan, of the edge that spans it
+  double InHeight; // its vertical distance from that edge
+};
+
 /// Simplifies one loop after the other. Positions in a loop count from its first point; beyond its end they go on with
 /// the first point again.
 class LoopSimplifier
 {
 public:
   LoopSimplifier(const SpacePoints& points, const Loops& boundary, const BoundarySimplificationOptions& options,
-    BoundarySimplification& result, const Monitor& monitor)
+    BoundarySimplification& result, std::vector<SpannedPoint>& spanned, const Monitor& monitor)
     : Points(points)
     , Options(options)
     , Result(result)
+    , Spanned(spanned)
     , Watch(monitor)
     , Visits(points.size(), 0)
   {
@@ -349,7 +378,8 @@ private:
     }
     const SpanningEdge edge = this->EdgeBetween(this->At(before), this->At(after));
     return !this->Options.BoundDeviation ||
-      this->AllBetween(before, after, [&](const Eigen::Vector3d& place) { return edge.InSpace(place) <= threshold; });
+      this->AllBetween(
+        before, after, [&](const Eigen::Vector3d& place) { return edge.OnMap(place).InHeight <= threshold; });
   }
 
   double DistanceToLine(PointId point, PointId a, PointId b) const
@@ -377,31 +407,14 @@ private:
   void DropCorners()
   {
     this->Corners = this->Kept.size();
+    this->Guard->SetLoop(this->Loop, this->Visits);
     const auto canDrop = [this](std::size_t before, std::size_t middle, std::size_t after)
     { return this->DropCorner(before, middle, after); };
     this->Kept.push_back(this->Loop.size());
-    for (const std::size_t n : Dropped(this->Kept))
-    {
-      this->Guard->Remove(this->At(n));
-    }
     while (DropOnce(this->Kept, canDrop))
     {
     }
     this->Kept.pop_back();
-  }
-
-  /// The positions between the first and the last of a list that the list leaves out.
-  static std::vector<std::size_t> Dropped(const std::vector<std::size_t>& kept)
-  {
-    std::vector<std::size_t> dropped;
-    for (std::size_t n = 1; n < kept.size(); ++n)
-    {
-      for (std::size_t between = kept[n - 1] + 1; between < kept[n]; ++between)
-      {
-        dropped.push_back(between);
-      }
-    }
-    return dropped;
   }
 
   /// Drops a corner if it can. It has to stay when loops visit it more than once, and when they so visit both of its
@@ -412,11 +425,10 @@ private:
     const PointId b = this->At(after);
     const bool isBound = this->IsShared(middle) || (this->IsShared(before) && this->IsShared(after)) || a == b;
     if (isBound || this->Corners <= 3 || !this->IsNear(before, middle, after) ||
-      !this->Guard->IsClear(a, this->At(middle), b))
+      !this->Guard->IsClear(before, middle, after))
     {
       return false;
     }
-    this->Guard->Remove(this->At(middle));
     --this->Corners;
     return true;
   }
@@ -436,8 +448,7 @@ private:
         });
   }
 
-  /// Adds what is left of the loop to the result. Every dropped point counts for the nearer end, in plan, of the edge
-  /// that spans it.
+  /// Adds what is left of the loop to the result.
   void WriteLoop()
   {
     this->Kept.push_back(this->Kept.front() + this->Loop.size());
@@ -448,24 +459,26 @@ private:
       this->Result.Boundary.Append(a);
       for (std::size_t between = this->Kept[n] + 1; between < this->Kept[n + 1]; ++between)
       {
-        this->WriteDropped(this->At(between), a, b);
+        this->AddSpanned(this->At(between), a, b);
       }
     }
     this->Result.Boundary.Close();
   }
 
-  void WriteDropped(PointId point, PointId a, PointId b)
+  void AddSpanned(PointId point, PointId a, PointId b)
   {
     const SpanningEdge edge = this->EdgeBetween(a, b);
+    const MapDistances distances = edge.OnMap(this->Place(point));
     this->Result.Deviation = std::max(this->Result.Deviation, edge.InSpace(this->Place(point)));
-    this->Result.OutlineDeviation = std::max(this->Result.OutlineDeviation, edge.OnMap(this->Place(point)).InPlan);
+    this->Result.OutlineDeviation = std::max(this->Result.OutlineDeviation, distances.InPlan);
     const auto toEnd = [&](PointId end) { return (this->Place(point) - this->Place(end)).head<2>().norm(); };
-    this->Result.Dropped.push_back({ point, toEnd(b) < toEnd(a) ? b : a });
+    this->Spanned.push_back({ { point, toEnd(b) < toEnd(a) ? b : a }, distances.InHeight });
   }
 
   const SpacePoints& Points;
   const BoundarySimplificationOptions& Options;
   BoundarySimplification& Result;
+  std::vector<SpannedPoint>& Spanned;
   const Monitor& Watch;
   double Part = 0.0;
   std::vector<unsigned char> Visits; // 0, 1 or 2 for more than one
@@ -477,6 +490,109 @@ private:
   std::vector<std::size_t> Kept; // the positions that are left of the loop
   std::size_t Corners = 0; // how many points the loop still has
 };
+// ---- Sides ---------------------------------------------------------------------------------------------------------
+enum class LoopSide
+{
+  Outside,
+  On,
+  Inside
+};
+
+/// On which side of all loops together points of whole columns are. Row by row, a point is inside when an odd number of
+/// edges crosses the row to its left; an edge counts at its lower end, and not at its upper one.
+class SideFinder
+{
+public:
+  SideFinder(const SpacePoints& points, const std::vector<PointId>& which)
+    : Points(points)
+    , Order(which.size())
+    , Sides(which.size(), LoopSide::Outside)
+    , Crossings(which.size(), 0)
+  {
+    std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
+    std::sort(this->Order.begin(), this->Order.end(),
+      [&](std::size_t a, std::size_t b) { return IsBefore(this->ColumnOf(which[a]), this->ColumnOf(which[b])); });
+    for (const std::size_t n : this->Order)
+    {
+      const PlanePoint column = this->ColumnOf(which[n]);
+      if (this->Columns.empty() || this->Columns.back().Y != column.Y)
+      {
+        this->RowStarts.push_back(this->Columns.size());
+      }
+      this->Columns.push_back(column);
+    }
+    this->RowStarts.push_back(this->Columns.size());
+  }
+
+  /// In the order of the points given.
+  std::vector<LoopSide> Find(const Loops& loops)
+  {
+    loops.ForEachEdge([this](PointId from, PointId to) { this->Cross(this->ColumnOf(from), this->ColumnOf(to)); });
+    for (std::size_t row = 0; row + 1 < this->RowStarts.size(); ++row)
+    {
+      bool isInside = false;
+      for (std::size_t n = this->RowStarts[row]; n < this->RowStarts[row + 1]; ++n)
+      {
+        isInside = isInside != (this->Crossings[n] != 0);
+        LoopSide& side = this->Sides[this->Order[n]];
+        side = side == LoopSide::On ? side : isInside ? LoopSide::Inside : LoopSide::Outside;
+      }
+    }
+    return std::move(this->Sides);
+  }
+
+private:
+  static bool IsBefore(const PlanePoint& a, const PlanePoint& b) { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; }
+
+  PlanePoint ColumnOf(PointId point) const
+  {
+    const SpacePoint place = this->Points[point];
+    return { std::int32_t(place.X), std::int32_t(place.Y) };
+  }
+
+  void Cross(PlanePoint low, PlanePoint high)
+  {
+    if (IsBefore(high, low))
+    {
+      std::swap(low, high);
+    }
+    const auto isBelow = [this](std::size_t start, std::int32_t y) { return this->Columns[start].Y < y; };
+    const auto end = this->RowStarts.end() - 1;
+    for (auto row = std::lower_bound(this->RowStarts.begin(), end, low.Y, isBelow);
+         row != end && this->Columns[*row].Y <= high.Y; ++row)
+    {
+      this->CrossRow(low, high, row[0], row[1]);
+    }
+  }
+
+  /// The row of the points from `first` to before `last`, which an edge reaches.
+  void CrossRow(const PlanePoint& low, const PlanePoint& high, std::size_t first, std::size_t last)
+  {
+    const bool isLevel = low.Y == high.Y;
+    const auto isLeft = [&](const PlanePoint& column)
+    { return isLevel ? column.X < low.X : SignedArea(low, high, column) > 0; };
+    const auto isOn = [&](const PlanePoint& column)
+    { return isLevel ? column.X <= high.X : SignedArea(low, high, column) == 0; };
+    const auto begin = this->Columns.begin();
+    std::size_t right =
+      std::size_t(std::partition_point(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last), isLeft) - begin);
+    for (; right < last && isOn(this->Columns[right]); ++right)
+    {
+      this->Sides[this->Order[right]] = LoopSide::On;
+    }
+    if (right < last && this->Columns[right].Y < high.Y)
+    {
+      this->Crossings[right] ^= 1;
+    }
+  }
+
+  const SpacePoints& Points;
+  std::vector<std::size_t> Order; // of the points, row by row
+  std::vector<PlanePoint> Columns; // in that order
+  std::vector<std::size_t> RowStarts; // in the same, with its end
+  std::vector<LoopSide> Sides; // in the order of the points given
+  std::vector<unsigned char> Crossings; // 1 where an odd number lies between a point of the row and the one before
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -486,7 +602,8 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
   CheckAtLeast("distance threshold", options.DistanceThreshold, 0.0, " lattice units");
   CheckAtLeast("outline tolerance", options.OutlineTolerance, 0.0, " columns");
   BoundarySimplification result;
-  LoopSimplifier simplifier(points, boundary, options, result, monitor);
+  std::vector<SpannedPoint> spanned;
+  LoopSimplifier simplifier(points, boundary, options, result, spanned, monitor);
   for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
   {
     const double part = double(loop) / double(boundary.Size());
@@ -495,6 +612,22 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
       monitor.Progress(part);
     }
     simplifier.Simplify(boundary.begin(loop), boundary.end(loop), part);
+  }
+  std::vector<PointId> left;
+  left.reserve(spanned.size());
+  for (const SpannedPoint& one : spanned)
+  {
+    left.push_back(one.Point.Point);
+  }
+  const std::vector<LoopSide> sides = SideFinder(points, left).Find(result.Boundary);
+  for (std::size_t n = 0; n < spanned.size(); ++n)
+  {
+    if (sides[n] != LoopSide::Inside)
+    {
+      result.Dropped.push_back(spanned[n].Point);
+      result.HeightDeviation = std::max(result.HeightDeviation, spanned[n].InHeight);
+      result.NumberOutside += sides[n] == LoopSide::Outside ? 1 : 0;
+    }
   }
   std::sort(result.Dropped.begin(), result.Dropped.end(),
     [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });

@@ -16,6 +16,9 @@
 // bound, and corners be dropped: loops that run slantwise over the lattice are staircases, and have no runs. A corner
 // is dropped when all points that the new edge spans then are near enough to it, in plan and in height, and no other
 // point lies between it and the two edges that it replaces (LoopGuard).
+//
+// Edges that cut corners leave points on both sides. Those that come to lie inside the new loops are no longer on the
+// boundary, but stay points of the horizon: whatever is made of the inside has to keep near to them.
 
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
@@ -25,6 +28,9 @@
 #include "Common/Monitor.h"
 #include "Common/SpacePoints.h"
 #include "Common/Types.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -39,8 +45,8 @@ struct BoundarySimplificationOptions
   /// In lattice units, at least 0 (InputError otherwise); with 0 nothing is dropped. For the fewest points it bounds
   /// the vertical distance of dropped points from the new edge, and with 0 points are dropped that are exactly on it.
   double DistanceThreshold = 0.4;
-  /// Whether all points that a new edge spans have to be within the threshold of it, not just the one that is dropped.
-  /// For the fewest points they always are.
+  /// Whether all points that a new edge spans have to be within the threshold of it vertically, not just the one that
+  /// is dropped. For the fewest points they always are.
   bool BoundDeviation = false;
   /// How far in plan, in columns, a dropped point may be from the edge that spans it, at least 0 (InputError
   /// otherwise). With 0 no corners are dropped, and loops stay as they are in plan.
@@ -54,14 +60,19 @@ struct BoundarySimplificationOptions
 
 struct BoundarySimplification
 {
-  /// The loops without the points that were dropped, over the input points.
+  /// The loops with fewer points, over the input points.
   Loops Boundary;
-  /// The points that were dropped, each with the nearer end of the edge that spans it.
+  /// The points that were dropped, which lie outside the new loops or on them, each with the nearer end of the edge that
+  /// spans it.
   DroppedPoints Dropped;
-  /// The largest distance in space, in lattice units, of a dropped point to the edge that spans it.
-  double Deviation = 0.0;
-  /// The same in plan alone.
+  /// How many of them lie outside.
+  std::int64_t NumberOutside = 0;
+  /// Their largest vertical distance, in lattice units, from the edge that spans them where it is nearest in plan.
+  double HeightDeviation = 0.0;
+  /// The largest distance in plan, in columns, of a point that is no longer on the loops from the edge that spans it.
   double OutlineDeviation = 0.0;
+  /// The same in space, in lattice units.
+  double Deviation = 0.0;
 };
 
 /// `points` are all points of the horizon, in lattice units; those of the loops stand on whole columns, and for the

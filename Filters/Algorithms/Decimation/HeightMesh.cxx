@@ -62,6 +62,10 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
 {
   this->FindRange();
   this->MakeRasters();
+  for (HeightRaster& raster : this->Rasters)
+  {
+    raster.SetCuts(this->Horizon.Cuts.get());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

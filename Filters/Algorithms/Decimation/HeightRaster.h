@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsHeightRaster_h
 #define SeismicHorizonsHeightRaster_h
 
+#include "Common/LinkCuts.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
 #include "Common/Types.h"
@@ -150,6 +151,9 @@ public:
     forEachPoint([&](PointId point) { this->Add(point, columns[point], heights[point]); });
   }
 
+  /// Nothing is measured at links that are cut; null for none. Keeps the pointer.
+  void SetCuts(const LinkCuts* cuts) { this->Cuts = cuts; }
+
   /// Of a column with a point.
   double HeightAt(const PlanePoint& column) const { return this->Heights[this->Place(column.X, column.Y)]; }
 
@@ -193,6 +197,7 @@ private:
   std::int64_t Width = 0;
   std::vector<PointId> Points; // by place
   std::vector<double> Heights; // by place; nan where there is no point
+  const LinkCuts* Cuts = nullptr;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -266,7 +271,8 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       crossing.PartOfSide = isUp ? up : 1.0 - up;
       crossing.Error = from.Height + crossing.PartOfSide * (to.Height - from.Height) -
         (first + crossing.PartOfColumn * (second - first));
-      if (!std::isnan(crossing.Error)) // a column without a point
+      const bool isCut = this->Cuts && (isTurned ? this->Cuts->IsCutNorth({ x, y }) : this->Cuts->IsCutEast({ x, y }));
+      if (!isCut && !std::isnan(crossing.Error)) // a column without a point
       {
         visit(crossing);
       }

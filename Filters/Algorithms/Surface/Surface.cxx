@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -286,6 +287,8 @@ private:
     BoundarySimplification simplified = this->SimplifyLoops(monitor.Step(0.5, 1.0));
     this->Result.BoundaryDeviation = simplified.Deviation;
     this->Result.OutlineDeviation = simplified.OutlineDeviation;
+    this->Result.OutlineHeightDeviation = simplified.HeightDeviation;
+    this->Result.NumberOutside = simplified.NumberOutside;
     this->Dropped = std::move(simplified.Dropped);
     this->Outlines = std::move(simplified.Boundary);
   }
@@ -298,7 +301,7 @@ private:
   std::vector<double>& Height() { return this->Result.Kept.AreAll() ? this->Points.Height : this->KeptHeight; }
 
   /// The horizon within its simplified outlines, to be decimated. Points that were dropped from these are without
-  /// patch.
+  /// patch. Links that are cut have no line that the mesh would have to keep near to.
   BoundedHorizon MakeHorizon(std::vector<double> height) const
   {
     BoundedHorizon horizon;
@@ -310,6 +313,7 @@ private:
       horizon.Patch[dropped.Point] = NoPatch;
     }
     horizon.Boundary = this->Outlines;
+    horizon.Cuts = { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; // someone else's
     return horizon;
   }
 

@@ -81,9 +81,11 @@ struct Surface
   /// The points that have a patch, by which the boundary numbers them.
   KeptPoints Kept;
   ExteriorBoundary Boundary;
-  /// How far points are from the simplified outlines (BoundarySimplification.h).
+  /// How far points are from the simplified outlines, and how many outside (BoundarySimplification.h).
   double BoundaryDeviation = 0.0;
   double OutlineDeviation = 0.0;
+  double OutlineHeightDeviation = 0.0;
+  std::int64_t NumberOutside = 0;
   /// The mesh; its reduction is that of the points that have a patch. Empty when there are none.
   Decimation Mesh;
   /// Of a part with seams: points that were put onto their lines, and those to the left of open gaps (SeamChains.h); as

@@ -152,7 +152,11 @@ void CompareErrorBounded()
   outlines.DistanceThreshold = Error;
   DecimationOptions options;
   options.MaximumError = Error;
-  const Decimation mesh = Decimate(OnColumns(MakeSurface(true, outlines)), options);
+  const BoundedHorizon cut = OnColumns(MakeSurface(true, outlines));
+  const Decimation mesh = Decimate(cut, options);
+  std::cout << "sides: " << mesh.LargestSideError << ", of loops: " << mesh.LargestLoopError << '\n';
+  CHECK(mesh.LargestSideError <= Error + 1e-9);
+  CHECK(mesh.LargestLoopError < LeastThrow);
   for (const DecimationPriority priority : { DecimationPriority::LargestError, DecimationPriority::SumOfSquares })
   {
     options.MaximumError = 0.0; // not the target
