@@ -7,6 +7,7 @@
 #include "Common/SpacePoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -159,10 +160,12 @@ private:
     const Eigen::Vector3d right = place(this->After(n, this->IsNode));
     const Eigen::Vector3d here = place(n);
     result.Deviation = std::max(result.Deviation, SpanningEdge(left, right).InSpace(here));
+    const double part = (here.x() - left.x()) / (right.x() - left.x());
+    const double onLine = left.z() + part * (right.z() - left.z());
+    result.HeightDeviation = std::max(result.HeightDeviation, std::abs(here.z() - onLine));
     if (this->IsKept[n] != 0)
     {
-      const double part = (here.x() - left.x()) / (right.x() - left.x());
-      result.Pins.push_back({ this->Points[n], left.z() + part * (right.z() - left.z()) });
+      result.Pins.push_back({ this->Points[n], onLine });
     }
   }
 

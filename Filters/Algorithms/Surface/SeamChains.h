@@ -42,6 +42,8 @@ struct SeamChains
   std::vector<PointId> OpenGaps;
   /// The largest distance in space, in lattice units, from a point to the line of its seam.
   double Deviation = 0.0;
+  /// The same upwards.
+  double HeightDeviation = 0.0;
 };
 
 /// Of a boundary with seams that was found for `options`; `columns` and `height` are those of all points it numbers.

@@ -348,6 +348,7 @@ private:
     std::sort(simplified.Dropped.begin(), simplified.Dropped.end(),
       [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
     simplified.Deviation = std::max(simplified.Deviation, seams.Deviation);
+    this->SeamHeightDeviation = seams.HeightDeviation;
     this->Result.Pins = std::move(seams.Pins);
     this->Result.OpenGaps = std::move(seams.OpenGaps);
     return simplified;
@@ -410,6 +411,9 @@ private:
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
     this->Index.reset(); // memory that the mesh can use
     this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
+    // Points on seams are inside the whole horizon.
+    double& largest = this->Result.Mesh.LargestError;
+    largest = std::max(largest, this->SeamHeightDeviation);
     std::vector<PointId>& target = this->Result.Mesh.Points.Target;
     for (const DroppedPoint& dropped : this->Dropped)
     {
@@ -445,6 +449,7 @@ private:
   std::vector<double> KeptHeight;
   DroppedPoints Dropped; // from the outlines of these
   Loops Outlines; // without them
+  double SeamHeightDeviation = 0.0;
 };
 }
 
