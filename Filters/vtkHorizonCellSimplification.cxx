@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/Monitor.h"
+#include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
@@ -85,6 +86,7 @@ void vtkHorizonCellSimplification::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "Representative: " << (this->Representative == Barycentre ? "Barycentre" : "NearestPoint") << "\n";
   os << indent << "ShowCells: " << (this->ShowCells ? "On" : "Off") << "\n";
 }
@@ -92,13 +94,15 @@ void vtkHorizonCellSimplification::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
+  CheckAtLeast("maximum number of points", this->MaximumNumberOfPoints, 0, ", which stands for CellSize");
   vtkPolyData* const output = outputs.front();
   LatticePoints points = ReadPoints(horizon, outputs);
   const vtkSmartPointer<vtkPolyData> input = points.Horizon;
   const Lattice grid = points.Grid;
   monitor.Progress(0.1);
   // The horizon is gone before the output is made.
-  const Reduction reduction = this->Simplify(ReadBoundedHorizon(std::move(points)), monitor.Step(0.2, 0.8));
+  const Reduction reduction =
+    this->Simplify(ReadBoundedHorizon(std::move(points)), output->GetFieldData(), monitor.Step(0.2, 0.8));
   if (this->ShowCells)
   {
     WriteCells(reduction, this->HasCubes(), grid, output);

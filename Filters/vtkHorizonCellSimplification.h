@@ -26,6 +26,8 @@
 #include "vtkHorizonAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+class vtkFieldData;
+
 namespace SeismicHorizons
 {
 struct BoundedHorizon;
@@ -46,6 +48,17 @@ public:
    */
   vtkSetMacro(CellSize, int);
   vtkGetMacro(CellSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * At most so many points are left: the rough simplification then uses the smallest cell size with which that holds,
+   * the elaborate one a FlatnessThreshold that leaves nearly as many, with larger or smaller cells where no threshold
+   * does (thesis 6.2). What was chosen is in the field data (ChosenCellSize, ChosenFlatnessThreshold). 0: CellSize and
+   * FlatnessThreshold as given. Outline points are always kept. Unit: points. Range: at least 0. Default: 0.
+   */
+  vtkSetMacro(MaximumNumberOfPoints, int);
+  vtkGetMacro(MaximumNumberOfPoints, int);
   ///@}
 
   /// Values of Representative.
@@ -85,9 +98,9 @@ protected:
   }
   ~vtkHorizonCellSimplification() override = default;
 
-  /// Runs the method of the subclass on a horizon.
+  /// Runs the method of the subclass on a horizon. Adds what was chosen for a number of points to the field data.
   virtual SeismicHorizons::Reduction Simplify(
-    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor) = 0;
+    const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen, const SeismicHorizons::Monitor& monitor) = 0;
   /// Whether cells are cubes, which are shown as boxes, or squares, which are shown flat.
   virtual bool HasCubes() const = 0;
 
@@ -98,6 +111,7 @@ private:
   void operator=(const vtkHorizonCellSimplification&) = delete;
 
   int CellSize;
+  int MaximumNumberOfPoints = 0;
   int Representative = Barycentre;
   bool ShowCells = false;
 };

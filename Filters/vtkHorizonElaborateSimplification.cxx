@@ -3,8 +3,13 @@
 
 #include "vtkHorizonElaborateSimplification.h"
 
-#include "CellSimplification/ElaborateSimplification.h"
+#include "CellSimplification/PointTarget.h"
+#include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkHorizonElaborateSimplification);
@@ -24,7 +29,7 @@ void vtkHorizonElaborateSimplification::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 SeismicHorizons::Reduction vtkHorizonElaborateSimplification::Simplify(
-  const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor)
+  const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen, const SeismicHorizons::Monitor& monitor)
 {
   SeismicHorizons::ElaborateOptions options(this->GetCellSize(), this->FlatnessThreshold);
   options.Representative = SeismicHorizons::RepresentativeKind(this->GetRepresentative());
@@ -35,5 +40,14 @@ SeismicHorizons::Reduction vtkHorizonElaborateSimplification::Simplify(
   options.SmallestCellSize = this->SmallestCellSize;
   options.NeighbourMean = SeismicHorizons::NeighbourMeanKind(this->NeighbourMean);
   options.GrowthPerRing = this->GrowthPerRing;
-  return SeismicHorizons::SimplifyElaborate(horizon, options, monitor);
+  if (this->GetMaximumNumberOfPoints() == 0)
+  {
+    return SeismicHorizons::SimplifyElaborate(horizon, options, monitor);
+  }
+  SeismicHorizons::Reduction reduction =
+    SeismicHorizons::SimplifyElaborateTo(std::size_t(this->GetMaximumNumberOfPoints()), horizon, options, monitor);
+  SeismicHorizons::AddValue<vtkIntArray>(chosen, SeismicHorizons::FieldArray::ChosenCellSize, options.CellSize);
+  SeismicHorizons::AddValue<vtkDoubleArray>(
+    chosen, SeismicHorizons::FieldArray::ChosenFlatnessThreshold, options.FlatnessThreshold);
+  return reduction;
 }

@@ -131,8 +131,8 @@ protected:
   }
   ~vtkHorizonElaborateSimplification() override = default;
 
-  SeismicHorizons::Reduction Simplify(
-    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor) override;
+  SeismicHorizons::Reduction Simplify(const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen,
+    const SeismicHorizons::Monitor& monitor) override;
   bool HasCubes() const override { return true; }
 
 private:

@@ -3,17 +3,29 @@
 
 #include "vtkHorizonRoughSimplification.h"
 
+#include "CellSimplification/PointTarget.h"
 #include "CellSimplification/RoughSimplification.h"
+#include "Common/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkHorizonRoughSimplification);
 
 //------------------------------------------------------------------------------
 SeismicHorizons::Reduction vtkHorizonRoughSimplification::Simplify(
-  const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Monitor& monitor)
+  const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen, const SeismicHorizons::Monitor& monitor)
 {
-  const SeismicHorizons::CellOptions options(
+  SeismicHorizons::CellOptions options(
     this->GetCellSize(), SeismicHorizons::RepresentativeKind(this->GetRepresentative()), this->GetShowCells());
-  return SeismicHorizons::SimplifyRough(horizon, options, monitor);
+  if (this->GetMaximumNumberOfPoints() == 0)
+  {
+    return SeismicHorizons::SimplifyRough(horizon, options, monitor);
+  }
+  SeismicHorizons::Reduction reduction =
+    SeismicHorizons::SimplifyRoughTo(std::size_t(this->GetMaximumNumberOfPoints()), horizon, options, monitor);
+  SeismicHorizons::AddValue<vtkIntArray>(chosen, SeismicHorizons::FieldArray::ChosenCellSize, options.CellSize);
+  return reduction;
 }

@@ -29,7 +29,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 27> Figures = { {
+constexpr std::array<Figure, 29> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
@@ -56,6 +56,8 @@ constexpr std::array<Figure, 27> Figures = { {
   { FieldArray::ChosenDistanceThreshold, "distance threshold" },
   { FieldArray::ChosenMaximumError, "maximum error" },
   { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
+  { FieldArray::ChosenCellSize, "cell size" },
+  { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },
   { FieldArray::DroppedDuplicates, "points left out of columns with several" },
 } };
 

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointTarget.h"
+
+#include "Common/Errors.h"
+#include "Common/PlaneGeometry.h"
+#include "RoughSimplification.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double AllFlat = 1.0 / 3.0; // no flatness is larger
+constexpr double Enough = 0.97; // of the number
+constexpr int MostHalvings = 12; // of the range of flatness thresholds
+constexpr double PartOfRest = 0.15; // that a run is of what is still to be done, as far as that can be known
+
+/// Beyond a size that a cell has the whole horizon in it, nothing changes.
+int LargestCell(const BoundedHorizon& horizon)
+{
+  constexpr std::int64_t Largest = 1 << 28;
+  if (horizon.Plane.empty())
+  {
+    return 1;
+  }
+  const PlaneBox box(horizon.Plane);
+  const auto heights = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
+  const std::int64_t side =
+    std::max(std::int64_t(box.Greatest.X) - box.Least.X, std::int64_t(box.Greatest.Y) - box.Least.Y);
+  const double height = *heights.second - *heights.first;
+  const std::int64_t inPlan = side / horizon.SubVoxelsPerColumn + 1;
+  return int(std::min({ Largest, std::max(inPlan, std::int64_t(std::min(height, double(Largest)))) + 1, Largest }));
+}
+
+/// Runs a simplification again and again; of those that left few enough, the one that left most is kept.
+template <typename Options, typename Simplify>
+class TargetSearch
+{
+public:
+  /// simplify(options, monitor) runs it.
+  TargetSearch(std::size_t most, Options& options, const Monitor& monitor, Simplify simplify)
+    : Most(most)
+    , Given(options)
+    , Watch(monitor)
+    , Run(std::move(simplify))
+  {
+  }
+
+  /// Whether options leave few enough points.
+  bool Try(const Options& options)
+  {
+    const double next = this->Part + PartOfRest * (1.0 - this->Part);
+    Reduction reduction = this->Run(options, this->Watch.Step(this->Part, next));
+    this->Part = next;
+    this->Left = reduction.Source.size();
+    if (this->Left > this->Most)
+    {
+      return false;
+    }
+    if (this->Left >= this->Found.Source.size())
+    {
+      this->Found = std::move(reduction);
+      this->Given = options;
+    }
+    return true;
+  }
+
+  bool IsNear() const { return double(this->Found.Source.size()) >= Enough * double(this->Most); }
+
+  [[noreturn]] void Refuse() const
+  {
+    throw InputError("maximum number of points " + std::to_string(this->Most) + ", expected at least the " +
+      std::to_string(this->Left) + " that are left with the largest cells: outlines are kept");
+  }
+
+  Reduction Take() { return std::move(this->Found); }
+
+private:
+  const std::size_t Most;
+  Options& Given;
+  const Monitor& Watch;
+  Simplify Run;
+  double Part = 0.0; // of the work, which is done
+  std::size_t Left = 0; // by the last try
+  Reduction Found;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Reduction SimplifyRoughTo(std::size_t most, const BoundedHorizon& horizon, CellOptions& options, const Monitor& monitor)
+{
+  const int largest = LargestCell(horizon);
+  TargetSearch search(most, options, monitor,
+    [&](const CellOptions& tried, const Monitor& step) { return SimplifyRough(horizon, tried, step); });
+  CellOptions tried = options;
+  int tooSmall = 0;
+  for (tried.CellSize = 1; !search.Try(tried); tried.CellSize = int(std::min<std::int64_t>(largest, 2LL * tooSmall)))
+  {
+    tooSmall = tried.CellSize;
+    if (tooSmall >= largest)
+    {
+      search.Refuse();
+    }
+  }
+  for (int enough = tried.CellSize; enough - tooSmall > 1;)
+  {
+    tried.CellSize = tooSmall + (enough - tooSmall) / 2;
+    (search.Try(tried) ? enough : tooSmall) = tried.CellSize;
+  }
+  return search.Take();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Reduction SimplifyElaborateTo(
+  std::size_t most, const BoundedHorizon& horizon, ElaborateOptions& options, const Monitor& monitor)
+{
+  const int largest = LargestCell(horizon);
+  TargetSearch search(most, options, monitor,
+    [&](const ElaborateOptions& tried, const Monitor& step) { return SimplifyElaborate(horizon, tried, step); });
+  ElaborateOptions tried = options;
+  for (tried.FlatnessThreshold = AllFlat; !search.Try(tried);)
+  {
+    if (tried.CellSize >= largest)
+    {
+      search.Refuse();
+    }
+    tried.CellSize = int(std::min<std::int64_t>(largest, 2LL * tried.CellSize));
+  }
+  for (tried.FlatnessThreshold = 0.0; search.Try(tried) && !search.IsNear() && tried.CellSize > 1;)
+  {
+    tried.CellSize /= 2;
+  }
+  double tooMany = 0.0; // a threshold that leaves too many, or the least one there is
+  double enough = AllFlat;
+  for (int n = 0; n < MostHalvings && !search.IsNear(); ++n)
+  {
+    tried.FlatnessThreshold = 0.5 * (tooMany + enough);
+    (search.Try(tried) ? enough : tooMany) = tried.FlatnessThreshold;
+  }
+  return search.Take();
+}
+}
