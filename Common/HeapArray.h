@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -27,6 +28,7 @@ public:
   using value_type = T;
 
   HeapArray() = default;
+  HeapArray(std::initializer_list<T> values) { this->append(values.begin(), values.end()); }
   HeapArray(const HeapArray& other) { this->append(other.begin(), other.end()); }
   HeapArray(HeapArray&& other) noexcept { this->Swap(other); }
   HeapArray& operator=(HeapArray other) noexcept
@@ -124,6 +126,16 @@ private:
   std::size_t Count = 0;
   std::size_t Capacity = 0;
 };
+
+/// The values at some places, in their order.
+template <typename Values, typename Place>
+HeapArray<typename Values::value_type> GatherValues(const Values& values, const std::vector<Place>& places)
+{
+  HeapArray<typename Values::value_type> gathered;
+  std::transform(places.begin(), places.end(), gathered.Extend(places.size()),
+    [&values](Place place) { return values[std::size_t(place)]; });
+  return gathered;
+}
 
 template <typename T>
 bool operator==(const HeapArray<T>& a, const HeapArray<T>& b)

@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsVerticalSampling_h
 #define SeismicHorizonsVerticalSampling_h
 
+#include "Common/LatticeHorizon.h"
 #include "Common/Monitor.h"
-#include "LatticeHorizon.h"
 
 #include <vector>
 
