@@ -28,6 +28,7 @@ public:
   using value_type = T;
 
   HeapArray() = default;
+  explicit HeapArray(std::size_t count) { this->Extend(count); } // of numbers that are still to be written
   HeapArray(std::initializer_list<T> values) { this->append(values.begin(), values.end()); }
   HeapArray(const HeapArray& other) { this->append(other.begin(), other.end()); }
   HeapArray(HeapArray&& other) noexcept { this->Swap(other); }
@@ -128,12 +129,12 @@ private:
 };
 
 /// The values at some places, in their order.
-template <typename Values, typename Place>
-HeapArray<typename Values::value_type> GatherValues(const Values& values, const std::vector<Place>& places)
+template <typename Result, typename Values, typename Place>
+Result Gather(const Values& values, const std::vector<Place>& places)
 {
-  HeapArray<typename Values::value_type> gathered;
-  std::transform(places.begin(), places.end(), gathered.Extend(places.size()),
-    [&values](Place place) { return values[std::size_t(place)]; });
+  Result gathered(places.size());
+  std::transform(
+    places.begin(), places.end(), gathered.begin(), [&values](Place place) { return values[std::size_t(place)]; });
   return gathered;
 }
 

@@ -47,10 +47,11 @@ SurveyHorizons PlaceGrid(HorizonGrid grid)
   }
   horizon.SurfaceId = 1;
   horizon.DroppedNulls = std::int64_t(grid.Z.size() - nodes.size());
-  horizon.RealZ = GatherValues(std::exchange(grid.Z, {}), nodes);
+  horizon.RealZ = Gather<HeapArray<double>>(std::exchange(grid.Z, {}), nodes);
   for (PickAttribute& attribute : grid.Attributes)
   {
-    horizon.Attributes.emplace_back(attribute.Name, GatherValues(std::exchange(attribute.Values, {}), nodes));
+    horizon.Attributes.emplace_back(
+      attribute.Name, Gather<HeapArray<double>>(std::exchange(attribute.Values, {}), nodes));
   }
   SurveyHorizons survey;
   survey.Survey = grid.Survey;

@@ -28,19 +28,18 @@ Eigen::Vector2d TurnLeft(const Eigen::Vector2d& v)
 /// The frame with its third axis upwards.
 ImageFrame MakeUprightFrame(const LatticeMatrix& toWorld, const std::string& kind)
 {
-  const double column[2] = { toWorld[0], toWorld[4] };
-  const double row[2] = { toWorld[1], toWorld[5] };
-  const double columnSize = std::hypot(column[0], column[1]);
-  const double rowSize = std::hypot(row[0], row[1]);
-  if (std::abs(column[0] * row[0] + column[1] * row[1]) > LargestCosine * columnSize * rowSize)
+  const Eigen::Vector2d column(toWorld[0], toWorld[4]);
+  const Eigen::Vector2d row(toWorld[1], toWorld[5]);
+  const double columnSize = std::hypot(column.x(), column.y());
+  const double rowSize = std::hypot(row.x(), row.y());
+  if (std::abs(column.dot(row)) > LargestCosine * columnSize * rowSize)
   {
     throw InputError("ColumnStep and RowStep that are not perpendicular, expected perpendicular ones for " + kind);
   }
   ImageFrame frame;
   frame.Origin = { toWorld[3], toWorld[7], toWorld[11] };
   frame.Spacing = { columnSize, rowSize, std::abs(toWorld[10]) };
-  frame.Direction << column[0] / columnSize, row[0] / rowSize, 0.0, column[1] / columnSize, row[1] / rowSize, 0.0, 0.0,
-    0.0, 1.0;
+  frame.Direction.topLeftCorner<2, 2>() << column / columnSize, row / rowSize;
   return frame;
 }
 }
@@ -87,7 +86,6 @@ ImageFrame MakeCubeFrame(const LatticeMatrix& toWorld, const std::array<int, 2>&
     frame.Deviation = std::max((inColumns * half).norm(), (inColumns * Eigen::Vector2d(half.x(), -half.y())).norm());
   }
   frame.Spacing << spacing, std::abs(toWorld[10]);
-  frame.Direction.setZero();
   frame.Direction.topLeftCorner<2, 2>() = axes;
   frame.Direction(2, 2) = toWorld[10] < 0.0 ? -1.0 : 1.0;
   return frame;

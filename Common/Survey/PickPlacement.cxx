@@ -165,11 +165,11 @@ LatticeHorizon MakeHorizon(const PickTable& picks, const std::vector<PlanePoint>
   LatticeHorizon horizon;
   horizon.DroppedDuplicates = order.Duplicates;
   horizon.DroppedNulls = order.Nulls;
-  horizon.Column = GatherValues(columns, kept);
-  horizon.RealZ = GatherValues(picks.Z, kept);
+  horizon.Column = Gather<HeapArray<PlanePoint>>(columns, kept);
+  horizon.RealZ = Gather<HeapArray<double>>(picks.Z, kept);
   for (const PickAttribute& attribute : picks.Attributes)
   {
-    horizon.Attributes.emplace_back(attribute.Name, GatherValues(attribute.Values, kept));
+    horizon.Attributes.emplace_back(attribute.Name, Gather<HeapArray<double>>(attribute.Values, kept));
   }
   return horizon;
 }

@@ -60,11 +60,11 @@ LatticeHorizon TakeVoxels(const LatticeHorizon& horizon, const std::vector<std::
 {
   LatticeHorizon some;
   some.SurfaceId = horizon.SurfaceId;
-  some.Column = GatherValues(horizon.Column, voxels);
-  some.K = GatherValues(horizon.K, voxels);
-  some.Thickness = GatherValues(horizon.Thickness, voxels);
-  some.Amplitude = GatherValues(horizon.Amplitude, voxels);
-  some.RealZ = GatherValues(horizon.RealZ, voxels);
+  some.Column = Gather<HeapArray<PlanePoint>>(horizon.Column, voxels);
+  some.K = Gather<HeapArray<int>>(horizon.K, voxels);
+  some.Thickness = Gather<HeapArray<double>>(horizon.Thickness, voxels);
+  some.Amplitude = Gather<HeapArray<double>>(horizon.Amplitude, voxels);
+  some.RealZ = Gather<HeapArray<double>>(horizon.RealZ, voxels);
   return some;
 }
 
