@@ -19,7 +19,7 @@ PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Mon
 /// Columns stand where the numbers of their lines are.
 PlaneMap LinesAsPlaces(const LineNumbering& lines);
 
-/// The lattice of picks, with any number of columns: it does not end anywhere yet. Throws InputError where there is none.
+/// The lattice of picks, before it is known how many columns it has. Throws InputError where there is no lattice.
 SurveyLattice FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor);
 }
 
