@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -27,6 +28,8 @@ public:
   using value_type = T;
 
   HeapArray() = default;
+  explicit HeapArray(std::size_t count) { this->Extend(count); } // of numbers that are still to be written
+  HeapArray(std::initializer_list<T> values) { this->append(values.begin(), values.end()); }
   HeapArray(const HeapArray& other) { this->append(other.begin(), other.end()); }
   HeapArray(HeapArray&& other) noexcept { this->Swap(other); }
   HeapArray& operator=(HeapArray other) noexcept
@@ -124,6 +127,16 @@ private:
   std::size_t Count = 0;
   std::size_t Capacity = 0;
 };
+
+/// The values at some places, in their order.
+template <typename Result, typename Values, typename Place>
+Result Gather(const Values& values, const std::vector<Place>& places)
+{
+  Result gathered(places.size());
+  std::transform(
+    places.begin(), places.end(), gathered.begin(), [&values](Place place) { return values[std::size_t(place)]; });
+  return gathered;
+}
 
 template <typename T>
 bool operator==(const HeapArray<T>& a, const HeapArray<T>& b)

@@ -124,7 +124,7 @@ std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Moni
   this->Found->Result = ExtractReflections(this->Found->Cube.Traces, this->MakeOptions(), monitor);
   this->Describe();
   std::vector<std::string> names;
-  for (const HorizonVoxels& surface : this->Found->Result.Surfaces)
+  for (const LatticeHorizon& surface : this->Found->Result.Surfaces)
   {
     names.push_back(HorizonName(surface.SurfaceId));
   }
@@ -135,7 +135,7 @@ std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Moni
 std::vector<std::int64_t> vtkSeismicReflectionExtraction::CountHorizonPoints()
 {
   std::vector<std::int64_t> sizes;
-  for (const HorizonVoxels& surface : this->Found->Result.Surfaces)
+  for (const LatticeHorizon& surface : this->Found->Result.Surfaces)
   {
     sizes.push_back(static_cast<std::int64_t>(surface.Column.size()));
   }
@@ -170,15 +170,15 @@ void vtkSeismicReflectionExtraction::Describe()
 namespace
 {
 /// From the samples of the cube to the lattice and the world.
-void Place(HorizonVoxels& voxels, const ImageCube& cube)
+void Place(LatticeHorizon& voxels, const ImageCube& cube)
 {
-  const int sign = static_cast<int>(cube.Direction);
+  const int sign = static_cast<int>(cube.Frame.Direction);
   for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {
     voxels.Column[n].X += cube.FirstIndex[0];
     voxels.Column[n].Y += cube.FirstIndex[1];
     voxels.K[n] += cube.FirstIndex[2];
-    voxels.RealZ[n] = sign * (cube.ToWorld[10] * (voxels.RealZ[n] + cube.FirstIndex[2]) + cube.ToWorld[11]);
+    voxels.RealZ[n] = sign * cube.Frame.Elevation(voxels.RealZ[n] + cube.FirstIndex[2]);
   }
 }
 
@@ -197,15 +197,15 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::Make
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   const std::unique_ptr<Surfaces> found = std::exchange(this->Found, nullptr);
-  const ImageCube& cube = found->Cube;
-  const HorizonPlacement placement = { cube.LatticeSize, cube.ToWorld, cube.Direction, this->Elevation == RealZ };
+  ImageCube& cube = found->Cube;
+  cube.Frame.UseRealZ = this->Elevation == RealZ;
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
-    HorizonVoxels voxels = std::move(found->Result.Surfaces[static_cast<std::size_t>(number)]);
+    LatticeHorizon voxels = std::move(found->Result.Surfaces[static_cast<std::size_t>(number)]);
     Place(voxels, cube);
-    vtkSmartPointer<vtkPolyData> horizon = MakeHorizonPoints(std::move(voxels), placement);
+    vtkSmartPointer<vtkPolyData> horizon = MakeHorizonPoints(std::move(voxels), cube.Frame);
     CopyFields(this->GetCube()->GetFieldData(), horizon->GetFieldData());
     horizons.push_back(horizon);
     monitor.Progress(static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));

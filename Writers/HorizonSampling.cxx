@@ -6,7 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Lattice.h"
-#include "Common/LatticePlacement.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
@@ -46,15 +46,9 @@ void CheckLines(const LineNumbering& lines)
 SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
 {
   ReadLattice(horizon); // refuses what is no lattice
-  vtkFieldData* const data = horizon->GetFieldData();
-  const auto toWorld = [data](int n) { return FieldValue(data->GetArray(FieldArray::LatticeToWorld), n); };
-  const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
-  SurveyLattice lattice;
-  lattice.Columns = { dimensions[0], dimensions[1] };
-  lattice.Origin = { toWorld(3), toWorld(7) };
-  lattice.ColumnStep = { toWorld(0), toWorld(4) };
-  lattice.RowStep = { toWorld(1), toWorld(5) };
-  vtkDataArray* const lines = data->GetArray(FieldArray::LineNumbers);
+  const std::array<int, 3> size = ReadLatticeDimensions(horizon);
+  SurveyLattice lattice = MakeLatticeFrame(size, ReadLatticeMap(horizon), VerticalDirection::Up).Lattice;
+  vtkDataArray* const lines = horizon->GetFieldData()->GetArray(FieldArray::LineNumbers);
   if (lines && lines->GetNumberOfValues() == 4)
   {
     lattice.Lines =

@@ -117,11 +117,12 @@ void OrderPicks(
 std::vector<ColumnOrder> SplitIntoSheets(
   ColumnOrder order, const PickTable& picks, const std::vector<PlanePoint>& columns)
 {
-  const ColumnSheets split = SplitIntoSheets(Gather(columns, order.Picks), Gather(picks.Z, order.Picks));
+  const ColumnSheets split = SplitIntoSheets(
+    Gather<std::vector<PlanePoint>>(columns, order.Picks), Gather<std::vector<double>>(picks.Z, order.Picks));
   std::vector<ColumnOrder> sheets;
   for (const std::vector<std::int32_t>& points : split.Points)
   {
-    sheets.push_back({ Gather(order.Picks, points) });
+    sheets.push_back({ Gather<std::vector<std::int32_t>>(order.Picks, points) });
   }
   sheets.front().Duplicates = order.Duplicates + split.Dropped;
   sheets.front().Nulls = order.Nulls;

@@ -36,16 +36,6 @@ void OrderPicks(
 /// out is counted by the first.
 std::vector<ColumnOrder> SplitIntoSheets(
   ColumnOrder order, const PickTable& picks, const std::vector<PlanePoint>& columns);
-
-/// The values of some picks, in their order.
-template <typename Value>
-std::vector<Value> Gather(const std::vector<Value>& values, const std::vector<std::int32_t>& picks)
-{
-  std::vector<Value> gathered(picks.size());
-  std::transform(
-    picks.begin(), picks.end(), gathered.begin(), [&values](std::int32_t pick) { return values[std::size_t(pick)]; });
-  return gathered;
-}
 }
 
 #endif

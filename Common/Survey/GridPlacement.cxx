@@ -5,7 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/Lattice.h"
-#include "Common/LatticePlacement.h"
+#include "LatticeFrame.h"
 
 #include <cmath>
 #include <utility>
@@ -24,16 +24,6 @@ void CheckLattice(const SurveyLattice& lattice)
     throw InputError("nodes from " + ToText(lattice.Origin) + " in steps of " + ToText(lattice.ColumnStep) + " and " +
       ToText(lattice.RowStep) + ", expected finite places, and steps that are not parallel");
   }
-}
-
-/// Leaves the values of the nodes that have a z, in place.
-void Compact(std::vector<double>& values, const std::vector<std::size_t>& nodes)
-{
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-  {
-    values[n] = values[nodes[n]];
-  }
-  values.resize(nodes.size());
 }
 }
 
@@ -55,15 +45,14 @@ SurveyHorizons PlaceGrid(HorizonGrid grid)
       }
     }
   }
+  horizon.SurfaceId = 1;
   horizon.DroppedNulls = std::int64_t(grid.Z.size() - nodes.size());
-  Compact(grid.Z, nodes);
+  horizon.RealZ = Gather<HeapArray<double>>(std::exchange(grid.Z, {}), nodes);
   for (PickAttribute& attribute : grid.Attributes)
   {
-    Compact(attribute.Values, nodes);
+    horizon.Attributes.emplace_back(
+      attribute.Name, Gather<HeapArray<double>>(std::exchange(attribute.Values, {}), nodes));
   }
-  horizon.Name = std::move(grid.Name);
-  horizon.Z = std::move(grid.Z);
-  horizon.Attributes = std::move(grid.Attributes);
   SurveyHorizons survey;
   survey.Survey = grid.Survey;
   survey.Lattice = grid.Lattice;

@@ -6,7 +6,7 @@
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
 #include "Common/Lattice.h"
-#include "Common/LatticePlacement.h"
+#include "LatticeFrame.h"
 #include "PointWindow.h"
 #include "ShortSteps.h"
 

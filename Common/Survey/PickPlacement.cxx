@@ -30,17 +30,17 @@ constexpr std::size_t MostHorizons = 1 << 15;
 class ColumnFinder
 {
 public:
-  ColumnFinder(const PickTable& picks, const SurveyMap& map)
+  ColumnFinder(const PickTable& picks, const SurveyLattice& lattice)
     : Picks(picks)
-    , Map(map)
-    , ToColumns(map.ToWorld.Steps.inverse())
+    , Lattice(lattice)
+    , ToColumns(lattice.Steps().inverse())
   {
   }
 
   Eigen::Vector2d Index(std::size_t pick) const
   {
-    const Eigen::Vector2d index = this->Map.Lines
-      ? LineIndex(*this->Map.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick])
+    const Eigen::Vector2d index = this->Lattice.Lines
+      ? LineIndex(*this->Lattice.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick])
       : this->Place(pick);
     return index.array().round();
   }
@@ -55,11 +55,11 @@ private:
   Eigen::Vector2d Place(std::size_t pick) const
   {
     const Eigen::Vector2d place(this->Picks.X[pick], this->Picks.Y[pick]);
-    return this->ToColumns * (place - this->Map.ToWorld.Origin);
+    return this->ToColumns * (place - this->Lattice.Origin);
   }
 
   const PickTable& Picks;
-  const SurveyMap& Map;
+  const SurveyLattice& Lattice;
   const Eigen::Matrix2d ToColumns;
 };
 
@@ -110,14 +110,14 @@ void CheckNumber(std::size_t horizons, std::int64_t picks, const char* text)
   }
 }
 
-void CheckRange(const ColumnRange& range, std::int64_t picks, const PlaneMap& map, double tolerance)
+void CheckRange(const ColumnRange& range, std::int64_t picks, const SurveyLattice& lattice, double tolerance)
 {
   if (range.OffLattice > 0)
   {
     std::ostringstream text;
-    text << range.OffLattice << " of " << picks << " picks off the lattice with the steps " << ToText(map.Steps.col(0))
-         << " and " << ToText(map.Steps.col(1)) << ", the farthest by " << range.LargestDistance
-         << " columns; expected at most LatticeTolerance, " << tolerance;
+    text << range.OffLattice << " of " << picks << " picks off the lattice with the steps "
+         << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest by "
+         << range.LargestDistance << " columns; expected at most LatticeTolerance, " << tolerance;
     throw InputError(text.str());
   }
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
@@ -126,22 +126,18 @@ void CheckRange(const ColumnRange& range, std::int64_t picks, const PlaneMap& ma
     std::ostringstream text;
     text.precision(15);
     text << "lattice of " << columns.x() << " x " << columns.y() << " columns with the steps "
-         << ToText(map.Steps.col(0)) << " and " << ToText(map.Steps.col(1))
+         << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep)
          << ", expected less than 2^28 along a side; is there a pick far away from all others?";
     throw InputError(text.str());
   }
 }
 
-/// The lattice that begins at the first column of the picks.
-SurveyLattice MakeLattice(const SurveyMap& map, const ColumnRange& range)
+/// The lattice that begins at the first column of the picks, and ends at the last one.
+SurveyLattice MakeLattice(SurveyLattice lattice, const ColumnRange& range)
 {
-  SurveyLattice lattice;
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
   lattice.Columns = { int(columns.x()), int(columns.y()) };
-  lattice.ColumnStep = map.ToWorld.Steps.col(0);
-  lattice.RowStep = map.ToWorld.Steps.col(1);
-  lattice.Origin = map.ToWorld.Origin + map.ToWorld.Steps * range.First;
-  lattice.Lines = map.Lines; // they begin at the first lines, and so does the range
+  lattice.Origin += lattice.Steps() * range.First; // line numbers begin at the first lines, and so does the range
   return lattice;
 }
 
@@ -169,11 +165,11 @@ LatticeHorizon MakeHorizon(const PickTable& picks, const std::vector<PlanePoint>
   LatticeHorizon horizon;
   horizon.DroppedDuplicates = order.Duplicates;
   horizon.DroppedNulls = order.Nulls;
-  horizon.Column = Gather(columns, kept);
-  horizon.Z = Gather(picks.Z, kept);
+  horizon.Column = Gather<HeapArray<PlanePoint>>(columns, kept);
+  horizon.RealZ = Gather<HeapArray<double>>(picks.Z, kept);
   for (const PickAttribute& attribute : picks.Attributes)
   {
-    horizon.Attributes.push_back({ attribute.Name, Gather(attribute.Values, kept) });
+    horizon.Attributes.emplace_back(attribute.Name, Gather<HeapArray<double>>(attribute.Values, kept));
   }
   return horizon;
 }
@@ -194,13 +190,13 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     throw InputError(std::to_string(size) + " picks, expected at least 1 and less than 2^31");
   }
   CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
-  const SurveyMap map = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
-  const ColumnFinder finder(picks, map);
+  const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
+  const ColumnFinder finder(picks, lattice);
   const ColumnRange range = FindRange(finder, size, options.Tolerance, monitor.Step(0.5, 0.6));
-  CheckRange(range, size, map.ToWorld, options.Tolerance);
+  CheckRange(range, size, lattice, options.Tolerance);
   SurveyHorizons placed;
   placed.Survey = picks.Survey;
-  placed.Lattice = MakeLattice(map, range);
+  placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;
   const std::vector<PlanePoint> columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
   Free(picks.X);
@@ -217,8 +213,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     for (const ColumnOrder& sheet : isSplit ? SplitIntoSheets(order, picks, columns) : std::vector{ std::move(order) })
     {
       placed.Horizons.push_back(MakeHorizon(picks, columns, sheet));
-      placed.Horizons.back().Name = picks.Names[number];
-      placed.Horizons.back().Number = int(number);
+      placed.Horizons.back().SurfaceId = int(number) + 1;
     }
     CheckNumber(placed.Horizons.size(), size, " sheets, expected at most ");
   }

@@ -40,11 +40,11 @@ void CheckPlacement(const PlacementOptions& options)
   }
   if (options.Source == LatticeSource::OriginAndSteps)
   {
-    LatticePlacement placement;
-    placement.Origin.head<2>() = options.Origin;
-    placement.ColumnStep = options.ColumnStep;
-    placement.RowStep = options.RowStep;
-    placement.Check();
+    LatticeFrame frame;
+    frame.Lattice.Origin = options.Origin;
+    frame.Lattice.ColumnStep = options.ColumnStep;
+    frame.Lattice.RowStep = options.RowStep;
+    frame.Check();
   }
 }
 }

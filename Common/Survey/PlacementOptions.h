@@ -5,7 +5,7 @@
 #define SeismicHorizonsPlacementOptions_h
 
 #include "Common/DuplicatePolicy.h"
-#include "Common/LatticePlacement.h"
+#include "LatticeFrame.h"
 
 #include <Eigen/Core>
 

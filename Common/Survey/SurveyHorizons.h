@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsSurveyHorizons_h
 #define SeismicHorizonsSurveyHorizons_h
 
-#include "LatticeHorizon.h"
+#include "Common/LatticeHorizon.h"
 #include "SurveyDescription.h"
 #include "SurveyLattice.h"
 

@@ -28,6 +28,9 @@ struct SurveyLattice
   Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX(); // from a column to the next one along i
   Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY(); // the same along j
   std::optional<LineNumbering> Lines; // where they are known
+
+  /// The two steps as columns.
+  Eigen::Matrix2d Steps() const { return (Eigen::Matrix2d() << this->ColumnStep, this->RowStep).finished(); }
 };
 }
 

@@ -84,12 +84,13 @@ PlaneMap LinesAsPlaces(const LineNumbering& lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurveyMap FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
+SurveyLattice FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
 {
-  SurveyMap map;
+  SurveyLattice lattice;
+  PlaneMap map;
   if (picks.HasLines())
   {
-    map.Lines = FindLineNumbering(picks.Crossline, picks.Inline, monitor.Step(0.0, 0.5));
+    lattice.Lines = FindLineNumbering(picks.Crossline, picks.Inline, monitor.Step(0.0, 0.5));
   }
   else if (options.Source == LatticeSource::CornerPoints)
   {
@@ -97,24 +98,27 @@ SurveyMap FindSurveyMap(const PickTable& picks, const PlacementOptions& options,
   }
   if (options.Source == LatticeSource::OriginAndSteps)
   {
-    map.ToWorld = GivenMap(options);
+    map = GivenMap(options);
   }
   else if (options.Source == LatticeSource::CornerPoints)
   {
-    map.ToWorld = FitCorners(options.Corners, *map.Lines);
+    map = FitCorners(options.Corners, *lattice.Lines);
   }
-  else if (!map.Lines)
+  else if (!lattice.Lines)
   {
-    map.ToWorld = FindLattice(picks.X, picks.Y, monitor);
+    map = FindLattice(picks.X, picks.Y, monitor);
   }
   else
   {
-    map.ToWorld = picks.HasPlaces() ? FitPlaces(picks, *map.Lines, monitor.Step(0.5, 1.0)) : LinesAsPlaces(*map.Lines);
+    map = picks.HasPlaces() ? FitPlaces(picks, *lattice.Lines, monitor.Step(0.5, 1.0)) : LinesAsPlaces(*lattice.Lines);
   }
-  if (AreParallel(map.ToWorld.Steps.col(0), map.ToWorld.Steps.col(1)))
+  if (AreParallel(map.Steps.col(0), map.Steps.col(1)))
   {
     RefuseLine("places of picks");
   }
-  return map;
+  lattice.Origin = map.Origin;
+  lattice.ColumnStep = map.Steps.col(0);
+  lattice.RowStep = map.Steps.col(1);
+  return lattice;
 }
 }

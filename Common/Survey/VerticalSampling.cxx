@@ -29,22 +29,22 @@ public:
   void Add(const LatticeHorizon& horizon)
   {
     std::size_t above = 0; // runs along the row after that of the column
-    for (std::size_t n = 0; n < horizon.Z.size(); ++n)
+    for (std::size_t n = 0; n < horizon.RealZ.size(); ++n)
     {
       const int i = horizon.Column[n].X;
       const int j = horizon.Column[n].Y;
-      if (n + 1 < horizon.Z.size() && horizon.Column[n + 1].Y == j && horizon.Column[n + 1].X == i + 1)
+      if (n + 1 < horizon.RealZ.size() && horizon.Column[n + 1].Y == j && horizon.Column[n + 1].X == i + 1)
       {
-        this->Add(horizon.Z[n + 1] - horizon.Z[n]);
+        this->Add(horizon.RealZ[n + 1] - horizon.RealZ[n]);
       }
-      while (above < horizon.Z.size() &&
+      while (above < horizon.RealZ.size() &&
         (horizon.Column[above].Y <= j || (horizon.Column[above].Y == j + 1 && horizon.Column[above].X < i)))
       {
         ++above;
       }
-      if (above < horizon.Z.size() && horizon.Column[above].Y == j + 1 && horizon.Column[above].X == i)
+      if (above < horizon.RealZ.size() && horizon.Column[above].Y == j + 1 && horizon.Column[above].X == i)
       {
-        this->Add(horizon.Z[above] - horizon.Z[n]);
+        this->Add(horizon.RealZ[above] - horizon.RealZ[n]);
       }
     }
   }
@@ -92,7 +92,7 @@ double SuitableStep(const std::vector<LatticeHorizon>& horizons)
   std::size_t points = 0;
   for (const LatticeHorizon& horizon : horizons)
   {
-    points += horizon.Z.size();
+    points += horizon.RealZ.size();
   }
   DifferenceList differences(2 * points);
   for (const LatticeHorizon& horizon : horizons)
@@ -118,7 +118,7 @@ VerticalSampling FindVerticalSampling(const std::vector<LatticeHorizon>& horizon
   double most = -least;
   for (const LatticeHorizon& horizon : horizons)
   {
-    for (const double z : horizon.Z)
+    for (const double z : horizon.RealZ)
     {
       least = std::min(least, z);
       most = std::max(most, z);

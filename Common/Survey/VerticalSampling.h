@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsVerticalSampling_h
 #define SeismicHorizonsVerticalSampling_h
 
+#include "Common/LatticeHorizon.h"
 #include "Common/Monitor.h"
-#include "LatticeHorizon.h"
 
 #include <vector>
 
@@ -16,12 +16,12 @@ namespace SeismicHorizons
 {
 struct VerticalSampling
 {
-  double First = 0.0; // z of vertical index 0: a multiple of the step, at most the least z of all horizons
-  double Step = 1.0; // from an index to the next, in the unit of z; above 0
-  int Indices = 1; // how many it takes to reach the largest z
+  double First = 0.0; // z of vertical index 0
+  double Step = 1.0; // from an index to the next, in the unit of z
+  int Indices = 1;
 };
 
-/// By the given step, or where that is 0 by one that suits the data: the median of the differences between neighbouring
+/// From a multiple of the step, at most the least z of all horizons, up to their largest. By the given step, or where that is 0 by one that suits the data: the median of the differences between neighbouring
 /// columns that have different z, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where there are none.
 /// Throws InputError on a step that is negative or not finite, and on one that makes more than 2^31 indices.
 VerticalSampling FindVerticalSampling(

@@ -5,8 +5,8 @@
 #define SeismicHorizonsColumnPoints_h
 
 #include "Common/DataModel.h"
-#include "Common/LatticePlacement.h"
 #include "Common/Parallel.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "Common/Types.h"
 #include "DataArrays.h"
 
@@ -15,10 +15,8 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace SeismicHorizons
 {
@@ -55,21 +53,12 @@ inline vtkSmartPointer<vtkIntArray> NewColumnArray()
   return array;
 }
 
-/// The array Column of such points, which takes over the memory of a HeapArray, and copies that of a vector.
+/// The array Column of such points, which takes over the memory of the columns.
 inline vtkSmartPointer<vtkIntArray> MoveToColumnArray(HeapArray<PlanePoint>& columns)
 {
   auto array = NewColumnArray();
   const auto size = static_cast<vtkIdType>(columns.size());
   array->SetArray(reinterpret_cast<int*>(columns.Release()), 2 * size, 0, vtkIntArray::VTK_DATA_ARRAY_FREE);
-  return array;
-}
-
-inline vtkSmartPointer<vtkIntArray> MoveToColumnArray(std::vector<PlanePoint>& columns)
-{
-  auto array = NewColumnArray();
-  array->SetNumberOfTuples(static_cast<vtkIdType>(columns.size()));
-  std::copy(columns.begin(), columns.end(), reinterpret_cast<PlanePoint*>(array->GetPointer(0)));
-  columns = std::vector<PlanePoint>();
   return array;
 }
 }

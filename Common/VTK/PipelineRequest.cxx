@@ -4,6 +4,7 @@
 #include "PipelineRequest.h"
 
 #include "Common/FileErrors.h"
+#include "Common/Survey/ImageFrame.h"
 #include "VersionDifferences.h"
 
 #include "vtkAlgorithm.h"
@@ -191,7 +192,7 @@ RequestWork TellLater(vtkInformation* request, RequestWork work)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation)
+void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (outputInformation->Has(Pipeline::UPDATE_EXTENT()))
@@ -205,6 +206,10 @@ void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInfo
     }
   }
   outputInformation->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
+  outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
+  outputInformation->Set(vtkDataObject::SPACING(), frame.Spacing.data(), 3);
+  outputInformation->Set(vtkDataObject::DIRECTION(), frame.Direction.data(), 9);
+  outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -20,6 +20,8 @@ class vtkInformation;
 
 namespace SeismicHorizons
 {
+struct ImageFrame;
+
 /// What an algorithm does on a request. It may set `subject` to the name that an error begins with, as
 /// "Horizon 7".
 using RequestWork = std::function<void(std::string& subject, const Monitor& monitor)>;
@@ -42,9 +44,9 @@ bool IsForTime(vtkInformation* request);
 /// request for data that follows tells it.
 RequestWork TellLater(vtkInformation* request, RequestWork work);
 
-/// Tells the extent of the image there will be. Where all of the one told before is asked for, or what is not in this
+/// Tells the extent and place of the image there will be, of which parts can be asked for. Where all of the one told before is asked for, or what is not in this
 /// one, all of this one is: extents are asked for before files of other times are looked at.
-void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation);
+void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation);
 
 /// Runs the part of the work that concerns `subject`. With `mayLeaveOut` an InputError that it throws becomes a warning
 /// of `algorithm` and leaves the outputs of this part empty, and the work goes on.

@@ -84,8 +84,8 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
     list->Placed = this->PlaceAll(monitor.Step(0.5, 1.0));
     for (const LatticeHorizon& sheet : list->Placed->Horizons)
     {
-      list->Numbers.push_back(sheet.Number);
-      list->Sizes.push_back(std::int64_t(sheet.Z.size()));
+      list->Numbers.push_back(sheet.SurfaceId - 1);
+      list->Sizes.push_back(std::int64_t(sheet.RealZ.size()));
     }
     list->Time.Modified();
     this->ListedSheets = std::move(list);

@@ -4,8 +4,8 @@
 #include "vtkSurveyHorizonSource.h"
 
 #include "Common/Monitor.h"
-#include "Common/Survey/VerticalSampling.h"
-#include "SurveyDataSet.h"
+#include "Common/Survey/SurveyHorizons.h"
+#include "HorizonDataSet.h"
 
 #include "vtkPolyData.h"
 
@@ -29,16 +29,16 @@ void Override(std::string& text, const char* given)
 bool AreNegative(const std::vector<LatticeHorizon>& horizons)
 {
   const bool hasPoints =
-    std::any_of(horizons.begin(), horizons.end(), [](const LatticeHorizon& horizon) { return !horizon.Z.empty(); });
+    std::any_of(horizons.begin(), horizons.end(), [](const LatticeHorizon& horizon) { return !horizon.RealZ.empty(); });
   return hasPoints &&
     std::all_of(horizons.begin(), horizons.end(),
       [](const LatticeHorizon& horizon)
-      { return std::all_of(horizon.Z.begin(), horizon.Z.end(), [](double z) { return z < 0.0; }); });
+      { return std::all_of(horizon.RealZ.begin(), horizon.RealZ.end(), [](double z) { return z < 0.0; }); });
 }
 
-std::string Describe(const SurveyAxes& axes)
+std::string Describe(const LatticeFrame& frame)
 {
-  const SurveyLattice& lattice = axes.Lattice;
+  const SurveyLattice& lattice = frame.Lattice;
   std::ostringstream text;
   text.precision(10);
   text << lattice.Columns[0] << " x " << lattice.Columns[1] << " columns from " << ToText(lattice.Origin)
@@ -49,11 +49,11 @@ std::string Describe(const SurveyAxes& axes)
          << ", inlines from " << lattice.Lines->FirstInline << " in steps of " << lattice.Lines->InlineStep;
   }
   text.precision(3);
-  text << "\npoints at most " << axes.LatticeDeviation << " of a step off their columns";
+  text << "\npoints at most " << *frame.LatticeDeviation << " of a step off their columns";
   text.precision(10);
-  text << "\nvertical index 0 at " << axes.Sampling.First << ", steps of " << axes.Sampling.Step << " "
-       << (axes.Survey.VerticalUnit.empty() ? "(unit unknown)" : axes.Survey.VerticalUnit) << " to "
-       << (axes.Direction == VerticalDirection::Down ? "smaller" : "larger") << " world z";
+  text << "\nvertical index 0 at " << frame.Sampling.First << ", steps of " << frame.Sampling.Step << " "
+       << (frame.Survey.VerticalUnit.empty() ? "(unit unknown)" : frame.Survey.VerticalUnit) << " to "
+       << (frame.Direction == VerticalDirection::Down ? "smaller" : "larger") << " world z";
   return text.str();
 }
 }
@@ -82,18 +82,18 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
-  SurveyAxes axes;
-  axes.Survey = survey.Survey;
-  Override(axes.Survey.VerticalUnit, this->VerticalUnit);
-  Override(axes.Survey.VerticalDomain, this->VerticalDomain);
-  Override(axes.Survey.HorizontalUnit, this->HorizontalUnit);
-  Override(axes.Survey.CoordinateSystem, this->CoordinateSystem);
-  axes.Lattice = survey.Lattice;
-  axes.LatticeDeviation = survey.LargestDistance;
-  axes.Sampling = FindVerticalSampling(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
+  LatticeFrame frame;
+  frame.Survey = survey.Survey;
+  Override(frame.Survey.VerticalUnit, this->VerticalUnit);
+  Override(frame.Survey.VerticalDomain, this->VerticalDomain);
+  Override(frame.Survey.HorizontalUnit, this->HorizontalUnit);
+  Override(frame.Survey.CoordinateSystem, this->CoordinateSystem);
+  frame.Lattice = survey.Lattice;
+  frame.LatticeDeviation = survey.LargestDistance;
+  frame.Sampling = FindVerticalSampling(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
   using Direction = SeismicHorizons::VerticalDirection;
-  axes.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
-  if (axes.Direction == Direction::Down && AreNegative(survey.Horizons))
+  frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
+  if (frame.Direction == Direction::Down && AreNegative(survey.Horizons))
   {
     vtkWarningMacro(
       << this->ErrorPrefix()
@@ -102,13 +102,11 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
-    LatticeHorizon& horizon = survey.Horizons[number];
-    const int surfaceId = horizon.Number + 1;
-    horizons.push_back(MakeSurveyPoints(std::move(horizon), surfaceId, axes));
+    horizons.push_back(MakeHorizonPoints(std::move(survey.Horizons[number]), frame));
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   const std::string format = this->DescribeFormat();
-  this->Description = format + (format.empty() ? "" : "\n") + Describe(axes);
+  this->Description = format + (format.empty() ? "" : "\n") + Describe(frame);
   return horizons;
 }
 

@@ -113,14 +113,17 @@ bool IsVertical(const Eigen::Affine3d& map)
   return axes(2, 0) == 0.0 && axes(2, 1) == 0.0 && axes(0, 2) == 0.0 && axes(1, 2) == 0.0;
 }
 
-LatticeMatrix ToRows(const Eigen::Matrix4d& map)
+double FieldNumber(vtkFieldData* data, const char* name, double otherwise)
 {
-  LatticeMatrix rows;
-  for (int n = 0; n < 16; ++n)
-  {
-    rows[n] = map(n / 4, n % 4);
-  }
-  return rows;
+  vtkDataArray* const array = data->GetArray(name);
+  return array && array->GetNumberOfValues() > 0 ? FieldValue(array, 0) : otherwise;
+}
+
+/// The frame of a lattice, whose vertical indices count as the field data say, or else as its map does.
+LatticeFrame MakeFrame(vtkImageData* image, const Indices& size, const Eigen::Matrix4d& map)
+{
+  const bool isDown = FieldNumber(image->GetFieldData(), FieldArray::VerticalDirection, map(2, 2)) < 0.0;
+  return MakeLatticeFrame(size, map, isDown ? VerticalDirection::Down : VerticalDirection::Up);
 }
 
 /// The lattice of the image itself, from its first point on.
@@ -135,15 +138,8 @@ void PlaceByImage(vtkImageData* image, ImageCube& cube)
   const int* const extent = image->GetExtent();
   const Eigen::Vector3d first(extent[0], extent[2], extent[4]);
   const Eigen::Affine3d fromFirst = map * Eigen::Translation3d(first);
-  cube.LatticeSize = cube.Traces.Size;
-  cube.ToWorld = ToRows(fromFirst.matrix());
-  Lattice(cube.LatticeSize, fromFirst.matrix()); // refuses wrong ones
-}
-
-double FieldNumber(vtkFieldData* data, const char* name, double otherwise)
-{
-  vtkDataArray* const array = data->GetArray(name);
-  return array && array->GetNumberOfValues() > 0 ? FieldValue(array, 0) : otherwise;
+  Lattice(cube.Traces.Size, fromFirst.matrix()); // refuses wrong ones
+  cube.Frame = MakeFrame(image, cube.Traces.Size, fromFirst.matrix());
 }
 
 /// Resample, Extract Subset with steps, and Transform leave the lattice in the field data as it is. An image without an
@@ -189,8 +185,7 @@ void PlaceByFields(vtkImageData* image, ImageCube& cube)
     cube.FirstIndex[axis] = extent[2 * axis];
   }
   CheckPlaces(image, lattice);
-  cube.LatticeSize = dimensions;
-  cube.ToWorld = ToRows(map);
+  cube.Frame = MakeFrame(image, dimensions, map);
 }
 }
 
@@ -204,9 +199,6 @@ ImageCube MakeImageCube(vtkImageData* image, vtkDataArray* amplitudes)
   const bool hasLattice =
     fields->HasArray(FieldArray::LatticeDimensions) || fields->HasArray(FieldArray::LatticeToWorld);
   hasLattice ? PlaceByFields(image, cube) : PlaceByImage(image, cube);
-  const double zStep = cube.ToWorld[10];
-  cube.Direction =
-    FieldNumber(fields, FieldArray::VerticalDirection, zStep) < 0.0 ? VerticalDirection::Down : VerticalDirection::Up;
   return cube;
 }
 }

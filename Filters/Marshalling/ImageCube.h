@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsImageCube_h
 #define SeismicHorizonsImageCube_h
 
-#include "Common/LatticePlacement.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "Reflections/TraceCube.h"
 
 #include <array>
@@ -20,9 +20,7 @@ struct ImageCube
 {
   TraceCube Traces; // into the memory of the image
   std::array<int, 3> FirstIndex = { 0, 0, 0 }; // of the lattice, at the first trace and sample
-  std::array<int, 3> LatticeSize = { 0, 0, 0 };
-  LatticeMatrix ToWorld = {};
-  VerticalDirection Direction = VerticalDirection::Down;
+  LatticeFrame Frame;
 };
 
 /// A cube whose traces run along k. Points that are hidden have no sample, and neither have numbers that are not

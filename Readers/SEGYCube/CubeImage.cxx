@@ -8,7 +8,6 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -23,12 +22,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::array<double, 9> RowByRow(const Eigen::Matrix3d& matrix)
-{
-  return { matrix(0, 0), matrix(0, 1), matrix(0, 2), matrix(1, 0), matrix(1, 1), matrix(1, 2), matrix(2, 0),
-    matrix(2, 1), matrix(2, 2) };
-}
-
 /// Hides the points of columns at levels where they have no samples.
 void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, vtkImageData* image)
 {
@@ -54,8 +47,8 @@ void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, vtkImageDat
 
 void AddFields(const SEGYCube& cube, const CubeView& view, vtkFieldData* data)
 {
-  AddSurveyAxes(view.Axes, data);
-  AddValue<vtkDoubleArray>(data, FieldArray::ImageDeviation, view.Frame.Deviation);
+  AddFrameFields(data, view.Frame);
+  AddValue<vtkDoubleArray>(data, FieldArray::ImageDeviation, view.Image.Deviation);
   auto text = NewArray<vtkStringArray>(FieldArray::TextHeader, vtkIdType(cube.Header.Text.size()));
   for (std::size_t line = 0; line < cube.Header.Text.size(); ++line)
   {
@@ -68,13 +61,8 @@ void AddFields(const SEGYCube& cube, const CubeView& view, vtkFieldData* data)
 //----------------------------------------------------------------------------------------------------------------------
 void Announce(const CubeView& view, const CubeExtent& extent, vtkInformation* info)
 {
-  std::array<double, 9> direction = RowByRow(view.Frame.Direction);
-  AnnounceExtent(extent, info);
-  info->Set(vtkDataObject::ORIGIN(), view.Frame.Origin.data(), 3);
-  info->Set(vtkDataObject::SPACING(), view.Frame.Spacing.data(), 3);
-  info->Set(vtkDataObject::DIRECTION(), direction.data(), 9);
+  AnnounceImage(extent, view.Image, info);
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
-  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -82,9 +70,7 @@ std::int64_t FillImage(
   const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, vtkImageData* image, const Monitor& monitor)
 {
   image->SetExtent(const_cast<int*>(extent.data()));
-  image->SetOrigin(view.Frame.Origin.data());
-  image->SetSpacing(view.Frame.Spacing.data());
-  image->SetDirectionMatrix(RowByRow(view.Frame.Direction).data());
+  PlaceImage(image, view.Image);
   AddFields(cube, view, image->GetFieldData());
   if (image->GetNumberOfPoints() == 0)
   {

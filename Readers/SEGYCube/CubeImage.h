@@ -5,8 +5,7 @@
 #define SeismicHorizonsCubeImage_h
 
 #include "Common/Monitor.h"
-#include "Common/VTK/SurveyDataSet.h"
-#include "CubeFrame.h"
+#include "Common/VTK/HorizonDataSet.h"
 #include "SEGYWindow.h"
 
 class vtkImageData;
@@ -17,8 +16,8 @@ namespace SeismicHorizons
 /// A cube, as its user wants it, and the image that holds it.
 struct CubeView
 {
-  SurveyAxes Axes;
-  CubeFrame Frame;
+  LatticeFrame Frame;
+  ImageFrame Image;
 };
 
 /// Tells the pipeline what image there will be.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/LatticePlacement.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "SEGYCube.h"
 
 #include <sstream>

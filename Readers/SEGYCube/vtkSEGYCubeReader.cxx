@@ -106,7 +106,7 @@ CubeView vtkSEGYCubeReader::MakeView() const
 {
   const SEGYCube& cube = this->Content->Cube;
   CubeView view;
-  SurveyDescription& survey = view.Axes.Survey;
+  SurveyDescription& survey = view.Frame.Survey;
   survey = cube.Survey;
   if (this->VerticalUnit && *this->VerticalUnit)
   {
@@ -116,19 +116,19 @@ CubeView vtkSEGYCubeReader::MakeView() const
   Override(survey.VerticalDomain, this->VerticalDomain);
   Override(survey.HorizontalUnit, this->HorizontalUnit);
   Override(survey.CoordinateSystem, this->CoordinateSystem);
-  view.Axes.Lattice = cube.Lattice;
-  view.Axes.LatticeDeviation = cube.LargestDistance;
-  view.Axes.Sampling = cube.Sampling;
+  view.Frame.Lattice = cube.Lattice;
+  view.Frame.LatticeDeviation = cube.LargestDistance;
+  view.Frame.Sampling = cube.Sampling;
   using Direction = SeismicHorizons::VerticalDirection;
-  view.Axes.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
-  view.Frame = MakeCubeFrame(view.Axes.ToWorld(), cube.Lattice.Columns);
-  if (!(view.Frame.Deviation <= this->ImageTolerance))
+  view.Frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
+  view.Image = MakeCubeFrame(view.Frame.ToWorld(), cube.Lattice.Columns);
+  if (!(view.Image.Deviation <= this->ImageTolerance))
   {
     std::ostringstream text;
     text.precision(3);
     text << FilePrefix(this->Files.GetCurrent()) << "steps " << ToText(cube.Lattice.ColumnStep) << " and "
          << ToText(cube.Lattice.RowStep) << " that are not perpendicular, so that an image is up to "
-         << view.Frame.Deviation << " columns off, expected at most " << this->ImageTolerance << " (ImageTolerance)";
+         << view.Image.Deviation << " columns off, expected at most " << this->ImageTolerance << " (ImageTolerance)";
     throw InputError(text.str());
   }
   return view;

@@ -15,8 +15,8 @@ namespace
 /// What a block has of a horizon, and where that goes in it.
 struct HorizonPart
 {
-  const HorizonVoxels* Part;
-  HorizonVoxels* Whole;
+  const LatticeHorizon* Part;
+  LatticeHorizon* Whole;
   std::size_t First;
 };
 
@@ -33,7 +33,7 @@ void Copy(const HorizonPart& part)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonVoxels& HorizonCollector::HorizonOf(int surfaceId)
+LatticeHorizon& HorizonCollector::HorizonOf(int surfaceId)
 {
   const auto [place, isNew] = this->Positions.emplace(surfaceId, this->Horizons.size());
   if (isNew)
@@ -49,11 +49,11 @@ void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t
   std::vector<HorizonPart> parts;
   for (std::size_t block = 0; block < count; ++block)
   {
-    for (const HorizonVoxels& part : blocks[block].List())
+    for (const LatticeHorizon& part : blocks[block].List())
     {
       if (!part.Column.empty())
       {
-        HorizonVoxels& whole = this->HorizonOf(part.SurfaceId);
+        LatticeHorizon& whole = this->HorizonOf(part.SurfaceId);
         parts.push_back({ &part, &whole, whole.Column.size() });
         whole.DroppedDuplicates += part.DroppedDuplicates;
         ForEachVoxelArray(whole, [&part](auto& values) { values.Extend(part.Column.size()); });
@@ -66,10 +66,10 @@ void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<HorizonVoxels> HorizonCollector::Take(std::int64_t smallestSize)
+std::vector<LatticeHorizon> HorizonCollector::Take(std::int64_t smallestSize)
 {
-  std::vector<HorizonVoxels> horizons;
-  for (HorizonVoxels& horizon : this->Horizons)
+  std::vector<LatticeHorizon> horizons;
+  for (LatticeHorizon& horizon : this->Horizons)
   {
     if (std::int64_t(horizon.Column.size()) >= smallestSize)
     {
@@ -78,7 +78,7 @@ std::vector<HorizonVoxels> HorizonCollector::Take(std::int64_t smallestSize)
   }
   this->Horizons.clear();
   std::sort(horizons.begin(), horizons.end(),
-    [](const HorizonVoxels& a, const HorizonVoxels& b) { return a.SurfaceId < b.SurfaceId; });
+    [](const LatticeHorizon& a, const LatticeHorizon& b) { return a.SurfaceId < b.SurfaceId; });
   return horizons;
 }
 }

@@ -21,13 +21,13 @@ public:
   void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
 
   /// All horizons of at least that many voxels, by ascending surface ID.
-  std::vector<HorizonVoxels> Take(std::int64_t smallestSize);
+  std::vector<LatticeHorizon> Take(std::int64_t smallestSize);
 
 private:
-  HorizonVoxels& HorizonOf(int surfaceId);
+  LatticeHorizon& HorizonOf(int surfaceId);
 
   std::unordered_map<int, std::size_t> Positions; // by surface ID
-  std::deque<HorizonVoxels> Horizons; // they stay where they are
+  std::deque<LatticeHorizon> Horizons; // they stay where they are
 };
 }
 

@@ -6,10 +6,11 @@
 #include "Common/DataModel.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/VTK/DataArrays.h"
-#include "ImageFrame.h"
+#include "Common/VTK/HorizonDataSet.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -26,7 +27,7 @@ namespace
 class HorizonPixels
 {
 public:
-  HorizonPixels(const HorizonVoxels& voxels, vtkImageData* image)
+  HorizonPixels(const LatticeHorizon& voxels, vtkImageData* image)
   {
     const PlaneBox box({ voxels.Column.data(), voxels.Column.size() });
     image->SetExtent(box.Least.X, box.Greatest.X, box.Least.Y, box.Greatest.Y, 0, 0);
@@ -56,24 +57,15 @@ private:
   std::vector<vtkIdType> Pixels;
 };
 
-/// Places an image below the columns of the lattice, so that warping it by world z gives the surface.
-void PlaceOnLattice(const LatticeMatrix& toWorld, vtkImageData* image)
-{
-  const ImageFrame frame = MakeMapFrame(toWorld);
-  image->SetOrigin(frame.Origin.data());
-  image->SetSpacing(frame.Spacing.data());
-  image->SetDirectionMatrix(frame.Direction.data());
-}
-
 /// Adds the point data of an image. There is at least one voxel.
-void AddPixels(const HorizonVoxels& voxels, const HorizonPlacement& placement, vtkImageData* image)
+void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImageData* image)
 {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   const HorizonPixels pixels(voxels, image);
   std::vector<double> elevation(voxels.Column.size());
   for (std::size_t voxel = 0; voxel < elevation.size(); ++voxel)
   {
-    elevation[voxel] = placement.Elevation(voxels, voxel);
+    elevation[voxel] = frame.Elevation(voxels, voxel);
   }
   vtkPointData* const data = image->GetPointData();
   AddConstant<vtkIntArray>(data, PointArray::SurfaceId, image->GetNumberOfPoints(), voxels.SurfaceId);
@@ -90,14 +82,16 @@ void AddPixels(const HorizonVoxels& voxels, const HorizonPlacement& placement, v
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeHorizonImage(const HorizonVoxels& voxels, const HorizonPlacement& placement)
+vtkSmartPointer<vtkImageData> MakeHorizonImage(const LatticeHorizon& voxels, const LatticeFrame& frame)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  PlaceOnLattice(placement.ToWorld, image);
-  AddHorizonFields(image->GetFieldData(), placement, voxels.DroppedDuplicates);
+  PlaceImage(image, MakeMapFrame(frame.ToWorld())); // below the columns: warping it by world z gives the surface
+  AddFrameFields(image->GetFieldData(), frame);
+  AddValue<vtkIdTypeArray>(
+    image->GetFieldData(), FieldArray::DroppedDuplicates, static_cast<vtkIdType>(voxels.DroppedDuplicates));
   if (!voxels.Column.empty())
   {
-    AddPixels(voxels, placement, image);
+    AddPixels(voxels, frame, image);
   }
   return image;
 }

@@ -6,8 +6,7 @@
 #ifndef SeismicHorizonsHorizonImage_h
 #define SeismicHorizonsHorizonImage_h
 
-#include "Common/VTK/HorizonDataSet.h"
-#include "SparseMatrixParser.h"
+#include "Common/Survey/LatticeFrame.h"
 
 #include "vtkSmartPointer.h"
 
@@ -17,7 +16,7 @@ namespace SeismicHorizons
 {
 /// Makes an image with a pixel for each column of the horizon's bounding box. Pixels without a voxel are blanked, and
 /// their attributes are nan. Throws InputError when the steps of the lattice are not perpendicular.
-vtkSmartPointer<vtkImageData> MakeHorizonImage(const HorizonVoxels& voxels, const HorizonPlacement& placement);
+vtkSmartPointer<vtkImageData> MakeHorizonImage(const LatticeHorizon& voxels, const LatticeFrame& frame);
 }
 
 #endif

@@ -74,7 +74,7 @@ public:
     {
       *this = HorizonSorter(this->Options);
     }
-    for (HorizonVoxels& horizon : this->Horizons)
+    for (LatticeHorizon& horizon : this->Horizons)
     {
       ForEachVoxelArray(horizon, [](auto& values) { values.clear(); });
       horizon.DroppedDuplicates = 0;
@@ -89,7 +89,7 @@ public:
     {
       return;
     }
-    HorizonVoxels& horizon = this->HorizonOf(voxel.SurfaceId);
+    LatticeHorizon& horizon = this->HorizonOf(voxel.SurfaceId);
     // All voxels of a column come at once, so a duplicate can only be one of the voxel added last.
     if (this->Options.Policy != DuplicatePolicy::Sheets && !horizon.Column.empty() && horizon.Column.back().X == i &&
       horizon.Column.back().Y == j)
@@ -109,7 +109,7 @@ public:
   }
 
   /// The horizons, in the order in which their first voxels came; some may have none.
-  const std::vector<HorizonVoxels>& List() const { return this->Horizons; }
+  const std::vector<LatticeHorizon>& List() const { return this->Horizons; }
 
 private:
   // Of more horizons the memory is given back.
@@ -123,7 +123,7 @@ private:
     return chosen.empty() || std::binary_search(chosen.begin(), chosen.end(), surfaceId);
   }
 
-  HorizonVoxels& HorizonOf(int surfaceId)
+  LatticeHorizon& HorizonOf(int surfaceId)
   {
     int position = this->Positions.Find(surfaceId);
     if (position == SurfacePositions::None)
@@ -136,7 +136,7 @@ private:
   }
 
   /// Whether a voxel replaces the last one of the horizon.
-  bool Prefers(const SparseMatrixVoxel& voxel, const HorizonVoxels& horizon) const
+  bool Prefers(const SparseMatrixVoxel& voxel, const LatticeHorizon& horizon) const
   {
     const bool isAbove = voxel.VerticalIndex < horizon.K.back();
     if (this->Options.Policy == DuplicatePolicy::StrongestAmplitude)
@@ -150,7 +150,7 @@ private:
 
   SparseMatrixOptions Options;
   SurfacePositions Positions;
-  std::vector<HorizonVoxels> Horizons;
+  std::vector<LatticeHorizon> Horizons;
 };
 }
 

@@ -8,8 +8,10 @@
 #include "Common/HeapArray.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/HorizonDataSet.h"
 
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -28,7 +30,7 @@ namespace
 constexpr std::int64_t Grain = 1 << 16; // points or voxels that a thread does at a time
 constexpr double BytesOfMB = 1024.0 * 1024.0;
 
-using VoxelValues = HeapArray<double> HorizonVoxels::*;
+using VoxelValues = HeapArray<double> LatticeHorizon::*;
 
 /// The image data of a volume: the point of each voxel, and arrays for all of them.
 class VolumePoints
@@ -75,7 +77,7 @@ HeapArray<T> Fill(std::int64_t size, T value)
 
 /// Calls write(point, voxel) for all voxels of a horizon in the volume, on all threads: each has a point of its own.
 template <typename Write>
-void ForEachVoxel(const HorizonVoxels& horizon, const VolumePoints& points, Write&& write)
+void ForEachVoxel(const LatticeHorizon& horizon, const VolumePoints& points, Write&& write)
 {
   ParallelFor(std::int64_t(horizon.Column.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
@@ -91,9 +93,9 @@ void ForEachVoxel(const HorizonVoxels& horizon, const VolumePoints& points, Writ
     });
 }
 
-void CheckBackground(const std::vector<const HorizonVoxels*>& horizons, int background)
+void CheckBackground(const std::vector<const LatticeHorizon*>& horizons, int background)
 {
-  for (const HorizonVoxels* horizon : horizons)
+  for (const LatticeHorizon* horizon : horizons)
   {
     if (horizon->SurfaceId == background)
     {
@@ -103,7 +105,7 @@ void CheckBackground(const std::vector<const HorizonVoxels*>& horizons, int back
   }
 }
 
-float ToSingle(const HorizonVoxels& horizon, std::size_t voxel, VoxelValues values, const char* name)
+float ToSingle(const LatticeHorizon& horizon, std::size_t voxel, VoxelValues values, const char* name)
 {
   const double value = (horizon.*values)[voxel];
   if (std::abs(value) > std::numeric_limits<float>::max())
@@ -116,7 +118,7 @@ float ToSingle(const HorizonVoxels& horizon, std::size_t voxel, VoxelValues valu
   return static_cast<float>(value);
 }
 
-void AddSurfaceIds(const std::vector<const HorizonVoxels*>& horizons, const VolumePoints& points, int background,
+void AddSurfaceIds(const std::vector<const LatticeHorizon*>& horizons, const VolumePoints& points, int background,
   vtkPointData* data, const Monitor& monitor)
 {
   HeapArray<int> ids = Fill(points.Number(), background);
@@ -129,7 +131,7 @@ void AddSurfaceIds(const std::vector<const HorizonVoxels*>& horizons, const Volu
   data->SetActiveScalars(PointArray::SurfaceId);
 }
 
-void AddAttribute(const std::vector<const HorizonVoxels*>& horizons, const VolumePoints& points, VoxelValues values,
+void AddAttribute(const std::vector<const LatticeHorizon*>& horizons, const VolumePoints& points, VoxelValues values,
   const char* name, vtkPointData* data, const Monitor& monitor)
 {
   HeapArray<float> numbers = Fill(points.Number(), 0.0f);
@@ -143,10 +145,10 @@ void AddAttribute(const std::vector<const HorizonVoxels*>& horizons, const Volum
   data->SetActiveScalars(name);
 }
 
-std::int64_t CountDroppedDuplicates(const std::vector<const HorizonVoxels*>& horizons)
+std::int64_t CountDroppedDuplicates(const std::vector<const LatticeHorizon*>& horizons)
 {
   std::int64_t count = 0;
-  for (const HorizonVoxels* horizon : horizons)
+  for (const LatticeHorizon* horizon : horizons)
   {
     count += horizon->DroppedDuplicates;
   }
@@ -181,29 +183,28 @@ void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& opti
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const HorizonVoxels*>& horizons,
-  const HorizonPlacement& placement, const VoxelExtent& imageExtent, const VolumeOptions& options,
-  const Monitor& monitor)
+vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons,
+  const LatticeFrame& frame, const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor)
 {
-  const ImageFrame frame = MakeVolumeFrame(placement.ToWorld);
-  const VolumePoints points(imageExtent, frame.VerticalSign);
+  const ImageFrame place = MakeVolumeFrame(frame.ToWorld());
+  const VolumePoints points(imageExtent, place.VerticalSign);
   CheckBackground(horizons, options.Background);
   auto image = vtkSmartPointer<vtkImageData>::New();
   VoxelExtent extent = imageExtent; // VTK takes it as if it changed it
   image->SetExtent(extent.data());
-  image->SetOrigin(frame.Origin.data());
-  image->SetSpacing(frame.Spacing.data());
-  image->SetDirectionMatrix(frame.Direction.data());
-  AddHorizonFields(image->GetFieldData(), placement, CountDroppedDuplicates(horizons));
+  PlaceImage(image, place);
+  AddFrameFields(image->GetFieldData(), frame);
+  AddValue<vtkIdTypeArray>(
+    image->GetFieldData(), FieldArray::DroppedDuplicates, static_cast<vtkIdType>(CountDroppedDuplicates(horizons)));
   vtkPointData* const data = image->GetPointData();
   AddSurfaceIds(horizons, points, options.Background, data, monitor.Step(0.0, 0.5));
   if (options.Attribute == VolumeAttribute::Amplitude)
   {
-    AddAttribute(horizons, points, &HorizonVoxels::Amplitude, PointArray::Amplitude, data, monitor.Step(0.5, 1.0));
+    AddAttribute(horizons, points, &LatticeHorizon::Amplitude, PointArray::Amplitude, data, monitor.Step(0.5, 1.0));
   }
   else if (options.Attribute == VolumeAttribute::Thickness)
   {
-    AddAttribute(horizons, points, &HorizonVoxels::Thickness, PointArray::Thickness, data, monitor.Step(0.5, 1.0));
+    AddAttribute(horizons, points, &LatticeHorizon::Thickness, PointArray::Thickness, data, monitor.Step(0.5, 1.0));
   }
   monitor.Progress(1.0);
   return image;

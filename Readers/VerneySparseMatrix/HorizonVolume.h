@@ -7,8 +7,7 @@
 #define SeismicHorizonsHorizonVolume_h
 
 #include "Common/Monitor.h"
-#include "Common/VTK/HorizonDataSet.h"
-#include "ImageFrame.h"
+#include "Common/Survey/ImageFrame.h"
 #include "SparseMatrixFile.h"
 
 #include "vtkSmartPointer.h"
@@ -42,9 +41,8 @@ void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& opti
 
 /// Makes image data of that extent with a point for each cell of the lattice. Throws InputError when the background is
 /// the ID of a horizon, and when an attribute is too large for single precision.
-vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const HorizonVoxels*>& horizons,
-  const HorizonPlacement& placement, const VoxelExtent& imageExtent, const VolumeOptions& options,
-  const Monitor& monitor);
+vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons,
+  const LatticeFrame& frame, const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor);
 }
 
 #endif

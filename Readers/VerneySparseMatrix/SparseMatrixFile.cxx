@@ -17,7 +17,7 @@ namespace SeismicHorizons
 namespace
 {
 /// The bounding box of a horizon.
-VoxelExtent FindExtent(const HorizonVoxels& horizon)
+VoxelExtent FindExtent(const LatticeHorizon& horizon)
 {
   if (horizon.Column.empty())
   {
@@ -47,7 +47,7 @@ public:
     this->Options = options;
     this->Cells = this->Matrix->Size;
     this->Fit = this->Matrix->VerticalFit;
-    for (const HorizonVoxels& horizon : this->Matrix->Horizons)
+    for (const LatticeHorizon& horizon : this->Matrix->Horizons)
     {
       this->Listed.push_back({ horizon.SurfaceId, std::int64_t(horizon.Column.size()), FindExtent(horizon) });
     }
@@ -108,7 +108,7 @@ public:
     {
       matrix = ReadSparseMatrixRows(*OpenInputFile(this->Stamp.Name), this->Overview, options, monitor);
     }
-    std::vector<HorizonVoxels> horizons(this->Listed.size());
+    std::vector<LatticeHorizon> horizons(this->Listed.size());
     auto read = matrix.Horizons.begin();
     for (const int place : places)
     {

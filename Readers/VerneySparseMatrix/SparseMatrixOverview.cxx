@@ -15,7 +15,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-void Count(const HorizonVoxels& voxels, HorizonOverview& horizon)
+void Count(const LatticeHorizon& voxels, HorizonOverview& horizon)
 {
   if (voxels.Column.empty())
   {
@@ -83,7 +83,7 @@ SparseMatrixOverview ReadSparseMatrixOverview(
       fitter.Add(blocks, count);
       for (std::size_t block = 0; block < count; ++block)
       {
-        for (const HorizonVoxels& voxels : blocks[block].List())
+        for (const LatticeHorizon& voxels : blocks[block].List())
         {
           if (!voxels.Column.empty())
           {

@@ -56,26 +56,23 @@ SparseMatrixSize ParseHeader(const std::string& line)
 }
 
 /// Some voxels of a horizon, in their order.
-HorizonVoxels TakeVoxels(const HorizonVoxels& horizon, const std::vector<std::int32_t>& voxels)
+LatticeHorizon TakeVoxels(const LatticeHorizon& horizon, const std::vector<std::int32_t>& voxels)
 {
-  HorizonVoxels some;
+  LatticeHorizon some;
   some.SurfaceId = horizon.SurfaceId;
-  for (const std::int32_t voxel : voxels)
-  {
-    some.Column.push_back({ horizon.Column[voxel].X, horizon.Column[voxel].Y });
-    some.K.push_back(horizon.K[voxel]);
-    some.Thickness.push_back(horizon.Thickness[voxel]);
-    some.Amplitude.push_back(horizon.Amplitude[voxel]);
-    some.RealZ.push_back(horizon.RealZ[voxel]);
-  }
+  some.Column = Gather<HeapArray<PlanePoint>>(horizon.Column, voxels);
+  some.K = Gather<HeapArray<int>>(horizon.K, voxels);
+  some.Thickness = Gather<HeapArray<double>>(horizon.Thickness, voxels);
+  some.Amplitude = Gather<HeapArray<double>>(horizon.Amplitude, voxels);
+  some.RealZ = Gather<HeapArray<double>>(horizon.RealZ, voxels);
   return some;
 }
 
 /// All sheets of at least that many voxels. The first sheet of a horizon counts the voxels that are dropped.
-std::vector<HorizonVoxels> SplitAll(std::vector<HorizonVoxels> horizons, std::int64_t smallestSize)
+std::vector<LatticeHorizon> SplitAll(std::vector<LatticeHorizon> horizons, std::int64_t smallestSize)
 {
-  std::vector<HorizonVoxels> all;
-  for (HorizonVoxels& horizon : horizons)
+  std::vector<LatticeHorizon> all;
+  for (LatticeHorizon& horizon : horizons)
   {
     const ColumnSheets sheets =
       SplitIntoSheets({ horizon.Column.data(), horizon.Column.size() }, { horizon.K.begin(), horizon.K.end() });
@@ -94,7 +91,7 @@ std::vector<HorizonVoxels> SplitAll(std::vector<HorizonVoxels> horizons, std::in
       }
       dropped = 0;
     }
-    horizon = HorizonVoxels();
+    horizon = LatticeHorizon();
   }
   return all;
 }

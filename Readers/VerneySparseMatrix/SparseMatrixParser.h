@@ -14,7 +14,7 @@
 #define SeismicHorizonsSparseMatrixParser_h
 
 #include "Common/DuplicatePolicy.h"
-#include "Common/HorizonVoxels.h"
+#include "Common/LatticeHorizon.h"
 #include "Common/Monitor.h"
 
 #include <array>
@@ -54,7 +54,7 @@ struct SparseMatrixVerticalFit
 struct SparseMatrix
 {
   SparseMatrixSize Size = {};
-  std::vector<HorizonVoxels> Horizons; ///< by ascending surface ID, sheets of one in their order; none is empty
+  std::vector<LatticeHorizon> Horizons; ///< by ascending surface ID, sheets of one in their order; none is empty
   SparseMatrixVerticalFit VerticalFit; ///< by least squares, through the voxels of all horizons
 };
 

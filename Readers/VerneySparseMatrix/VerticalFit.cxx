@@ -14,12 +14,12 @@ namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
 
-std::optional<ReferenceVoxel> FindReference(const std::vector<HorizonVoxels>& horizons)
+std::optional<ReferenceVoxel> FindReference(const std::vector<LatticeHorizon>& horizons)
 {
-  const HorizonVoxels* first = nullptr;
-  const auto place = [](const HorizonVoxels& voxels)
+  const LatticeHorizon* first = nullptr;
+  const auto place = [](const LatticeHorizon& voxels)
   { return std::make_tuple(voxels.Column.front().Y, voxels.Column.front().X, voxels.SurfaceId); };
-  for (const HorizonVoxels& horizon : horizons)
+  for (const LatticeHorizon& horizon : horizons)
   {
     if (!horizon.K.empty() && (!first || place(horizon) < place(*first)))
     {
@@ -29,7 +29,7 @@ std::optional<ReferenceVoxel> FindReference(const std::vector<HorizonVoxels>& ho
   return first ? ReferenceVoxel{ double(first->K.front()), first->RealZ.front() } : std::optional<ReferenceVoxel>();
 }
 
-VerticalSums SumUp(const HorizonVoxels& horizon, const ReferenceVoxel& reference)
+VerticalSums SumUp(const LatticeHorizon& horizon, const ReferenceVoxel& reference)
 {
   return AddUpChunks<VerticalSums>(std::int64_t(horizon.K.size()), ChunkSize, Monitor(),
     [&](VerticalSums& part, std::int64_t first, std::int64_t last)
@@ -55,7 +55,7 @@ SparseMatrixVerticalFit Fit(const VerticalSums& sums, const ReferenceVoxel& refe
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SparseMatrixVerticalFit FitVertically(const std::vector<HorizonVoxels>& horizons)
+SparseMatrixVerticalFit FitVertically(const std::vector<LatticeHorizon>& horizons)
 {
   const std::optional<ReferenceVoxel> reference = FindReference(horizons);
   if (!reference)
@@ -63,7 +63,7 @@ SparseMatrixVerticalFit FitVertically(const std::vector<HorizonVoxels>& horizons
     return {};
   }
   VerticalSums sums;
-  for (const HorizonVoxels& horizon : horizons)
+  for (const LatticeHorizon& horizon : horizons)
   {
     sums.Add(SumUp(horizon, *reference));
   }
@@ -76,7 +76,7 @@ void VerticalFitter::Add(const std::vector<HorizonSorter>& blocks, std::size_t c
   for (std::size_t block = 0; block < count; ++block)
   {
     this->Reference = this->Reference ? this->Reference : FindReference(blocks[block].List());
-    for (const HorizonVoxels& voxels : blocks[block].List())
+    for (const LatticeHorizon& voxels : blocks[block].List())
     {
       if (!voxels.K.empty())
       {
@@ -87,7 +87,7 @@ void VerticalFitter::Add(const std::vector<HorizonSorter>& blocks, std::size_t c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void VerticalFitter::Add(const HorizonVoxels& voxels, Sums& sums) const
+void VerticalFitter::Add(const LatticeHorizon& voxels, Sums& sums) const
 {
   for (std::size_t voxel = 0; voxel < voxels.K.size(); ++voxel)
   {

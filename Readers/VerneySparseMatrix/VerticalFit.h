@@ -53,7 +53,7 @@ struct ReferenceVoxel
   double Z = 0.0;
 };
 
-SparseMatrixVerticalFit FitVertically(const std::vector<HorizonVoxels>& horizons);
+SparseMatrixVerticalFit FitVertically(const std::vector<LatticeHorizon>& horizons);
 
 /// For the blocks of a file in their order.
 class VerticalFitter
@@ -73,7 +73,7 @@ private:
     std::int64_t InChunk = 0;
   };
 
-  void Add(const HorizonVoxels& voxels, Sums& sums) const;
+  void Add(const LatticeHorizon& voxels, Sums& sums) const;
 
   std::optional<ReferenceVoxel> Reference;
   std::map<int, Sums> Horizons; // by surface ID

@@ -8,16 +8,15 @@
 
 #include "Common/FileErrors.h"
 #include "Common/InputFile.h"
-#include "Common/LatticePlacement.h"
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "Common/TextWords.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "HorizonImage.h"
 #include "HorizonVolume.h"
-#include "ImageFrame.h"
 #include "SparseMatrixFile.h"
 #include "SparseMatrixParser.h"
 
@@ -68,13 +67,13 @@ VoxelExtent WholeExtent(const SparseMatrixSize& size)
   return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
 }
 
-vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, HorizonVoxels voxels, const HorizonPlacement& placement)
+vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, LatticeHorizon voxels, const LatticeFrame& frame)
 {
   if (asImage)
   {
-    return MakeHorizonImage(voxels, placement);
+    return MakeHorizonImage(voxels, frame);
   }
-  return MakeHorizonPoints(std::move(voxels), placement);
+  return MakeHorizonPoints(std::move(voxels), frame);
 }
 }
 
@@ -132,36 +131,41 @@ int vtkVerneySparseMatrixReader::GetNumberOfRows()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePlacement vtkVerneySparseMatrixReader::MakePlacement() const
+LatticeFrame vtkVerneySparseMatrixReader::MakeGivenFrame() const
 {
-  LatticePlacement placement;
-  placement.Origin = Eigen::Vector3d(this->Origin);
-  placement.ColumnStep = Eigen::Vector2d(this->ColumnStep);
-  placement.RowStep = Eigen::Vector2d(this->RowStep);
-  placement.VerticalStep = this->VerticalStep;
+  LatticeFrame frame;
+  frame.Lattice.Origin = Eigen::Vector2d(this->Origin);
+  frame.Lattice.ColumnStep = Eigen::Vector2d(this->ColumnStep);
+  frame.Lattice.RowStep = Eigen::Vector2d(this->RowStep);
   using Direction = SeismicHorizons::VerticalDirection;
-  placement.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
-  return placement;
+  frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
+  frame.Sampling.First = static_cast<int>(frame.Direction) * this->Origin[2];
+  frame.Sampling.Step = this->VerticalStep;
+  frame.UseRealZ = this->Elevation == RealZ;
+  return frame;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 /// With real z, heights are those of the line that fits it; where there is none, those of the parameters.
-HorizonPlacement vtkVerneySparseMatrixReader::MakeHorizonPlacement() const
+LatticeFrame vtkVerneySparseMatrixReader::MakeFrame() const
 {
-  LatticePlacement placement = this->MakePlacement();
+  LatticeFrame frame = this->MakeGivenFrame();
   const SparseMatrixVerticalFit& fit = this->File->VerticalFit();
-  if (this->Elevation == RealZ && fit.Step != 0.0)
+  if (frame.UseRealZ && fit.Step != 0.0)
   {
-    placement.Origin.z() = static_cast<int>(placement.Direction) * fit.Offset;
-    placement.VerticalStep = fit.Step;
+    frame.Sampling.First = fit.Offset;
+    frame.Sampling.Step = fit.Step;
   }
-  return { this->File->Size(), placement.ToWorld(), placement.Direction, this->Elevation == RealZ };
+  const auto [columns, rows, indices] = this->File->Size();
+  frame.Lattice.Columns = { columns, rows };
+  frame.Sampling.Indices = indices;
+  return frame;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void vtkVerneySparseMatrixReader::CheckParameters()
 {
-  this->MakePlacement().Check();
+  this->MakeGivenFrame().Check();
   this->MakeOptions();
   CheckAtLeast<int>("VolumeMemoryLimit", this->VolumeMemoryLimit, 1, " MB");
 }
@@ -210,13 +214,13 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   SparseMatrix matrix = this->TakeMatrix(numbers, monitor.Step(0.0, 0.8));
-  const HorizonPlacement placement = this->MakeHorizonPlacement();
+  const LatticeFrame frame = this->MakeFrame();
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
     // Moved out of the list, so that the voxels of each horizon are freed once it is made.
-    HorizonVoxels& voxels = matrix.Horizons[number];
-    horizons.push_back(MakeHorizon(this->OutputType == Images, std::move(voxels), placement));
+    LatticeHorizon& voxels = matrix.Horizons[number];
+    horizons.push_back(MakeHorizon(this->OutputType == Images, std::move(voxels), frame));
     monitor.Progress(0.8 + 0.2 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   return horizons;
@@ -261,14 +265,10 @@ void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers
   {
     extent = Unite(extent, this->File->Horizons()[number].Extent);
   }
-  const ImageFrame frame = MakeVolumeFrame(this->MakeHorizonPlacement().ToWorld);
-  AnnounceExtent(ToImageExtent(extent, frame), outputInformation);
+  const ImageFrame frame = MakeVolumeFrame(this->MakeFrame().ToWorld());
+  AnnounceImage(ToImageExtent(extent, frame), frame, outputInformation);
   // After an error the pipeline would still ask for what could not be made then.
   outputInformation->Remove(Pipeline::COMBINED_UPDATE_EXTENT());
-  outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
-  outputInformation->Set(vtkDataObject::SPACING(), frame.Spacing.data(), 3);
-  outputInformation->Set(vtkDataObject::DIRECTION(), frame.Direction.data(), 9);
-  outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   outputInformation->Remove(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
 }
 
@@ -287,13 +287,13 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
     this->VolumeMemoryLimit };
   CheckVolumeMemory(extent, options);
   const SparseMatrix matrix = this->TakeMatrix(numbers, monitor.Step(0.0, 0.6));
-  std::vector<const HorizonVoxels*> horizons;
+  std::vector<const LatticeHorizon*> horizons;
   for (const int number : numbers)
   {
     horizons.push_back(&matrix.Horizons[number]);
   }
   vtkDataObject::GetData(outputInformation)
-    ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeHorizonPlacement(), extent, options, monitor.Step(0.6, 1.0)));
+    ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeFrame(), extent, options, monitor.Step(0.6, 1.0)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -317,10 +317,9 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LeastMemory: " << (this->LeastMemory ? "on" : "off") << '\n';
   os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';
   os << indent << "Elevation: " << elevations[this->Elevation] << '\n';
-  const LatticePlacement placement = this->MakePlacement();
-  os << indent << "Origin: " << ToText(placement.Origin) << '\n';
-  os << indent << "ColumnStep: " << ToText(placement.ColumnStep) << '\n';
-  os << indent << "RowStep: " << ToText(placement.RowStep) << '\n';
+  os << indent << "Origin: " << ToText(Eigen::Vector3d(this->Origin)) << '\n';
+  os << indent << "ColumnStep: " << ToText(Eigen::Vector2d(this->ColumnStep)) << '\n';
+  os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
   os << indent << "VerticalDirection: " << directions[this->VerticalDirection] << '\n';
   os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';

@@ -68,8 +68,7 @@
 namespace SeismicHorizons
 {
 class SparseMatrixFile;
-struct HorizonPlacement;
-struct LatticePlacement;
+struct LatticeFrame;
 struct SparseMatrix;
 struct SparseMatrixOptions;
 }
@@ -361,8 +360,8 @@ private:
   vtkVerneySparseMatrixReader(const vtkVerneySparseMatrixReader&) = delete;
   void operator=(const vtkVerneySparseMatrixReader&) = delete;
 
-  SeismicHorizons::LatticePlacement MakePlacement() const;
-  SeismicHorizons::HorizonPlacement MakeHorizonPlacement() const;
+  SeismicHorizons::LatticeFrame MakeGivenFrame() const;
+  SeismicHorizons::LatticeFrame MakeFrame() const;
   SeismicHorizons::SparseMatrixOptions MakeOptions() const;
   SeismicHorizons::SparseMatrix TakeMatrix(const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor);
 

@@ -78,7 +78,7 @@ inline SeismicHorizons::BoundedHorizon MakeGenerated(std::int64_t numberOfPoints
   HorizonGeneratorOptions options;
   options.NumberOfHorizons = 1;
   options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
-  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
+  const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
   std::vector<PlanePoint> columns;
   for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)
   {

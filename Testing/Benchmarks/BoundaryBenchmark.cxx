@@ -87,7 +87,7 @@ public:
     options.Size[2] = 64;
     options.Size = HorizonGenerator::FindSize(options, points);
     this->Cells = std::int64_t(options.Size[0]) * options.Size[1];
-    const HorizonVoxels horizon = HorizonGenerator(options).MakeHorizon(0);
+    const LatticeHorizon horizon = HorizonGenerator(options).MakeHorizon(0);
     for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
     {
       this->Columns.push_back({ horizon.Column[voxel].X, horizon.Column[voxel].Y });

@@ -355,7 +355,7 @@ void RunGenerated(std::int64_t points)
   HorizonGeneratorOptions options;
   options.NumberOfHorizons = 1;
   options.Size = HorizonGenerator::FindSize(options, points);
-  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
+  const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
   Patches::Columns columns;
   for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {

@@ -147,7 +147,7 @@ BareVoxels ReadBare(const std::string& path)
 std::size_t CountVoxels(const SparseMatrix& matrix)
 {
   std::size_t voxels = 0;
-  for (const HorizonVoxels& horizon : matrix.Horizons)
+  for (const LatticeHorizon& horizon : matrix.Horizons)
   {
     voxels += horizon.Column.size();
   }

@@ -196,7 +196,7 @@ void MeasureExtraction(const Cube& cube, const char* name, const ExtractionOptio
   const double bytes = PeakBytes([&]() { result = ExtractReflections(cube.Traces, options); });
   const double seconds = Time([&]() { result = ExtractReflections(cube.Traces, options); });
   Parts parts(cube);
-  for (const HorizonVoxels& surface : result.Surfaces)
+  for (const LatticeHorizon& surface : result.Surfaces)
   {
     for (std::size_t n = 0; n < surface.Column.size(); ++n)
     {

@@ -98,11 +98,11 @@ void CheckPicks(const PickTable& picks)
 
 void CheckHorizon(const LatticeHorizon& horizon, const SurveyLattice& lattice)
 {
-  for (std::size_t n = 0; n < horizon.Z.size(); ++n)
+  for (std::size_t n = 0; n < horizon.RealZ.size(); ++n)
   {
     const int i = horizon.Column[n].X;
     const int j = horizon.Column[n].Y;
-    Require(std::isfinite(horizon.Z[n]), "a point without z");
+    Require(std::isfinite(horizon.RealZ[n]), "a point without z");
     Require(i >= 0 && i < lattice.Columns[0] && j >= 0 && j < lattice.Columns[1], "a point outside the lattice");
     Require(n == 0 || horizon.Column[n - 1].Y < j || (horizon.Column[n - 1].Y == j && horizon.Column[n - 1].X < i),
       "points not in order");
@@ -120,7 +120,7 @@ void CheckPlacement(const PickTable& picks)
     for (const LatticeHorizon& horizon : placed.Horizons)
     {
       CheckHorizon(horizon, placed.Lattice);
-      points += std::int64_t(horizon.Z.size()) + horizon.DroppedDuplicates + horizon.DroppedNulls;
+      points += std::int64_t(horizon.RealZ.size()) + horizon.DroppedDuplicates + horizon.DroppedNulls;
     }
     Require(points == std::int64_t(picks.Size()), "counts do not add up");
   }

@@ -46,7 +46,7 @@ bool IsSame(const HeapArray<double>& a, const HeapArray<double>& b)
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-bool IsSame(const HorizonVoxels& a, const HorizonVoxels& b)
+bool IsSame(const LatticeHorizon& a, const LatticeHorizon& b)
 {
   return a.SurfaceId == b.SurfaceId && a.Column == b.Column && a.K == b.K && IsSame(a.Thickness, b.Thickness) &&
     IsSame(a.Amplitude, b.Amplitude) && IsSame(a.RealZ, b.RealZ) && a.DroppedDuplicates == b.DroppedDuplicates;
@@ -54,9 +54,9 @@ bool IsSame(const HorizonVoxels& a, const HorizonVoxels& b)
 
 bool IsSame(const Outcome& a, const Outcome& b)
 {
-  const auto sameVoxels = [](const HorizonVoxels& x, const HorizonVoxels& y) { return IsSame(x, y); };
-  const std::vector<HorizonVoxels>& horizons = a.Matrix.Horizons;
-  const std::vector<HorizonVoxels>& others = b.Matrix.Horizons;
+  const auto sameVoxels = [](const LatticeHorizon& x, const LatticeHorizon& y) { return IsSame(x, y); };
+  const std::vector<LatticeHorizon>& horizons = a.Matrix.Horizons;
+  const std::vector<LatticeHorizon>& others = b.Matrix.Horizons;
   return a.Error == b.Error && a.Matrix.Size == b.Matrix.Size &&
     a.Matrix.VerticalFit.Offset == b.Matrix.VerticalFit.Offset &&
     a.Matrix.VerticalFit.Step == b.Matrix.VerticalFit.Step &&
@@ -68,7 +68,7 @@ bool IsInside(int index, int size)
   return index >= 0 && index < size;
 }
 
-void CheckVoxels(const HorizonVoxels& horizon, const SparseMatrixSize& size)
+void CheckVoxels(const LatticeHorizon& horizon, const SparseMatrixSize& size)
 {
   for (std::size_t n = 0; n < horizon.Column.size(); ++n)
   {
@@ -90,7 +90,7 @@ void CheckMatrix(const Outcome& outcome)
   Require(std::isfinite(fit.Offset) && std::isfinite(fit.Step), "vertical fit not finite");
   for (std::size_t n = 0; n < outcome.Matrix.Horizons.size(); ++n)
   {
-    const HorizonVoxels& horizon = outcome.Matrix.Horizons[n];
+    const LatticeHorizon& horizon = outcome.Matrix.Horizons[n];
     Require(!horizon.Column.empty() && (n == 0 || outcome.Matrix.Horizons[n - 1].SurfaceId < horizon.SurfaceId),
       "horizons without voxels, or not by ascending ID");
     CheckVoxels(horizon, outcome.Matrix.Size);

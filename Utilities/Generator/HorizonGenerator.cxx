@@ -148,9 +148,9 @@ void HorizonGenerator::MakeRow(int position, int j, std::vector<RowVoxel>& row) 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonVoxels HorizonGenerator::MakeHorizon(int position) const
+LatticeHorizon HorizonGenerator::MakeHorizon(int position) const
 {
-  HorizonVoxels horizon;
+  LatticeHorizon horizon;
   horizon.SurfaceId = position + 1;
   std::vector<RowVoxel> row;
   for (int j = 0; j < this->Given.Size[1]; ++j)

@@ -41,7 +41,7 @@ public:
   const HorizonGeneratorOptions& Options() const { return this->Given; }
 
   /// The horizon of a position, 0 to NumberOfHorizons - 1, in memory.
-  HorizonVoxels MakeHorizon(int position) const;
+  LatticeHorizon MakeHorizon(int position) const;
 
   /// Writes the file row by row and returns the voxels of each horizon. Throws std::runtime_error when the stream
   /// does not take it.

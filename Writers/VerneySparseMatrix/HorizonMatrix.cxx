@@ -131,10 +131,10 @@ std::optional<int> ReadSurfaceId(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonVoxels ReadVoxels(vtkPolyData* horizon, int surfaceId)
+LatticeHorizon ReadVoxels(vtkPolyData* horizon, int surfaceId)
 {
   const LatticePoints points = ReadColumns(horizon, {});
-  HorizonVoxels voxels;
+  LatticeHorizon voxels;
   voxels.SurfaceId = surfaceId;
   for (const PlanePoint& column : points.Column)
   {

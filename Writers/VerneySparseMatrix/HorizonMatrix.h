@@ -20,7 +20,7 @@ std::optional<int> ReadSurfaceId(vtkPolyData* horizon);
 
 /// The points of a horizon as voxels; what they lack is made up as vtkVerneySparseMatrixWriter says. Throws InputError
 /// when the points do not stand on whole columns.
-HorizonVoxels ReadVoxels(vtkPolyData* horizon, int surfaceId);
+LatticeHorizon ReadVoxels(vtkPolyData* horizon, int surfaceId);
 }
 
 #endif

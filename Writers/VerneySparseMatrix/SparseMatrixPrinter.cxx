@@ -37,7 +37,7 @@ public:
     this->CheckIds();
     for (std::size_t horizon = 0; horizon < matrix.Horizons.size(); ++horizon)
     {
-      const HorizonVoxels& voxels = matrix.Horizons[horizon];
+      const LatticeHorizon& voxels = matrix.Horizons[horizon];
       for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)
       {
         this->CheckVoxel(voxels, voxel);
@@ -78,13 +78,13 @@ public:
 private:
   using Reference = std::vector<VoxelReference>::const_iterator;
 
-  const HorizonVoxels& HorizonOf(const VoxelReference& voxel) const { return this->Matrix.Horizons[voxel.Horizon]; }
+  const LatticeHorizon& HorizonOf(const VoxelReference& voxel) const { return this->Matrix.Horizons[voxel.Horizon]; }
   int IndexOf(const VoxelReference& voxel) const { return this->HorizonOf(voxel).K[voxel.Voxel]; }
 
   void CheckIds() const
   {
     std::set<int> ids;
-    for (const HorizonVoxels& horizon : this->Matrix.Horizons)
+    for (const LatticeHorizon& horizon : this->Matrix.Horizons)
     {
       if (!ids.insert(horizon.SurfaceId).second)
       {
@@ -94,7 +94,7 @@ private:
     }
   }
 
-  void CheckVoxel(const HorizonVoxels& horizon, std::size_t voxel) const
+  void CheckVoxel(const LatticeHorizon& horizon, std::size_t voxel) const
   {
     const std::array<int, 3> place = { horizon.Column[voxel].X, horizon.Column[voxel].Y, horizon.K[voxel] };
     for (std::size_t axis = 0; axis < place.size(); ++axis)
@@ -132,7 +132,7 @@ private:
 
   void PrintVoxel(const VoxelReference& reference, bool isFirst)
   {
-    const HorizonVoxels& horizon = this->HorizonOf(reference);
+    const LatticeHorizon& horizon = this->HorizonOf(reference);
     const std::size_t voxel = reference.Voxel;
     if (!isFirst)
     {

@@ -185,7 +185,7 @@ public:
   }
 
   /// Rows are read by all threads, some at a time, and written one after the other.
-  void Write(std::vector<HorizonVoxels>& horizons, const Monitor& monitor) const
+  void Write(std::vector<LatticeHorizon>& horizons, const Monitor& monitor) const
   {
     constexpr int rowsAtATime = 32;
     std::array<std::vector<Taken>, rowsAtATime> rows;
@@ -241,7 +241,7 @@ private:
       });
   }
 
-  static void Add(HorizonVoxels& horizon, const Taken& taken, int j)
+  static void Add(LatticeHorizon& horizon, const Taken& taken, int j)
   {
     const Reflection& pick = taken.Pick;
     if (!horizon.Column.empty() && horizon.Column.back().X == taken.I && horizon.Column.back().Y == j)

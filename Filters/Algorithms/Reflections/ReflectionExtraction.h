@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsReflectionExtraction_h
 #define SeismicHorizonsReflectionExtraction_h
 
-#include "Common/HorizonVoxels.h"
+#include "Common/LatticeHorizon.h"
 #include "Common/Monitor.h"
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"
@@ -45,7 +45,7 @@ struct Extraction
 {
   /// The largest one first; of equal ones the positive, then that of the first column. Voxels are by ascending j and
   /// then i. RealZ is the place of the pick in samples, and the vertical index the sample nearest to it.
-  std::vector<HorizonVoxels> Surfaces;
+  std::vector<LatticeHorizon> Surfaces;
 
   std::int64_t Samples = 0; // that are not missing
   std::int64_t Picks = 0; // that reach the threshold

@@ -131,7 +131,7 @@ void TestGeneratedHorizon()
 {
   HorizonGeneratorOptions generator;
   generator.NumberOfHorizons = 1;
-  const HorizonVoxels voxels = HorizonGenerator(generator).MakeHorizon(0);
+  const LatticeHorizon voxels = HorizonGenerator(generator).MakeHorizon(0);
   Patches::Columns columns;
   for (std::size_t n = 0; n < voxels.Column.size(); ++n)
   {

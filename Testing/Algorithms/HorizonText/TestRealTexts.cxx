@@ -96,11 +96,11 @@ std::vector<Point> WorldPoints(const SurveyHorizons& survey)
 {
   std::vector<Point> points;
   const LatticeHorizon& horizon = survey.Horizons.front();
-  for (std::size_t n = 0; n < horizon.Z.size(); ++n)
+  for (std::size_t n = 0; n < horizon.RealZ.size(); ++n)
   {
     const Eigen::Vector2d place = survey.Lattice.Origin + survey.Lattice.ColumnStep * horizon.Column[n].X +
       survey.Lattice.RowStep * horizon.Column[n].Y;
-    points.push_back({ horizon.Z[n], place.x(), place.y() });
+    points.push_back({ horizon.RealZ[n], place.x(), place.y() });
   }
   std::sort(points.begin(), points.end());
   return points;
@@ -140,7 +140,8 @@ void TestSegment(const std::filesystem::path& path, PickTable whole)
   const SurveyHorizons placed = PlacePicks(picks, {});
   CHECK_EQUAL(std::max(placed.Lattice.Columns[0], placed.Lattice.Columns[1]), 57);
   CHECK_EQUAL(std::min(placed.Lattice.Columns[0], placed.Lattice.Columns[1]), 54);
-  CHECK_EQUAL(placed.Horizons.front().Z.size() + std::size_t(placed.Horizons.front().DroppedNulls), std::size_t(829));
+  CHECK_EQUAL(
+    placed.Horizons.front().RealZ.size() + std::size_t(placed.Horizons.front().DroppedNulls), std::size_t(829));
   if (picks.HasPlaces())
   {
     const double step = 50.0;

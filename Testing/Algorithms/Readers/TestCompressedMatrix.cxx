@@ -30,7 +30,7 @@ std::string Describe(std::istream& stream, std::size_t bufferSize)
   {
     const SparseMatrix matrix = ReadSparseMatrix(stream, {}, Monitor(), bufferSize);
     std::ostringstream text;
-    for (const HorizonVoxels& horizon : matrix.Horizons)
+    for (const LatticeHorizon& horizon : matrix.Horizons)
     {
       for (std::size_t n = 0; n < horizon.Column.size(); ++n)
       {

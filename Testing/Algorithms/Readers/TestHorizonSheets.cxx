@@ -38,15 +38,15 @@ std::string Make(int width, int length, Ks&& ks)
 }
 
 /// All voxels are there once, no column of a sheet has two, and they are in their order.
-std::vector<HorizonVoxels> Split(const std::string& text)
+std::vector<LatticeHorizon> Split(const std::string& text)
 {
   std::istringstream stream(text);
   SparseMatrixOptions options;
   options.Policy = DuplicatePolicy::Sheets;
-  std::vector<HorizonVoxels> sheets = ReadSparseMatrix(stream, options).Horizons;
+  std::vector<LatticeHorizon> sheets = ReadSparseMatrix(stream, options).Horizons;
   std::size_t total = 0;
   std::set<std::vector<int>> all;
-  for (const HorizonVoxels& sheet : sheets)
+  for (const LatticeHorizon& sheet : sheets)
   {
     CHECK_EQUAL(sheet.SurfaceId, 7);
     total += sheet.Column.size() + std::size_t(sheet.DroppedDuplicates);
@@ -66,7 +66,7 @@ std::vector<HorizonVoxels> Split(const std::string& text)
 
 void SingleHorizonsStayWhole()
 {
-  const std::vector<HorizonVoxels> sheets =
+  const std::vector<LatticeHorizon> sheets =
     Split(Make(5, 4, [](int i, int j) { return std::vector<int>{ 9 * i + j }; }));
   CHECK_EQUAL(sheets.size(), 1U);
   CHECK_EQUAL(sheets.front().Column.size(), 20U);
@@ -76,7 +76,7 @@ void SingleHorizonsStayWhole()
 void FaultsThatRunThroughGiveTwoBlocks()
 {
   // The left block at 5 reaches over the right one at 15 for three columns. Voxels come in any order.
-  const std::vector<HorizonVoxels> sheets = Split(Make(17, 10,
+  const std::vector<LatticeHorizon> sheets = Split(Make(17, 10,
     [](int i, int) {
       return i < 7 ? std::vector<int>{ 5 } : i < 10 ? std::vector<int>{ 15, 5 } : std::vector<int>{ 15 };
     }));

@@ -152,7 +152,7 @@ bool IsAccepted(const std::string& text, std::size_t bufferSize)
   try
   {
     const SparseMatrix matrix = Load(text, DuplicatePolicy::Lowest, bufferSize);
-    for (const HorizonVoxels& horizon : matrix.Horizons)
+    for (const LatticeHorizon& horizon : matrix.Horizons)
     {
       CHECK(!horizon.Column.empty() && horizon.Column.size() == horizon.Column.size());
       CHECK(horizon.RealZ.size() == horizon.Column.size() && horizon.K.size() == horizon.Column.size());

@@ -49,7 +49,7 @@ std::string Tell(const SparseMatrix& matrix)
 {
   std::ostringstream text;
   text.precision(17);
-  for (const HorizonVoxels& horizon : matrix.Horizons)
+  for (const LatticeHorizon& horizon : matrix.Horizons)
   {
     text << "horizon " << horizon.SurfaceId << ", " << horizon.DroppedDuplicates << " dropped\n";
     for (std::size_t n = 0; n < horizon.Column.size(); ++n)
@@ -106,7 +106,7 @@ void TestCounts()
     std::istringstream whole(file);
     const SparseMatrix matrix = ReadSparseMatrix(whole);
     CHECK_EQUAL(overview.Horizons.size(), matrix.Horizons.size());
-    for (const HorizonVoxels& voxels : matrix.Horizons)
+    for (const LatticeHorizon& voxels : matrix.Horizons)
     {
       const HorizonOverview& horizon = overview.Horizons.at(voxels.SurfaceId);
       for (int first = -1; first < 16; ++first)

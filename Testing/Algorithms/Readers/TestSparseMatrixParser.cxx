@@ -25,7 +25,7 @@ using Counts = std::map<int, std::int64_t>;
 Counts Count(const SparseMatrix& matrix)
 {
   Counts counts;
-  for (const HorizonVoxels& horizon : matrix.Horizons)
+  for (const LatticeHorizon& horizon : matrix.Horizons)
   {
     counts[horizon.SurfaceId] = static_cast<std::int64_t>(horizon.Column.size()) + horizon.DroppedDuplicates;
   }
@@ -55,7 +55,7 @@ void LoadGivesAllAttributes()
     const SparseMatrix matrix = Load(Small, DuplicatePolicy::Topmost, bufferSize);
     CHECK((matrix.Size == SparseMatrixSize{ 3, 2, 10 }));
     CHECK_EQUAL(matrix.Horizons.size(), 2u);
-    const HorizonVoxels& horizon = matrix.Horizons.at(1);
+    const LatticeHorizon& horizon = matrix.Horizons.at(1);
     CHECK_EQUAL(horizon.SurfaceId, 4);
     CHECK((horizon.Column == std::vector<PlanePoint>{ { 0, 0 }, { 1, 0 }, { 2, 1 } }));
     CHECK((horizon.K == std::vector<int>{ 5, 6, 0 }));

@@ -35,7 +35,7 @@ CubeGeneratorOptions SmallCube(double noise = 0.0)
   return options;
 }
 
-bool AreEqual(const HorizonVoxels& a, const HorizonVoxels& b)
+bool AreEqual(const LatticeHorizon& a, const LatticeHorizon& b)
 {
   return a.SurfaceId == b.SurfaceId && a.Column == b.Column && a.K == b.K && a.Thickness == b.Thickness &&
     a.Amplitude == b.Amplitude && a.RealZ == b.RealZ && a.DroppedDuplicates == b.DroppedDuplicates;
@@ -46,7 +46,7 @@ void CheckSurfaces(const Extraction& extraction, const ExtractionOptions& option
 {
   std::size_t last = std::numeric_limits<std::size_t>::max();
   int number = 0;
-  for (const HorizonVoxels& surface : extraction.Surfaces)
+  for (const LatticeHorizon& surface : extraction.Surfaces)
   {
     CHECK_EQUAL(surface.SurfaceId, ++number);
     CHECK(surface.Column.size() <= last);
@@ -113,7 +113,7 @@ void TestNoise()
 }
 
 /// Which sides of the fault a surface is on, 1.5 columns from it or more.
-std::set<bool> SidesOf(const CubeGenerator& cube, const HorizonVoxels& surface)
+std::set<bool> SidesOf(const CubeGenerator& cube, const LatticeHorizon& surface)
 {
   std::set<bool> sides;
   for (std::size_t n = 0; n < surface.Column.size(); ++n)
@@ -139,7 +139,7 @@ void TestFault()
     const Extraction extraction = ExtractReflections(Generate(cube).View(), With(SurfaceJoining::BestFirst));
     CHECK(extraction.LargestStep < faultThrow);
     std::map<bool, int> surfaces;
-    for (const HorizonVoxels& surface : extraction.Surfaces)
+    for (const LatticeHorizon& surface : extraction.Surfaces)
     {
       const std::set<bool> sides = SidesOf(generator, surface);
       CHECK_EQUAL(sides.size(), 1u);

@@ -4,7 +4,7 @@
 // Where traces belong: line numbers and places at any bytes, in any order, with gaps, turned and with delays.
 
 #include "Common/InputFile.h"
-#include "SEGYCube/CubeFrame.h"
+#include "Common/Survey/ImageFrame.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 
@@ -314,7 +314,7 @@ void ASingleTraceIsACube()
 void ShearedImagesTellHowFarTheyAreOff()
 {
   const LatticeMatrix straight = { 3, 4, 0, 100, -4, 3, 0, 200, 0, 0, -4, -8, 0, 0, 0, 1 };
-  CubeFrame frame = MakeCubeFrame(straight, { 10, 20 });
+  ImageFrame frame = MakeCubeFrame(straight, { 10, 20 });
   CHECK_EQUAL(frame.Deviation, 0.0);
   CHECK(frame.Origin == Eigen::Vector3d(100, 200, -8));
   CHECK(frame.Spacing == Eigen::Vector3d(5, 5, 4));

@@ -84,7 +84,7 @@ SurfaceParts::Points MakeGenerated(std::uint64_t seed, double dropouts)
   options.Size = { 170, 140, 60 };
   options.NumberOfHorizons = 1;
   options.DropoutFraction = dropouts;
-  const HorizonVoxels voxels = HorizonGenerator(options).MakeHorizon(0);
+  const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
   Patches::Columns columns;
   std::vector<double> heights;
   for (std::size_t n = 0; n < voxels.Column.size(); ++n)

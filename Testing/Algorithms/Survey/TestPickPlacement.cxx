@@ -4,6 +4,7 @@
 #include "Common/Survey/PickPlacement.h"
 #include "Tools/Check.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -60,10 +61,9 @@ void TestLinesAlone()
   CHECK_EQUAL(placed.Lattice.Lines->InlineStep, 4.0);
   CHECK_EQUAL(placed.Horizons.size(), std::size_t(1));
   const LatticeHorizon& horizon = placed.Horizons.front();
-  CHECK_EQUAL(horizon.Name, std::string("Top"));
   CHECK_EQUAL(horizon.Column[6].X, 1);
   CHECK_EQUAL(horizon.Column[6].Y, 1);
-  CHECK_EQUAL(horizon.Z[6], 104022.0);
+  CHECK_EQUAL(horizon.RealZ[6], 104022.0);
 }
 
 void TestLinesAndPlaces()
@@ -87,7 +87,7 @@ void TestPlacesAlone()
   CHECK(IsNear(placed.Lattice.Origin, 501250.0, 6000500.0));
   CHECK(IsNear(placed.Lattice.ColumnStep, 50.0, 0.0));
   const LatticeHorizon& horizon = placed.Horizons.front();
-  CHECK_EQUAL(horizon.Z[1], 104020.0); // by ascending j, then i
+  CHECK_EQUAL(horizon.RealZ[1], 104020.0); // by ascending j, then i
   CHECK_EQUAL(horizon.Column[1].X, 1);
 }
 
@@ -174,21 +174,21 @@ void TestDuplicatesAndNulls()
   PlacementOptions options;
   const SurveyHorizons strongest = PlacePicks(picks, options);
   const LatticeHorizon& a = strongest.Horizons[0];
-  CHECK(a.Z == std::vector<double>({ 11.0, 10.0, 12.0 }));
+  CHECK(a.RealZ == std::vector<double>({ 11.0, 10.0, 12.0 }));
   CHECK(a.Column == std::vector<PlanePoint>({ { 0, 0 }, { 1, 0 }, { 0, 1 } }));
-  CHECK(a.Attributes[0].Values == std::vector<double>({ 1.0, -5.0, 1.0 }));
+  CHECK(a.Attributes[0].second == std::vector<double>({ 1.0, -5.0, 1.0 }));
   CHECK_EQUAL(a.DroppedDuplicates, 1);
   CHECK_EQUAL(a.DroppedNulls, 0);
   const LatticeHorizon& b = strongest.Horizons[1];
-  CHECK(b.Z == std::vector<double>({ 21.0, 20.0 }));
+  CHECK(b.RealZ == std::vector<double>({ 21.0, 20.0 }));
   CHECK_EQUAL(b.DroppedDuplicates, 0);
   CHECK_EQUAL(b.DroppedNulls, 1);
   options.Policy = DuplicatePolicy::Lowest;
-  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 13.0);
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].RealZ[1], 13.0);
   options.Direction = VerticalDirection::Up;
-  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 10.0);
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].RealZ[1], 10.0);
   options.Policy = DuplicatePolicy::Topmost;
-  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].Z[1], 13.0);
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons[0].RealZ[1], 13.0);
 }
 
 /// A row of columns at which the left block reaches over the right one, picked in any order, with a pick twice.
@@ -218,8 +218,8 @@ void TestSheets()
   options.Policy = DuplicatePolicy::Sheets;
   const std::vector<LatticeHorizon> sheets = PlacePicks(picks, options).Horizons;
   CHECK_EQUAL(sheets.size(), std::size_t(4));
-  CHECK(sheets[1].Name == "Faulted" && sheets[2].Name == "Faulted");
-  CHECK(sheets[0].Number == 0 && sheets[1].Number == 1 && sheets[2].Number == 1 && sheets[3].Number == 2);
+  const std::array<int, 4> ids = { sheets[0].SurfaceId, sheets[1].SurfaceId, sheets[2].SurfaceId, sheets[3].SurfaceId };
+  CHECK(ids == (std::array<int, 4>{ 1, 2, 2, 3 }));
   const auto columns = [](const LatticeHorizon& sheet)
   {
     std::vector<int> i;
@@ -230,14 +230,14 @@ void TestSheets()
     return i;
   };
   CHECK(columns(sheets[1]) == std::vector<int>({ 2, 3, 4, 5, 6 }));
-  CHECK(sheets[1].Z == std::vector<double>(5, 30.5));
-  CHECK(sheets[1].Attributes[0].Values == sheets[1].Z);
+  CHECK(sheets[1].RealZ == std::vector<double>(5, 30.5));
+  CHECK(sheets[1].Attributes[0].second == sheets[1].RealZ);
   CHECK(columns(sheets[2]) == std::vector<int>({ 0, 1, 2, 3 }));
-  CHECK(sheets[2].Z == std::vector<double>(4, 10.25));
+  CHECK(sheets[2].RealZ == std::vector<double>(4, 10.25));
   CHECK_EQUAL(sheets[1].DroppedDuplicates, 4); // those that are there twice
   CHECK_EQUAL(sheets[2].DroppedDuplicates, 0);
   CHECK_EQUAL(sheets[3].DroppedNulls, 1);
-  CHECK(sheets[3].Z.empty());
+  CHECK(sheets[3].RealZ.empty());
 }
 
 /// A dataset takes memory however small it is.

@@ -20,7 +20,7 @@ LatticeHorizon Slope(double first, double alongI, double alongJ)
     for (int i = 0; i < 30; ++i)
     {
       horizon.Column.push_back({ i, j });
-      horizon.Z.push_back(first + alongI * i + alongJ * j);
+      horizon.RealZ.push_back(first + alongI * i + alongJ * j);
     }
   }
   return horizon;
@@ -46,7 +46,7 @@ void TestNeighboursOnly()
 {
   LatticeHorizon horizon; // steps over gaps do not count
   horizon.Column = { { 0, 0 }, { 1, 0 }, { 5, 0 }, { 0, 1 }, { 5, 2 } };
-  horizon.Z = { 0.0, 2.0, 99.0, 2.0, 1000.0 };
+  horizon.RealZ = { 0.0, 2.0, 99.0, 2.0, 1000.0 };
   CHECK_EQUAL(StepOf(horizon), 2.0);
 }
 

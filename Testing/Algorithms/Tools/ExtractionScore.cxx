@@ -69,7 +69,7 @@ private:
     return this->HasFault && this->Truth.FaultDistance(i, j, sample) > 0.0 ? 1 : 0;
   }
 
-  bool IsOn(std::size_t reflector, const HorizonVoxels& surface, std::size_t voxel) const
+  bool IsOn(std::size_t reflector, const LatticeHorizon& surface, std::size_t voxel) const
   {
     const std::size_t column = this->ColumnAt(surface.Column[voxel].X, surface.Column[voxel].Y);
     return std::abs(surface.RealZ[voxel] - this->Places[reflector][column]) <= this->Tolerance;
@@ -77,7 +77,7 @@ private:
 
   void CountHits(std::size_t number)
   {
-    const HorizonVoxels& surface = this->Surfaces[number];
+    const LatticeHorizon& surface = this->Surfaces[number];
     SideCounts sides = { 0, 0 };
     for (std::size_t voxel = 0; voxel < surface.Column.size(); ++voxel)
     {
@@ -169,7 +169,7 @@ private:
     {
       this->Best.push_back(best);
     }
-    const HorizonVoxels& surface = this->Surfaces[best];
+    const LatticeHorizon& surface = this->Surfaces[best];
     for (std::size_t voxel = 0; voxel < surface.Column.size(); ++voxel)
     {
       const double place = this->Places[reflector][this->ColumnAt(surface.Column[voxel].X, surface.Column[voxel].Y)];
@@ -184,7 +184,7 @@ private:
 
   void CountWrong(std::size_t number)
   {
-    const HorizonVoxels& surface = this->Surfaces[number];
+    const LatticeHorizon& surface = this->Surfaces[number];
     std::int64_t most = 0;
     for (const SideCounts& sides : this->Hits[number])
     {
@@ -199,7 +199,7 @@ private:
     std::vector<char> isTaken(std::size_t(this->Size[0]) * std::size_t(this->Size[1]), 0);
     for (const std::size_t best : this->Best)
     {
-      const HorizonVoxels& surface = this->Surfaces[best];
+      const LatticeHorizon& surface = this->Surfaces[best];
       for (std::size_t voxel = 0; this->HomeOf(best) == int(reflector) && voxel < surface.Column.size(); ++voxel)
       {
         isTaken[this->ColumnAt(surface.Column[voxel].X, surface.Column[voxel].Y)] = 1;
@@ -221,7 +221,7 @@ private:
   const std::array<int, 3> Size;
   const bool HasFault;
   const double Tolerance;
-  const std::vector<HorizonVoxels>& Surfaces;
+  const std::vector<LatticeHorizon>& Surfaces;
 
   std::vector<std::vector<double>> Places; // by reflector, then by column
   std::vector<std::vector<SideCounts>> Hits; // by surface, then by reflector

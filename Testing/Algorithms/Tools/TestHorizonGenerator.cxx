@@ -32,7 +32,7 @@ HorizonGeneratorOptions MakeOptions(std::uint64_t seed)
   return options;
 }
 
-Columns ColumnsOf(const HorizonVoxels& horizon)
+Columns ColumnsOf(const LatticeHorizon& horizon)
 {
   Columns columns;
   for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
@@ -105,8 +105,8 @@ void FileHoldsTheSameAsTheArrays()
   CHECK_EQUAL(matrix.Horizons.size(), 3u);
   for (int position = 0; position < 3; ++position)
   {
-    const HorizonVoxels made = generator.MakeHorizon(position);
-    const HorizonVoxels& read = matrix.Horizons.at(static_cast<std::size_t>(position));
+    const LatticeHorizon made = generator.MakeHorizon(position);
+    const LatticeHorizon& read = matrix.Horizons.at(static_cast<std::size_t>(position));
     CHECK_EQUAL(read.SurfaceId, made.SurfaceId);
     CHECK_EQUAL(counts.at(made.SurfaceId), static_cast<std::int64_t>(made.Column.size()));
     CHECK(read.Column == made.Column && read.K == made.K);
@@ -139,7 +139,7 @@ void CheckOrder(const HorizonGenerator& generator)
   std::map<std::pair<int, int>, int> above;
   for (int position = 0; position < generator.Options().NumberOfHorizons; ++position)
   {
-    const HorizonVoxels horizon = generator.MakeHorizon(position);
+    const LatticeHorizon horizon = generator.MakeHorizon(position);
     CHECK_EQUAL(ColumnsOf(horizon).size(), horizon.Column.size());
     for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
     {
@@ -246,7 +246,7 @@ void SquarenessFillsTheBox()
 
 void AttributesArePlausible()
 {
-  const HorizonVoxels horizon = HorizonGenerator(MakeOptions(1)).MakeHorizon(1);
+  const LatticeHorizon horizon = HorizonGenerator(MakeOptions(1)).MakeHorizon(1);
   int negative = 0;
   for (std::size_t voxel = 0; voxel < horizon.Column.size(); ++voxel)
   {
@@ -267,13 +267,13 @@ void NoiseIsInPatches()
   options.Size = { 400, 400, 120 };
   options.DropoutFraction = 0.0;
   std::map<std::pair<int, int>, int> heights;
-  const HorizonVoxels smooth = HorizonGenerator(options).MakeHorizon(0);
+  const LatticeHorizon smooth = HorizonGenerator(options).MakeHorizon(0);
   for (std::size_t voxel = 0; voxel < smooth.Column.size(); ++voxel)
   {
     heights[{ smooth.Column[voxel].X, smooth.Column[voxel].Y }] = smooth.K[voxel];
   }
   options.NoiseFraction = 0.3;
-  const HorizonVoxels noisy = HorizonGenerator(options).MakeHorizon(0);
+  const LatticeHorizon noisy = HorizonGenerator(options).MakeHorizon(0);
   const double size = static_cast<double>(smooth.Column.size());
   CHECK(std::abs((size - static_cast<double>(noisy.Column.size())) / size - 0.5 * 0.3) < 0.02);
   int off = 0;

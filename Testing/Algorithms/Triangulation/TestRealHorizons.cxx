@@ -62,7 +62,7 @@ void CheckLatticePoints(const std::filesystem::path& path)
 void CheckSparseMatrix(const std::filesystem::path& path)
 {
   std::ifstream stream(path, std::ios::binary);
-  for (const HorizonVoxels& voxels : ReadSparseMatrix(stream).Horizons)
+  for (const LatticeHorizon& voxels : ReadSparseMatrix(stream).Horizons)
   {
     Patches::Columns columns;
     for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)

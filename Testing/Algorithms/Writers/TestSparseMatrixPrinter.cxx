@@ -57,7 +57,7 @@ void VoxelsAreSorted()
 {
   SparseMatrix matrix = Load(Normal);
   std::swap(matrix.Horizons.front(), matrix.Horizons.back());
-  for (HorizonVoxels& horizon : matrix.Horizons)
+  for (LatticeHorizon& horizon : matrix.Horizons)
   {
     std::reverse(horizon.Column.begin(), horizon.Column.end());
     std::reverse(horizon.K.begin(), horizon.K.end());
@@ -80,8 +80,8 @@ void SampleIsReadBack(const std::string& folder)
   CHECK_EQUAL(before.Horizons.size(), after.Horizons.size());
   for (std::size_t n = 0; n < before.Horizons.size(); ++n)
   {
-    const HorizonVoxels& a = before.Horizons[n];
-    const HorizonVoxels& b = after.Horizons[n];
+    const LatticeHorizon& a = before.Horizons[n];
+    const LatticeHorizon& b = after.Horizons[n];
     CHECK(a.SurfaceId == b.SurfaceId && a.Column == b.Column && a.K == b.K);
     CHECK(a.Thickness == b.Thickness && a.Amplitude == b.Amplitude && a.RealZ == b.RealZ);
   }
@@ -96,7 +96,7 @@ void WrongVoxelsAreRefused()
     change(matrix.Horizons);
     CHECK_THROWS_WITH(Print(matrix), message);
   };
-  using Horizons = std::vector<HorizonVoxels>;
+  using Horizons = std::vector<LatticeHorizon>;
   check([](Horizons& horizons) { horizons[1].SurfaceId = -7; },
     "two horizons with the surface ID -7, expected one ID for each");
   check([](Horizons& horizons) { horizons[0].Column[1].X = 3; },
