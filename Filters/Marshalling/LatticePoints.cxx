@@ -151,15 +151,16 @@ struct Placement
 class ColumnFinder
 {
 public:
-  ColumnFinder(vtkPolyData* horizon, bool mayBeMerged, const std::vector<vtkPolyData*>& outputs)
+  ColumnFinder(vtkPolyData* horizon, bool mayBeMerged, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
     : MayBeMerged(mayBeMerged)
     , Outputs(outputs)
     , Given(FindGivenColumns(horizon))
+    , Size(horizon->GetNumberOfPoints())
   {
     CheckPoints(horizon);
     this->Result.Horizon = horizon;
     this->Result.Grid = ReadLattice(horizon);
-    this->Result.Height.resize(horizon->GetNumberOfPoints());
+    this->Result.Height.resize(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
     this->Tolerance = FindTolerance(horizon, this->Result.Grid);
   }
 
@@ -173,7 +174,7 @@ public:
     {
       this->MakeExactPoints();
     }
-    CheckHeights(this->Result.Horizon, this->Result.Height);
+    CheckHeights(this->Result.Horizon, [this](vtkIdType point) { return this->Result.HeightAt(std::size_t(point)); });
     return std::move(this->Result);
   }
 
@@ -186,7 +187,8 @@ private:
     WithCoordinates(this->Result.Horizon,
       [&](auto&& world)
       {
-        all = AddUpChunks<Placement>(std::int64_t(this->Result.Height.size()), Grain, Monitor(),
+        double* const heights = this->Result.Height.empty() ? nullptr : this->Result.Height.data();
+        all = AddUpChunks<Placement>(this->Size, Grain, Monitor(),
           [&](Placement& placement, std::int64_t first, std::int64_t last)
           {
             const Lattice grid = this->Result.Grid; // a copy, which no write to the arrays can change
@@ -194,7 +196,10 @@ private:
             {
               const Eigen::Vector3d place = grid.ToLattice(world(point));
               grid.CheckInside(place, PointId(point));
-              this->Result.Height[point] = place.z();
+              if (heights)
+              {
+                heights[point] = place.z();
+              }
               visit(placement, point, place);
             }
           });
@@ -221,7 +226,7 @@ private:
     {
       return false;
     }
-    this->Result.Column = { columns, this->Result.Height.size() };
+    this->Result.Column = { columns, std::size_t(this->Size) };
     this->Result.AreMerged = placement.AreMerged;
     if (placement.AreMerged && !this->MayBeMerged)
     {
@@ -261,7 +266,7 @@ private:
       this->TellDeviation(placement.Deviation);
     }
     this->Result.Horizon = horizon;
-    this->Result.Column = { columns, this->Result.Height.size() };
+    this->Result.Column = { columns, std::size_t(this->Size) };
     this->Result.AreMerged = placement.AreMerged;
   }
 
@@ -297,12 +302,12 @@ private:
   /// From here on coordinates are double, and those of points on columns exact: the next stage must find them there.
   void MakeExactPoints()
   {
-    auto exact = NewArray<vtkDoubleArray>("Points", vtkIdType(this->Result.Height.size()), 3);
+    auto exact = NewArray<vtkDoubleArray>("Points", this->Size, 3);
     double* const places = exact->GetPointer(0);
     WithCoordinates(this->Result.Horizon,
       [&](auto&& world)
       {
-        ParallelFor(std::int64_t(this->Result.Height.size()), Grain,
+        ParallelFor(this->Size, Grain,
           [&](std::int64_t first, std::int64_t last)
           {
             for (std::int64_t point = first; point < last; ++point)
@@ -344,21 +349,30 @@ private:
   const bool MayBeMerged;
   const std::vector<vtkPolyData*>& Outputs;
   vtkIntArray* const Given;
+  const vtkIdType Size;
   double Tolerance = 0.0; // columns
   LatticePoints Result;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs)
+double LatticePoints::HeightAt(std::size_t point) const
 {
-  return ColumnFinder(horizon, false, outputs).Run();
+  Eigen::Vector3d world;
+  this->Horizon->GetPoint(vtkIdType(point), world.data());
+  return this->Grid.ToLattice(world).z();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs)
+LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
 {
-  return ColumnFinder(horizon, true, outputs).Run();
+  return ColumnFinder(horizon, false, outputs, heights).Run();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
+{
+  return ColumnFinder(horizon, true, outputs, heights).Run();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   , LoopMarks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
   , Marks(this->LoopMarks)
   , Vertices(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
-  , Mesh(this->Horizon.Plane, this->MeshLoops(monitor))
+  , Mesh(this->Columns(), this->MeshLoops(monitor))
   , VertexHeights(std::move(this->Horizon.Height))
 {
   this->FindRange();

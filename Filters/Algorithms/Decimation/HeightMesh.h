@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  const std::vector<PlanePoint>& Columns() const { return this->Horizon.Plane; }
+  PlanePoints Columns() const { return this->Horizon.ColumnPlaces(); }
   const HeightRaster& RasterAt(PointId point) const { return this->Rasters[this->Patches[point]]; }
   RawVector<PointId> MeshLoops(const Monitor& monitor) const;
   void FindRange();
