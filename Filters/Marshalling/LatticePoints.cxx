@@ -54,6 +54,13 @@ void CheckPoints(vtkPolyData* horizon)
   }
 }
 
+Eigen::Vector3d WorldOf(vtkPolyData* horizon, std::int64_t point)
+{
+  Eigen::Vector3d world;
+  horizon->GetPoint(point, world.data());
+  return world;
+}
+
 /// Gives world(point) to work(world), as fast as the type of the coordinates allows.
 template <typename Work>
 void WithCoordinates(vtkPolyData* horizon, Work&& work)
@@ -77,13 +84,7 @@ void WithCoordinates(vtkPolyData* horizon, Work&& work)
   }
   else
   {
-    work(
-      [horizon](std::int64_t point)
-      {
-        Eigen::Vector3d world;
-        horizon->GetPoint(point, world.data());
-        return world;
-      });
+    work([horizon](std::int64_t point) { return WorldOf(horizon, point); });
   }
 }
 
@@ -179,15 +180,15 @@ public:
   }
 
 private:
-  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads, and keeps heights.
+  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads. Heights are kept there.
   template <typename Visit>
   Placement Place(Visit&& visit)
   {
     Placement all;
+    double* const heights = this->Result.Height.empty() ? nullptr : this->Result.Height.data();
     WithCoordinates(this->Result.Horizon,
       [&](auto&& world)
       {
-        double* const heights = this->Result.Height.empty() ? nullptr : this->Result.Height.data();
         all = AddUpChunks<Placement>(this->Size, Grain, Monitor(),
           [&](Placement& placement, std::int64_t first, std::int64_t last)
           {
@@ -217,12 +218,9 @@ private:
         const bool isMerged = columns[point] == NoColumn;
         part.Add({ isMerged ? 0.0 : DistanceToColumn(place, columns[point]), isMerged });
       });
-    if (placement.Deviation > this->Tolerance)
-    {
-      return false;
-    }
     // Points that others were merged into have counts.
-    if (placement.AreMerged && !this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount))
+    const bool mayHaveMerged = this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount);
+    if (placement.Deviation > this->Tolerance || (placement.AreMerged && !mayHaveMerged))
     {
       return false;
     }
@@ -358,9 +356,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 double LatticePoints::HeightAt(std::size_t point) const
 {
-  Eigen::Vector3d world;
-  this->Horizon->GetPoint(vtkIdType(point), world.data());
-  return this->Grid.ToLattice(world).z();
+  return this->Grid.ToLattice(WorldOf(this->Horizon, std::int64_t(point))).z();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -388,20 +384,16 @@ std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
   std::vector<PlanePoint> plane(points.Column.size());
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
-  WithCoordinates(points.Horizon,
-    [&](auto&& world)
+  ParallelFor(std::int64_t(plane.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
     {
-      ParallelFor(std::int64_t(plane.size()), Grain,
-        [&](std::int64_t first, std::int64_t last)
-        {
-          for (std::int64_t point = first; point < last; ++point)
-          {
-            const PlanePoint column = points.Column[point];
-            plane[point] = column == NoColumn
-              ? points.Grid.ToSubVoxels(points.Grid.ToLattice(world(point)), PointId(point))
-              : PlanePoint{ column.X * size, column.Y * size };
-          }
-        });
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        const PlanePoint column = points.Column[point];
+        plane[point] = column == NoColumn
+          ? points.Grid.ToSubVoxels(points.Grid.ToLattice(WorldOf(points.Horizon, point)), PointId(point))
+          : PlanePoint{ column.X * size, column.Y * size };
+      }
     });
   return plane;
 }
