@@ -180,7 +180,7 @@ public:
   }
 
 private:
-  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads. Heights are kept there.
+  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads. Keeps heights.
   template <typename Visit>
   Placement Place(Visit&& visit)
   {
