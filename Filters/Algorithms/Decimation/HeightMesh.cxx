@@ -51,6 +51,7 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 //----------------------------------------------------------------------------------------------------------------------
 HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   : Horizon(std::move(horizon))
+  , Places(this->Horizon.ColumnPlaces())
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
