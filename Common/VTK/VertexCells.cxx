@@ -19,6 +19,7 @@
 #include <memory>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -73,19 +74,16 @@ public:
   /// At least so many. Numbers of far larger horizons are not taken: they would stay for few.
   static Number* Take(vtkIdType size)
   {
-    const std::lock_guard<std::mutex> lock(Mutex());
-    for (Block& block : Blocks())
+    if (Number* const found = Find(size))
     {
-      if (size <= block.Size && block.Size / 2 <= size)
-      {
-        ++block.Users;
-        return block.Numbers.get();
-      }
+      return found;
     }
-    Blocks().push_back({ std::unique_ptr<Number[]>(new Number[std::size_t(size)]), size, 1 });
-    Number* const numbers = Blocks().back().Numbers.get();
-    ParallelFor(size, Grain,
+    std::unique_ptr<Number[]> made(new Number[std::size_t(size)]);
+    Number* const numbers = made.get();
+    ParallelFor(size, Grain, // without the lock, as threads may wait for each other in loops
       [&](std::int64_t first, std::int64_t last) { std::iota(numbers + first, numbers + last, Number(first)); });
+    const std::lock_guard<std::mutex> lock(Mutex());
+    Blocks().push_back({ std::move(made), size, 1 });
     return numbers;
   }
 
@@ -108,6 +106,19 @@ private:
     vtkIdType Size;
     std::int64_t Users;
   };
+
+  static Number* Find(vtkIdType size)
+  {
+    const std::lock_guard<std::mutex> lock(Mutex());
+    const auto block = std::find_if(
+      Blocks().begin(), Blocks().end(), [size](const Block& one) { return size <= one.Size && one.Size / 2 <= size; });
+    if (block == Blocks().end())
+    {
+      return nullptr;
+    }
+    ++block->Users;
+    return block->Numbers.get();
+  }
 
   // Never destroyed: arrays may outlive all that is static.
   static std::mutex& Mutex()
