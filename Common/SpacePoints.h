@@ -10,19 +10,28 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
 /// The points of a horizon with their heights, in lattice units. They are made of what a horizon has when they are
-/// asked for, so that methods that look at few of them need no memory for all. Keeps references. A column has a power
-/// of two of sub-voxels.
+/// asked for, so that methods that look at few of them need no memory for all: heights, too, can come from a function.
+/// Keeps references. A column has a power of two of sub-voxels.
 class SpacePoints
 {
 public:
   SpacePoints(PlanePoints plane, const std::vector<double>& height, std::int32_t subVoxelsPerColumn)
     : Plane(plane)
-    , Height(height)
+    , Height(height.data())
+    , PerSubVoxel(1.0 / subVoxelsPerColumn)
+  {
+  }
+
+  SpacePoints(PlanePoints plane, std::function<double(std::size_t)> heightAt, std::int32_t subVoxelsPerColumn)
+    : Plane(plane)
+    , HeightAt(std::move(heightAt))
     , PerSubVoxel(1.0 / subVoxelsPerColumn)
   {
   }
@@ -36,7 +45,8 @@ public:
 
   SpacePoint operator[](std::size_t n) const
   {
-    return { this->Plane[n].X * this->PerSubVoxel, this->Plane[n].Y * this->PerSubVoxel, this->Height[n] };
+    return { this->Plane[n].X * this->PerSubVoxel, this->Plane[n].Y * this->PerSubVoxel,
+      this->Height ? this->Height[n] : this->HeightAt(n) };
   }
 
   /// The columns of the points, where places are columns.
@@ -48,7 +58,8 @@ public:
 
 private:
   const PlanePoints Plane;
-  const std::vector<double>& Height;
+  const double* const Height = nullptr; // or
+  const std::function<double(std::size_t)> HeightAt;
   const double PerSubVoxel; // exact
 };
 }

@@ -35,7 +35,9 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   vtkPolyData* const output = outputs.front();
-  LatticePoints points = this->Method == FewestPoints ? ReadColumns(horizon, outputs) : ReadPoints(horizon, outputs);
+  // Heights of the loops alone are looked at.
+  const auto read = this->Method == FewestPoints ? ReadColumns : ReadPoints;
+  const LatticePoints points = read(horizon, outputs, KeptHeights::None);
   vtkPolyData* const input = points.Horizon;
   monitor.Progress(0.2);
   BoundarySimplificationOptions options;
@@ -46,11 +48,11 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   const Loops boundary = ReadBoundary(input);
   options.Fixed = ReadEndsOfMouths(input, points.Column, boundary);
   const std::vector<PlanePoint> plane = points.AreMerged ? ToSubVoxels(points) : std::vector<PlanePoint>();
+  const auto height = [&points](std::size_t point) { return points.HeightAt(point); };
   const BoundarySimplification simplified =
-    SimplifyBoundary(points.AreMerged ? SpacePoints(plane, points.Height, points.Grid.SubVoxelsPerColumn())
-                                      : SpacePoints(points.Column, points.Height, 1),
+    SimplifyBoundary(points.AreMerged ? SpacePoints(plane, height, points.Grid.SubVoxelsPerColumn())
+                                      : SpacePoints(points.Column, height, 1),
       boundary, options, monitor.Step(0.2, 0.7));
-  points.Height = std::vector<double>(); // memory that the output can use
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkDoubleArray>(figures, FieldArray::BoundaryDeviation, simplified.Deviation);

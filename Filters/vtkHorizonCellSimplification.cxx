@@ -101,7 +101,7 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Ou
   const Lattice grid = points.Grid;
   monitor.Progress(0.1);
   // The horizon is gone before the output is made.
-  const Reduction reduction =
+  Reduction reduction =
     this->Simplify(ReadBoundedHorizon(std::move(points)), output->GetFieldData(), monitor.Step(0.2, 0.8));
   if (this->ShowCells)
   {
@@ -109,7 +109,10 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Ou
   }
   else
   {
-    WriteReduction(input, grid, reduction, output);
+    output->SetPoints(MakePoints(input, grid, reduction));
+    reduction.Plane = std::vector<PlanePoint>(); // memory that the arrays can use
+    reduction.Height = std::vector<double>();
+    WriteReduction(input, reduction, output);
     ActivateHeight(output);
   }
 }

@@ -43,7 +43,7 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(horizon.Plane, horizon.Height, grid);
+    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, grid);
   }
   else if (this->Target == NumberOfPoints)
   {
@@ -53,9 +53,9 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
   else
   {
     CheckWithin("target reduction", this->TargetReduction, 0.0, 1.0, " of the points");
-    const double points = std::ceil((1.0 - this->TargetReduction) * double(horizon.Plane.size()));
+    const double points = std::ceil((1.0 - this->TargetReduction) * double(horizon.Columns.size()));
     options.MaximumNumberOfPoints =
-      std::max({ std::size_t(points), std::size_t(1), horizon.Boundary.CountPoints(horizon.Plane.size()) });
+      std::max({ std::size_t(points), std::size_t(1), horizon.Boundary.CountPoints(horizon.Columns.size()) });
   }
   return options;
 }
@@ -65,7 +65,10 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
 {
   LatticePoints points = ReadColumns(horizon, outputs);
   const SeismicHorizons::Lattice& grid = points.Grid;
-  BoundedHorizon bounded = ReadPatchesAndBoundary(points);
+  BoundedHorizon bounded;
+  bounded.Columns = points.Column;
+  bounded.Patch = ReadPatches(points.Horizon);
+  bounded.Boundary = ReadBoundary(points.Horizon);
   bounded.Height = std::move(points.Height);
   if (std::optional<LinkCuts> cuts = FindCuts(points.Horizon, PlaneBox(points.Column)))
   {

@@ -56,8 +56,7 @@ std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea)
 //------------------------------------------------------------------------------
 void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
-  points.Height = std::vector<double>(); // which no boundary needs
+  const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs, KeptHeights::None);
   vtkPolyData* const input = points.Horizon;
   monitor.Progress(0.3);
   BoundaryOptions options;

@@ -129,7 +129,7 @@ int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
     {
       if (horizon && horizon->GetNumberOfPoints() > 0)
       {
-        radius = SeismicHorizons::ChooseRadius(ReadColumns(WithoutHiddenPoints(horizon), {}).Column);
+        radius = SeismicHorizons::ChooseRadius(ReadColumns(WithoutHiddenPoints(horizon), {}, KeptHeights::None).Column);
       }
     });
   return radius;

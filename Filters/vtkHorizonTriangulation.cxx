@@ -98,11 +98,9 @@ void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& outputs, const Monitor& monitor)
 {
-  LatticePoints points = ReadPoints(given, outputs);
+  const LatticePoints points = ReadPoints(given, outputs, KeptHeights::None);
   vtkPolyData* const input = points.Horizon;
   const Lattice& grid = points.Grid;
-  const double height = points.Height.front();
-  points.Height = std::vector<double>();
   BoundedHorizon horizon = this->ConvexHull ? MakeHull(points) : ReadPatchesAndBoundary(points);
   monitor.Progress(0.1);
   CheckAtLeast("maximum number of triangles", this->MaximumNumberOfTriangles, 0, " (all)");
@@ -132,5 +130,5 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
   {
     CloseMesh(horizon.Plane, grid, horizon.Boundary, output, monitor.Step(0.95, 1.0));
   }
-  WriteWalk(mesh.Walk, horizon.SubVoxelsPerColumn, grid, height, outputs[1]);
+  WriteWalk(mesh.Walk, horizon.SubVoxelsPerColumn, grid, points.HeightAt(0), outputs[1]);
 }

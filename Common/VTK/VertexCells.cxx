@@ -15,7 +15,11 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <list>
+#include <memory>
+#include <mutex>
 #include <numeric>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -61,15 +65,81 @@ bool Counts(vtkDataArray* array)
   return same == size;
 }
 
-/// Fills an array with the numbers from 0 on.
+/// Memory with the numbers from 0 on, which arrays share as long as there are some: the offsets and the points of all
+/// vertex cells are the same. A stage that drops few points then writes no cells at all.
+template <typename Number>
+class SharedNumbers
+{
+public:
+  /// At least so many. Numbers of far larger horizons are not taken: they would stay for few.
+  static Number* Take(vtkIdType size)
+  {
+    if (Number* const found = Find(size))
+    {
+      return found;
+    }
+    std::unique_ptr<Number[]> made(new Number[std::size_t(size)]);
+    Number* const numbers = made.get();
+    ParallelFor(size, Grain, // without the lock, as threads may wait for each other in loops
+      [&](std::int64_t first, std::int64_t last) { std::iota(numbers + first, numbers + last, Number(first)); });
+    const std::lock_guard<std::mutex> lock(Mutex());
+    Blocks().push_back({ std::move(made), size, 1 });
+    return numbers;
+  }
+
+  /// What arrays call that took them.
+  static void Return(void* numbers)
+  {
+    const std::lock_guard<std::mutex> lock(Mutex());
+    const auto block = std::find_if(
+      Blocks().begin(), Blocks().end(), [numbers](const Block& one) { return one.Numbers.get() == numbers; });
+    if (--block->Users == 0)
+    {
+      Blocks().erase(block);
+    }
+  }
+
+private:
+  struct Block
+  {
+    std::unique_ptr<Number[]> Numbers;
+    vtkIdType Size;
+    std::int64_t Users;
+  };
+
+  static Number* Find(vtkIdType size)
+  {
+    const std::lock_guard<std::mutex> lock(Mutex());
+    const auto block = std::find_if(
+      Blocks().begin(), Blocks().end(), [size](const Block& one) { return size <= one.Size && one.Size / 2 <= size; });
+    if (block == Blocks().end())
+    {
+      return nullptr;
+    }
+    ++block->Users;
+    return block->Numbers.get();
+  }
+
+  // Never destroyed: arrays may outlive all that is static.
+  static std::mutex& Mutex()
+  {
+    static auto* const mutex = new std::mutex;
+    return *mutex;
+  }
+  static std::list<Block>& Blocks()
+  {
+    static auto* const blocks = new std::list<Block>;
+    return *blocks;
+  }
+};
+
+/// Lets an array have the numbers from 0 on. One that grows moves to memory of its own.
 template <typename Array>
 void Count(vtkIdType size, Array* array)
 {
-  using Number = typename Array::ValueType;
-  array->SetNumberOfValues(size);
-  Number* const numbers = array->GetPointer(0);
-  ParallelFor(size, Grain,
-    [&](std::int64_t first, std::int64_t last) { std::iota(numbers + first, numbers + last, Number(first)); });
+  using Numbers = SharedNumbers<typename Array::ValueType>;
+  array->SetArray(Numbers::Take(size), size, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction(Numbers::Return);
 }
 
 template <typename Array>

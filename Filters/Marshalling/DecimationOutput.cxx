@@ -14,6 +14,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -64,7 +65,8 @@ double ErrorInLatticeUnits(
 //----------------------------------------------------------------------------------------------------------------------
 void WriteDecimation(vtkPolyData* input, const Lattice& grid, Decimation& decimation, vtkPolyData* output)
 {
-  WriteReduction(input, grid, decimation.Points, output);
+  output->SetPoints(MakePoints(input, grid, decimation.Points));
+  WriteReduction(input, decimation.Points, output);
   ActivateHeight(output);
   WriteMesh(decimation, grid, output);
 }

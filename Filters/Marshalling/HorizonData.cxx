@@ -130,10 +130,9 @@ std::vector<Number> CopyValues(vtkDataArray* array)
   return values;
 }
 
-/// The columns around places in sub-voxels, which may be between columns.
-PlaneBox ColumnsAround(const std::vector<PlanePoint>& plane, std::int32_t subVoxelsPerColumn)
+/// The columns around a box of places in sub-voxels, which may be between columns.
+PlaneBox ColumnsAround(PlaneBox box, std::int32_t subVoxelsPerColumn)
 {
-  PlaneBox box(plane);
   if (!box.IsEmpty())
   {
     box.Least = { box.Least.X / subVoxelsPerColumn - 1, box.Least.Y / subVoxelsPerColumn - 1 };
@@ -322,12 +321,20 @@ BoundedHorizon ReadBoundedHorizon(LatticePoints points)
 {
   BoundedHorizon result;
   result.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
-  result.Plane = ToSubVoxels(points);
+  if (points.AreMerged)
+  {
+    result.Plane = ToSubVoxels(points);
+  }
+  else
+  {
+    result.Columns = points.Column;
+  }
   result.Height = std::move(points.Height);
   result.Patch = ReadPatches(points.Horizon);
   result.Boundary = ReadBoundary(points.Horizon);
   result.Count = ReadCounts(points.Horizon);
-  if (std::optional<LinkCuts> cuts = FindCuts(points.Horizon, ColumnsAround(result.Plane, result.SubVoxelsPerColumn)))
+  if (std::optional<LinkCuts> cuts =
+        FindCuts(points.Horizon, ColumnsAround(result.Places().Box(), result.SubVoxelsPerColumn)))
   {
     result.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
   }

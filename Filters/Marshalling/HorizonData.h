@@ -53,7 +53,7 @@ std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh);
 /// In columns, or in sub-voxels where points were merged; without heights and counts, which no mesh needs.
 BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points);
 
-/// In sub-voxels, for stages that merge points.
+/// In sub-voxels, for stages that merge points. Where none was merged before, keeps a reference to the array Column.
 BoundedHorizon ReadBoundedHorizon(LatticePoints points);
 }
 

@@ -70,18 +70,19 @@ bool HasPlainTuples(vtkAbstractArray* array)
 
 /// How many lattice units points rise for each vertical index, by a line through some of them; 1 when they are too
 /// level to tell, or there are no vertical indices.
-double MeasureStretch(vtkPolyData* horizon, const std::vector<double>& height)
+double MeasureStretch(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height)
 {
   vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
-  if (!index || index->GetNumberOfTuples() != vtkIdType(height.size()))
+  const vtkIdType size = horizon->GetNumberOfPoints();
+  if (!index || index->GetNumberOfTuples() != size)
   {
     return 1.0;
   }
-  constexpr std::size_t Enough = 1000;
+  constexpr vtkIdType Enough = 1000;
   std::vector<Eigen::Vector2d> pairs;
-  for (std::size_t point = 0; point < height.size(); point += height.size() / Enough + 1)
+  for (vtkIdType point = 0; point < size; point += size / Enough + 1)
   {
-    pairs.emplace_back(index->GetComponent(vtkIdType(point), 0), height[point]);
+    pairs.emplace_back(index->GetComponent(point, 0), height(point));
   }
   const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
   const Eigen::Vector2d mean = sum / double(pairs.size());
@@ -193,7 +194,7 @@ void ActivateHeight(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height)
+void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height)
 {
   // Real z is not a multiple of the vertical index, but in a survey about as long everywhere.
   constexpr double MostStretch = 2.0;

@@ -11,7 +11,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <vector>
+#include <functional>
 
 class vtkAbstractArray;
 class vtkPolyData;
@@ -34,9 +34,9 @@ void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyDat
 /// share the arrays.
 void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output);
 
-/// Throws InputError when heights, in lattice units, do not rise with the vertical index: Transform moves points, and
-/// leaves the lattice in the field data as it is.
-void CheckHeights(vtkPolyData* horizon, const std::vector<double>& height);
+/// Throws InputError when heights, height(point) in lattice units, do not rise with the vertical index: Transform moves
+/// points, and leaves the lattice in the field data as it is.
+void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height);
 
 /// Makes the vertical index, where there is one, the active scalars, by which windows colour.
 void ActivateHeight(vtkPolyData* horizon);

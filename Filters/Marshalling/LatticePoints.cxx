@@ -54,6 +54,13 @@ void CheckPoints(vtkPolyData* horizon)
   }
 }
 
+Eigen::Vector3d WorldOf(vtkPolyData* horizon, std::int64_t point)
+{
+  Eigen::Vector3d world;
+  horizon->GetPoint(point, world.data());
+  return world;
+}
+
 /// Gives world(point) to work(world), as fast as the type of the coordinates allows.
 template <typename Work>
 void WithCoordinates(vtkPolyData* horizon, Work&& work)
@@ -77,13 +84,7 @@ void WithCoordinates(vtkPolyData* horizon, Work&& work)
   }
   else
   {
-    work(
-      [horizon](std::int64_t point)
-      {
-        Eigen::Vector3d world;
-        horizon->GetPoint(point, world.data());
-        return world;
-      });
+    work([horizon](std::int64_t point) { return WorldOf(horizon, point); });
   }
 }
 
@@ -151,15 +152,16 @@ struct Placement
 class ColumnFinder
 {
 public:
-  ColumnFinder(vtkPolyData* horizon, bool mayBeMerged, const std::vector<vtkPolyData*>& outputs)
+  ColumnFinder(vtkPolyData* horizon, bool mayBeMerged, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
     : MayBeMerged(mayBeMerged)
     , Outputs(outputs)
     , Given(FindGivenColumns(horizon))
+    , Size(horizon->GetNumberOfPoints())
   {
     CheckPoints(horizon);
     this->Result.Horizon = horizon;
     this->Result.Grid = ReadLattice(horizon);
-    this->Result.Height.resize(horizon->GetNumberOfPoints());
+    this->Result.Height.resize(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
     this->Tolerance = FindTolerance(horizon, this->Result.Grid);
   }
 
@@ -173,20 +175,21 @@ public:
     {
       this->MakeExactPoints();
     }
-    CheckHeights(this->Result.Horizon, this->Result.Height);
+    CheckHeights(this->Result.Horizon, [this](vtkIdType point) { return this->Result.HeightAt(std::size_t(point)); });
     return std::move(this->Result);
   }
 
 private:
-  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads, and keeps heights.
+  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads. Keeps heights.
   template <typename Visit>
   Placement Place(Visit&& visit)
   {
     Placement all;
+    double* const heights = this->Result.Height.empty() ? nullptr : this->Result.Height.data();
     WithCoordinates(this->Result.Horizon,
       [&](auto&& world)
       {
-        all = AddUpChunks<Placement>(std::int64_t(this->Result.Height.size()), Grain, Monitor(),
+        all = AddUpChunks<Placement>(this->Size, Grain, Monitor(),
           [&](Placement& placement, std::int64_t first, std::int64_t last)
           {
             const Lattice grid = this->Result.Grid; // a copy, which no write to the arrays can change
@@ -194,7 +197,10 @@ private:
             {
               const Eigen::Vector3d place = grid.ToLattice(world(point));
               grid.CheckInside(place, PointId(point));
-              this->Result.Height[point] = place.z();
+              if (heights)
+              {
+                heights[point] = place.z();
+              }
               visit(placement, point, place);
             }
           });
@@ -212,16 +218,13 @@ private:
         const bool isMerged = columns[point] == NoColumn;
         part.Add({ isMerged ? 0.0 : DistanceToColumn(place, columns[point]), isMerged });
       });
-    if (placement.Deviation > this->Tolerance)
-    {
-      return false;
-    }
     // Points that others were merged into have counts.
-    if (placement.AreMerged && !this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount))
+    const bool mayHaveMerged = this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount);
+    if (placement.Deviation > this->Tolerance || (placement.AreMerged && !mayHaveMerged))
     {
       return false;
     }
-    this->Result.Column = { columns, this->Result.Height.size() };
+    this->Result.Column = { columns, std::size_t(this->Size) };
     this->Result.AreMerged = placement.AreMerged;
     if (placement.AreMerged && !this->MayBeMerged)
     {
@@ -261,7 +264,7 @@ private:
       this->TellDeviation(placement.Deviation);
     }
     this->Result.Horizon = horizon;
-    this->Result.Column = { columns, this->Result.Height.size() };
+    this->Result.Column = { columns, std::size_t(this->Size) };
     this->Result.AreMerged = placement.AreMerged;
   }
 
@@ -297,12 +300,12 @@ private:
   /// From here on coordinates are double, and those of points on columns exact: the next stage must find them there.
   void MakeExactPoints()
   {
-    auto exact = NewArray<vtkDoubleArray>("Points", vtkIdType(this->Result.Height.size()), 3);
+    auto exact = NewArray<vtkDoubleArray>("Points", this->Size, 3);
     double* const places = exact->GetPointer(0);
     WithCoordinates(this->Result.Horizon,
       [&](auto&& world)
       {
-        ParallelFor(std::int64_t(this->Result.Height.size()), Grain,
+        ParallelFor(this->Size, Grain,
           [&](std::int64_t first, std::int64_t last)
           {
             for (std::int64_t point = first; point < last; ++point)
@@ -344,21 +347,28 @@ private:
   const bool MayBeMerged;
   const std::vector<vtkPolyData*>& Outputs;
   vtkIntArray* const Given;
+  const vtkIdType Size;
   double Tolerance = 0.0; // columns
   LatticePoints Result;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs)
+double LatticePoints::HeightAt(std::size_t point) const
 {
-  return ColumnFinder(horizon, false, outputs).Run();
+  return this->Grid.ToLattice(WorldOf(this->Horizon, std::int64_t(point))).z();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs)
+LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
 {
-  return ColumnFinder(horizon, true, outputs).Run();
+  return ColumnFinder(horizon, false, outputs, heights).Run();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
+{
+  return ColumnFinder(horizon, true, outputs, heights).Run();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -374,20 +384,16 @@ std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
   std::vector<PlanePoint> plane(points.Column.size());
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
-  WithCoordinates(points.Horizon,
-    [&](auto&& world)
+  ParallelFor(std::int64_t(plane.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
     {
-      ParallelFor(std::int64_t(plane.size()), Grain,
-        [&](std::int64_t first, std::int64_t last)
-        {
-          for (std::int64_t point = first; point < last; ++point)
-          {
-            const PlanePoint column = points.Column[point];
-            plane[point] = column == NoColumn
-              ? points.Grid.ToSubVoxels(points.Grid.ToLattice(world(point)), PointId(point))
-              : PlanePoint{ column.X * size, column.Y * size };
-          }
-        });
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        const PlanePoint column = points.Column[point];
+        plane[point] = column == NoColumn
+          ? points.Grid.ToSubVoxels(points.Grid.ToLattice(WorldOf(points.Horizon, point)), PointId(point))
+          : PlanePoint{ column.X * size, column.Y * size };
+      }
     });
   return plane;
 }

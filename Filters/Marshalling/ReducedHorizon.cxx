@@ -326,9 +326,8 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteReduction(vtkPolyData* input, const Lattice& grid, const Reduction& reduction, vtkPolyData* output)
+void WriteReduction(vtkPolyData* input, const Reduction& reduction, vtkPolyData* output)
 {
-  output->SetPoints(MakePoints(input, grid, reduction));
   output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   output->SetLines(MakePolylines(reduction.Boundary));
   vtkPointData* const data = output->GetPointData();

@@ -75,6 +75,32 @@ void TestNothingIsDropped(vtkMatrix4x4* survey)
   CHECK_EQUAL(after->GetLines()->GetNumberOfConnectivityIds(), before->GetLines()->GetNumberOfConnectivityIds());
 }
 
+/// Vertices of horizons that are about as large share memory, whoever of them is there the longest, and those that grow
+/// leave it.
+void TestVerticesShareMemory()
+{
+  const auto after = Simplified(0.4, HorizonFixtures::UnitSurvey(), Level);
+  vtkSmartPointer<vtkCellArray> vertices = after->GetVerts();
+  const auto numbers = [](vtkDataArray* array) { return static_cast<const int*>(array->GetVoidPointer(0)); };
+  const int* const shared = numbers(vertices->GetOffsetsArray());
+  CHECK(numbers(vertices->GetConnectivityArray()) == shared);
+  {
+    const auto other = Simplified(0.4, HorizonFixtures::UnitSurvey(), Level);
+    CHECK(numbers(other->GetVerts()->GetOffsetsArray()) == shared);
+    const vtkIdType first = 0;
+    other->GetVerts()->InsertNextCell(1, &first);
+    CHECK(numbers(other->GetVerts()->GetOffsetsArray()) != shared);
+    CHECK_EQUAL(other->GetVerts()->GetNumberOfCells(), vertices->GetNumberOfCells() + 1);
+  }
+  const vtkIdType size = vertices->GetNumberOfCells();
+  CHECK_EQUAL(size, 7 * 4 + 4);
+  for (vtkIdType n = 0; n < size; ++n)
+  {
+    CHECK(shared[n] == n && numbers(vertices->GetConnectivityArray())[n] == n);
+  }
+  CHECK_EQUAL(shared[size], size);
+}
+
 /// Counts and labels of any kind go on, those of dropped points to the points that stand for them.
 void TestArraysOfAllKinds()
 {
@@ -195,6 +221,7 @@ int TestHorizonBoundarySimplification(int, char*[])
   TestLevelRectangle(HorizonFixtures::UnitSurvey());
   TestLevelRectangle(HorizonFixtures::RotatedSurvey());
   TestNothingIsDropped(HorizonFixtures::RotatedSurvey());
+  TestVerticesShareMemory();
   TestArraysOfAllKinds();
   TestThresholdIsInLatticeUnits();
   TestOutlineTolerance(HorizonFixtures::UnitSurvey());

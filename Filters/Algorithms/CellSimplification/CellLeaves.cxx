@@ -51,6 +51,12 @@ std::int64_t CheckedCellSize(const BoundedHorizon& horizon, int columns)
   return std::int64_t(columns) * horizon.SubVoxelsPerColumn;
 }
 
+CellGrid MakeGrid(const SubVoxelPlaces& places, std::int32_t subVoxelsPerColumn, std::int64_t cellSize)
+{
+  const PlaneBox box = places.Box();
+  return CellGrid({ box.Least, box.Greatest }, subVoxelsPerColumn, cellSize);
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 // Sorting
 
@@ -85,7 +91,7 @@ private:
 class CellSorter
 {
 public:
-  CellSorter(const CellGrid& grid, const std::vector<PlanePoint>& plane, const Monitor& monitor)
+  CellSorter(const CellGrid& grid, const SubVoxelPlaces& plane, const Monitor& monitor)
     : Grid(grid)
     , Plane(plane)
     , RowsPerBand(grid.SizeY() / MostBands + 1)
@@ -235,7 +241,7 @@ private:
   }
 
   const CellGrid& Grid;
-  const std::vector<PlanePoint>& Plane;
+  const SubVoxelPlaces Plane;
   const std::int64_t RowsPerBand;
   const std::int64_t Bands;
   const std::int64_t Batches;
@@ -405,16 +411,17 @@ void CellSides::NumberSide(std::size_t first, std::int32_t number)
 //----------------------------------------------------------------------------------------------------------------------
 CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor& monitor)
   : Input(horizon)
+  , Given(horizon.Places())
   , Scale(1.0 / horizon.SubVoxelsPerColumn)
   , Side(CheckedCellSize(horizon, columns))
-  , Cells(horizon.Plane, horizon.SubVoxelsPerColumn, this->Side)
-  , OnBoundary(horizon.Boundary.MarkPoints(horizon.Plane.size()))
-  , Marks(horizon.Plane.size(), 0)
+  , Cells(MakeGrid(this->Given, horizon.SubVoxelsPerColumn, this->Side))
+  , OnBoundary(horizon.Boundary.MarkPoints(this->Given.size()))
+  , Marks(this->Given.size(), 0)
 {
-  assert(horizon.Height.size() == horizon.Plane.size() && horizon.Patch.size() == horizon.Plane.size());
+  assert(horizon.Height.size() == this->Given.size() && horizon.Patch.size() == this->Given.size());
   monitor.Progress(0.0);
-  this->Points.reset(new PointId[horizon.Plane.size()]); // not a vector, which would write to all of it on one thread
-  const CellSorter sorter(this->Cells, horizon.Plane, monitor.Step(0.0, 0.5));
+  this->Points.reset(new PointId[this->Given.size()]); // not a vector, which would write to all of it on one thread
+  const CellSorter sorter(this->Cells, this->Given, monitor.Step(0.0, 0.5));
   this->MakeCells(sorter.Sort(this->Points.get(), monitor.Step(0.5, 1.0)));
   this->IndexSquares();
   if (horizon.Cuts)
@@ -435,7 +442,7 @@ void CellLeaves::MakeCells(const std::vector<Starts>& bands)
     size += starts.size();
   }
   this->Squares.resize(size);
-  this->CellBegins.assign(size + 1, std::uint32_t(this->Input.Plane.size()));
+  this->CellBegins.assign(size + 1, std::uint32_t(this->Given.size()));
   ParallelFor(std::int64_t(bands.size()), 1,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -478,7 +485,7 @@ void CellLeaves::FindSides()
   this->Sides = this->Input.Patch;
   std::int64_t next = std::int64_t(*std::max_element(this->Sides.begin(), this->Sides.end())) + 1;
   // A cell may be far larger than the horizon.
-  const PlaneBox box(this->Input.Plane);
+  const PlaneBox box = this->Given.Box();
   const std::int64_t column = this->Input.SubVoxelsPerColumn;
   const auto columns = [&](std::int64_t least, std::int64_t greatest)
   { return std::int32_t(std::min(this->Side / column, (greatest - least) / column + 2)); };
@@ -518,7 +525,7 @@ void CellLeaves::FindSides()
 PlanePoint CellLeaves::ColumnOf(PointId point) const
 {
   const std::int64_t column = this->Input.SubVoxelsPerColumn;
-  const PlanePoint& place = this->Plane(point);
+  const PlanePoint place = this->Plane(point);
   const PlanePoint corner = this->Cells.Corner(this->Cells.CellOf(place));
   const auto nearest = [&](std::int64_t at, std::int64_t least)
   {

@@ -57,12 +57,13 @@ public:
   /// The side of a cell in sub-voxels; that of the grid may be less where one cell covers the horizon.
   std::int64_t CellSize() const { return this->Side; }
 
-  const PlanePoint& Plane(PointId point) const { return this->Input.Plane[point]; }
+  const SubVoxelPlaces& Places() const { return this->Given; }
+  PlanePoint Plane(PointId point) const { return this->Given[point]; }
   double Height(PointId point) const { return this->Input.Height[point]; }
   /// In lattice units.
   SpacePoint Place(PointId point) const
   {
-    const PlanePoint& place = this->Plane(point);
+    const PlanePoint place = this->Plane(point);
     return { place.X * this->Scale, place.Y * this->Scale, this->Height(point) };
   }
   std::int32_t Patch(PointId point) const { return this->Input.Patch[point]; }
@@ -132,7 +133,7 @@ public:
   template <typename Visitor>
   void ForEachLeaf(Visitor&& visit) const
   {
-    this->ForEachRange<const PointId*>(this->Points.get(), this->Points.get() + this->Input.Plane.size(), visit);
+    this->ForEachRange<const PointId*>(this->Points.get(), this->Points.get() + this->Given.size(), visit);
   }
 
   // What is known of a leaf, by its first point.
@@ -173,6 +174,7 @@ private:
   unsigned char MarkOf(const PointId* point) const { return this->Marks[point - this->Points.get()]; }
 
   const BoundedHorizon& Input;
+  const SubVoxelPlaces Given; // its places
   const double Scale; // columns in a sub-voxel
   const std::int64_t Side;
   const CellGrid Cells; // all squares

@@ -749,7 +749,7 @@ private:
 Reduction SimplifyElaborate(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);
-  if (horizon.Plane.empty())
+  if (horizon.Height.empty())
   {
     return Reduction();
   }

@@ -35,7 +35,7 @@ class NearestPoint
 public:
   /// Brings `points`, at least one, into the order of the tree. Takes about n log n steps. Keeps references; `plane`
   /// holds the place of each point by its number.
-  NearestPoint(const std::vector<PlanePoint>& plane, std::vector<PointId>& points);
+  NearestPoint(const SubVoxelPlaces& plane, std::vector<PointId>& points);
 
   /// The point nearest to a place; of several that of least number. Takes about log n steps, except where very many are
   /// about equally near.
@@ -67,13 +67,13 @@ private:
 
   static constexpr std::size_t Few = 8; // points that are not divided
 
-  const std::vector<PlanePoint>& Plane;
+  const SubVoxelPlaces Plane;
   std::vector<PointId>& Points;
   std::vector<PlaneBox> Boxes; // by node; none when there are few points
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-NearestPoint::NearestPoint(const std::vector<PlanePoint>& plane, std::vector<PointId>& points)
+NearestPoint::NearestPoint(const SubVoxelPlaces& plane, std::vector<PointId>& points)
   : Plane(plane)
   , Points(points)
 {
@@ -234,7 +234,7 @@ private:
 template <typename Add>
 void LeafWriter::ForEachCrossing(Add& add) const
 {
-  const std::vector<PlanePoint>& plane = this->Leaves.Horizon().Plane;
+  const SubVoxelPlaces& plane = this->Leaves.Places();
   this->Leaves.Horizon().Boundary.ForEachEdge(
     [&](PointId from, PointId to)
     {
@@ -357,7 +357,7 @@ void LeafWriter::WriteBoundaryPoints(const PointId* first, const PointId* last, 
 //----------------------------------------------------------------------------------------------------------------------
 void LeafWriter::MergeIntoBoundary(const PointId* first, const PointId* last, std::vector<PointId>& kept)
 {
-  const NearestPoint nearestKept(this->Leaves.Horizon().Plane, kept);
+  const NearestPoint nearestKept(this->Leaves.Places(), kept);
   for (const PointId* point = first; point != last; ++point)
   {
     if (!this->Leaves.IsOnBoundary(*point))
@@ -448,7 +448,7 @@ StandIn LeafWriter::FindBarycentre(const PointId* first, const PointId* last) co
 /// cuts not at all, as it may cross both lips of a crack.
 bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const
 {
-  const PlanePoint& from = this->Leaves.Plane(inner);
+  const PlanePoint from = this->Leaves.Plane(inner);
   bool inside = true;
   for (const Edge* edge = this->Edges.begin(cell); edge != this->Edges.end(cell); ++edge)
   {
@@ -456,8 +456,8 @@ bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId in
     {
       continue;
     }
-    const PlanePoint& a = this->Leaves.Plane(edge->From);
-    const PlanePoint& b = this->Leaves.Plane(edge->To);
+    const PlanePoint a = this->Leaves.Plane(edge->From);
+    const PlanePoint b = this->Leaves.Plane(edge->To);
     if (place == a || place == b || OnOpenSegment(a, b, place))
     {
       return false;
@@ -511,7 +511,7 @@ void LeafWriter::UseNearest(StandIn& standIn) const
 SimplificationCell DescribeCell(
   const CellLeaves& leaves, const Reduction& result, const PointId* first, const PointId* last)
 {
-  const PlanePoint& place = leaves.Plane(*first);
+  const PlanePoint place = leaves.Plane(*first);
   const PlanePoint corner = leaves.Grid().Corner(leaves.Grid().CellOf(place));
   std::int64_t x = corner.X;
   std::int64_t y = corner.Y;

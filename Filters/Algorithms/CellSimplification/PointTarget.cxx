@@ -25,11 +25,11 @@ constexpr double PartOfRest = 0.15; // that a run is of what is still to be done
 int LargestCell(const BoundedHorizon& horizon)
 {
   constexpr std::int64_t Largest = 1 << 28;
-  if (horizon.Plane.empty())
+  if (horizon.Height.empty())
   {
     return 1;
   }
-  const PlaneBox box(horizon.Plane);
+  const PlaneBox box = horizon.Places().Box();
   const auto heights = std::minmax_element(horizon.Height.begin(), horizon.Height.end());
   const std::int64_t side =
     std::max(std::int64_t(box.Greatest.X) - box.Least.X, std::int64_t(box.Greatest.Y) - box.Least.Y);

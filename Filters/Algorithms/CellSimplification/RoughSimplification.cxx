@@ -13,7 +13,7 @@ namespace SeismicHorizons
 //----------------------------------------------------------------------------------------------------------------------
 Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& options, const Monitor& monitor)
 {
-  if (horizon.Plane.empty())
+  if (horizon.Height.empty())
   {
     return Reduction();
   }

@@ -3,6 +3,8 @@
 
 #include "HeightFit.h"
 
+#include "Common/ColumnIndex.h"
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
@@ -43,11 +45,16 @@ public:
     , Mesh(mesh.Triangles())
     , Reach(reach)
     , Inner(mesh.Heights())
-    , Unknown(mesh.VertexMarks().size(), -1)
   {
-    for (std::size_t n = 0; n < this->Inner.Points.size(); ++n)
+    auto next = this->Inner.Points.begin();
+    for (PointId first = 0; std::size_t(first) < mesh.VertexMarks().size(); first += PlaceSet::WordBits)
     {
-      this->Unknown[this->Inner.Points[n]] = int(n);
+      std::uint64_t bits = 0;
+      for (; next != this->Inner.Points.end() && *next - first < PlaceSet::WordBits; ++next)
+      {
+        bits |= std::uint64_t(1) << (*next - first);
+      }
+      this->Unknowns.Append(bits);
     }
   }
 
@@ -62,13 +69,19 @@ public:
   }
 
 private:
+  using Entries = std::vector<Eigen::Triplet<double>>;
+
   /// Solves for how far heights have to move, and moves them a part of it.
   void Improve(int power)
   {
     const auto unknowns = Eigen::Index(this->Inner.Points.size());
     Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
-    this->Assemble(this->MakeElements(power), matrix, right);
+    {
+      // Neither the elements are kept while the matrix is made, nor the entries while it is solved.
+      const Entries entries = this->ListEntries(this->MakeElements(power), right);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+    }
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
     solver.setTolerance(Precision);
     solver.setMaxIterations(MostIterations);
@@ -137,9 +150,10 @@ private:
     element.Right -= error * weighted;
   }
 
-  void Assemble(const std::vector<Element>& elements, Eigen::SparseMatrix<double>& matrix, Eigen::VectorXd& right) const
+  /// Those of the matrix, of which entries at one place are to be added up; adds to the right-hand side.
+  Entries ListEntries(const std::vector<Element>& elements, Eigen::VectorXd& right) const
   {
-    std::vector<Eigen::Triplet<double>> entries;
+    Entries entries;
     entries.reserve(9 * elements.size());
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
@@ -161,17 +175,20 @@ private:
         }
       }
     }
-    matrix.setFromTriplets(entries.begin(), entries.end());
+    return entries;
   }
 
   /// The number of a corner among those that can move, or -1.
-  int UnknownAt(TriangleId triangle, int corner) const { return this->Unknown[this->Mesh.Corner(triangle, corner)]; }
+  int UnknownAt(TriangleId triangle, int corner) const
+  {
+    return int(this->Unknowns[this->Mesh.Corner(triangle, corner)]);
+  }
 
   const HeightMesh& Surface;
   const PlaneMesh& Mesh;
   const double Reach;
   InnerHeights Inner;
-  std::vector<int> Unknown; // by point, its position among these or -1
+  PlaceNumbers Unknowns; // by point, its position among these or -1: in far less memory than a number for each
 };
 
 // What part of its way a vertex moves at least, if it moves.

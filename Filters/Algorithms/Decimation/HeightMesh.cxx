@@ -51,13 +51,14 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 //----------------------------------------------------------------------------------------------------------------------
 HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   : Horizon(std::move(horizon))
+  , Places(this->Horizon.ColumnPlaces())
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
   , LoopMarks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
   , Marks(this->LoopMarks)
   , Vertices(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
-  , Mesh(this->Horizon.Plane, this->MeshLoops(monitor))
+  , Mesh(this->Columns(), this->MeshLoops(monitor))
   , VertexHeights(std::move(this->Horizon.Height))
 {
   this->FindRange();

@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  const std::vector<PlanePoint>& Columns() const { return this->Horizon.Plane; }
+  const PlanePoints& Columns() const { return this->Places; }
   const HeightRaster& RasterAt(PointId point) const { return this->Rasters[this->Patches[point]]; }
   RawVector<PointId> MeshLoops(const Monitor& monitor) const;
   void FindRange();
@@ -159,6 +159,7 @@ private:
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
   BoundedHorizon Horizon; // without what is in the members below
+  const PlanePoints Places; // its columns
   std::vector<std::int32_t> Patches; // by point, without gaps; negative for those that the horizon does not have
   std::size_t Points;
   std::vector<unsigned char> LoopMarks; // by point

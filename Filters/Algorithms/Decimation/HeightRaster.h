@@ -144,7 +144,7 @@ public:
   /// `columns` and `heights`, which are finite, are those of all its points. Takes 12 bytes per column of the bounding
   /// box. Throws InputError when two stand in the same column.
   template <typename ForEachPoint>
-  HeightRaster(ForEachPoint&& forEachPoint, const std::vector<PlanePoint>& columns, const std::vector<double>& heights)
+  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const std::vector<double>& heights)
   {
     forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
     this->MakeColumns();

@@ -25,7 +25,7 @@ constexpr int Opposite = 0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlaneMesh::PlaneMesh(const std::vector<PlanePoint>& plane, const RawVector<PointId>& triangles)
+PlaneMesh::PlaneMesh(PlanePoints plane, const RawVector<PointId>& triangles)
   : Plane(plane)
 {
   this->Triangles.reserve(triangles.size() / 3);

@@ -45,7 +45,7 @@ class PlaneMesh
 {
 public:
   /// Three points per triangle, counter-clockwise; sides fit together. Keeps a reference to the places.
-  PlaneMesh(const std::vector<PlanePoint>& plane, const RawVector<PointId>& triangles);
+  PlaneMesh(PlanePoints plane, const RawVector<PointId>& triangles);
 
   TriangleId Size() const { return TriangleId(this->Triangles.size()); }
   PointId Corner(TriangleId triangle, int corner) const { return this->Triangles[triangle].Corners[corner]; }
@@ -102,7 +102,7 @@ private:
   bool IsDelaunay(TriangleId triangle, int side) const;
   std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int side) const;
 
-  const std::vector<PlanePoint>& Plane;
+  const PlanePoints Plane;
   std::vector<Triangle> Triangles;
 };
 }

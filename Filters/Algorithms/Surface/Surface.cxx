@@ -305,7 +305,7 @@ private:
   BoundedHorizon MakeHorizon(std::vector<double> height) const
   {
     BoundedHorizon horizon;
-    horizon.Plane.assign(this->Columns().begin(), this->Columns().end());
+    horizon.Columns = this->Columns();
     horizon.Height = std::move(height);
     horizon.Patch = this->Result.Boundary.Patch;
     for (const DroppedPoint& dropped : this->Dropped)

@@ -54,6 +54,20 @@ void TestInnerCellBecomesItsBarycentre()
   CHECK_EQUAL(Reduce(horizon, result).Count.back(), 9);
 }
 
+/// Columns that others own give what the same places in sub-voxels give.
+void TestColumnsOfOthers()
+{
+  const BoundedHorizon horizon = FromPicture(Square(9));
+  const Patches::Columns columns = Patches::FromPicture(Square(9));
+  BoundedHorizon onColumns = horizon;
+  onColumns.Plane.clear();
+  onColumns.Columns = columns;
+  const Reduction expected = SimplifyRough(horizon, 2);
+  const Reduction result = SimplifyRough(onColumns, 2);
+  CHECK(result.Plane == expected.Plane && result.Height == expected.Height && result.Target == expected.Target);
+  CHECK(result.Source == expected.Source && result.Averaged == expected.Averaged);
+}
+
 /// Points weigh as much as they stand for; the fraction of a column is the nearest sub-voxel.
 void TestBarycentreIsWeighted()
 {
@@ -245,6 +259,7 @@ int TestRoughSimplification(int, char*[])
 {
   TestBoundaryCellsKeepTheirBoundaryOnly();
   TestInnerCellBecomesItsBarycentre();
+  TestColumnsOfOthers();
   TestBarycentreIsWeighted();
   TestCellsStartAtTheBoundingBox();
   TestCellSizeOneChangesNothing();

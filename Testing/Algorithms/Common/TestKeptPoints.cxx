@@ -116,6 +116,9 @@ void TestSpacePoints()
   const SpacePoints points(horizon);
   CHECK(points[0].X == 2.0 && points[0].Y == -1.0 && points[0].Z == 1.5);
   CHECK(points[1].X == 1.75 && points[2].Y == -0.25);
+  const SpacePoints byFunction(
+    horizon.Plane, [](std::size_t point) { return 0.5 * double(point); }, 4);
+  CHECK(byFunction[2].Z == 1.0 && byFunction[2].Y == points[2].Y);
 }
 }
 
