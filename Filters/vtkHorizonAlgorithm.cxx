@@ -69,7 +69,11 @@ int vtkHorizonAlgorithm::RequestData(
         const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
         RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
           { horizon.Outputs.begin(), horizon.Outputs.end() },
-          [&]() { this->ProcessHorizon(horizon.Input, horizon.Outputs, step); });
+          [&]()
+          {
+            CheckPointArrays(horizon.Input);
+            this->ProcessHorizon(horizon.Input, horizon.Outputs, step);
+          });
         report.Add(horizon.Name, horizon.Input, horizon.Outputs.front());
       }
     }

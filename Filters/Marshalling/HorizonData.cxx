@@ -85,11 +85,6 @@ vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
     throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfComponents()) +
       " components, expected 1");
   }
-  if (array && array->GetNumberOfTuples() != horizon->GetNumberOfPoints())
-  {
-    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfTuples()) +
-      " values, expected one for each of the " + std::to_string(horizon->GetNumberOfPoints()) + " points");
-  }
   return array;
 }
 

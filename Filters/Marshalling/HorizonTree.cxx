@@ -4,6 +4,7 @@
 #include "HorizonTree.h"
 
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "GridHorizon.h"
 
@@ -18,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -57,6 +59,7 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
         std::to_string(partitions.size()) +
         " partitions, expected one partition for each horizon from its boundary on");
     }
+    CheckPointArrays(partition);
     append->AddInputData(partition);
   }
   append->Update();
@@ -180,6 +183,12 @@ void AcceptHorizons(vtkInformation* port)
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckPointArrays(vtkPolyData* horizon)
+{
+  RequireTuples(horizon->GetPointData(), horizon->GetNumberOfPoints(), "points");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -117,7 +117,7 @@ void TestWrongIdsInLines()
 void TestWrongPointArrays()
 {
   CheckAllRefuse([](vtkPolyData* horizon) { SetPointArray<vtkIntArray>(horizon, "PatchId", std::vector<int>(3, 0)); },
-    "point array PatchId with 3 values, expected one for each of the 81 points");
+    "array PatchId of 3 tuples, expected one for each of the 81 points");
   CheckAllRefuse([](vtkPolyData* horizon)
     { SetPointArray<vtkStringArray>(horizon, "PatchId", std::vector<std::string>(81, "0")); },
     "an array PatchId of type string, expected numbers");
@@ -142,7 +142,7 @@ void TestWrongCounts()
     rough->Update();
     CHECK(errors.FirstContains(message));
   };
-  refuse({ 1, 1, 1 }, "point array PointCount with 3 values, expected one for each of the 81 points");
+  refuse({ 1, 1, 1 }, "array PointCount of 3 tuples, expected one for each of the 81 points");
   refuse(std::vector<long long>(81, -3), "PointCount -3 at point 0, expected no negative numbers");
   refuse(std::vector<long long>(81, 1LL << 40),
     "PointCount 1099511627776 at point 0, expected no negative numbers, and "
