@@ -9,6 +9,7 @@ import contextlib
 import gzip
 import io
 import pathlib
+import resource
 import struct
 import sys
 import unittest
@@ -109,6 +110,24 @@ class CompressedFiles(unittest.TestCase):
         path = write("lines.vsm.gz", gzip.compress(MATRIX.replace(b"4 1 1 4", b"4 1 x 4")))
         with self.assertRaisesRegex(HorizonError, 'line 5: thickness "x", expected a number'):
             load(path, "vtkVerneySparseMatrixReader")
+
+    def test_much_out_of_little(self):
+        """What a small file is made from does not have to be in memory at once, and of one line it may not be."""
+        blanks = gzip.compress(b" " * 2**22) * 32
+        zmap = b"!\n@GRID FILE, GRID, 4\n15, 1E+30, , 7, 1\n2, 2, 0, 1, 0, 1\n0, 0, 0\n@\n1 2 3 4"
+        for name, content, class_name in (("long.zmap", zmap, "vtkHorizonGridReader"),
+                                          ("long.vsm", MATRIX[:20], "vtkVerneySparseMatrixReader"),
+                                          ("long.xyz", PICKS, "vtkHorizonTextReader"),
+                                          ("long.ts", SURFACE[:50], "vtkGOCADTSurfReader"),
+                                          ("long.dat", FAULTS, "vtkFaultLinesReader")):
+            with self.subTest(name):
+                path = write(name + ".gz", gzip.compress(content) + blanks)
+                with self.assertRaisesRegex(HorizonError, r"byte \d+: a line of more than \d+ bytes, expected a shorter one"):
+                    load(path, class_name)
+        path = write("comments.dat.gz", gzip.compress(b"# nothing\n" * 400000) * 100 + gzip.compress(FAULTS))
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        self.assertEqual(len(load(path, "vtkFaultLinesReader")[1][0]), 4)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 200000)  # KiB
 
     def test_names_of_results(self):
         """Those of the file within."""
