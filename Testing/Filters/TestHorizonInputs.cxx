@@ -326,6 +326,26 @@ void TestActiveScalars()
   CHECK_EQUAL(ActiveScalars(Apply<vtkHorizonTriangulation>(bounded)), "PatchId");
 }
 
+/// Nothing is left of a horizon all of whose points are hidden, in whatever stage.
+void TestAllPointsHidden()
+{
+  const Data hidden = Square(3);
+  SetPointArray<vtkUnsignedCharArray>(
+    hidden, vtkDataSetAttributes::GhostArrayName(), std::vector<unsigned char>(9, vtkDataSetAttributes::HIDDENPOINT));
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  vtkNew<vtkHorizonTriangulation> triangulation;
+  for (vtkHorizonAlgorithm* stage : std::vector<vtkHorizonAlgorithm*>{ boundary, triangulation })
+  {
+    const Errors warnings(stage, vtkCommand::WarningEvent);
+    stage->SetInputDataObject(hidden);
+    stage->Update();
+    CHECK_EQUAL(warnings.Count(), 1u);
+    CHECK(
+      warnings.FirstContains("Horizon 1: all 9 points are hidden by the array vtkGhostType, so that nothing is left"));
+    CHECK_EQUAL(stage->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
 /// A minimum that is larger than every patch says so, and does not give nothing in silence.
 void TestNoPatchIsLargeEnough()
 {
@@ -370,6 +390,7 @@ int TestHorizonInputs(int, char*[])
   TestAttributes();
   TestCountsOfZero();
   TestActiveScalars();
+  TestAllPointsHidden();
   TestNoPatchIsLargeEnough();
   return Check::Result();
 }

@@ -144,6 +144,18 @@ class ErrorCodeTest(unittest.TestCase):
         path.write_bytes(PLANE)
         reader.SetVerticalStep(0.0)
         self.read(reader, errors, path, "UnknownError")
+        for name, parameters in (("vtkVerneySparseMatrixReader", {"DuplicatePolicy": 3, "LeastMemory": True}),
+                                 ("vtkHorizonTextReader", {"DuplicatePolicy": 3, "LatticeTolerance": 7.0}),
+                                 ("vtkHorizonTextReader", {"Columns": "X,Y,Z,X"}),
+                                 ("vtkSEGYCubeReader", {"SampleFormat": 77}), ("vtkSEGYCubeReader", {"SampleFormat": -1})):
+            with self.subTest(name, **parameters):
+                extension, good, _, _ = READERS[name]
+                path = FOLDER / ("parameters" + extension)
+                path.write_bytes(good)
+                reader = getattr(sh, name)()
+                for parameter, value in parameters.items():
+                    getattr(reader, "Set" + parameter)(value)
+                self.read(reader, quiet(reader), path, "UnknownError")
 
     def test_unchanged(self):
         """Telling of an error does not make a reader read again."""
