@@ -16,7 +16,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t SmallestSize = 2; // room for one character and a newline
-constexpr double LongestLine = 1 << 26; // bytes, where the stream can not tell how many there are
+constexpr std::size_t LongestLine = (1 << 26) - 1; // bytes, where the stream can not tell how many there are
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -89,7 +89,7 @@ bool LineBuffer::ReadMore()
 {
   if (this->Filled + 1 == this->Bytes.size())
   {
-    if (static_cast<double>(this->Filled) > std::max(LongestLine, this->BytesInStream))
+    if (this->Filled >= LongestLine && static_cast<double>(this->Filled) > this->BytesInStream)
     {
       throw InputError("byte " + std::to_string(this->Start + std::int64_t(this->BytesRead - this->Filled)) +
         ": a line of more than " + std::to_string(this->Filled) + " bytes, expected a shorter one");

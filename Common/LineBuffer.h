@@ -31,7 +31,7 @@ class LineBuffer
 public:
   /// Begins where the stream is, which must outlive the buffer. `size` is how many bytes are held at a time; a longer
   /// line makes the buffer grow, to the size of the file at most: of a few compressed bytes, one line can be made that
-  /// takes all memory. Read() throws InputError for one of more than 2^26 bytes.
+  /// takes all memory. Read() throws InputError for one of 2^26 bytes.
   LineBuffer(std::istream& stream, std::size_t size);
 
   bool AtEnd() const { return this->Stream.eof(); }

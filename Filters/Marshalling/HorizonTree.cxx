@@ -21,6 +21,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace SeismicHorizons
@@ -189,6 +190,12 @@ void AcceptHorizons(vtkInformation* port)
 void CheckPointArrays(vtkPolyData* horizon)
 {
   RequireTuples(horizon->GetPointData(), horizon->GetNumberOfPoints(), "points");
+  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
+  if (ghosts && ghosts->GetNumberOfComponents() != 1)
+  {
+    throw InputError("point array " + std::string(ghosts->GetName()) + " with " +
+      std::to_string(ghosts->GetNumberOfComponents()) + " components, expected 1");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

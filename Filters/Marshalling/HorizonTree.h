@@ -24,7 +24,7 @@ constexpr const char* NotEnoughMemory = "not enough memory, expected a horizon w
 /// Lets an input port take a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset.
 void AcceptHorizons(vtkInformation* port);
 
-/// Throws InputError when a point array does not have a tuple for each point. Whatever reads horizons asks this first:
+/// Throws InputError when a point array does not have a tuple for each point, or ghosts not one number. Whatever reads horizons asks this first:
 /// nothing behind it looks at the sizes of arrays.
 void CheckPointArrays(vtkPolyData* horizon);
 

@@ -142,6 +142,17 @@ void TestOneOfSeveral()
   CHECK_EQUAL(vtkPolyData::SafeDownCast(output->GetBlock(1))->GetNumberOfPoints(), 400);
 }
 
+/// Which points are hidden is one number for each.
+void TestGhostsOfTwoNumbers()
+{
+  const auto ghosts = MakeArray<vtkUnsignedCharArray>("vtkGhostType", 800);
+  ghosts->SetNumberOfComponents(2);
+  ghosts->SetNumberOfTuples(400);
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(With(Bounded(), ghosts));
+  CheckRefused(boundary, "point array vtkGhostType with 2 components, expected 1");
+}
+
 /// VTK puts partitions together by their arrays.
 void TestPartitions()
 {
@@ -195,6 +206,7 @@ int TestHorizonArrays(int, char*[])
   TestStages();
   TestSurfaceDistance();
   TestOneOfSeveral();
+  TestGhostsOfTwoNumbers();
   TestPartitions();
   TestCells();
   return Check::Result();
