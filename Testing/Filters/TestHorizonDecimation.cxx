@@ -7,6 +7,7 @@
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonDecimation.h"
@@ -222,6 +223,24 @@ void TestDoubledLoops()
   }
 }
 
+/// Points where the mesh is far off that lie outside the loop, where none can be inserted.
+void TestPointsOutside()
+{
+  Pipeline pipeline(HorizonFixtures::UnitSurvey());
+  pipeline.Boundary->Update();
+  vtkNew<vtkPolyData> horizon;
+  horizon->ShallowCopy(pipeline.Boundary->GetPolyDataOutput());
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 200, 235, 67, 200 });
+  horizon->SetLines(lines);
+  vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetMaximumError(0.5);
+  Errors errors(decimation);
+  decimation->SetInputDataObject(horizon);
+  decimation->Update();
+  CHECK(errors.FirstContains("point 0 lies outside the boundary of its patch, expected loops around all points"));
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonDecimation> mesh;
@@ -244,6 +263,7 @@ int TestHorizonDecimation(int, char*[])
   TestEffort();
   TestErrors();
   TestDoubledLoops();
+  TestPointsOutside();
   TestPrint();
   return Check::Result();
 }

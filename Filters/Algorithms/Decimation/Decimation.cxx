@@ -110,6 +110,11 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
   {
     monitor.Progress(0.8);
     this->InsertRound(far);
+    if (this->New.empty()) // all points lie beyond the boundary, where nothing can be inserted
+    {
+      std::for_each(
+        far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
+    }
     this->Mesh.MeasureWithSides(this->New, Monitor());
   }
 }
