@@ -10,7 +10,7 @@
 
 #include "GzipStream.h"
 
-#include "Errors.h"
+#include "FileErrors.h"
 
 #include <zlib.h>
 
@@ -68,7 +68,7 @@ public:
     const std::size_t made = most - this->Inflation.avail_out;
     if (made == 0 && !this->Now.Problem.empty())
     {
-      throw InputError(this->Now.Problem);
+      throw FileError(this->Now.IsCutOff ? FileProblem::CutOff : FileProblem::WrongContent, this->Now.Problem);
     }
     return made;
   }
@@ -96,6 +96,7 @@ private:
     bool IsInMember = true; // or before the next one, or the end
     bool IsInPadding = false;
     bool IsAtEnd = false;
+    bool IsCutOff = false; // with a problem
     std::string Problem; // empty while there is none
   };
 
@@ -146,6 +147,7 @@ private:
     else if (this->Now.IsInMember)
     {
       this->SetProblem("end of file, expected the rest of the compressed data");
+      this->Now.IsCutOff = true;
     }
     this->Now.IsAtEnd = true;
     return false;

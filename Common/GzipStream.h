@@ -18,8 +18,9 @@ bool BeginsAsGzip(std::istream& stream);
 /// other are one, and zeros may follow the last, as tapes leave them. The stream goes forwards as others do, and back
 /// by starting anew, so that a short look ahead costs nothing.
 ///
-/// Throws InputError out of whatever reads it, with the number of the compressed byte from 0, when the data are cut off
-/// or damaged, checksums included, or something else follows them. All that comes before the fault is read first.
+/// Throws FileError out of whatever reads it, with the number of the compressed byte from 0, when the data are cut off
+/// or damaged, checksums included, or something else follows them. All that comes before the fault is read first, so
+/// that only who reads to the end is told.
 class GzipStream : public std::istream
 {
 public:

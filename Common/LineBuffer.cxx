@@ -3,17 +3,20 @@
 
 #include "LineBuffer.h"
 
+#include "Errors.h"
 #include "StreamProgress.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
 constexpr std::size_t SmallestSize = 2; // room for one character and a newline
+constexpr std::size_t LongestLine = (1 << 26) - 1; // bytes, where the stream can not tell how many there are
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -52,6 +55,7 @@ std::int64_t CountLines(std::string_view text)
 //----------------------------------------------------------------------------------------------------------------------
 LineBuffer::LineBuffer(std::istream& stream, std::size_t size)
   : Stream(stream)
+  , Start(std::max<std::int64_t>(0, stream.tellg()))
   , BytesInStream(CountBytes(stream))
   , Bytes(std::max(size, SmallestSize))
 {
@@ -85,6 +89,11 @@ bool LineBuffer::ReadMore()
 {
   if (this->Filled + 1 == this->Bytes.size())
   {
+    if (this->Filled >= LongestLine && static_cast<double>(this->Filled) > this->BytesInStream)
+    {
+      throw InputError("byte " + std::to_string(this->Start + std::int64_t(this->BytesRead - this->Filled)) +
+        ": a line of more than " + std::to_string(this->Filled) + " bytes, expected a shorter one");
+    }
     this->Bytes.resize(2 * this->Bytes.size());
   }
   this->Stream.read(

@@ -30,7 +30,8 @@ class LineBuffer
 {
 public:
   /// Begins where the stream is, which must outlive the buffer. `size` is how many bytes are held at a time; a longer
-  /// line makes the buffer grow.
+  /// line makes the buffer grow, to the size of the file at most: of a few compressed bytes, one line can be made that
+  /// takes all memory. Read() throws InputError for one of 2^26 bytes.
   LineBuffer(std::istream& stream, std::size_t size);
 
   bool AtEnd() const { return this->Stream.eof(); }
@@ -49,6 +50,7 @@ private:
   bool ReadMore();
 
   std::istream& Stream;
+  const std::int64_t Start; // bytes before what is read
   const double BytesInStream;
   std::size_t BytesRead = 0;
   RawVector<char> Bytes; // of a small file, few of them are ever touched

@@ -7,6 +7,7 @@
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
+#include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/RankedHorizons.h"
 #include "Marshalling/StageReport.h"
@@ -69,7 +70,17 @@ int vtkHorizonAlgorithm::RequestData(
         const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
         RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
           { horizon.Outputs.begin(), horizon.Outputs.end() },
-          [&]() { this->ProcessHorizon(horizon.Input, horizon.Outputs, step); });
+          [&]()
+          {
+            CheckPointArrays(horizon.Input);
+            if (CountVisiblePoints(horizon.Input) == 0)
+            {
+              vtkWarningMacro(<< (subject.empty() ? "" : subject + ": ") << "all " << horizon.Input->GetNumberOfPoints()
+                              << " points are hidden by the array vtkGhostType, so that nothing is left");
+              return;
+            }
+            this->ProcessHorizon(horizon.Input, horizon.Outputs, step);
+          });
         report.Add(horizon.Name, horizon.Input, horizon.Outputs.front());
       }
     }

@@ -129,6 +129,7 @@ int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
     {
       if (horizon && horizon->GetNumberOfPoints() > 0)
       {
+        CheckPointArrays(horizon);
         radius = SeismicHorizons::ChooseRadius(ReadColumns(WithoutHiddenPoints(horizon), {}, KeptHeights::None).Column);
       }
     });

@@ -4,6 +4,7 @@
 #include "vtkHorizonSurfaceDistance.h"
 
 #include "Common/DataModel.h"
+#include "Common/Errors.h"
 #include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -121,6 +122,8 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   }
   CheckWithin("samples per point", this->SamplesPerPoint, 0.01, 1000.0, "");
   CheckAtLeast("seed", this->Seed, 0, "");
+  PrefixErrors("reference", [&]() { CheckPointArrays(pair.Reference); });
+  PrefixErrors("mesh", [&]() { CheckPointArrays(pair.Mesh); });
   WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
   pair.MeshOutput->ShallowCopy(pair.Mesh);
   SurfaceDistanceOptions options;

@@ -57,7 +57,7 @@ std::vector<vtkPolyData*> ListParts(vtkInformationVector* inputs)
     vtkDataArray* const rows = mesh ? mesh->GetFieldData()->GetArray(FieldArray::SeamRows) : nullptr;
     if (mesh && (rows || mesh->GetNumberOfPoints() > 0))
     {
-      parts.push_back({ rows ? rows->GetComponent(0, 0) : 0.0, mesh });
+      parts.push_back({ rows && rows->GetNumberOfValues() > 0 ? rows->GetComponent(0, 0) : 0.0, mesh });
     }
   }
   std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

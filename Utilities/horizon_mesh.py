@@ -7,12 +7,23 @@ Runs in pvbatch, in pvpython and in the Python of the system, as long as the pac
 The work is done by the modules of that package; here is the command line.
 """
 
-import argparse
 import os
-import pathlib
-import re
 import signal
-import sys
+
+
+def _end_at_once(signal_number, _frame):
+    os._exit(128 + signal_number)
+
+
+if __name__ == "__main__":
+    # As long as nothing is done there is nothing to leave in order: from here on, before anything else is loaded.
+    signal.signal(signal.SIGINT, _end_at_once)
+    signal.signal(signal.SIGTERM, _end_at_once)
+
+import argparse  # noqa: E402
+import pathlib  # noqa: E402
+import re  # noqa: E402
+import sys  # noqa: E402
 
 PROGRAM = "horizon_mesh"
 ELEVATIONS = ("VerticalIndex", "RealZ")
@@ -24,6 +35,7 @@ FORMATS = ("vtp", "ts", "stl", "ply", "obj")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS = ("BestFirst", "Continuous", "Components")
 POLARITIES = ("Both", "Positive", "Negative")
+MOST = 2**31  # more than integers of stages can be
 
 
 class _Parser(argparse.ArgumentParser):
@@ -38,12 +50,23 @@ def _number_at_least(convert, least, more=False):
 
     def check(text):
         value = convert(text)
-        if not (value > least if more else value >= least) or value == float("inf"):
+        if not (value > least if more else value >= least) or value >= (MOST if convert is int else float("inf")):
             raise ValueError(text)
         return value
 
-    check.__name__ = "%s %s %g:" % ("integer" if convert is int else "number", ">" if more else ">=", least)
+    end = " and < 2^31" if convert is int else ""
+    check.__name__ = "%s %s %g%s:" % ("integer" if convert is int else "number", ">" if more else ">=", least, end)
     return check
+
+
+def _line_number(text):
+    value = int(text)
+    if not -MOST <= value < MOST:
+        raise ValueError(text)
+    return value
+
+
+_line_number.__name__ = "integer of 32 bits:"
 
 
 def _vertical_step(text):
@@ -59,9 +82,10 @@ _vertical_step.__name__ = "number other than 0:"
 def _memory(text):
     """Bytes from "2G", "1.5 GB", "800M" and the like."""
     found = re.fullmatch(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*([KMGT]?)I?B?\s*", text.upper())
-    if not found or float(found.group(1)) == 0.0:
+    size = float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " ") if found else 0.0
+    if not 1.0 <= size < float("inf"):
         raise ValueError(text)
-    return int(float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " "))
+    return int(size)
 
 
 _memory.__name__ = "size like 2G or 800M:"
@@ -126,7 +150,8 @@ def _add_running_options(running):
     running.add_argument("--memory", type=_memory, metavar="SIZE",
                          help="as much memory as may be used, as 2G or 800M: of sparse voxel files, horizons are read as "
                          "many at a time as fit, and with --largest-error one that does not fit alone is meshed in "
-                         "windows of rows and joined (default: three quarters of what the machine has left, where a file "
+                         "windows of rows and joined; other files are read whole, which takes up to 80 bytes a point, "
+                         "and refused where they do not fit then (default: three quarters of what the machine has left, where a file "
                          "may be larger)")
     running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
                          help="number of threads; 0 uses all processors")
@@ -167,9 +192,9 @@ def _add_cube_options(group):
                        help="how many surfaces of a cube become meshes, the largest ones (default: 20)")
     group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
                        help="surfaces of fewer picks are left out (default: 100)")
-    group.add_argument("--inlines", nargs=2, type=int, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+    group.add_argument("--inlines", nargs=2, type=_line_number, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
                        help="only these inlines, by their numbers (default: all)")
-    group.add_argument("--crosslines", nargs=2, type=int, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
+    group.add_argument("--crosslines", nargs=2, type=_line_number, default=argparse.SUPPRESS, metavar=("FIRST", "LAST"),
                        help="only these crosslines, by their numbers (default: all)")
     group.add_argument("--polarity", choices=POLARITIES, default=argparse.SUPPRESS,
                        help="the sign of the amplitudes of reflections that are taken (default: Both)")
@@ -345,16 +370,13 @@ def _run(options):
     return 0 if run.is_done() else 1
 
 
-def _end_at_once(signal_number, _frame):
-    os._exit(128 + signal_number)
-
-
 def main(arguments):
-    # As long as nothing is done there is nothing to leave in order.
-    signal.signal(signal.SIGINT, _end_at_once)
-    signal.signal(signal.SIGTERM, _end_at_once)
     parser = make_parser()
     options = parser.parse_args(arguments)
+    for word in arguments:
+        is_text = word == word.encode(errors="replace").decode()
+        if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one
+            parser.error("%s is not in UTF-8" % ascii(word))
     if _given(options, error="largest_error", number="triangles") and (options.elaborate or options.skip_rough):
         parser.error("--largest-error or --triangles takes the place of --elaborate and --skip-rough")
     try:

@@ -8,7 +8,6 @@
 #include "Common/Lattice.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
-#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
 #include "Marshalling/HorizonData.h"
 
@@ -152,7 +151,6 @@ private:
   /// Takes the place of each point.
   void AddAttribute(vtkDataArray* array, const std::vector<std::size_t>& places)
   {
-    RequireTuples(array, this->Horizon->GetNumberOfPoints(), "points");
     PickAttribute attribute = { array->GetName(), std::vector<double>(this->Columns.Z.size(), Null) };
     for (std::size_t point = 0; point < places.size(); ++point)
     {

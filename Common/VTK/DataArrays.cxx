@@ -17,8 +17,17 @@ void RequireTuples(vtkAbstractArray* array, vtkIdType numberOfItems, const char*
   if (array->GetNumberOfTuples() != numberOfItems)
   {
     throw InputError(std::string("array ") + (array->GetName() ? array->GetName() : "(no name)") + " of " +
-      std::to_string(array->GetNumberOfTuples()) + " values, expected one for each of the " +
+      std::to_string(array->GetNumberOfTuples()) + " tuples, expected one for each of the " +
       std::to_string(numberOfItems) + ' ' + items);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* items)
+{
+  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  {
+    RequireTuples(data->GetAbstractArray(n), numberOfItems, items);
   }
 }
 }

@@ -24,6 +24,9 @@ namespace SeismicHorizons
 /// does not look at that, and would read behind its end.
 void RequireTuples(vtkAbstractArray* array, vtkIdType numberOfItems, const char* items);
 
+/// The same for all arrays of point, cell or row data.
+void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* items);
+
 /// An array of that size, whose values are still to be written.
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)

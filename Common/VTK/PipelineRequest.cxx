@@ -166,6 +166,35 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+RequestWork WatchInformation(vtkAlgorithm* algorithm, bool& isStopped, RequestWork work)
+{
+  return [&isStopped, algorithm, work = std::move(work)](std::string& subject, const Monitor& monitor)
+  {
+    isStopped = false;
+    MarkAborted(algorithm, false); // of a request before, which CheckAbort would repeat
+    try
+    {
+      work(subject, monitor);
+    }
+    catch (const Aborted&)
+    {
+      isStopped = true;
+      throw;
+    }
+  };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void StopLikeInformation(vtkAlgorithm* algorithm, bool& isStopped)
+{
+  if (std::exchange(isStopped, false))
+  {
+    MarkAborted(algorithm, true);
+    throw Aborted();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 bool IsForTime(vtkInformation* request)
 {
   return request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_TIME_DEPENDENT_INFORMATION()) != 0;

@@ -40,6 +40,13 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
 /// one that the information was taken from.
 bool IsForTime(vtkInformation* request);
 
+/// Work on information, which keeps in `isStopped` whether it was stopped. VTK forgets that before it asks for data,
+/// whose extent nobody has told it then.
+RequestWork WatchInformation(vtkAlgorithm* algorithm, bool& isStopped, RequestWork work);
+
+/// To be called in work on data: throws Aborted where the work on information before it was stopped.
+void StopLikeInformation(vtkAlgorithm* algorithm, bool& isStopped);
+
 /// Work on information that keeps an InputError to itself where the request is for that of a certain time, as the
 /// request for data that follows tells it.
 RequestWork TellLater(vtkInformation* request, RequestWork work);

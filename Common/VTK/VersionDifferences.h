@@ -32,6 +32,14 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 }
 
+/// Sets whether VTK takes the output for that of a request that was stopped: it asks for it again then.
+inline void MarkAborted([[maybe_unused]] vtkAlgorithm* algorithm, [[maybe_unused]] bool isAborted)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220831)
+  algorithm->SetAbortOutput(isAborted);
+#endif
+}
+
 /// The name of a type of cells, as vtkHexahedron.
 inline const char* CellTypeName(int type)
 {

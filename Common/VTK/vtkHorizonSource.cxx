@@ -267,9 +267,7 @@ int vtkHorizonSource::AskForWholeInput(vtkInformationVector** inputs)
     input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     if (input->Has(Pipeline::WHOLE_EXTENT()))
     {
-      std::array<int, 6> whole;
-      input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-      input->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
+      input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
     }
   }
   return 1;
@@ -288,12 +286,13 @@ int vtkHorizonSource::RequestInformation(
   const int done = RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
     TellLater(request,
-      [this, info](std::string&, const Monitor& monitor)
-      {
-        const std::vector<std::string> names = this->NameHorizons(monitor);
-        this->List(names);
-        this->DescribeOutput(Select(names, this->HorizonSelection), info);
-      }),
+      WatchInformation(this, this->IsInformationStopped,
+        [this, info](std::string&, const Monitor& monitor)
+        {
+          const std::vector<std::string> names = this->NameHorizons(monitor);
+          this->List(names);
+          this->DescribeOutput(Select(names, this->HorizonSelection), info);
+        })),
     Ranks(), &this->ErrorCode);
   // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
   return done || FindController(vtkDataObject::GetData(info)) ? 1 : 0;
@@ -374,6 +373,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
     ranks.Together(
       [&]()
       {
+        StopLikeInformation(this, this->IsInformationStopped);
         this->CheckParameters();
         // The data may have changed since the information was asked for.
         names = this->NameHorizons(monitor.Step(0.0, 0.5));

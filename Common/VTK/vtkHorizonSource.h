@@ -127,6 +127,7 @@ private:
   vtkNew<vtkDataArraySelection> HorizonSelection;
   vtkNew<vtkIdTypeArray> HorizonSizes;
   std::unordered_set<std::string> Disabled; // names of horizons, of those that are not listed
+  bool IsInformationStopped = false;
 };
 
 /**

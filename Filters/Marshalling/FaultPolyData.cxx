@@ -42,6 +42,10 @@ void AppendCells(
 {
   const bool arePolygons = cells == data->GetPolys();
   auto* const names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray(CellArray::FaultName));
+  if (names)
+  {
+    RequireTuples(names, data->GetNumberOfCells(), "cells");
+  }
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     vtkIdType size = 0;
@@ -64,7 +68,7 @@ void AppendCells(
     {
       polyline.Places.push_back(polyline.Places.front());
     }
-    if (names && first + cell < names->GetNumberOfTuples())
+    if (names)
     {
       polyline.Fault = WithoutLastWord(names->GetValue(first + cell));
     }

@@ -190,7 +190,6 @@ std::vector<FilledArray> ListFilledArrays(vtkPolyData* horizon, const std::vecto
     {
       continue;
     }
-    RequireTuples(array, horizon->GetNumberOfPoints(), "points");
     const bool isHeight =
       HasName(array, { PointArray::VerticalIndex, PointArray::RealZ }) && array->GetNumberOfComponents() == 1;
     if (isHeight || (withAttributes && IsFloating(array)))
@@ -231,7 +230,6 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vect
     {
       continue;
     }
-    RequireTuples(array, input->GetNumberOfPoints(), "points");
     const auto result = NewArrayLike(array, output->GetNumberOfPoints());
     CopyTuples(array, result);
     const auto found =

@@ -25,6 +25,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -85,11 +86,6 @@ vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
     throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfComponents()) +
       " components, expected 1");
   }
-  if (array && array->GetNumberOfTuples() != horizon->GetNumberOfPoints())
-  {
-    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfTuples()) +
-      " values, expected one for each of the " + std::to_string(horizon->GetNumberOfPoints()) + " points");
-  }
   return array;
 }
 
@@ -128,6 +124,29 @@ std::vector<Number> CopyValues(vtkDataArray* array)
     copy(array);
   }
   return values;
+}
+
+/// Refuses loops that go from a point to another one twice: the surface would be there twice. Both ways it is a spur, or
+/// a bridge between two sides.
+void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
+{
+  std::vector<PointId> firstEnd(std::size_t(numberOfPoints), NoPoint);
+  std::set<std::pair<PointId, PointId>> others; // few: from points that loops visit again
+  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+  {
+    PointId from = *(loops.end(loop) - 1);
+    for (const PointId* end = loops.begin(loop); end != loops.end(loop); from = *end++)
+    {
+      PointId& first = firstEnd[std::size_t(from)];
+      const bool isFirst = first == NoPoint;
+      first = isFirst ? *end : first;
+      if (!isFirst && (first == *end || !others.insert({ from, *end }).second))
+      {
+        throw InputError("line " + std::to_string(loop) + " from point " + std::to_string(from) + " to point " +
+          std::to_string(*end) + " once more, expected each side of a loop once, with the surface to its right");
+      }
+    }
+  }
 }
 
 /// The columns around a box of places in sub-voxels, which may be between columns.
@@ -229,6 +248,7 @@ Loops ReadBoundary(vtkPolyData* horizon)
     throw InputError("no boundary loops, expected a closed polyline around each patch, as Horizon Exterior Boundary "
                      "makes them");
   }
+  CheckSides(loops, horizon->GetNumberOfPoints());
   return loops;
 }
 

@@ -3,6 +3,7 @@
 
 #include "HorizonPairs.h"
 
+#include "Common/Errors.h"
 #include "Common/VTK/Ranks.h"
 
 #include "vtkNew.h"
@@ -53,6 +54,10 @@ HorizonPairs::HorizonPairs(vtkDataObject* reference, vtkDataObject* mesh, vtkDat
     {
       references = ListHorizons(reference, { referenceOutput });
       meshes = ListHorizons(mesh, { meshOutput });
+      for (std::size_t n = 0; ranks.Size() > 1 && n < meshes.size(); ++n) // which may be sent: VTK reads their arrays
+      {
+        PrefixErrors(meshes[n].Name, [&]() { CheckPointArrays(meshes[n].Input); });
+      }
     });
   this->MatchNames(ListOnRanks(references, ranks), ListOnRanks(meshes, ranks));
   for (const Match& match : this->Matches)

@@ -4,6 +4,7 @@
 #include "HorizonTree.h"
 
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "GridHorizon.h"
 
@@ -18,7 +19,9 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace SeismicHorizons
@@ -57,6 +60,7 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
         std::to_string(partitions.size()) +
         " partitions, expected one partition for each horizon from its boundary on");
     }
+    CheckPointArrays(partition);
     append->AddInputData(partition);
   }
   append->Update();
@@ -180,6 +184,18 @@ void AcceptHorizons(vtkInformation* port)
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckPointArrays(vtkPolyData* horizon)
+{
+  RequireTuples(horizon->GetPointData(), horizon->GetNumberOfPoints(), "points");
+  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
+  if (ghosts && ghosts->GetNumberOfComponents() != 1)
+  {
+    throw InputError("point array " + std::string(ghosts->GetName()) + " with " +
+      std::to_string(ghosts->GetNumberOfComponents()) + " components, expected 1");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -123,10 +123,7 @@ HorizonGrid MakeHorizonGrid(vtkImageData* image, const std::string& zArray, cons
   HorizonGrid grid;
   grid.Lattice = MakeLattice(image, areCells);
   const vtkIdType nodes = vtkIdType(grid.Lattice.Columns[0]) * grid.Lattice.Columns[1];
-  for (int n = 0; n < elevation.Data->GetNumberOfArrays(); ++n)
-  {
-    RequireTuples(elevation.Data->GetAbstractArray(n), nodes, areCells ? "cells" : "points");
-  }
+  RequireTuples(elevation.Data, nodes, areCells ? "cells" : "points");
   grid.Z = Values(elevation.Array, 0, nulls);
   Blank(grid.Z, areCells ? image->GetCellGhostArray() : image->GetPointGhostArray(),
     areCells ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL)

@@ -75,10 +75,7 @@ public:
 private:
   void List(vtkIdType rows, vtkUnsignedCharArray* ghosts)
   {
-    for (int n = 0; n < this->Data->GetNumberOfArrays(); ++n)
-    {
-      RequireTuples(this->Data->GetAbstractArray(n), rows, this->Coordinates ? "points" : "rows");
-    }
+    RequireTuples(this->Data, rows, this->Coordinates ? "points" : "rows");
     constexpr int left = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
     for (vtkIdType row = 0; row < rows; ++row)
     {

@@ -10,6 +10,7 @@
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
+#include "HorizonTree.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributesFieldList.h"
@@ -134,13 +135,22 @@ void WriteBoundary(const JoinedSurface& joined, vtkPolyData* output)
 /// For each triangle the error of the one that it was, or was a piece of.
 std::vector<double> GatherErrors(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined)
 {
+  std::vector<vtkDataArray*> arrays;
+  for (vtkPolyData* const mesh : meshes)
+  {
+    arrays.push_back(mesh->GetCellData()->GetArray(CellArray::Error));
+    if (arrays.back())
+    {
+      RequireTuples(arrays.back(), mesh->GetNumberOfCells(), "cells");
+    }
+  }
   std::vector<double> errors;
   for (const PartItem& source : joined.TriangleSources)
   {
     vtkPolyData* const mesh = meshes[source.Part];
-    vtkDataArray* const array = mesh->GetCellData()->GetArray(CellArray::Error);
-    errors.push_back(array ? array->GetComponent(mesh->GetNumberOfLines() + source.Item, 0)
-                           : std::numeric_limits<double>::quiet_NaN());
+    const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+    errors.push_back(arrays[source.Part] ? arrays[source.Part]->GetComponent(first + source.Item, 0)
+                                         : std::numeric_limits<double>::quiet_NaN());
   }
   return errors;
 }
@@ -250,6 +260,7 @@ void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface
 SurfacePart ReadSurfacePart(vtkPolyData* mesh)
 {
   vtkDataArray* const rows = RequireSeamRows(mesh);
+  CheckPointArrays(mesh);
   LatticePoints points = ReadColumns(mesh, {});
   SurfacePart part;
   part.Seams.Lower = FromRow(FieldValue(rows, 0));

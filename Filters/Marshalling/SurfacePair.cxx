@@ -99,7 +99,6 @@ std::vector<unsigned char> ReadFilled(vtkPolyData* data)
   {
     return {};
   }
-  RequireTuples(filled, data->GetNumberOfPoints(), "points");
   std::vector<unsigned char> marks(data->GetNumberOfPoints());
   for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
   {

@@ -3,39 +3,51 @@
 
 #include "FaultLineFile.h"
 
+#include "Common/LineBuffer.h"
 #include "FaultLineFormats.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <string_view>
 
 namespace SeismicHorizons
 {
 namespace
 {
-std::vector<NumberedLine> ListLines(std::string_view text)
+std::unique_ptr<FaultLineParser> MakeParser(std::string_view firstLine)
 {
-  std::vector<NumberedLine> lines;
-  while (!text.empty())
-  {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back({ text.substr(0, end), std::int64_t(lines.size()) + 1 });
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
+  const std::string_view text = Trim(firstLine);
+  return StartsWith(text, "GOCAD") ? MakePLineParser()
+    : StartsWith(text, "@")        ? MakeZmapLineParser()
+                                   : MakePlainLineParser();
 }
 
-FaultLineFile ReadLines(const std::vector<NumberedLine>& lines)
+/// Gives lines to a parser, which is made for the first that says anything.
+class LineDealer
 {
-  const auto first =
-    std::find_if(lines.begin(), lines.end(), [](const NumberedLine& line) { return !IsSkipped(line.Text); });
-  if (first == lines.end())
+public:
+  std::unique_ptr<FaultLineParser> Parser;
+  std::int64_t Lines = 0; // that were dealt
+
+  void Deal(std::string_view text)
   {
-    throw CutOffAt(std::max<std::int64_t>(1, std::int64_t(lines.size())), "end of file, expected fault lines");
+    text = this->Lines == 0 ? WithoutByteOrderMark(text) : text;
+    while (!text.empty())
+    {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      const NumberedLine line = { text.substr(0, end), ++this->Lines };
+      if (!this->Parser && !IsSkipped(line.Text))
+      {
+        this->Parser = MakeParser(line.Text);
+      }
+      if (this->Parser)
+      {
+        this->Parser->Take(line);
+      }
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
   }
-  const std::string_view text = Trim(first->Text);
-  return StartsWith(text, "GOCAD") ? ReadPLines(lines)
-    : StartsWith(text, "@")        ? ReadZmapLines(lines)
-                                   : ReadPlainLines(lines);
-}
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -50,13 +62,28 @@ double ReadFinite(std::string_view field, std::int64_t line, const char* what)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultLineFile ReadFaultLines(std::string text)
+FaultLineFile ReadFaultLines(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
 {
-  const std::vector<NumberedLine> lines = ListLines(WithoutByteOrderMark(text));
-  FaultLineFile file = ReadLines(lines);
+  LineBuffer lines(stream, bufferSize);
+  LineDealer dealer;
+  while (!lines.AtEnd())
+  {
+    if (!lines.Read())
+    {
+      throw ErrorAt(dealer.Lines + 1, "reading failed, expected the rest of the file");
+    }
+    const auto size = static_cast<std::size_t>(lines.Last() - lines.First());
+    dealer.Deal(std::string_view(lines.First(), lines.AtEnd() ? size - 1 : size)); // without a newline that was added
+    monitor.Progress(lines.PartRead());
+  }
+  if (!dealer.Parser)
+  {
+    throw CutOffAt(std::max<std::int64_t>(1, dealer.Lines), "end of file, expected fault lines");
+  }
+  FaultLineFile file = dealer.Parser->Finish();
   if (file.Ends.empty())
   {
-    throw CutOffAt(std::int64_t(lines.size()), "end of file, expected a fault line of two points at least");
+    throw CutOffAt(dealer.Lines, "end of file, expected a fault line of two points at least");
   }
   return file;
 }

@@ -8,10 +8,11 @@
 #ifndef SeismicHorizonsFaultLineFile_h
 #define SeismicHorizonsFaultLineFile_h
 
+#include "Common/Monitor.h"
 #include "Common/Types.h"
 
 #include <cstddef>
-#include <cstdint>
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,9 @@ public:
   }
 };
 
-/// Reads a file, which is small as a rule, from its whole text.
-FaultLineFile ReadFaultLines(std::string text);
+/// Reads a file. `bufferSize` is how many bytes are held at a time.
+FaultLineFile ReadFaultLines(
+  std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = 1024 * 1024);
 }
 
 #endif

@@ -9,9 +9,8 @@
 #include "FaultLineFile.h"
 
 #include <cstdint>
-#include <string>
+#include <memory>
 #include <string_view>
-#include <vector>
 
 namespace SeismicHorizons
 {
@@ -25,10 +24,20 @@ struct NumberedLine
 /// A field as a finite number; `what` it is follows in the error.
 double ReadFinite(std::string_view field, std::int64_t line, const char* what);
 
-/// One for each format. All take all lines.
-FaultLineFile ReadPLines(const std::vector<NumberedLine>& lines);
-FaultLineFile ReadZmapLines(const std::vector<NumberedLine>& lines);
-FaultLineFile ReadPlainLines(const std::vector<NumberedLine>& lines);
+/// What takes the lines of a file of one format, one after the other, from the first that says anything on.
+class FaultLineParser
+{
+public:
+  virtual ~FaultLineParser() = default;
+  virtual void Take(const NumberedLine& line) = 0;
+
+  /// The polylines, behind the last line.
+  virtual FaultLineFile Finish() = 0;
+};
+
+std::unique_ptr<FaultLineParser> MakePLineParser();
+std::unique_ptr<FaultLineParser> MakeZmapLineParser();
+std::unique_ptr<FaultLineParser> MakePlainLineParser();
 }
 
 #endif

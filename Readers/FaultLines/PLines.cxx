@@ -27,12 +27,12 @@ std::vector<std::string_view> ListWords(std::string_view line)
   return words;
 }
 
-class PLineParser
+class PLineParser : public FaultLineParser
 {
 public:
-  FaultLineFile File;
+  PLineParser() { this->File.IsUpright = true; }
 
-  void Take(const NumberedLine& line)
+  void Take(const NumberedLine& line) override
   {
     const std::vector<std::string_view> words = ListWords(line.Text);
     this->Line = line.Number;
@@ -59,12 +59,13 @@ public:
     }
   }
 
-  void Finish()
+  FaultLineFile Finish() override
   {
     if (this->IsPLine)
     {
       throw CutOffAt(this->Line, "end of file, expected END of the GOCAD object");
     }
+    return std::move(this->File);
   }
 
 private:
@@ -193,6 +194,7 @@ private:
     this->End = NoPoint;
   }
 
+  FaultLineFile File;
   std::int64_t Line = 0; // that is read
   bool IsPLine = false; // the object that is read
   bool IsInBlock = false; // between braces
@@ -205,15 +207,8 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultLineFile ReadPLines(const std::vector<NumberedLine>& lines)
+std::unique_ptr<FaultLineParser> MakePLineParser()
 {
-  PLineParser parser;
-  parser.File.IsUpright = true;
-  for (const NumberedLine& line : lines)
-  {
-    parser.Take(line);
-  }
-  parser.Finish();
-  return parser.File;
+  return std::make_unique<PLineParser>();
 }
 }

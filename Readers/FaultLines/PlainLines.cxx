@@ -34,12 +34,10 @@ bool IsNumber(std::string_view field)
   return ReadNumber(field, value) != NumberKind::NotANumber;
 }
 
-class PlainLineParser
+class PlainLineParser : public FaultLineParser
 {
 public:
-  FaultLineFile File;
-
-  void Take(const NumberedLine& line)
+  void Take(const NumberedLine& line) override
   {
     const std::string_view text = Trim(line.Text);
     if (text.empty() || IsEndMark(text))
@@ -57,13 +55,19 @@ public:
     }
   }
 
+  FaultLineFile Finish() override
+  {
+    this->EndLine();
+    return std::move(this->File);
+  }
+
+private:
   void EndLine()
   {
     this->File.Close(this->Name.empty() ? this->Key : this->Name);
     this->HasPlace = false;
   }
 
-private:
   void TakeFields(const std::vector<std::string_view>& fields, std::int64_t line)
   {
     if (StartsWith(fields.front(), "INLINE") || StartsWith(fields.front(), "CROSSLINE"))
@@ -120,6 +124,7 @@ private:
     this->File.Append(place);
   }
 
+  FaultLineFile File;
   std::string Name; // in a line of its own
   std::string Key; // behind the coordinates
   bool HasPlace = false; // in the polyline that is read
@@ -127,14 +132,8 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultLineFile ReadPlainLines(const std::vector<NumberedLine>& lines)
+std::unique_ptr<FaultLineParser> MakePlainLineParser()
 {
-  PlainLineParser parser;
-  for (const NumberedLine& line : lines)
-  {
-    parser.Take(line);
-  }
-  parser.EndLine();
-  return parser.File;
+  return std::make_unique<PlainLineParser>();
 }
 }

@@ -69,48 +69,58 @@ std::string_view Cut(std::string_view text, const ZmapField& field)
 {
   return field.First < text.size() ? Trim(text.substr(field.First, field.Size)) : std::string_view();
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-FaultLineFile ReadZmapLines(const std::vector<NumberedLine>& lines)
+class ZmapLineParser : public FaultLineParser
 {
-  FaultLineFile file;
-  ZmapFields fields;
-  std::string segment;
-  int marks = 0; // lines that begin with @: the header is between two
-  for (const NumberedLine& line : lines)
+public:
+  void Take(const NumberedLine& line) override
   {
     const std::string_view text = Trim(line.Text);
     if (StartsWith(text, "@"))
     {
-      ++marks;
-      if (marks == 2 && !(fields.X && fields.Y))
+      ++this->Marks;
+      if (this->Marks == 2 && !(this->Fields.X && this->Fields.Y))
       {
         throw ErrorAt(line.Number, "end of the ZMAP+ header, expected fields of the types 1 and 2, x and y");
       }
     }
-    else if (IsSkipped(line.Text) || IsEndMark(text))
+    else if (!IsSkipped(line.Text) && !IsEndMark(text))
     {
-      continue;
-    }
-    else if (marks < 2)
-    {
-      TakeField(line, fields);
-    }
-    else
-    {
-      const std::string_view own = fields.Segment ? Cut(line.Text, *fields.Segment) : std::string_view();
-      if (own != segment)
-      {
-        file.Close(segment);
-        segment = std::string(own);
-      }
-      file.Append({ ReadFinite(Cut(line.Text, *fields.X), line.Number, "x"),
-        ReadFinite(Cut(line.Text, *fields.Y), line.Number, "y"),
-        fields.Z ? ReadFinite(Cut(line.Text, *fields.Z), line.Number, "z") : 0.0 });
+      this->Marks < 2 ? TakeField(line, this->Fields) : this->TakePlace(line);
     }
   }
-  file.Close(segment);
-  return file;
+
+  FaultLineFile Finish() override
+  {
+    this->File.Close(this->Segment);
+    return std::move(this->File);
+  }
+
+private:
+  void TakePlace(const NumberedLine& line)
+  {
+    const ZmapFields& fields = this->Fields;
+    const std::string_view own = fields.Segment ? Cut(line.Text, *fields.Segment) : std::string_view();
+    if (own != this->Segment)
+    {
+      this->File.Close(this->Segment);
+      this->Segment = std::string(own);
+    }
+    this->File.Append({ ReadFinite(Cut(line.Text, *fields.X), line.Number, "x"),
+      ReadFinite(Cut(line.Text, *fields.Y), line.Number, "y"),
+      fields.Z ? ReadFinite(Cut(line.Text, *fields.Z), line.Number, "z") : 0.0 });
+  }
+
+  FaultLineFile File;
+  ZmapFields Fields;
+  std::string Segment;
+  int Marks = 0; // lines that begin with @: the header is between two
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::unique_ptr<FaultLineParser> MakeZmapLineParser()
+{
+  return std::make_unique<ZmapLineParser>();
 }
 }

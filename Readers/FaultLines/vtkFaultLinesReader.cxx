@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <istream>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -88,7 +87,7 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
   this->Files.Choose(info);
   return RunRequest(
     this, { output }, FilePrefix(this->Files.GetCurrent()) + "more data than memory, expected a smaller file",
-    [&](std::string&, const Monitor&)
+    [&](std::string&, const Monitor& monitor)
     {
       RequireFileName(this->Files.GetCurrent());
       PrefixFileErrors(this->Files.GetCurrent(),
@@ -96,9 +95,7 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
         {
           MakeFileStamp(this->Files.GetCurrent()); // refuses what is no regular file
           const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-          WriteLines(
-            ReadFaultLines(std::string(std::istreambuf_iterator<char>(*stream), std::istreambuf_iterator<char>())),
-            this->VerticalDirection == Up ? 1.0 : -1.0, output);
+          WriteLines(ReadFaultLines(*stream, monitor), this->VerticalDirection == Up ? 1.0 : -1.0, output);
         });
       this->Files.Mark(info);
     },

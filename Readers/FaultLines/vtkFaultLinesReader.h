@@ -13,7 +13,6 @@
  *
  * A file that is missing or breaks its format gives one error, which starts with the name of the file and has the
  * number of the line; the output is empty then, and GetErrorCode() says what kind, as that of vtkHorizonSource does.
- * The whole file is held in memory.
  *
  * @sa vtkHorizonFaults
  */

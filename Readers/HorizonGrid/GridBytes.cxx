@@ -60,6 +60,16 @@ void GridBytes::RequireEnd()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void GridBytes::ReadRest()
+{
+  this->Part.resize(MostBytesAtOnce);
+  while (this->Stream.read(this->Part.data(), MostBytesAtOnce))
+  {
+    this->Work.Progress(1.0);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 const char* GridBytes::ReadPart(std::size_t count)
 {
   this->Part.resize(count);

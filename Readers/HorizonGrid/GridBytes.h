@@ -115,6 +115,9 @@ public:
   /// Throws InputError when there is anything more.
   void RequireEnd();
 
+  /// Reads what is no part of the grid: a compressed file is checked where it ends.
+  void ReadRest();
+
 private:
   static constexpr std::int64_t MostBytesAtOnce = 256 * 1024;
 

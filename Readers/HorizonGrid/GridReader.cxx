@@ -52,7 +52,9 @@ HorizonGrid ReadFormat(GridFormat format, std::istream& stream, const Monitor& m
   const auto binary = [&](ByteOrder order, auto read)
   {
     GridBytes bytes(stream, monitor, order);
-    return read(bytes);
+    HorizonGrid grid = read(bytes);
+    bytes.ReadRest();
+    return grid;
   };
   switch (format)
   {

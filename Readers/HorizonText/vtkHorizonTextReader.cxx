@@ -3,6 +3,7 @@
 
 #include "vtkHorizonTextReader.h"
 
+#include "ColumnNames.h"
 #include "Common/FileErrors.h"
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
@@ -61,6 +62,10 @@ int vtkHorizonTextReader::CanReadFile(const char* fileName)
 void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
 {
   RequireFileName(this->Files.GetCurrent());
+  if (this->Columns && *this->Columns)
+  {
+    ParseColumnList(this->Columns); // refuses one that no file can have
+  }
   PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {

@@ -137,6 +137,10 @@ void CheckSEGYOptions(const SEGYOptions& options)
     throw InputError("one of XByte and YByte as -1, for no places, expected both");
   }
   CheckAtLeast("VerticalStep", options.VerticalStep, 0.0, "");
+  if (options.FormatCode != 0)
+  {
+    CheckFormatCode(options.FormatCode, "");
+  }
   if (!(options.Tolerance > 0.0 && options.Tolerance < 0.5))
   {
     std::ostringstream text;

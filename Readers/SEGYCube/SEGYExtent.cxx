@@ -21,7 +21,7 @@ struct IndexRange
 /// The indices of the lines whose numbers are in a range.
 IndexRange LinesWithin(const char* name, const std::array<int, 2>& range, double first, double step, int count)
 {
-  if (range[0] > range[1])
+  if (range[0] == 0 && range[1] == -1)
   {
     return { 0, count - 1 };
   }

@@ -156,16 +156,8 @@ int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
 
 int FindFormat(const BinaryHeader& binary, int formatCode)
 {
-  const int found = binary.Integer16(SEGY_BIN_FORMAT);
-  const int code = formatCode > 0 ? formatCode : found;
-  if (SampleSize(code) == 0)
-  {
-    std::ostringstream text;
-    text << "format code " << code << (formatCode > 0 ? "" : " at byte 3225")
-         << ", expected 1 (IBM float), 2, 3, 7, 8 (integers of 32, 16, 24, 8 bits), 5, 6 (IEEE float, double) or 10, "
-            "11, 15, 16 (integers without a sign)";
-    throw InputError(text.str());
-  }
+  const int code = formatCode > 0 ? formatCode : binary.Integer16(SEGY_BIN_FORMAT);
+  CheckFormatCode(code, formatCode > 0 ? "" : " at byte 3225");
   return code;
 }
 
@@ -252,6 +244,19 @@ const char* FormatName(SEGYFormat format)
       return "8-bit integer without sign";
   }
   return "unknown";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckFormatCode(int code, const char* place)
+{
+  if (SampleSize(code) == 0)
+  {
+    std::ostringstream text;
+    text << "format code " << code << place
+         << ", expected 1 (IBM float), 2, 3, 7, 8 (integers of 32, 16, 24, 8 bits), 5, 6 (IEEE float, double) or 10, "
+            "11, 15, 16 (integers without a sign)";
+    throw InputError(text.str());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -38,6 +38,9 @@ struct SEGYHeader
   std::size_t TraceSize() const { return SEGYTraceHeaderSize + this->DataSize(); }
 };
 
+/// Throws InputError where there is no such format; the place is named in the message.
+void CheckFormatCode(int code, const char* place);
+
 /// Reads the header of a file of that many bytes. `formatCode` goes before what the file says; 0: what the file says.
 /// Throws InputError where it is none of a SEG-Y file, and where the file does not hold whole traces.
 SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int formatCode = 0);

@@ -180,15 +180,16 @@ int vtkSEGYCubeReader::RequestInformation(
   this->Files.Announce(info);
   return RunRequest(this, { vtkDataObject::GetData(outputVector) }, NoMemory(this->Files.GetCurrent()),
     TellLater(request,
-      [&](std::string&, const Monitor& monitor)
-      {
-        this->UpdateContent(monitor);
-        const SEGYRanges ranges = { { this->InlineRange[0], this->InlineRange[1] },
-          { this->CrosslineRange[0], this->CrosslineRange[1] }, { this->SampleRange[0], this->SampleRange[1] } };
-        const CubeExtent extent =
-          PrefixErrors(this->Files.GetCurrent(), [&]() { return FindExtent(this->Content->Cube, ranges); });
-        Announce(this->MakeView(), extent, info);
-      }),
+      WatchInformation(this, this->IsInformationStopped,
+        [&](std::string&, const Monitor& monitor)
+        {
+          this->UpdateContent(monitor);
+          const SEGYRanges ranges = { { this->InlineRange[0], this->InlineRange[1] },
+            { this->CrosslineRange[0], this->CrosslineRange[1] }, { this->SampleRange[0], this->SampleRange[1] } };
+          const CubeExtent extent =
+            PrefixErrors(this->Files.GetCurrent(), [&]() { return FindExtent(this->Content->Cube, ranges); });
+          Announce(this->MakeView(), extent, info);
+        })),
     Ranks(), &this->ErrorCode);
 }
 
@@ -202,6 +203,7 @@ int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkI
     this, { output }, NoMemory(this->Files.GetCurrent()),
     [&](std::string&, const Monitor& monitor)
     {
+      StopLikeInformation(this, this->IsInformationStopped);
       output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
       // The file may have changed since the information was asked for.
       this->UpdateContent(monitor.Step(0.0, 0.1));

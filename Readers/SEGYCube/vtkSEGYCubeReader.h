@@ -120,8 +120,7 @@ public:
 
   ///@{
   /**
-   * The first and the last inline to read; all where the first is larger than the last. Unit: line numbers. Range: any.
-   * Default: 0, -1.
+   * The first and the last inline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
   vtkSetVector2Macro(InlineRange, int);
   vtkGetVector2Macro(InlineRange, int);
@@ -129,8 +128,7 @@ public:
 
   ///@{
   /**
-   * The first and the last crossline to read; all where the first is larger than the last. Unit: line numbers. Range:
-   * any. Default: 0, -1.
+   * The first and the last crossline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
   vtkSetVector2Macro(CrosslineRange, int);
   vtkGetVector2Macro(CrosslineRange, int);
@@ -295,6 +293,7 @@ private:
   std::string Description;
 
   struct FileContent;
+  bool IsInformationStopped = false;
   std::unique_ptr<FileContent> Content; // what was found when the headers were read last
 };
 

@@ -66,10 +66,6 @@ SparseMatrixOptions ForAllRows(SparseMatrixOptions options)
 SparseMatrixOverview ReadSparseMatrixOverview(
   std::istream& stream, const SparseMatrixOptions& options, const Monitor& monitor, std::size_t bufferSize)
 {
-  if (options.Policy == DuplicatePolicy::Sheets)
-  {
-    throw InputError("DuplicatePolicy Sheets with LeastMemory, expected another policy: sheets take the whole horizon");
-  }
   SparseMatrixOverview overview;
   overview.Size = ReadSparseMatrixHeader(stream);
   std::int64_t byte = std::int64_t(stream.tellg());

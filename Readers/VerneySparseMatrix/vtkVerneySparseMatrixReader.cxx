@@ -175,6 +175,10 @@ std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor
 {
   // A volume takes far more memory than what it is made from.
   const bool withOverview = this->LeastMemory && this->OutputType != Volume;
+  if (withOverview && this->DuplicatePolicy == Sheets)
+  {
+    throw InputError("DuplicatePolicy Sheets with LeastMemory, expected another policy: sheets take the whole horizon");
+  }
   if (withOverview != this->FileHasOverview)
   {
     this->File = MakeSparseMatrixFile(withOverview);

@@ -279,7 +279,9 @@ void TestMissingBoundary()
 
   auto pairs = vtkSmartPointer<vtkPolyData>::New();
   pairs->DeepCopy(boundary->GetPolyDataOutput());
-  pairs->GetPointData()->GetArray("PatchId")->SetNumberOfComponents(3);
+  vtkDataArray* const patches = pairs->GetPointData()->GetArray("PatchId");
+  patches->SetNumberOfComponents(3);
+  patches->SetNumberOfTuples(pairs->GetNumberOfPoints());
   CheckRefused(mesh, pairs, "point array PatchId with 3 components, expected 1");
 }
 

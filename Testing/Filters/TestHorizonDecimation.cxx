@@ -7,6 +7,7 @@
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonDecimation.h"
@@ -190,6 +191,56 @@ void TestErrors()
   CheckRefused(pipeline, "point ");
 }
 
+/// The same loop twice, and one inside another that is no hole: surface that is there twice.
+void TestDoubledLoops()
+{
+  Pipeline pipeline(HorizonFixtures::UnitSurvey());
+  pipeline.Boundary->Update();
+  const auto refuse = [&pipeline](const std::vector<vtkIdType>& loop, int target, const std::string& message)
+  {
+    vtkNew<vtkPolyData> horizon;
+    horizon->DeepCopy(pipeline.Boundary->GetPolyDataOutput());
+    horizon->GetLines()->InsertNextCell(vtkIdType(loop.size()), loop.data());
+    vtkNew<vtkHorizonDecimation> decimation;
+    decimation->SetTarget(target);
+    decimation->SetTargetReduction(0.1);
+    decimation->SetMaximumError(0.01);
+    Errors errors(decimation);
+    decimation->SetInputDataObject(horizon);
+    decimation->Update();
+    CHECK_EQUAL(errors.Count(), 1u);
+    CHECK(errors.FirstContains(message));
+  };
+  vtkNew<vtkIdList> outline;
+  pipeline.Boundary->GetPolyDataOutput()->GetLines()->GetCellAtId(0, outline);
+  for (const int target : { vtkHorizonDecimation::LargestError, vtkHorizonDecimation::Reduction })
+  {
+    refuse({ outline->begin(), outline->end() }, target,
+      "once more, expected each side of a loop once, with the surface to its right");
+    refuse({ 40, 41, 40, 41, 40 }, target, "line 1 from point 41 to point 40 once more");
+    refuse(
+      { 155, 455, 465, 165, 155 }, target, "in several triangles, expected loops that enclose it once"); // clockwise
+  }
+}
+
+/// Points where the mesh is far off that lie outside the loop, where none can be inserted.
+void TestPointsOutside()
+{
+  Pipeline pipeline(HorizonFixtures::UnitSurvey());
+  pipeline.Boundary->Update();
+  vtkNew<vtkPolyData> horizon;
+  horizon->ShallowCopy(pipeline.Boundary->GetPolyDataOutput());
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 200, 235, 67, 200 });
+  horizon->SetLines(lines);
+  vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetMaximumError(0.5);
+  Errors errors(decimation);
+  decimation->SetInputDataObject(horizon);
+  decimation->Update();
+  CHECK(errors.FirstContains("point 0 lies outside the boundary of its patch, expected loops around all points"));
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonDecimation> mesh;
@@ -211,6 +262,8 @@ int TestHorizonDecimation(int, char*[])
   TestTargets();
   TestEffort();
   TestErrors();
+  TestDoubledLoops();
+  TestPointsOutside();
   TestPrint();
   return Check::Result();
 }

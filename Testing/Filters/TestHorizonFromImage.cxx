@@ -139,12 +139,12 @@ void TestRefusals()
   CheckRefused(cube, nullptr, "an image of 2 layers, expected a map of one layer");
   Image short2 = TurnedMap();
   short2->GetPointData()->AddArray(MakeArray("depth", { 1, 2 }));
-  CheckRefused(short2, "amplitude", "array depth of 2 values, expected one for each of the 6 points");
+  CheckRefused(short2, "amplitude", "array depth of 2 tuples, expected one for each of the 6 points");
   Image ghosts = TurnedMap();
   vtkNew<vtkUnsignedCharArray> few;
   few->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->GetPointData()->AddArray(few);
-  CheckRefused(ghosts, "depth", "array vtkGhostType of 0 values, expected one for each of the 6 points");
+  CheckRefused(ghosts, "depth", "array vtkGhostType of 0 tuples, expected one for each of the 6 points");
   auto row = Image::New();
   row->SetDimensions(4, 1, 1);
   row->GetCellData()->SetScalars(MakeArray("v", { 1, 2, 3 }));

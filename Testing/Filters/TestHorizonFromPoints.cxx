@@ -279,7 +279,7 @@ void TestRefusals()
     table->GetRowData()->AddArray(MakeTable({ { "Amp", wrong } })->GetColumn(0)); // unlike AddColumn not looked at
     filter->SetInputDataObject(table);
     CheckRefused(
-      filter, "array Amp of " + std::to_string(wrong.size()) + " values, expected one for each of the 12 rows");
+      filter, "array Amp of " + std::to_string(wrong.size()) + " tuples, expected one for each of the 12 rows");
   }
   Numbers infinite = survey.X;
   infinite[2] = std::numeric_limits<double>::infinity();

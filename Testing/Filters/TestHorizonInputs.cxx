@@ -117,7 +117,7 @@ void TestWrongIdsInLines()
 void TestWrongPointArrays()
 {
   CheckAllRefuse([](vtkPolyData* horizon) { SetPointArray<vtkIntArray>(horizon, "PatchId", std::vector<int>(3, 0)); },
-    "point array PatchId with 3 values, expected one for each of the 81 points");
+    "array PatchId of 3 tuples, expected one for each of the 81 points");
   CheckAllRefuse([](vtkPolyData* horizon)
     { SetPointArray<vtkStringArray>(horizon, "PatchId", std::vector<std::string>(81, "0")); },
     "an array PatchId of type string, expected numbers");
@@ -142,7 +142,7 @@ void TestWrongCounts()
     rough->Update();
     CHECK(errors.FirstContains(message));
   };
-  refuse({ 1, 1, 1 }, "point array PointCount with 3 values, expected one for each of the 81 points");
+  refuse({ 1, 1, 1 }, "array PointCount of 3 tuples, expected one for each of the 81 points");
   refuse(std::vector<long long>(81, -3), "PointCount -3 at point 0, expected no negative numbers");
   refuse(std::vector<long long>(81, 1LL << 40),
     "PointCount 1099511627776 at point 0, expected no negative numbers, and "
@@ -326,6 +326,26 @@ void TestActiveScalars()
   CHECK_EQUAL(ActiveScalars(Apply<vtkHorizonTriangulation>(bounded)), "PatchId");
 }
 
+/// Nothing is left of a horizon all of whose points are hidden, in whatever stage.
+void TestAllPointsHidden()
+{
+  const Data hidden = Square(3);
+  SetPointArray<vtkUnsignedCharArray>(
+    hidden, vtkDataSetAttributes::GhostArrayName(), std::vector<unsigned char>(9, vtkDataSetAttributes::HIDDENPOINT));
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  vtkNew<vtkHorizonTriangulation> triangulation;
+  for (vtkHorizonAlgorithm* stage : std::vector<vtkHorizonAlgorithm*>{ boundary, triangulation })
+  {
+    const Errors warnings(stage, vtkCommand::WarningEvent);
+    stage->SetInputDataObject(hidden);
+    stage->Update();
+    CHECK_EQUAL(warnings.Count(), 1u);
+    CHECK(
+      warnings.FirstContains("Horizon 1: all 9 points are hidden by the array vtkGhostType, so that nothing is left"));
+    CHECK_EQUAL(stage->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
 /// A minimum that is larger than every patch says so, and does not give nothing in silence.
 void TestNoPatchIsLargeEnough()
 {
@@ -370,6 +390,7 @@ int TestHorizonInputs(int, char*[])
   TestAttributes();
   TestCountsOfZero();
   TestActiveScalars();
+  TestAllPointsHidden();
   TestNoPatchIsLargeEnough();
   return Check::Result();
 }

@@ -308,7 +308,7 @@ void TestWrongArrays()
   CheckRefused(MakeFilter(vectors), "array ImageScalars of 3 components, expected amplitudes, one for each point");
   Image few = MakeCube<vtkFloatArray>();
   few->GetPointData()->GetArray("Amplitude")->SetNumberOfTuples(7);
-  CheckRefused(MakeFilter(few), "array Amplitude of 7 values, expected one for each of the 1200 points");
+  CheckRefused(MakeFilter(few), "array Amplitude of 7 tuples, expected one for each of the 1200 points");
   Image blank = MakeCube<vtkDoubleArray>();
   blank->GetPointData()->GetArray("Amplitude")->Fill(Missing);
   CheckRefused(MakeFilter(blank), "no amplitude: all samples of the cube are blanked or not finite, expected numbers");

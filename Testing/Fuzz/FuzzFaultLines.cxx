@@ -31,7 +31,8 @@ Outcome Read(const std::string& text)
   Outcome outcome;
   try
   {
-    outcome.File = ReadFaultLines(text);
+    std::istringstream stream(text);
+    outcome.File = ReadFaultLines(stream);
   }
   catch (const InputError& error)
   {

@@ -9,17 +9,40 @@ import contextlib
 import gzip
 import io
 import pathlib
+import resource
+import struct
 import sys
 import unittest
 
 from seismichorizons import batch, pipeline, record
 from seismichorizons.stage import HorizonError, make, update
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 MATRIX = b"3 2 9\n1 1 1 1 1\n2 1 1 2 2\n3 1 1 3 3\n4 1 1 4 4\n5 1 1 5 5\n6 1 1 6 6\n"
 PICKS = b"".join(b"%.1f %.1f %d\n" % (100 + 25 * i, 200 + 25 * j, 1000 + i * j) for j in range(6) for i in range(5))
 GRID = b"-996 2 25.0 25.0\n0 50 0 25\n3 0.0 0.0 0.0\n0 0 0 0 0 0 0\n1 2 3 4 5 6\n"
 SURFACE = b"GOCAD TSurf 1\nHEADER {\nname:Top\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"
-FILES = (("a.vsm", MATRIX, "vtkVerneySparseMatrixReader"), ("picks.xyz", PICKS, "vtkHorizonTextReader"),
+FAULTS = b"100 200 10\n110 210 11\n999 999 999\n120 220 12\n130 200 13\n"
+
+
+def records(*contents):
+    """Those of Fortran."""
+    return b"".join(struct.pack(">i", len(content)) + content + struct.pack(">i", len(content)) for content in contents)
+
+
+# Of these, readers need no byte behind the last value: others may follow. Larger than what is looked at to recognise them.
+SIDE = 300
+VALUES = [k % 97 for k in range(SIDE * SIDE)]
+IRAP = records(struct.pack(">ii6f", -996, SIDE, 0, SIDE - 1, 0, SIDE - 1, 1, 1), struct.pack(">i3f", SIDE, 0, 0, 0), bytes(28),
+               *(struct.pack(">%df" % SIDE, *VALUES[k:k + SIDE]) for k in range(0, SIDE * SIDE, SIDE)))
+SURFER7 = (b"DSRB" + struct.pack("<ii", 4, 2) + b"GRID" + struct.pack("<iii8d", 72, SIDE, SIDE, 0, 0, 1, 1, 0, 96, 0, 1e30)
+           + b"DATA" + struct.pack("<i%dd" % (SIDE * SIDE), 8 * SIDE * SIDE, *VALUES))
+SURFER6 = b"DSBB" + struct.pack("<hh6d6f", 3, 2, 0, 50, 0, 25, 1, 6, 1, 2, 3, 4, 5, 6)
+STORM = b"STORMGRID_BINARY\n\n3 2 25 25\n0 50 0 25\n" + struct.pack(">6d", 1, 2, 3, 4, 5, 6)
+FILES = (("map.gri", IRAP, "vtkHorizonGridReader"), ("map7.grd", SURFER7, "vtkHorizonGridReader"),
+         ("map6.grd", SURFER6, "vtkHorizonGridReader"), ("map.storm", STORM, "vtkHorizonGridReader"),
+         ("faults.dat", FAULTS, "vtkFaultLinesReader"), ("a.vsm", MATRIX, "vtkVerneySparseMatrixReader"),
+         ("picks.xyz", PICKS, "vtkHorizonTextReader"),
          ("map.irap", GRID, "vtkHorizonGridReader"), ("top.ts", SURFACE, "vtkGOCADTSurfReader"))
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
@@ -36,6 +59,8 @@ def load(path, class_name):
     reader = make(class_name, FileName=str(path))
     update(reader)
     output = reader.GetOutput()
+    if class_name == "vtkFaultLinesReader":
+        return ["faults"], [[output.GetPoint(n) for n in range(output.GetNumberOfPoints())]]
     blocks = [output.GetPartition(n, 0) for n in range(output.GetNumberOfPartitionedDataSets())]
     names = [reader.GetHorizonName(n) for n in range(reader.GetNumberOfHorizons())]
     return names, [[block.GetPoint(n) for n in range(block.GetNumberOfPoints())] for block in blocks]
@@ -47,7 +72,8 @@ class CompressedFiles(unittest.TestCase):
             with self.subTest(name):
                 plain = write(name, content)
                 compressed = write(name + ".gz", gzip.compress(content[:40]) + gzip.compress(content[40:]))
-                self.assertEqual(make(class_name).CanReadFile(str(compressed)), 1)
+                if class_name != "vtkFaultLinesReader":
+                    self.assertEqual(make(class_name).CanReadFile(str(compressed)), 1)
                 names, points = load(plain, class_name)
                 self.assertEqual(load(compressed, class_name), (names, points))
                 self.assertEqual(names, {"a.vsm": ["Horizon 1"], "top.ts": ["Top"]}.get(name, [plain.stem]))
@@ -67,18 +93,41 @@ class CompressedFiles(unittest.TestCase):
         """One for each, with the name of the file."""
         for name, content, class_name in FILES:
             compressed = gzip.compress(content)
-            for wrong, text in ((compressed[:-1], "byte %d: end of file, expected the rest" % (len(compressed) - 1)),
-                                (compressed[:-5] + b"\0" + compressed[-4:], "damaged compressed data"),
-                                (compressed + b"x", "byte %d: more bytes after" % len(compressed))):
+            cuts = [(compressed[:size], "byte %d: end of file, expected the rest" % size, "PrematureEndOfFileError")
+                    for size in (len(compressed) - 1, len(compressed) - 8, len(compressed) - 20)]
+            changed = bytes([compressed[-5] ^ 1])
+            for wrong, text, code in (*cuts,
+                                      (compressed[:-5] + changed + compressed[-4:], "damaged compressed data", "FileFormatError"),
+                                      (compressed + b"x", "byte %d: more bytes after" % len(compressed), "FileFormatError")):
                 with self.subTest(name + ": " + text):
                     path = write(name + ".gz", wrong)
+                    reader = make(class_name, FileName=str(path))
                     with self.assertRaises(HorizonError) as raised:
-                        load(path, class_name)
+                        update(reader)
                     self.assertIn("%s: " % path, str(raised.exception))
                     self.assertIn(text, str(raised.exception))
+                    self.assertEqual(reader.GetErrorCode(), getattr(vtkErrorCode, code))
         path = write("lines.vsm.gz", gzip.compress(MATRIX.replace(b"4 1 1 4", b"4 1 x 4")))
         with self.assertRaisesRegex(HorizonError, 'line 5: thickness "x", expected a number'):
             load(path, "vtkVerneySparseMatrixReader")
+
+    def test_much_out_of_little(self):
+        """What a small file is made from does not have to be in memory at once, and of one line it may not be."""
+        blanks = gzip.compress(b" " * 2**22) * 32
+        zmap = b"!\n@GRID FILE, GRID, 4\n15, 1E+30, , 7, 1\n2, 2, 0, 1, 0, 1\n0, 0, 0\n@\n1 2 3 4"
+        for name, content, class_name in (("long.zmap", zmap, "vtkHorizonGridReader"),
+                                          ("long.vsm", MATRIX[:20], "vtkVerneySparseMatrixReader"),
+                                          ("long.xyz", PICKS, "vtkHorizonTextReader"),
+                                          ("long.ts", SURFACE[:50], "vtkGOCADTSurfReader"),
+                                          ("long.dat", FAULTS, "vtkFaultLinesReader")):
+            with self.subTest(name):
+                path = write(name + ".gz", gzip.compress(content) + blanks)
+                with self.assertRaisesRegex(HorizonError, r"byte \d+: a line of more than \d+ bytes, expected a shorter one"):
+                    load(path, class_name)
+        path = write("comments.dat.gz", gzip.compress(b"# nothing\n" * 400000) * 100 + gzip.compress(FAULTS))
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        self.assertEqual(len(load(path, "vtkFaultLinesReader")[1][0]), 4)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 200000)  # KiB
 
     def test_names_of_results(self):
         """Those of the file within."""

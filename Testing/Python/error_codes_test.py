@@ -92,6 +92,50 @@ class ErrorCodeTest(unittest.TestCase):
                     path.write_bytes(content)
                     self.read(reader, errors, path, code)
 
+    def test_stopped(self):
+        """Being asked to stop, however early, is no fault: the output is empty, and whole when a reader runs again."""
+        for name, (extension, good, _, _) in READERS.items():
+            for options in ({}, {"OutputType": 1}) if name == "vtkVerneySparseMatrixReader" else ({},):
+                for event in (1, 2):
+                    with self.subTest("%s %s: event %d" % (name, options, event)):
+                        self.stop_at(event, getattr(sh, name)(), good, extension, options)
+
+    def stop_at(self, event, reader, content, extension, options):
+        path = FOLDER / ("stopped" + extension)
+        path.write_bytes(content)
+        reader.SetFileName(str(path))
+        for option, value in options.items():
+            getattr(reader, "Set" + option)(value)
+        errors, events = quiet(reader), []
+
+        def stop(*_):
+            events.append(1)
+            if len(events) == event:
+                reader.SetAbortExecuteAndUpdateTime()
+
+        def points():
+            output = reader.GetOutputDataObject(0)
+            return 0 if output is None else output.GetNumberOfElements(output.POINT)
+
+        tag = reader.AddObserver("ProgressEvent", stop)
+        reader.Update()
+        self.assertGreaterEqual(len(events), event)
+        self.assertEqual((points(), errors), (0, []))
+        reader.RemoveObserver(tag)
+        reader.SetAbortExecute(0)
+        reader.Update()
+        self.assertGreater(points(), 0)
+        self.assertEqual(errors, [])
+        self.expect(reader, "NoError")
+
+    def test_unreadable(self):
+        """A file whose bytes can not be read, as on a broken disk."""
+        for name in READERS:
+            with self.subTest(name):
+                reader = getattr(sh, name)()
+                is_empty = name == "vtkSEGYCubeReader"  # by its size, at which this one looks first
+                self.read(reader, quiet(reader), "/proc/self/mem", "PrematureEndOfFileError" if is_empty else "FileFormatError")
+
     def test_parameters(self):
         """What is no fault of the file has no name among the codes."""
         reader = sh.vtkVerneySparseMatrixReader()
@@ -100,6 +144,18 @@ class ErrorCodeTest(unittest.TestCase):
         path.write_bytes(PLANE)
         reader.SetVerticalStep(0.0)
         self.read(reader, errors, path, "UnknownError")
+        for name, parameters in (("vtkVerneySparseMatrixReader", {"DuplicatePolicy": 3, "LeastMemory": True}),
+                                 ("vtkHorizonTextReader", {"DuplicatePolicy": 3, "LatticeTolerance": 7.0}),
+                                 ("vtkHorizonTextReader", {"Columns": "X,Y,Z,X"}),
+                                 ("vtkSEGYCubeReader", {"SampleFormat": 77}), ("vtkSEGYCubeReader", {"SampleFormat": -1})):
+            with self.subTest(name, **parameters):
+                extension, good, _, _ = READERS[name]
+                path = FOLDER / ("parameters" + extension)
+                path.write_bytes(good)
+                reader = getattr(sh, name)()
+                for parameter, value in parameters.items():
+                    getattr(reader, "Set" + parameter)(value)
+                self.read(reader, quiet(reader), path, "UnknownError")
 
     def test_unchanged(self):
         """Telling of an error does not make a reader read again."""

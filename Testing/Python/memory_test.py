@@ -112,7 +112,8 @@ class PlanTest(unittest.TestCase):
             budget.require(1001, "x")
         tight = memory.Budget(1 << 20)
         self.assertEqual(tight.most_points(), 0)
-        self.assertEqual([memory.size_text(n) for n in (1, 5 << 20, 3 << 29, 1 << 40)], ["1K", "5M", "1.5G", "1T"])
+        self.assertEqual([memory.size_text(n) for n in (1, 5 << 20, 1000 << 20, 1023 << 20, 3 << 29, 1 << 40, 1010 << 40)],
+                         ["1K", "5M", "1000M", "1023M", "1.5G", "1T", "1010T"])
         self.assertTrue(memory.Budget().left is None or memory.Budget().fits(1000))
         with mock.patch.object(memory, "_available", lambda: None):
             self.assertTrue(memory.Budget().fits(10 ** 15))
@@ -266,6 +267,17 @@ class BatchTest(unittest.TestCase):
         messages, _, files = self.run_batch(path, 599, name="less")
         self.assertEqual((len(messages), files), (1, {}))
         self.assertRegex(messages[0], "error: picks.dat: .*: 600 points take ")
+
+    def test_all_at_once(self):
+        """Horizons of a file that is read whole are in memory beside the one that is worked on."""
+        path = FOLDER / "three.dat"
+        path.write_text("".join('"%s"\t%d\t%d\t%d\t%d\t%d\n' % (name, i, j, 25 * i, 25 * j, 9 + i)
+                                for name in "ABC" for j in range(20) for i in range(30)))
+        messages, _, files = self.run_batch(path, 1000)
+        self.assertEqual((messages, len(files)), ([], 3))
+        messages, _, files = self.run_batch(path, 999, name="less")
+        self.assertEqual((len(messages), files), (1, {}))
+        self.assertRegex(messages[0], "error: three.dat: all horizons, with the largest: 1800 points take ")
 
     def test_peak(self):
         """What the whole program uses is near the limit, far below what the horizon takes without."""

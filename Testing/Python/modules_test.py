@@ -327,8 +327,9 @@ class BatchTest(unittest.TestCase):
                               (["/a/x.vsm", "/b/x.vsm", "/c/a_x.vsm"], ["a/x.vsm", "b/x.vsm", "c/a_x.vsm"])):
             made = batch.make_labels([pathlib.Path(path) for path in paths])
             self.assertEqual([str(label) for label in made], labels)
-        for paths in (["x.vsm", "./x.vsm"], ["a/x.vsm", "a/x.txt"]):
-            with self.assertRaisesRegex(HorizonError, "would write the same results"):
+        for paths, text in ((["x.vsm", "./x.vsm"], "x.vsm is there twice"),
+                            (["a/x.vsm", "a/x.txt"], "would write the same results")):
+            with self.assertRaisesRegex(HorizonError, text):
                 batch.make_labels([pathlib.Path(path) for path in paths])
 
     def test_all_files_are_done(self):

@@ -263,7 +263,7 @@ void WrongParametersAreErrors()
   Refuses(file, "ImageTolerance -1, expected at least 0 columns", [](Reader r) { r->SetImageTolerance(-1.0); });
   Refuses(file, "LatticeTolerance 0, expected", [](Reader r) { r->SetLatticeTolerance(0.0); });
   Refuses(file, "VerticalStep -4, expected", [](Reader r) { r->SetVerticalStep(-4.0); });
-  Refuses(file, "cube.sgy: format code 9, expected", [](Reader r) { r->SetSampleFormat(9); });
+  Refuses(file, "format code 9, expected", [](Reader r) { r->SetSampleFormat(9); });
   Refuses(file, "cube.sgy: InlineRange 1 to 2, expected some", [](Reader r) { r->SetInlineRange(1, 2); });
   Refuses(file, "cube.sgy: SampleRange 9 to -1, expected", [](Reader r) { r->SetSampleRange(9, -1); });
 }

@@ -259,7 +259,7 @@ void BrokenHorizonsAreRefused()
     CheckRefused(writer, broken, message);
   };
   check([](vtkPolyData* data) { data->GetPointData()->GetArray("Attribute 1")->SetNumberOfTuples(3); },
-    "array Attribute 1 of 3 values, expected one for each of the 36 points");
+    "array Attribute 1 of 3 tuples, expected one for each of the 36 points");
   check(
     [](vtkPolyData* data)
     {

@@ -178,7 +178,15 @@ void WrongHorizonsGiveOneErrorEach()
       pairs->SetNumberOfTuples(2);
       first->GetPointData()->AddArray(pairs);
     },
-    "Horizon 2: a point array Amplitude of 2 times 2 values, expected one for each of the 2 points");
+    "Horizon 2: point array Amplitude with 2 components, expected 1");
+  refuse(
+    [](vtkPolyData* first, vtkPolyData*)
+    {
+      vtkNew<vtkDoubleArray> none;
+      none->SetName("Mine");
+      first->GetPointData()->AddArray(none);
+    },
+    "Horizon 2: array Mine of 0 tuples, expected one for each of the 2 points");
 }
 }
 

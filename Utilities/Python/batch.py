@@ -6,17 +6,24 @@ import collections
 import contextlib
 import ctypes
 import ctypes.util
+import fcntl
 import os
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
+import time
 
-from . import interrupt, pipeline, reading, tables, writing
+from . import figures, interrupt, pipeline, reading, tables, writing
 from .memory import Budget
 from .parts import Windows
 from .stage import HorizonError
 from .supply import Supply
+
+WORKSPACE = ".horizon_mesh-"  # what names of folders begin with that are there during a run
+SECONDS_TO_LOCK = 2.0
+LONGEST_NAME = 255  # bytes of the name of a file, on all usual systems
 
 
 def run(inputs, output_folder, settings, with_pictures, record, prints=True):
@@ -43,7 +50,7 @@ def find_files(inputs):
     OSError."""
     files = []
     for path in inputs:
-        if path.is_dir():
+        if os.path.isdir(path):  # false where a name is too long; its reader tells that
             found = sorted(file for file in path.iterdir() if file.is_file() and reading.find_reader(file))
             if not found:
                 raise HorizonError("%s: there is no file of horizons in this folder" % path)
@@ -69,7 +76,10 @@ def make_labels(files):
         if not twins:
             return labels
         if labels == before:
-            raise HorizonError("%s and %s would write the same results" % tuple(files[i] for i in twins[0][:2]))
+            one, other = twins[0][:2]
+            if places[one] == places[other]:
+                raise HorizonError("%s is there twice among the files" % figures.plain(files[one]))
+            raise HorizonError("%s and %s would write the same results" % (files[one], files[other]))
         for number in sum(twins, []):
             lengths[number] += 1
 
@@ -84,21 +94,49 @@ def _stem(label):
 @contextlib.contextmanager
 def _workspace(output_folder):
     """A folder for results that are not complete. It is in the output folder, so that files can be moved into place.
-    The output folder is made when it is missing, and taken away when no result came into it. Raises HorizonError."""
-    missing = [folder for folder in (output_folder, *output_folder.parents) if not folder.exists()]
+    The output folder is made when it is missing, and taken away when no result came into it. Those of programs that were
+    killed are removed. Raises HorizonError."""
+    missing = [folder for folder in (output_folder, *output_folder.parents) if not os.path.exists(folder)]
     try:
         try:
             if missing:
                 output_folder.mkdir(parents=True, exist_ok=True)
-            workspace = tempfile.TemporaryDirectory(prefix=".horizon_mesh-", dir=output_folder)
+            _remove_abandoned(output_folder)
+            workspace = tempfile.TemporaryDirectory(prefix=WORKSPACE, dir=output_folder)
         except OSError as error:
             raise HorizonError("there can be no results in %s: %s" % (output_folder, error.strerror)) from None
-        with workspace as path:
+        with workspace as path, _lock(path):
             yield pathlib.Path(path)
     finally:
         for folder in missing:
             with contextlib.suppress(OSError):  # there is something in it
                 folder.rmdir()
+
+
+@contextlib.contextmanager
+def _lock(folder):
+    """Holds a folder as long as the block runs; the system lets go of those of programs that end in any way. Gives whether
+    nobody else does."""
+    is_own = False
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        with contextlib.suppress(OSError):
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            is_own = True
+        yield is_own
+    finally:
+        os.close(descriptor)
+
+
+def _remove_abandoned(output_folder):
+    """Removes the workspaces of programs that had no time to do so. One that was made this moment may not be held yet."""
+    for folder in output_folder.glob(WORKSPACE + "*"):
+        with contextlib.suppress(OSError):
+            if time.time() - folder.stat().st_mtime < SECONDS_TO_LOCK:
+                continue
+            with _lock(folder) as is_own:
+                if is_own:
+                    shutil.rmtree(folder, ignore_errors=True)
 
 
 def process(path, label, workspace, settings, with_pictures, record):
@@ -154,6 +192,9 @@ class _Names:
     def check(self, folder):
         """Files there will be replaced, folders can not be. Raises HorizonError."""
         for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures]:
+            if len(os.fsencode(name)) > LONGEST_NAME:
+                raise HorizonError("%s... can not be written: a name of %d bytes, and %d are the most" % (
+                    name[:40], len(os.fsencode(name)), LONGEST_NAME))
             if (folder / name).is_dir():
                 raise HorizonError("%s can not be written: it is a folder" % (folder / name))
 

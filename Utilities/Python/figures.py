@@ -41,9 +41,15 @@ def versions():
             "Python": platform.python_version(), "NumPy": np.__version__}
 
 
+def plain(text):
+    """Words of a command line and names of files as text that can be written, whatever their bytes are."""
+    return str(text).encode("utf-8", "backslashreplace").decode()
+
+
 def command():
     """The words that started this program, and the folder they were said in."""
-    return {"words": list(getattr(sys, "orig_argv", None) or [sys.executable, *sys.argv]), "folder": os.getcwd()}
+    words = getattr(sys, "orig_argv", None) or [sys.executable, *sys.argv]
+    return {"words": list(map(plain, words)), "folder": plain(os.getcwd())}
 
 
 def parameters(settings):

@@ -32,7 +32,8 @@ def size_text(size):
     """Bytes as a text for reading."""
     for unit in ("T", "G", "M"):
         if size >= UNITS[unit]:
-            return "%.3g%s" % (size / UNITS[unit], unit)
+            number = size / UNITS[unit]
+            return "%.0f%s" % (number, unit) if number >= 999.5 else "%.3g%s" % (number, unit)
     return "%dK" % -(-size // UNITS["K"])
 
 
@@ -54,17 +55,21 @@ class Budget:
         return self.left is None or WORKED * worked + HELD * held <= self.left
 
     def fits_file(self, path):
-        """Whether whatever is in a file surely fits."""
+        """Whether whatever is in a file surely fits; also where there is none, as its reader tells that."""
         least = COMPRESSED_BYTES if path.suffix == ".gz" else FILE_BYTES
-        return self.fits(os.path.getsize(path) // least)
+        try:
+            return self.fits(os.path.getsize(path) // least)
+        except OSError:
+            return True
 
     def most_points(self):
         """How many points can be worked on at a time."""
         return max(0, self.left // WORKED)
 
-    def require(self, worked, what):
-        """Raises HorizonError where so many points do not fit."""
-        self.require_bytes(WORKED * worked, "%s: %d points take %s" % (what, worked, size_text(WORKED * worked)))
+    def require(self, worked, what, held=0):
+        """Raises HorizonError where so many points do not fit while others are held."""
+        size = WORKED * worked + HELD * held
+        self.require_bytes(size, "%s: %d points take %s" % (what, worked + held, size_text(size)))
 
     def require_bytes(self, size, taking, advice=""):
         """Raises HorizonError where so many bytes do not fit; the message begins with what takes them."""

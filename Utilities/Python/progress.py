@@ -68,7 +68,7 @@ def file_work(path):
 
 def amount_text(number, unit):
     """Three digits of a number, as "1.25 M points"."""
-    for limit, letter in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
+    for limit, letter in ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k")):
         if number >= 0.9995 * limit:
             return "%.3g %s%s%s" % (number / limit, letter, "" if len(unit) == 1 else " ", unit)
     return "%.3g %s" % (number, unit)

@@ -6,6 +6,7 @@
     name, points = horizons[0]
 """
 
+import os
 import pathlib
 
 from . import cubes
@@ -24,12 +25,21 @@ LAST_READER = "vtkHorizonTextReader"
 
 def find_reader(path):
     """The name of the class that reads a file, by what is in it. None when there is none."""
-    return next((name for name in READERS if make(name).CanReadFile(str(path))), None)
+    return next((name for name in READERS if make(name).CanReadFile(os.fsencode(path))), None)
+
+
+def require_text(path):
+    """Raises HorizonError where the name of a file is no text, as one in Latin-1: VTK takes names in UTF-8."""
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        raise HorizonError("%s: the name of the file is not in UTF-8" % ascii(str(path))) from None
 
 
 def open_file(path, **properties):
     """What gives the horizons of a file: its reader, or the extraction from a cube. Raises HorizonError when it has no
     such property."""
+    require_text(path)
     name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else LAST_READER)
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)

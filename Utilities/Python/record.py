@@ -31,7 +31,7 @@ class Record:
                          "leave_out_invalid": settings.leave_out_invalid}
 
     def begin_file(self, path, label):
-        self.files.append({"path": str(path), "label": str(label), "status": "failed", "error": None,
+        self.files.append({"path": figures.plain(path), "label": figures.plain(label), "status": "failed", "error": None,
                            "bytes": os.path.getsize(path) if os.path.exists(path) else None, "format": None,
                            "description": [], "horizons_in_file": None, "survey": None, "seconds_reading": None,
                            "horizons": [], "results": [], "warnings": []})

@@ -47,11 +47,18 @@ class Supply:
                 yield self.names[group[0]], self._cut(group)
                 continue
             if self._budget.is_given:
-                for number in group:
-                    self._budget.require(self.sizes[number], "%s: %s" % (self._path.name, self.names[number]))
+                self._require(group)
             found = self._read(group) if self._reader else self._found
             while found:
                 yield found.pop(0)
+
+    def _require(self, group):
+        """Raises HorizonError where one of the horizons can not be worked on while the others are there."""
+        for number in group:
+            self._budget.require(self.sizes[number], "%s: %s" % (self._path.name, self.names[number]))
+        largest = max(self.sizes[number] for number in group)
+        held = sum(self.sizes[number] for number in group) - largest
+        self._budget.require(largest, "%s: all horizons, with the largest" % self._path.name, held)
 
     def _list(self, reader, horizons):
         """Lists the horizons of a file without their points."""

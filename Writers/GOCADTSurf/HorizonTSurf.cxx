@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
 
 #include "vtkCellArray.h"
@@ -94,10 +95,11 @@ std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
 std::vector<std::int32_t> ReadParts(vtkPolyData* horizon)
 {
   auto* const parts = vtkIntArray::SafeDownCast(horizon->GetCellData()->GetArray(CellArray::Part));
-  if (!parts || parts->GetNumberOfComponents() != 1 || parts->GetNumberOfTuples() != horizon->GetNumberOfCells())
+  if (!parts || parts->GetNumberOfComponents() != 1)
   {
     return {};
   }
+  RequireTuples(parts, horizon->GetNumberOfCells(), "cells");
   const vtkIdType first = horizon->GetNumberOfVerts() + horizon->GetNumberOfLines(); // cells come in this order
   std::vector<std::int32_t> numbers;
   for (vtkIdType cell = first; cell < first + horizon->GetNumberOfPolys(); ++cell)
@@ -131,8 +133,7 @@ std::vector<TSurfProperty> ReadProperties(vtkPolyData* horizon)
   {
     vtkDataArray* const array = data->GetArray(n);
     const std::string name = array && array->GetName() ? array->GetName() : "";
-    if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName() &&
-      array->GetNumberOfTuples() == horizon->GetNumberOfPoints())
+    if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName())
     {
       properties.push_back(ReadProperty(array));
     }

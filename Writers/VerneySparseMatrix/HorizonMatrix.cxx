@@ -27,11 +27,10 @@ namespace
 vtkDataArray* FindArray(vtkPolyData* horizon, const char* name)
 {
   vtkDataArray* const array = horizon->GetPointData()->GetArray(name);
-  if (array && (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != horizon->GetNumberOfPoints()))
+  if (array && array->GetNumberOfComponents() != 1)
   {
-    throw InputError(std::string("a point array ") + name + " of " + std::to_string(array->GetNumberOfTuples()) +
-      " times " + std::to_string(array->GetNumberOfComponents()) + " values, expected one for each of the " +
-      std::to_string(horizon->GetNumberOfPoints()) + " points");
+    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfComponents()) +
+      " components, expected 1");
   }
   return array;
 }

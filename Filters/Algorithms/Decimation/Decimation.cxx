@@ -88,7 +88,13 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
     // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
     part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
     monitor.Progress(part);
+    const std::size_t before = this->Mesh.NumberOfVertices();
     this->InsertRound(urgent);
+    if (this->Mesh.NumberOfVertices() == before)
+    {
+      throw InputError("point " + std::to_string(this->Mesh.Error(urgent.front()).Point) +
+        " in several triangles, expected loops that enclose it once");
+    }
     this->SortNew();
     this->Mesh.Measure(this->New, this->Power, Monitor());
   }
@@ -104,6 +110,11 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
   {
     monitor.Progress(0.8);
     this->InsertRound(far);
+    if (this->New.empty()) // all points lie beyond the boundary, where nothing can be inserted
+    {
+      std::for_each(
+        far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
+    }
     this->Mesh.MeasureWithSides(this->New, Monitor());
   }
 }

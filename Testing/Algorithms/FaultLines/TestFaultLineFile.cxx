@@ -31,9 +31,21 @@ std::string ToText(const FaultLineFile& file)
   return text.str();
 }
 
+FaultLineFile ReadFile(const std::string& text, std::size_t bufferSize = 1024)
+{
+  std::istringstream stream(text);
+  return ReadFaultLines(stream, Monitor(), bufferSize);
+}
+
+/// What is read does not depend on how much is read at a time.
 std::string Read(const std::string& text)
 {
-  return ToText(ReadFaultLines(text));
+  const std::string whole = ToText(ReadFile(text));
+  for (const std::size_t size : { 2, 3, 20, 64 })
+  {
+    CHECK_EQUAL(ToText(ReadFile(text, size)), whole);
+  }
+  return whole;
 }
 
 void PlainLines()
@@ -94,7 +106,7 @@ bool IsBeginning(const std::string& cut, const FaultLineFile& whole)
 {
   try
   {
-    const FaultLineFile part = ReadFaultLines(cut);
+    const FaultLineFile part = ReadFile(cut);
     bool isSame = part.Places.size() <= whole.Places.size() && part.Ends.size() <= whole.Ends.size() &&
       std::equal(part.Ends.begin(), part.Ends.end() - 1, whole.Ends.begin()) &&
       std::equal(part.Names.begin(), part.Names.end() - 1, whole.Names.begin());
@@ -127,7 +139,7 @@ void CutFiles()
     "GOCAD PLine 1\nHEADER {name:G}\nVRTX 1 7 8 9\nVRTX 2 1 1 1\nSEG 1 2\nEND\n";
   for (const std::string& text : { plain, irap, cps, sticks, zmap, pline })
   {
-    const FaultLineFile whole = ReadFaultLines(text);
+    const FaultLineFile whole = ReadFile(text);
     for (std::size_t size = 0; size < text.size(); ++size)
     {
       if (!CHECK(IsBeginning(text.substr(0, size), whole)))

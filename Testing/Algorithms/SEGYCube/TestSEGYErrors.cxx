@@ -188,6 +188,7 @@ void RangesAreOfLinesAndSamples()
   CHECK((find({ -5, 12 }, { 102, 900 }, { 4, 99 }) == CubeExtent{ 2, 3, 0, 1, 4, 4 }));
   CHECK_THROWS_WITH(find({ 11, 11 }, all, all),
     "InlineRange 11 to 11, expected some of the lines 10 to 14 in steps of 2, or 0 to -1 for all");
+  CHECK_THROWS_WITH(find({ 14, 10 }, all, all), "InlineRange 14 to 10, expected some of the lines 10 to 14");
   CHECK_THROWS_WITH(find(all, { 104, 200 }, all), "CrosslineRange 104 to 200, expected some of the lines 100 to 103");
   for (const std::array<int, 2>& wrong : { std::array<int, 2>{ 5, -1 }, { -1, 3 }, { 3, 2 }, { 0, -2 } })
   {

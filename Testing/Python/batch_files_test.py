@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The batch program with files and options that nobody expects, and what is left of runs that were killed.
+
+Arguments: program, folder of the data, work folder, then the interpreter.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+INTERPRETER = sys.argv[4:]
+SAMPLE = DATA / "sample.vsm"
+LATIN = os.fsdecode("caf\u00e9".encode("latin-1"))
+
+
+def files(folder):
+    return sorted(p.name for p in folder.iterdir()) if folder.exists() else []
+
+
+class FilesTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+        self.output = self.folder / "results"
+
+    def command(self, *arguments):
+        return [*INTERPRETER, str(PROGRAM), "--no-pictures", "--output-folder", str(self.output), *map(str, arguments)]
+
+    def run_program(self, *arguments):
+        """The exit code and the messages, after "horizon_mesh: "."""
+        done = subprocess.run(self.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
+        self.assertNotIn("Traceback", done.stderr)
+        messages = [line.replace("horizon_mesh: ", "", 1) for line in done.stderr.splitlines()]
+        return done.returncode, messages, done.stdout
+
+    def copy(self, name):
+        path = self.folder / name
+        path.parent.mkdir(exist_ok=True)
+        shutil.copy(SAMPLE, path)
+        return path
+
+    def test_name_in_latin_1(self):
+        """An error of that file alone, also in a report and in JSON."""
+        good, report = self.copy("good.vsm"), self.folder / "report.html"
+        for wrong in (self.copy(LATIN + ".vsm"), self.copy(LATIN + "/a.vsm").parent):
+            code, messages, printed = self.run_program(wrong, good, "--json", "--report", report)
+            self.assertEqual((code, len(messages)), (1, 1), messages)
+            self.assertRegex(messages[0], r"error: '.*caf\\udce9.*\.vsm': the name of the file is not in UTF-8")
+            self.assertEqual([file["status"] for file in json.loads(printed)["files"]], ["failed", "done"])
+            self.assertIn("udce9", report.read_text(encoding="utf-8"))
+            self.assertEqual(files(self.output), ["good_horizon_%d.vtp" % n for n in (1, 2, 3)])
+
+    def test_option_in_latin_1(self):
+        for arguments in (["--report", LATIN], ["--columns", LATIN], ["--output-folder", LATIN], ["--horizons", LATIN, "--"]):
+            code, messages, _ = self.run_program(*arguments, SAMPLE)
+            self.assertEqual((code, messages), (1, [r"error: 'caf\udce9' is not in UTF-8 (see --help)"]))
+
+    def test_long_names(self):
+        """The others are done."""
+        code, messages, _ = self.run_program("n" * 300 + ".vsm", self.copy("m" * 248 + ".vsm"), self.copy("good.vsm"))
+        self.assertEqual((code, len(messages), len(files(self.output))), (1, 2, 3), messages)
+        self.assertIn("nothing there, expected a file", messages[0])
+        self.assertEqual(messages[1], "error: %s... can not be written: a name of 262 bytes, and 255 are the most" % ("m" * 40))
+
+    def test_twice(self):
+        path = self.copy("a.vsm")
+        for other in (path, self.folder, self.folder / ".." / self.folder.name / "a.vsm"):
+            code, messages, _ = self.run_program(path, other)
+            self.assertEqual((code, messages), (1, ["error: %s is there twice among the files" % path]))
+
+    def test_large_numbers(self):
+        for option, *values in (("--triangles", "9" * 15), ("--cell-size", str(2**31)), ("--threads", str(2**31)),
+                                ("--smallest-hole-size", str(2**31)), ("--inlines", str(2**31), "1"),
+                                ("--memory", "9" * 400), ("--memory", "9" * 305 + "T"), ("--memory", "0.1")):
+            code, messages, _ = self.run_program(option, *values, SAMPLE)
+            self.assertEqual((code, len(messages)), (1, 1), messages)
+            self.assertRegex(messages[0], "^error: argument %s: invalid .*: value: " % option)
+        self.assertEqual(self.run_program("--cell-size", str(2**31 - 1), SAMPLE)[:2], (0, []))
+
+    def test_killed(self):
+        """The next run takes away what is left, but nothing of a run that still goes on."""
+        large = self.folder / "large.vsm"
+        large.write_bytes(b"1000 1000 9\n" + b"3 1 1 0.5 4.0\n" * 1000000)
+        with subprocess.Popen(self.command(large, "--skip-rough")) as process:
+            while not files(self.output):
+                time.sleep(0.01)
+            workspace = self.output / files(self.output)[0]
+            os.utime(workspace, (0, 0))  # not made this moment
+            self.assertEqual(self.run_program("--horizons", "1", "--", SAMPLE)[:2], (0, []))
+            self.assertTrue(workspace.exists())
+            process.send_signal(signal.SIGKILL)
+        os.utime(workspace, (0, 0))
+        self.assertEqual(self.run_program("--horizons", "1", "--", SAMPLE)[:2], (0, []))
+        self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
+
+    def test_first_moments(self):
+        """Ctrl-C while modules are loaded; before that it is Python that answers."""
+        code = ("import runpy, sys, signal\n"
+                "class Finder:\n"
+                "    def find_spec(self, name, *_):\n"
+                "        if name == %r: signal.raise_signal(signal.SIGINT)\n"
+                "sys.meta_path.insert(0, Finder())\n"
+                "sys.argv = sys.argv[1:]\n"
+                "runpy.run_path(sys.argv[0], run_name='__main__')\n")
+        for module in ("argparse", "seismichorizons"):
+            done = subprocess.run([*INTERPRETER, "-c", code % module, *self.command(SAMPLE)[len(INTERPRETER):]],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (130, "", ""), module)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["batch_files_test"], verbosity=2)
