@@ -171,7 +171,9 @@ private:
       const auto other = this->PointAt.find(high);
       const double between = place - std::floor(place);
       const bool isBetween = between > 1e-9 && between < 1.0 - 1e-9;
-      if (isBetween && one != this->PointAt.end() && other != this->PointAt.end() && this->CanSee(low, high))
+      const LinkCuts* const cuts = this->Horizon.Cuts.get();
+      const bool isCut = cuts && (axis == &PlanePoint::X ? cuts->IsCutNorth(low) : cuts->IsCutEast(low));
+      if (isBetween && !isCut && one != this->PointAt.end() && other != this->PointAt.end() && this->CanSee(low, high))
       {
         const double expected = (1.0 - between) * this->Height(one->second) + between * this->Height(other->second);
         const double height = this->MeshHeight(from) + part * (this->MeshHeight(to) - this->MeshHeight(from));
