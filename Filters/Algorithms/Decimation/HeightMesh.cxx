@@ -279,6 +279,25 @@ double HeightMesh::LargestError() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// A column without the weight of a corner is on the side opposite to it, without those of two in the third corner.
+bool HeightMesh::Owns(TriangleId triangle, const std::array<double, 3>& weights) const
+{
+  if (std::count(weights.begin(), weights.end(), 0.0) > 1)
+  {
+    return false;
+  }
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
+    if (weights[corner] == 0.0 && beyond != NoTriangle && beyond < triangle)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 double HeightMesh::SumOfErrors() const
 {
   std::vector<double> sums(std::size_t(this->Mesh.Size()), 0.0);

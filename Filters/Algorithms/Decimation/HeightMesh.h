@@ -14,6 +14,7 @@
 #include "PlaneMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -137,6 +138,9 @@ public:
   template <typename Call>
   void ForEachTriangle(const Monitor& monitor, Call&& call) const;
 
+  /// Whether a column in a triangle or on its sides, with these weights of the corners, counts for it in sums over all
+  /// columns. Those of vertices count for no triangle, and those on a common side for the first of the two.
+  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const;
   /// The sum of the errors of all points; points on sides count twice.
   double SumOfErrors() const;
   /// How far rounding may put a triangle from a point.
