@@ -532,6 +532,10 @@ void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVer
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
 // Each finds less: the third takes one vertex in a hundred.
 constexpr int Rounds = 3;
+
+// Half-way to a number, there are so many times the inner vertices that are left. Two or three such stops make errors
+// 0.5 % smaller and take a fifth longer.
+constexpr double HalfWay = 1.5;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -561,24 +565,33 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   mesh.Triangles().SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
-  if (options.FitHeights)
+  // What is flipped and fitted half-way shows better which vertices can go.
+  const std::size_t onLoops = mesh.NumberOfVertices() - mesh.Heights().Points.size();
+  const std::size_t halfWay = onLoops + std::size_t(HalfWay * double(vertices - onLoops));
+  const auto improve = [&](const Monitor& step)
   {
-    FitToNumber(mesh, options.Priority, monitor.Step(0.2, 0.3));
-  }
-  RemoveVertices(mesh, cost, vertices, monitor.Step(0.3, 0.7));
+    FlipEdges(mesh, cost, step.Step(0.0, 0.6));
+    if (options.FitHeights)
+    {
+      FitToNumber(mesh, options.Priority, step.Step(0.6, 1.0));
+    }
+  };
+  RemoveVertices(mesh, cost, halfWay, monitor.Step(0.2, 0.5));
+  improve(monitor.Step(0.5, 0.65));
+  RemoveVertices(mesh, cost, vertices, monitor.Step(0.65, 0.8));
   cost.SmallestSine = 0.0;
-  RemoveVertices(mesh, cost, vertices, monitor.Step(0.7, 0.75)); // where angles were in the way
-  FlipEdges(mesh, cost, monitor.Step(0.75, 0.9));
-  if (options.FitHeights)
-  {
-    FitToNumber(mesh, options.Priority, monitor.Step(0.9, 1.0));
-  }
+  RemoveVertices(mesh, cost, vertices, monitor.Step(0.8, 0.85)); // where angles were in the way
+  improve(monitor.Step(0.85, 1.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
   const double largest = mesh.LargestError();
+  if (!(largest > 0.0))
+  {
+    return;
+  }
   const InnerHeights heights = FitHeights(mesh, priority, largest, monitor);
   if (priority == DecimationPriority::LargestError)
   {
@@ -586,9 +599,10 @@ void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& m
     return;
   }
   const InnerHeights before = mesh.Heights();
-  const double sum = mesh.SumOfErrors();
+  const HeightMesh::ErrorSums sums = mesh.SumErrors(largest);
   mesh.SetHeights(heights);
-  if (mesh.SumOfErrors() > sum)
+  const HeightMesh::ErrorSums fitted = mesh.SumErrors(largest);
+  if (fitted.Errors > sums.Errors || fitted.Squares > sums.Squares)
   {
     mesh.SetHeights(before);
   }
