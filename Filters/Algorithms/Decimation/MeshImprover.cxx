@@ -243,6 +243,9 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 // What part of the candidates a round looks at: of neighbours the cheaper one should go.
 constexpr double PartOfRound = 0.25;
 
+// What a vertex costs in whose triangles an angle is too small, beside others: it goes early.
+constexpr double PartOfSlivers = 0.01;
+
 // How many vertices a thread tries at a time.
 constexpr std::int64_t RemovalGrain = 16;
 
@@ -253,6 +256,7 @@ struct Ring
   std::vector<TriangleId> Triangles;
   std::vector<RaisedPoint> Ends;
   double Sum = 0.0; // of the errors now
+  double Sine = 1.0; // of the smallest angle now
 
   const RaisedPoint& End(std::size_t n) const { return this->Ends[n % this->Ends.size()]; }
 };
@@ -366,6 +370,7 @@ private:
         best.Side = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
       }
     }
+    best.Cost *= ring.Sine < this->Cost.SmallestSine && best.Cost > 0.0 ? PartOfSlivers : 1.0;
     return best;
   }
 
@@ -428,16 +433,22 @@ private:
       ring.Sum +=
         this->Mesh.Error(triangle).Sum + this->Cost.MeasureSide(raster, this->Mesh.Raised(point), ring.Ends.back()).Sum;
     }
+    for (std::size_t n = 0; n < ring.Ends.size(); ++n)
+    {
+      ring.Sine = std::min(ring.Sine,
+        MeshCost::SmallestSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
+    }
     return ring;
   }
 
-  /// Whether all triangles around could have their corner at one of the ends instead.
+  /// Whether all triangles around could have their corner at one of the ends instead. Angles that are too small may
+  /// become larger ones that still are.
   bool KeepsAngles(const Ring& ring, std::size_t end) const
   {
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
     {
       const double sine = MeshCost::SmallestSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
-      if (sine <= 0.0 || sine < this->Cost.SmallestSine)
+      if (sine <= 0.0 || (sine < this->Cost.SmallestSine && sine <= ring.Sine))
       {
         return false;
       }
@@ -533,6 +544,9 @@ void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVer
 // Each finds less: the third takes one vertex in a hundred.
 constexpr int Rounds = 3;
 
+// How often the smallest angle is halved where no vertex can go otherwise, before any angle will do.
+constexpr int MostHalvings = 12;
+
 // Half-way to a number, there are so many times the inner vertices that are left. Two or three such stops make errors
 // 0.5 % smaller and take a fifth longer.
 constexpr double HalfWay = 1.5;
@@ -579,8 +593,15 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   RemoveVertices(mesh, cost, halfWay, monitor.Step(0.2, 0.5));
   improve(monitor.Step(0.5, 0.65));
   RemoveVertices(mesh, cost, vertices, monitor.Step(0.65, 0.8));
-  cost.SmallestSine = 0.0;
-  RemoveVertices(mesh, cost, vertices, monitor.Step(0.8, 0.85)); // where angles were in the way
+  // Where angles are in the way of that, they may be smaller.
+  const double sine = cost.SmallestSine;
+  for (int halving = 1; mesh.NumberOfVertices() > vertices && cost.SmallestSine > 0.0; ++halving)
+  {
+    cost.SmallestSine = halving < MostHalvings ? 0.5 * cost.SmallestSine : 0.0;
+    const double part = 0.8 + 0.05 * double(halving) / (MostHalvings + 1);
+    RemoveVertices(mesh, cost, vertices, monitor.Step(part, part));
+  }
+  cost.SmallestSine = sine;
   improve(monitor.Step(0.85, 1.0));
 }
 

@@ -192,6 +192,14 @@ void TestSmallestAngle()
   CHECK(smallest(Best(Within(2.0), 0.0)) < 0.5 * before);
   CHECK(smallest(Best(Within(2.0), 60.0)) >= before - 1e-9);
   CHECK(smallest(Best(Within(2.0), 0.8 * before)) >= 0.8 * before - 1e-9);
+  // For a number, too, down to the last point.
+  for (const double angle : { 2.0, 10.0 })
+  {
+    CHECK(smallest(Best(AtMost(250, true), angle)) >= angle);
+    CHECK(smallest(Best(AtMost(400, true), angle)) >= angle);
+  }
+  // Of 14 points inside and 156 on the loop some angles have to be smaller: no more so than it takes.
+  CHECK(smallest(Best(AtMost(170, true), 10.0)) >= 2.5);
 }
 
 void TestThreads()
