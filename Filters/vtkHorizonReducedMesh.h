@@ -110,8 +110,9 @@ public:
   ///@{
   /**
    * With the Effort Best, no edge that is flipped and no vertex that is removed makes a smaller angle, seen from above
-   * on the lattice, unless there was a smaller one before. Large values take more points: 5 one in twenty, 10 one in
-   * five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * on the lattice, unless there was a smaller one before. Where a number of points can not be met so, the angle is
+   * halved until it is. Large values take more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60.
+   * Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);

@@ -101,6 +101,7 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
   double largest = 0.0;
   double inside = 0.0;
   std::size_t count = 0;
+  std::vector<bool> isCounted(surface.Columns.size(), false); // columns where triangles meet count once
   for (const auto& corners : mesh.Triangles)
   {
     RaisedTriangle triangle = { mesh.Vertices[corners[0]], mesh.Vertices[corners[1]], mesh.Vertices[corners[2]] };
@@ -116,10 +117,15 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
     surface.Raster->ForEachColumn(triangle,
       [&](PointId point, double error, const std::array<double, 3>&)
       {
-        sum += std::abs(error);
         largest = std::max(largest, std::abs(error));
-        inside = surface.IsInside[std::size_t(point)] ? std::max(inside, std::abs(error)) : inside;
+        if (isCounted[std::size_t(point)])
+        {
+          return;
+        }
+        isCounted[std::size_t(point)] = true;
+        sum += std::abs(error);
         ++count;
+        inside = surface.IsInside[std::size_t(point)] ? std::max(inside, std::abs(error)) : inside;
       });
   }
   std::printf("| %s | %zu | %.3f | %.4f | %.3f | %.3f |\n", method, mesh.Vertices.size(), seconds, sum / double(count),

@@ -6,6 +6,8 @@
 
 #include "FewestPoints.h"
 
+#include "Common/Predicates.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -47,6 +49,20 @@ std::int64_t PlaceOf(std::uint64_t crossing)
 bool IsUpward(std::uint64_t crossing)
 {
   return (crossing & 1) != 0;
+}
+
+/// Of the row of a column to its right with an edge: 1 when that goes upwards, -1 when downwards, 0 without one. Lower
+/// ends of edges count, upper ones do not.
+int CrossingOf(const PlanePoint& from, const PlanePoint& to, const PlanePoint& column)
+{
+  const bool isUpward = from.Y <= column.Y && to.Y > column.Y;
+  const bool isDownward = to.Y <= column.Y && from.Y > column.Y;
+  if (!isUpward && !isDownward)
+  {
+    return 0;
+  }
+  const std::int64_t side = isUpward ? SignedArea(from, to, column) : SignedArea(to, from, column);
+  return side <= 0 ? 0 : isUpward ? 1 : -1;
 }
 
 // Where an edge from a point can go that passes others within a tolerance: a wedge of directions on the map (Imai and
@@ -144,6 +160,10 @@ private:
 // time grows with it where they run straight.
 constexpr std::size_t LookBack = 512;
 
+// How many columns that were in the way are kept, and how far back along the chain they are good for.
+constexpr std::size_t MostBars = 8;
+constexpr std::size_t ReachOfBar = 2 * LookBack;
+
 // How far from its ends a run that is straight in space has nodes.
 constexpr std::size_t RunEnd = 32;
 
@@ -185,6 +205,7 @@ void ShortcutGuard::SetChain(const std::vector<PointId>& chain)
     this->PositionOf(point) = NoPosition;
   }
   this->Chain = chain;
+  this->Bars.clear();
   for (std::size_t position = 1; position + 1 < chain.size(); ++position)
   {
     this->PositionOf(chain[position]) = position;
@@ -245,11 +266,49 @@ bool ShortcutGuard::IsClearBetween()
     {
       if (!this->IsClearAt(x, RowOf(crossing)))
       {
+        this->AddBar({ std::int32_t(x), std::int32_t(RowOf(crossing)) });
         return false;
       }
     }
   }
   return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ShortcutGuard::AddBar(const PlanePoint& column)
+{
+  const Bar bar{ column, this->To > ReachOfBar ? this->To - ReachOfBar : 0, { 0 } };
+  if (this->Bars.size() < MostBars)
+  {
+    this->Bars.push_back(bar);
+    return;
+  }
+  this->Bars[this->NextBar] = bar;
+  this->NextBar = (this->NextBar + 1) % MostBars;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool ShortcutGuard::IsKnownToBeBarred(std::size_t from, std::size_t to)
+{
+  this->From = from;
+  this->To = to;
+  return std::any_of(this->Bars.begin(), this->Bars.end(),
+    [&](Bar& bar)
+    {
+      if (from < bar.First || this->IsClearAt(bar.Column.X, bar.Column.Y))
+      {
+        return false;
+      }
+      while (bar.Crossings.size() <= to - bar.First)
+      {
+        const std::size_t position = bar.First + bar.Crossings.size();
+        bar.Crossings.push_back(
+          bar.Crossings.back() + CrossingOf(this->ColumnAt(position - 1), this->ColumnAt(position), bar.Column));
+      }
+      return bar.Crossings[to - bar.First] - bar.Crossings[from - bar.First] +
+        CrossingOf(this->ColumnAt(to), this->ColumnAt(from), bar.Column) !=
+        0;
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -516,6 +575,10 @@ bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
   }
   const std::size_t first = this->Nodes[from];
   const std::size_t last = this->Nodes[to];
+  if (this->Guard.IsKnownToBeBarred(first, last))
+  {
+    return false;
+  }
   const SpanningEdge edge(this->Places[first], this->Places[last]);
   const bool isNear =
     std::all_of(this->Places.begin() + std::ptrdiff_t(first) + 1, this->Places.begin() + std::ptrdiff_t(last),

@@ -107,7 +107,21 @@ public:
   /// Whether the points of the chain between two positions can be dropped.
   bool IsClear(std::size_t from, std::size_t to);
 
+  /// Whether one of the columns that were in the way of edges asked about last is in the way of this one, too. Takes
+  /// hardly any time where many edges to one point, or to the next ones, are asked about.
+  bool IsKnownToBeBarred(std::size_t from, std::size_t to);
+
 private:
+  /// A column that was in the way, and how often the chain goes around it, from a first position on to each later one:
+  /// by crossings of the row to the right of the column, upwards less downwards.
+  struct Bar
+  {
+    PlanePoint Column;
+    std::size_t First;
+    std::vector<std::int32_t> Crossings;
+  };
+
+  void AddBar(const PlanePoint& column);
   PlanePoint ColumnAt(std::size_t position) const { return this->Columns[this->Chain[position]]; }
   std::size_t& PositionOf(PointId point);
   void AddCrossings(const PlanePoint& from, const PlanePoint& to);
@@ -123,6 +137,8 @@ private:
   std::size_t From = 0; // the positions that IsClear was asked about
   std::size_t To = 0;
   std::vector<std::uint64_t> Crossings; // see AddCrossings
+  std::vector<Bar> Bars; // the last ones
+  std::size_t NextBar = 0; // which of them goes for a new one
 };
 
 class FewestPoints

@@ -282,13 +282,17 @@ private:
     std::vector<double> sums(this->Result.Errors.size(), 0.0);
     this->Surface.ForEachTriangle(
       monitor, [&](TriangleId triangle) { sums[triangle] = this->AssignPointsOf(triangle); });
-    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    for (const PointId vertex : this->Result.Points.Source)
+    {
+      sum += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
+    }
     this->Result.MeanError = this->Surface.NumberOfPoints() == 0 ? 0.0 : sum / double(this->Surface.NumberOfPoints());
     const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
     this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
   }
 
-  /// The sum of the errors of the points that are given to its corners.
+  /// The sum of the errors of the columns that count for it.
   double AssignPointsOf(TriangleId triangle)
   {
     double sum = 0.0;
@@ -297,32 +301,14 @@ private:
       [&](PointId point, double error, const std::array<double, 3>& weights)
       {
         largest = std::max(largest, std::abs(error));
-        if (this->Owns(triangle, weights))
+        if (this->Surface.Owns(triangle, weights))
         {
           sum += std::abs(error);
-        }
-        if (!this->Surface.IsVertex(point) && this->Owns(triangle, weights))
-        {
           const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
           this->Result.Points.Target[point] = this->Result.Triangles[3 * triangle + nearest];
         }
       });
     return sum;
-  }
-
-  /// Of two triangles the first one owns the columns on their common side, which is opposite to a corner without
-  /// weight.
-  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
-      if (weights[corner] == 0.0 && beyond != NoTriangle && beyond < triangle)
-      {
-        return false;
-      }
-    }
-    return true;
   }
 
   void CheckAllAssigned() const

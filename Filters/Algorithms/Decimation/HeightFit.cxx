@@ -17,11 +17,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The power of each step: 2 to 4.
-std::vector<int> Powers(DecimationPriority priority)
+/// The power of each step.
+std::vector<double> Powers(DecimationPriority priority)
 {
-  return priority == DecimationPriority::SumOfSquares ? std::vector<int>{ 2 } : std::vector<int>{ 3, 3, 4, 4 };
+  return priority == DecimationPriority::SumOfSquares ? std::vector<double>{ 2.0, 1.5, 1.0 }
+                                                      : std::vector<double>{ 3.0, 3.0, 4.0, 4.0 };
 }
+
+// What an error of a side counts, beside one of a column, for a small mean error: that is of columns alone.
+constexpr double PartOfSides = 0.1;
 
 // The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
 constexpr double LeastError = 1e-2;
@@ -58,7 +62,7 @@ public:
     }
   }
 
-  InnerHeights Run(const std::vector<int>& powers, const Monitor& monitor)
+  InnerHeights Run(const std::vector<double>& powers, const Monitor& monitor)
   {
     for (std::size_t step = 0; step < powers.size() && !this->Inner.Points.empty(); ++step)
     {
@@ -72,20 +76,20 @@ private:
   using Entries = std::vector<Eigen::Triplet<double>>;
 
   /// Solves for how far heights have to move, and moves them a part of it.
-  void Improve(int power)
+  void Improve(double power)
   {
     const auto unknowns = Eigen::Index(this->Inner.Points.size());
     Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
     {
       // Neither the elements are kept while the matrix is made, nor the entries while it is solved.
-      const Entries entries = this->ListEntries(this->MakeElements(power), right);
+      const Entries entries = this->ListEntries(this->MakeElements(power), power, right);
       matrix.setFromTriplets(entries.begin(), entries.end());
     }
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
     solver.setTolerance(Precision);
     solver.setMaxIterations(MostIterations);
-    const Eigen::VectorXd moves = solver.compute(matrix).solve(right) / double(power - 1);
+    const Eigen::VectorXd moves = solver.compute(matrix).solve(right) / std::max(1.0, power - 1.0);
     for (Eigen::Index n = 0; n < unknowns; ++n)
     {
       const double column = this->Surface.ColumnHeight(this->Inner.Points[n]);
@@ -94,7 +98,7 @@ private:
     }
   }
 
-  std::vector<Element> MakeElements(int power) const
+  std::vector<Element> MakeElements(double power) const
   {
     std::vector<Element> elements(std::size_t(this->Mesh.Size()));
     this->Surface.ForEachTriangle(
@@ -102,8 +106,8 @@ private:
     return elements;
   }
 
-  /// Points on sides count for both triangles.
-  Element MakeElement(TriangleId triangle, int power) const
+  /// Of the columns that count for a triangle, and its sides.
+  Element MakeElement(TriangleId triangle, double power) const
   {
     RaisedTriangle raised = this->Surface.RaisedCorners(triangle);
     for (int corner = 0; corner < 3; ++corner)
@@ -115,12 +119,16 @@ private:
       }
     }
     const double perArea = 1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column));
+    const double partOfSides = power > 2.0 ? 1.0 : PartOfSides;
     Element element;
     this->Surface.RasterOf(triangle).ForEachColumn(raised,
       [&](PointId, double error, const std::array<double, 3>& weights)
       {
-        const Eigen::Vector3d parts = perArea * Eigen::Map<const Eigen::Vector3d>(weights.data());
-        this->Add(parts, error, power, element);
+        if (this->Surface.Owns(triangle, weights))
+        {
+          const Eigen::Vector3d parts = perArea * Eigen::Map<const Eigen::Vector3d>(weights.data());
+          Add(parts, error, this->WeightOf(error, power), element);
+        }
       });
     for (int side = 0; side < 3; ++side)
     {
@@ -133,28 +141,32 @@ private:
             Eigen::Vector3d parts = Eigen::Vector3d::Zero();
             parts[side] = 1.0 - crossing.PartOfSide;
             parts[next] = crossing.PartOfSide;
-            this->Add(parts, crossing.Error, power, element);
+            Add(parts, crossing.Error, partOfSides * this->WeightOf(crossing.Error, power), element);
           });
       }
     }
     return element;
   }
 
-  /// Of an error, with the parts that the corners have in it.
-  void Add(const Eigen::Vector3d& parts, double error, int power, Element& element) const
+  double WeightOf(double error, double power) const
   {
-    const double size = std::max(std::abs(error), LeastError * this->Reach);
-    const double weight = power == 2 ? 1.0 : power == 3 ? size : size * size;
+    return std::pow(std::max(std::abs(error), LeastError * this->Reach), power - 2.0);
+  }
+
+  /// Of an error, with the parts that the corners have in it.
+  static void Add(const Eigen::Vector3d& parts, double error, double weight, Element& element)
+  {
     const Eigen::Vector3d weighted = weight * parts;
     element.Matrix += weighted * parts.transpose();
     element.Right -= error * weighted;
   }
 
-  /// Those of the matrix, of which entries at one place are to be added up; adds to the right-hand side.
-  Entries ListEntries(const std::vector<Element>& elements, Eigen::VectorXd& right) const
+  /// Those of the matrix, of which entries at one place are to be added up; adds to the right-hand side. The columns of
+  /// the vertices are among them, which count for no triangle.
+  Entries ListEntries(const std::vector<Element>& elements, double power, Eigen::VectorXd& right) const
   {
     Entries entries;
-    entries.reserve(9 * elements.size());
+    entries.reserve(9 * elements.size() + this->Inner.Points.size());
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       const Element& element = elements[triangle];
@@ -174,6 +186,13 @@ private:
           }
         }
       }
+    }
+    for (std::size_t n = 0; n < this->Inner.Points.size(); ++n)
+    {
+      const double error = this->Inner.Heights[n] - this->Surface.ColumnHeight(this->Inner.Points[n]);
+      const double weight = this->WeightOf(error, power);
+      entries.emplace_back(int(n), int(n), weight);
+      right[Eigen::Index(n)] -= weight * error;
     }
     return entries;
   }

@@ -3,12 +3,13 @@
 //
 // Heights of the vertices of a mesh for which it is nearer to the horizon than with those of their columns.
 //
-// Errors are those at columns, and where inner sides of the mesh cross lines between columns.
+// Errors are those at columns, each of which counts once, and where inner sides of the mesh cross lines between columns.
 //
-// For a small mean error the sum of the squares of all errors is made least. For a small largest error the sum of their
-// p-th powers is made small, p being 3 and then 4. Each step is one of least squares, in which a point weighs as much
-// as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and goes a (p -
-// 1)-th part of the way.
+// For a small mean error the sum of the squares of all errors is made least, and then that of their p-th powers small,
+// p being 1.5 and then 1: squares alone are made less by many small errors, where heights are whole numbers that a
+// mesh could have. For a small largest error p is 3 and then 4. Each step is one of least squares, in which a point
+// weighs as much as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and
+// goes a (p - 1)-th part of the way where p is above 2.
 
 #ifndef SeismicHorizonsHeightFit_h
 #define SeismicHorizonsHeightFit_h

@@ -284,15 +284,57 @@ double HeightMesh::LargestError() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double HeightMesh::SumOfErrors() const
+// A column without the weight of a corner is on the side opposite to it, without those of two in the third corner.
+bool HeightMesh::Owns(TriangleId triangle, const std::array<double, 3>& weights) const
 {
-  std::vector<double> sums(std::size_t(this->Mesh.Size()), 0.0);
+  if (std::count(weights.begin(), weights.end(), 0.0) > 1)
+  {
+    return false;
+  }
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
+    if (weights[corner] == 0.0 && beyond != NoTriangle && beyond < triangle)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightMesh::ErrorSums HeightMesh::SumErrors(double unit) const
+{
+  const ErrorPower squares{ 2, unit };
+  std::vector<ErrorSums> sums(std::size_t(this->Mesh.Size()));
+  const auto add = [&squares](double error, ErrorSums& sum)
+  {
+    sum.Errors += std::abs(error);
+    sum.Squares += squares.Raise(error);
+  };
   this->ForEachTriangle(Monitor(),
     [&](TriangleId triangle)
     {
       this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
-        [&](PointId, double error, const std::array<double, 3>&) { sums[triangle] += std::abs(error); });
+        [&](PointId, double error, const std::array<double, 3>& weights)
+        {
+          if (this->Owns(triangle, weights))
+          {
+            add(error, sums[triangle]);
+          }
+        });
     });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  ErrorSums all;
+  for (const ErrorSums& sum : sums)
+  {
+    all.Errors += sum.Errors;
+    all.Squares += sum.Squares;
+  }
+  const InnerHeights inner = this->Heights();
+  for (std::size_t n = 0; n < inner.Points.size(); ++n)
+  {
+    add(inner.Heights[n] - this->ColumnHeight(inner.Points[n]), all);
+  }
+  return all;
 }
 }

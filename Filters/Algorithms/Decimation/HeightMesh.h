@@ -14,6 +14,7 @@
 #include "PlaneMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -137,8 +138,16 @@ public:
   template <typename Call>
   void ForEachTriangle(const Monitor& monitor, Call&& call) const;
 
-  /// The sum of the errors of all points; points on sides count twice.
-  double SumOfErrors() const;
+  /// Whether a column in a triangle or on its sides, with these weights of the corners, counts for it in sums over all
+  /// columns. Those of vertices count for no triangle, and those on a common side for the first of the two.
+  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const;
+  /// Of all columns: the sum of their errors, and that of squares, for which errors are divided by the unit first.
+  struct ErrorSums
+  {
+    double Errors = 0.0;
+    double Squares = 0.0;
+  };
+  ErrorSums SumErrors(double unit) const;
   /// How far rounding may put a triangle from a point.
   double Rounding() const { return this->RoundingError; }
   /// From the lowest point to the highest one, or 1 where all are equally high.

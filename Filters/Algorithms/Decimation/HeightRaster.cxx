@@ -29,15 +29,11 @@ double Larger(double a, double b)
   return a < b ? b : a;
 }
 
-/// The larger of each number and 0, which is 0 where the number is nan. Eigen's maximum is that of the processor: with
-/// SSE it does the same, with NEON it is nan, unless Eigen is told to prefer numbers.
+/// The larger of each number and 0, which is 0 where the number is nan. Eigen's maximum is that of the processor unless
+/// it is told to prefer numbers: with NEON it would be nan, and with SSE depend on the order.
 Four AtLeastZero(const Four& four)
 {
-#ifdef EIGEN_VECTORIZE_SSE
-  return Four::Zero().max(four);
-#else
   return Four::Zero().binaryExpr(four, Eigen::internal::scalar_max_op<double, double, Eigen::PropagateNumbers>());
-#endif
 }
 
 double LargestOf(const Four& four)

@@ -103,13 +103,18 @@ int ChooseRadius(PlanePoints columns)
 
 namespace
 {
-constexpr double FirstError = 0.75;
 constexpr double Power = 1.5; // the number of triangles is as the error to the power of minus this
 // How far a first guess goes beyond where that leads, as a factor of the error: it is to come out on the other side.
 constexpr double Beyond = 1.3;
-// The search ends with so much of the number, or when its ends are so near to each other, as a factor.
-constexpr double EnoughOfNumber = 0.97;
-constexpr double NearEnough = 1.02;
+// As long as all errors come out on one side, the search goes on as the last two lead: by this factor at most, and each
+// time by the square of the one before; to the end when the numbers are as good as level.
+constexpr double FarthestStep = 8.0;
+constexpr double LeastPower = 0.2;
+// The search ends with so much of the number, or when its ends are so near to each other, as a factor. The error is that
+// of outlines alone, and a tenth of the number is some hundredths of it. Secants aim at the middle of what is enough.
+constexpr double EnoughOfNumber = 0.9;
+constexpr double Aim = 0.95;
+constexpr double NearEnough = 1.05;
 // Secants keep so far away from their ends, as a part of the way: the line is not quite straight.
 constexpr double KeptAway = 0.1;
 
@@ -124,11 +129,11 @@ struct Sample
 class Search
 {
 public:
-  Search(std::size_t most, double largest)
+  Search(std::size_t most, double first, double largest)
     : Most(double(most))
     , Least(std::log(SmallestSearchedError))
     , Largest(std::max(std::log(largest), this->Least))
-    , Next(std::clamp(std::log(FirstError), this->Least, this->Largest))
+    , Next(std::clamp(std::log(first), this->Least, this->Largest))
   {
   }
 
@@ -137,22 +142,11 @@ public:
   /// What the next error gives.
   void Add(std::size_t triangles)
   {
-    const bool isFirst = !this->Fine.IsKnown && !this->Coarse.IsKnown;
     const double part = std::log(double(std::max<std::size_t>(triangles, 1)) / this->Most);
-    (part > 0.0 ? this->Fine : this->Coarse) = { true, this->Next, part };
-    if (this->Fine.IsKnown && this->Coarse.IsKnown)
-    {
-      this->Next = this->Secant();
-    }
-    else if (isFirst)
-    {
-      const double beyond = part > 0.0 ? std::log(Beyond) : -std::log(Beyond);
-      this->Next = std::clamp(this->Next + part / Power + beyond, this->Least, this->Largest);
-    }
-    else
-    {
-      this->Next = this->Fine.IsKnown ? this->Largest : this->Least;
-    }
+    Sample& side = part > 0.0 ? this->Fine : this->Coarse;
+    const Sample before = side;
+    side = { true, this->Next, part };
+    this->Next = this->Fine.IsKnown && this->Coarse.IsKnown ? this->Secant() : this->GoBeyond(before, side);
   }
 
   bool IsDone() const
@@ -169,9 +163,27 @@ public:
   double Found() const { return std::exp(this->Coarse.Error); }
 
 private:
+  /// From the last of the errors, which are all on one side, to where the number should be on the other one.
+  double GoBeyond(const Sample& before, const Sample& last)
+  {
+    const double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
+    if (power < LeastPower)
+    {
+      return last.Part > 0.0 ? this->Largest : this->Least;
+    }
+    const double beyond = std::log(last.Part > 0.0 ? Beyond : 1.0 / Beyond);
+    double step = last.Part / power + beyond;
+    if (before.IsKnown)
+    {
+      step = std::clamp(step, -this->Farthest, this->Farthest);
+      this->Farthest *= 2.0;
+    }
+    return std::clamp(last.Error + step, this->Least, this->Largest);
+  }
+
   double Secant() const
   {
-    const double way = this->Fine.Part / (this->Fine.Part - this->Coarse.Part);
+    const double way = (this->Fine.Part - std::log(Aim)) / (this->Fine.Part - this->Coarse.Part);
     return this->Fine.Error + std::clamp(way, KeptAway, 1.0 - KeptAway) * (this->Coarse.Error - this->Fine.Error);
   }
 
@@ -179,6 +191,7 @@ private:
   const double Least;
   const double Largest;
   double Next;
+  double Farthest = std::log(FarthestStep);
   Sample Fine; // the largest error that gave more triangles than the number
   Sample Coarse; // the least one that did not
 };
@@ -192,9 +205,9 @@ InputError TooFewTriangles(std::size_t most, std::size_t least)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double FindErrorForTriangles(std::size_t most, double largest, const TriangleCounter& count)
+double FindErrorForTriangles(std::size_t most, double first, double largest, const TriangleCounter& count)
 {
-  Search search(most, largest);
+  Search search(most, first, largest);
   std::size_t triangles = 0;
   for (int run = 0; run < MostSearchRuns && !search.IsDone(); ++run)
   {
@@ -243,7 +256,14 @@ private:
       return 0.0;
     }
     int run = 0;
-    return FindErrorForTriangles(this->Options.MaximumNumberOfTriangles, this->FindExtent(),
+    const std::size_t most = this->Options.MaximumNumberOfTriangles;
+    const PlaneBox box(this->Points.Columns);
+    const double width = double(box.Greatest.X) - box.Least.X + double(box.Greatest.Y) - box.Least.Y;
+    const auto heights = std::minmax_element(this->Points.Height.begin(), this->Points.Height.end());
+    const double height = *heights.second - *heights.first;
+    // Of a rough horizon, the error is about this first one. That of a smooth one is smaller, and large errors are
+    // tried in little time. No point is farther from another one than the largest one along all axes together.
+    return FindErrorForTriangles(most, height / std::sqrt(double(most)), width + height,
       [&](double error)
       {
         const Monitor step = monitor.Step(double(run) / MostSearchRuns, double(run + 1) / MostSearchRuns);
@@ -251,15 +271,6 @@ private:
         this->Simplify(error, step.Step(0.0, 0.5));
         return this->CountTriangles(error, step.Step(0.5, 1.0));
       });
-  }
-
-  /// No point of the horizon is farther from another one along all axes together.
-  double FindExtent() const
-  {
-    const PlaneBox box(this->Points.Columns);
-    const auto heights = std::minmax_element(this->Points.Height.begin(), this->Points.Height.end());
-    return double(box.Greatest.X) - box.Least.X + double(box.Greatest.Y) - box.Least.Y + *heights.second -
-      *heights.first;
   }
 
   std::size_t CountTriangles(double error, const Monitor& monitor)

@@ -12,6 +12,8 @@
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <set>
 
 using namespace TestHorizons;
@@ -250,6 +252,33 @@ void TestNumberIsLeast()
   CHECK(beyondLeast * 100 < loops);
 }
 
+/// With tolerances as large as the horizon, where any edge would be near enough, most are barred by points in the way: to
+/// find that out takes no more than some times as long as to simplify with small ones.
+void TestHugeTolerance()
+{
+  Patches::Columns columns;
+  for (int x = -150; x <= 150; ++x)
+  {
+    for (int y = -150; y <= 150; ++y)
+    {
+      const double angle = std::atan2(y, x);
+      if (std::hypot(x, y) < 130.0 + 12.0 * std::sin(7.0 * angle) + 6.0 * std::sin(31.0 * angle))
+      {
+        columns.push_back({ x + 150, y + 150 });
+      }
+    }
+  }
+  const BoundedHorizon horizon = MakeLevelHorizon(columns);
+  const auto time = [&horizon](double tolerance)
+  {
+    const std::clock_t start = std::clock();
+    Simplify(horizon, tolerance, tolerance);
+    return double(std::clock() - start);
+  };
+  const double least = std::min(time(3.0), time(3.0));
+  CHECK(time(1000.0) < 150.0 * least); // 15 times; 800 when each edge is looked at as a whole
+}
+
 void TestErrors()
 {
   const BoundedHorizon horizon = MakeLevelHorizon(Patches::FromPicture({ "####", "####", "####", "####" }));
@@ -288,6 +317,7 @@ int TestFewestPoints(int, char*[])
   TestRandomPatches();
   TestNothingIsLost();
   TestNumberIsLeast();
+  TestHugeTolerance();
   TestErrors();
   TestMonitor();
   return Check::Result();

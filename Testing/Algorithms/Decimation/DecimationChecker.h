@@ -103,6 +103,7 @@ private:
   std::string CheckColumns(double bound) const
   {
     double largest = 0.0;
+    double sum = 0.0;
     std::vector<bool> covered(this->Columns.size(), false);
     for (const Triangle& t : this->Triangles)
     {
@@ -116,7 +117,9 @@ private:
         {
           const double height =
             (a * this->MeshHeight(t[0]) + b * this->MeshHeight(t[1]) + c * this->MeshHeight(t[2])) / (a + b + c);
-          largest = std::max(largest, std::abs(height - this->Horizon.Height[point]));
+          const double error = std::abs(height - this->Horizon.Height[point]);
+          largest = std::max(largest, error);
+          sum += covered[point] ? 0.0 : error; // of several triangles, which meet there, the first one
           covered[point] = true;
         }
       }
@@ -125,6 +128,11 @@ private:
     if (largest > bound + 1e-9 || std::abs(largest - this->Result.LargestError) > 1e-9)
     {
       text << "largest error " << largest << ", said " << this->Result.LargestError << ", bound " << bound;
+    }
+    const double mean = sum / double(std::max(this->Columns.size(), std::size_t(1)));
+    if (std::abs(mean - this->Result.MeanError) > 1e-9)
+    {
+      text << "mean error " << mean << ", said " << this->Result.MeanError;
     }
     return text.str();
   }

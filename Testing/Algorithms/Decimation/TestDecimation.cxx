@@ -103,6 +103,25 @@ void TestFitHeights()
     { CHECK_EQUAL(bound.Points.Averaged[std::size_t(bound.Points.Target[std::size_t(point)])], 0); });
 }
 
+/// Heights are fitted among noise, too, where few moves are far.
+void TestFitNoise()
+{
+  Patches::Random random(29);
+  const Patches::Columns columns = Square(60);
+  BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeLevelHorizon(columns));
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    const double wave = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
+    horizon.Height[point] = wave + 2.0 * random.Fraction();
+  }
+  for (const std::size_t most : { 300, 400, 600 })
+  {
+    const Decimation fitted = Decimate(horizon, Best(AtMost(most, true)));
+    const Decimation columnsAlone = Decimate(horizon, Best(AtMost(most)));
+    CHECK(fitted.MeanError < 0.98 * columnsAlone.MeanError);
+  }
+}
+
 /// Fewer vertices for an error, and a smaller error for so many vertices.
 void TestBest()
 {
@@ -150,7 +169,8 @@ void TestSmallestAngle()
 {
   Patches::Random random(19);
   const Patches::Columns columns = Square(40);
-  const BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
+  const BoundedHorizon horizon =
+    TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
   const auto smallest = [&](const DecimationOptions& options)
   {
     const Decimation result = Decimate(horizon, options);
@@ -172,21 +192,34 @@ void TestSmallestAngle()
   CHECK(smallest(Best(Within(2.0), 0.0)) < 0.5 * before);
   CHECK(smallest(Best(Within(2.0), 60.0)) >= before - 1e-9);
   CHECK(smallest(Best(Within(2.0), 0.8 * before)) >= 0.8 * before - 1e-9);
+  // For a number, too, down to the last point.
+  for (const double angle : { 2.0, 10.0 })
+  {
+    CHECK(smallest(Best(AtMost(250, true), angle)) >= angle);
+    CHECK(smallest(Best(AtMost(400, true), angle)) >= angle);
+  }
+  // Of 14 points inside and 156 on the loop some angles have to be smaller: no more so than it takes.
+  CHECK(smallest(Best(AtMost(170, true), 10.0)) >= 2.5);
 }
 
 void TestThreads()
 {
   Patches::Random random(9);
   const Patches::Columns columns = Square(120);
-  const BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
+  const BoundedHorizon horizon =
+    TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
   const int before = Detail::NumberOfThreads();
-  Detail::NumberOfThreads() = 1;
-  const Decimation one = Decimate(horizon);
-  Detail::NumberOfThreads() = 5;
-  const Decimation five = Decimate(horizon);
-  Detail::NumberOfThreads() = before;
-  CHECK(one.Triangles == five.Triangles && one.Points.Source == five.Points.Source);
-  CHECK(one.Points.Target == five.Points.Target && one.Errors == five.Errors && one.MeanError == five.MeanError);
+  for (const DecimationOptions& options : { DecimationOptions(), Best(AtMost(1500, true)) })
+  {
+    Detail::NumberOfThreads() = 1;
+    const Decimation one = Decimate(horizon, options);
+    Detail::NumberOfThreads() = 5;
+    const Decimation five = Decimate(horizon, options);
+    Detail::NumberOfThreads() = before;
+    CHECK(one.Triangles == five.Triangles && one.Points.Source == five.Points.Source);
+    CHECK(one.Points.Height == five.Points.Height);
+    CHECK(one.Points.Target == five.Points.Target && one.Errors == five.Errors && one.MeanError == five.MeanError);
+  }
 }
 
 void TestErrors()
@@ -220,7 +253,8 @@ void TestPointsWithoutPatch()
   for (int n = 0; n < 60; ++n)
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
-    const BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
+    const BoundedHorizon horizon =
+      TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
     const BoundarySimplification simplified = SimplifyBoundary(horizon, horizon.Boundary, { 1.0, true, 0.0 });
     BoundedHorizon marked = horizon;
     marked.Boundary = simplified.Boundary;
@@ -254,7 +288,8 @@ void TestStop()
 {
   Patches::Random random(9);
   const Patches::Columns columns = Square(60);
-  const BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
+  const BoundedHorizon horizon =
+    TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
   CHECK_EQUAL(
     MonitorChecker::Check(8, [&](const Monitor& monitor) { Decimate(horizon, Within(0.1), monitor); }), std::string());
 }
@@ -266,6 +301,7 @@ int TestDecimation(int, char*[])
   TestSpike();
   TestNumberOfPoints();
   TestFitHeights();
+  TestFitNoise();
   TestBest();
   TestPriority();
   TestSmallestAngle();

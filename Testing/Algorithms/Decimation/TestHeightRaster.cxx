@@ -110,6 +110,32 @@ void TestMeasure(Patches::Random& random)
   }
 }
 
+/// The error at one column is found whichever columns beside it are missing, of triangles of all widths.
+void TestMissingColumns()
+{
+  for (std::int32_t width = 2; width < 20; ++width)
+  {
+    const std::array<PlanePoint, 3> t = { { { 0, 0 }, { width, 0 }, { 0, width } } };
+    for (std::int32_t x = 0; x + 1 < width; ++x)
+    {
+      // The box reaches beyond the triangle, so that all of it has places.
+      const Patches::Columns columns = { { -1, -1 }, { x, 1 }, { width + 4, width + 4 } };
+      const auto forEachPoint = [](auto&& add)
+      {
+        for (const PointId point : { 0, 1, 2 })
+        {
+          add(point);
+        }
+      };
+      const HeightRaster raster(forEachPoint, columns, { 0.0, 3.0, 0.0 });
+      const HeightError found = raster.Measure({ { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } }, { 2, 1.0 });
+      CHECK_EQUAL(found.Point, 1);
+      CHECK_EQUAL(found.Largest, 2.0);
+      CHECK_EQUAL(found.Sum, 4.0);
+    }
+  }
+}
+
 /// From (0, 0) to (4, 2) over columns that are all 0 but one: the crossings are half way between columns.
 void TestSide()
 {
@@ -143,6 +169,7 @@ int TestHeightRaster(int, char*[])
   Patches::Random random(17);
   TestRows(random);
   TestMeasure(random);
+  TestMissingColumns();
   TestSide();
   return Check::Result();
 }
