@@ -262,8 +262,8 @@ void RefusesBadInput()
 {
   CHECK_THROWS_WITH(ColumnHeights({}, {}), "no points, expected a horizon");
   CHECK_THROWS_WITH(ColumnHeights({ { 1, 2 } }, { Missing }), "height nan in column (1, 2), expected a finite number");
-  CHECK_THROWS_WITH(
-    ColumnHeights({ { 1, 2 }, { 1, 2 } }, { 3.0, 4.0 }), "two points in column (1, 2), expected at most one");
+  CHECK_THROWS_WITH(ColumnHeights({ { 1, 2 }, { 1, 2 } }, { 3.0, 4.0 }),
+    "points 0 and 1 both in column (1, 2), expected at most one point of a horizon in a column");
   FaultDetectionOptions options;
   options.SmallestThrow = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(CheckOptions(options), "smallest throw inf, expected a finite number, at least 0 vertical indices");
