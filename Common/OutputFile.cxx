@@ -38,7 +38,7 @@ void WriteStream(const fs::path& path, const std::function<void(std::ostream&)>&
   stream.close();
   if (!stream)
   {
-    throw FileError(FileProblem::NoRoom, "a file that could not be written to its end, expected room for it");
+    throw FileError(FileProblem::NoRoom, "closing the file failed, expected room for the rest of it");
   }
 }
 
@@ -78,7 +78,8 @@ OutputFile::OutputFile(const std::string& name, const std::function<void(std::os
   }
   if (this->Path.has_parent_path() && !fs::is_directory(this->Path.parent_path(), ignored))
   {
-    throw FileError(FileProblem::CannotOpen, "a file in a folder that is not there, expected an existing folder");
+    throw FileError(FileProblem::CannotOpen,
+      "no folder " + this->Path.parent_path().u8string() + ", expected the file in an existing folder");
   }
   if (fs::exists(this->Path, ignored) && !fs::is_regular_file(this->Path, ignored))
   {

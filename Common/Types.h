@@ -14,7 +14,7 @@
 
 namespace SeismicHorizons
 {
-/// The index of a point of one horizon. A horizon has less than 2^31 points.
+/// The index of a point of one horizon. Stages take horizons of less than 2^29 points.
 using PointId = std::int32_t;
 
 constexpr PointId NoPoint = -1;

@@ -25,7 +25,7 @@
  * them), and then a membrane that carries what is left at the rim inwards. With Membrane, each new point is the mean of
  * its four neighbours (Laplace's equation). Holes of few columns are solved directly, large ones by multigrid: time is
  * linear in the points, the columns of the bounding box, and the columns filled. Memory beyond input and output: 24
- * bytes per point, 4 per column of the bounding box, and about 1000 per column of the largest hole.
+ * bytes per point, a fifth of one per column of the bounding box, and about 1000 per column of the largest hole.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
  * parameter out of its range, cut links that are not on the lattice.

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -165,6 +166,26 @@ private:
 };
 }
 
+namespace
+{
+// A lattice may have so many columns in all, or so many for each of the horizon, to be written as a grid.
+constexpr std::int64_t EnoughColumns = 1 << 22; // take 32 MB, and about 40 in a file
+constexpr std::int64_t MostColumnsPerValue = 10000;
+
+void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double>& z)
+{
+  const std::int64_t columns = std::int64_t(dimensions[0]) * dimensions[1];
+  const std::int64_t values =
+    std::int64_t(z.size()) - std::count_if(z.begin(), z.end(), [](double value) { return std::isnan(value); });
+  if (columns > std::max(EnoughColumns, MostColumnsPerValue * values))
+  {
+    throw InputError("lattice of " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
+      " columns, of which the horizon has " + std::to_string(values) +
+      ", expected at least one in 10000 for a grid file, which lists all; a text file lists those of the horizon");
+  }
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t CountColumns(int columns, int rows, std::int64_t points)
 {
@@ -192,6 +213,7 @@ HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& mo
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   const std::size_t nodes = CountColumns(dimensions[0], dimensions[1], horizon->GetNumberOfPoints());
   const HorizonColumns sampled = SampleHorizon(horizon, sign, monitor);
+  RequireDense(dimensions, sampled.Z);
   HorizonGrid grid;
   grid.Survey = sampled.Survey;
   grid.Lattice = sampled.Lattice;

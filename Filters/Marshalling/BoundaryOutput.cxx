@@ -54,7 +54,7 @@ void RemoveCuts(vtkPolyData* output)
 std::string NothingLeft(vtkPolyData* input, int minimumPatchSize)
 {
   const std::string name = NameBySurfaceId(input);
-  return name + (name.empty() ? "" : ": ") + "no patch of at least " + std::to_string(minimumPatchSize) +
-    " points, so that nothing is left of the " + std::to_string(input->GetNumberOfPoints());
+  return name + (name.empty() ? "" : ": ") + "none of the " + std::to_string(input->GetNumberOfPoints()) +
+    " points is in a patch of MinimumPatchSize, " + std::to_string(minimumPatchSize) + " points, or more";
 }
 }

@@ -24,7 +24,7 @@ void RequireArea(const SurveyLattice& lattice)
   const Eigen::Vector2d& j = lattice.RowStep;
   if (!(std::fabs(i.x() * j.y() - i.y() * j.x()) > SmallestSine * i.norm() * j.norm()))
   {
-    throw InputError("points on one line in the world, expected some beside it");
+    throw InputError("columns and rows of nodes along the same line of x and y, expected a lattice in the plane");
   }
 }
 
@@ -57,7 +57,8 @@ SurveyLattice FitLattice(const std::vector<GridPoint>& points, const std::array<
   const std::optional<PlaneMap> map = fit.Solve();
   if (!map)
   {
-    throw InputError(std::to_string(points.size()) + " points on one line of nodes, expected some beside it");
+    throw InputError(
+      std::to_string(points.size()) + " points in one line of nodes, expected at least three that are not");
   }
   SurveyLattice lattice;
   lattice.Columns = columns;

@@ -247,9 +247,10 @@ std::string ReadBeginning(std::istream& stream)
   const bool isWhole = stream.eof();
   stream.clear();
   stream.seekg(0);
-  if (text.find('\0') != std::string::npos)
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string::npos)
   {
-    throw InputError("bytes of 0, expected text");
+    throw InputError("byte " + std::to_string(zero) + " is 0, as in no text; expected lines of numbers");
   }
   if (isWhole && !text.empty() && text.back() != '\n')
   {

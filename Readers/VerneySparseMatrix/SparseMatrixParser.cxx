@@ -4,6 +4,7 @@
 #include "SparseMatrixParser.h"
 
 #include "Common/ColumnSheets.h"
+#include "Common/Lattice.h"
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
 #include "Common/TextNumbers.h"
@@ -22,7 +23,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* ExpectedHeader = ", expected three positive integers \"nX nY nZ\"";
+constexpr const char* ExpectedHeader = ", expected three positive integers \"nX nY nZ\" below 2^31";
 constexpr std::size_t MaximumHeader = 4096; // characters, the end of the line included
 
 /// Whether the number of cells fits into 63 bits.
@@ -51,6 +52,10 @@ SparseMatrixSize ParseHeader(const std::string& line)
   if (!IsCountable(size))
   {
     throw ErrorAt(1, header + ", expected a product below 2^63");
+  }
+  if (std::max(size[0], size[1]) > MostColumnsPerSide)
+  {
+    throw ErrorAt(1, header + ", expected nX and nY below 2^28");
   }
   return size;
 }

@@ -259,7 +259,7 @@ void TestErrors()
   const auto twice = Horizon(Torn, survey);
   twice->GetPoints()->SetPoint(1, twice->GetPoint(0));
   filter->SetInputData(twice);
-  CheckError(filter, "two points in column (0, 0), expected at most one");
+  CheckError(filter, "points 0 and 1 both in column (0, 0), expected at most one point of a horizon in a column");
   const auto single = HorizonFixtures::FromPicture({ "#" }, 7, survey);
   filter->SetInputData(single);
   filter->Update();

@@ -292,7 +292,8 @@ void TestNothingLeft()
   surface->Update();
   CHECK_EQUAL(surface->GetPolyDataOutput()->GetNumberOfPoints(), 0);
   CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "DroppedSpeckPoints"), 9.0);
-  CHECK(warnings.FirstContains("Horizon 7: no patch of at least 10 points, so that nothing is left of the 9"));
+  CHECK(
+    warnings.FirstContains("Horizon 7: none of the 9 points is in a patch of MinimumPatchSize, 10 points, or more"));
   vtkNew<vtkPolyData> empty;
   surface->SetInputData(empty);
   surface->Update();

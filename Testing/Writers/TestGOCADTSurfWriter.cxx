@@ -285,15 +285,15 @@ void WrongInputGivesOneErrorEach()
   check(points, "Horizon 7: no triangles, expected a mesh, as the triangulation makes it");
   const auto quads = MakeMesh(0);
   quads->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
-  check(quads, "Horizon 7: a polygon of 4 points, expected triangles, as Triangulate makes them");
+  check(quads, "Horizon 7: polygon 2 with 4 corners, expected triangles: apply Triangulate before");
   const auto strips = MakeMesh(0);
   vtkNew<vtkCellArray> strip;
   strip->InsertNextCell({ 0, 1, 2, 3 });
   strips->SetStrips(strip);
-  check(strips, "Horizon 7: 1 strips, expected triangles");
+  check(strips, "Horizon 7: 1 triangle strips, expected triangles: apply Triangulate before");
   const auto wild = MakeMesh(0);
   wild->GetPolys()->InsertNextCell({ 0, 1, 4 });
-  check(wild, "Horizon 7: a triangle with point 4, expected less than the 4 that there are");
+  check(wild, "Horizon 7: triangle 2 has the corner 4, expected points from 0 to 3");
   const auto nowhere = MakeMesh(std::nan(""));
   check(nowhere, "Horizon 7: coordinate nan of point 0, expected a finite number");
 }
@@ -304,8 +304,8 @@ void WrongPlacesGiveOneErrorEach()
   vtkNew<vtkGOCADTSurfWriter> nameless;
   nameless->SetInputData(mesh);
   CheckError(nameless, "no FileName, expected the path of a file", vtkErrorCode::NoFileNameError);
-  CheckError(MakeWriter(mesh, "none/x.ts"), "/none/x.ts: a file in a folder that is not there",
-    vtkErrorCode::CannotOpenFileError);
+  CheckError(
+    MakeWriter(mesh, "none/x.ts"), "/none, expected the file in an existing folder", vtkErrorCode::CannotOpenFileError);
   const auto full = MakeWriter(mesh, "x");
   full->SetFileName("/dev/full");
   CheckError(full, "/dev/full: Horizon 7: writing failed behind 0 bytes, expected room for the rest of the file",

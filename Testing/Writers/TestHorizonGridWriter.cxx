@@ -285,6 +285,11 @@ void FarColumnsAreOnlyListed()
   CheckRefused(grid, far,
     "lattice of 100000 x 100000 columns, expected less than 2^31 in all for a file that lists them; "
     "the horizon has 35 points");
+  const auto wide = vtkSmartPointer<vtkPolyData>::New();
+  wide->DeepCopy(horizon);
+  wide->GetFieldData()->GetArray("LatticeDimensions")->Fill(3000.0);
+  CheckRefused(grid, wide,
+    "lattice of 3000 x 3000 columns, of which the horizon has 35, expected at least one in 10000 for a grid file");
   for (const bool isFar : { false, true })
   {
     vtkNew<vtkHorizonTextWriter> text;

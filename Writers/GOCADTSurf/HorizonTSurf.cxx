@@ -28,7 +28,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* ExpectedTriangles = ", expected triangles, as Triangulate makes them";
+constexpr const char* ExpectedTriangles = ", expected triangles: apply Triangulate before";
 
 std::vector<std::array<double, 3>> ReadVertices(vtkPolyData* horizon, double upwards)
 {
@@ -45,18 +45,19 @@ std::vector<std::array<double, 3>> ReadVertices(vtkPolyData* horizon, double upw
   return vertices;
 }
 
-TSurf::Triangle ToTriangle(vtkIdType size, const vtkIdType* corners, vtkIdType numberOfPoints)
+TSurf::Triangle ToTriangle(std::size_t polygon, vtkIdType size, const vtkIdType* corners, vtkIdType numberOfPoints)
 {
   if (size != 3)
   {
-    throw InputError("a polygon of " + std::to_string(size) + " points" + ExpectedTriangles);
+    throw InputError(
+      "polygon " + std::to_string(polygon) + " with " + std::to_string(size) + " corners" + ExpectedTriangles);
   }
   for (vtkIdType n = 0; n < size; ++n)
   {
     if (corners[n] < 0 || corners[n] >= numberOfPoints)
     {
-      throw InputError("a triangle with point " + std::to_string(corners[n]) + ", expected less than the " +
-        std::to_string(numberOfPoints) + " that there are");
+      throw InputError("triangle " + std::to_string(polygon) + " has the corner " + std::to_string(corners[n]) +
+        ", expected points from 0 to " + std::to_string(numberOfPoints - 1));
     }
   }
   return { PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) };
@@ -67,7 +68,7 @@ std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
 {
   if (horizon->GetNumberOfStrips() > 0)
   {
-    throw InputError(std::to_string(horizon->GetNumberOfStrips()) + " strips" + ExpectedTriangles);
+    throw InputError(std::to_string(horizon->GetNumberOfStrips()) + " triangle strips" + ExpectedTriangles);
   }
   if (horizon->GetNumberOfPolys() == 0)
   {
@@ -81,7 +82,7 @@ std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     polygon->GetCurrentCell(size, corners);
-    TSurf::Triangle triangle = ToTriangle(size, corners, horizon->GetNumberOfPoints());
+    TSurf::Triangle triangle = ToTriangle(triangles.size(), size, corners, horizon->GetNumberOfPoints());
     if (isTurned)
     {
       std::swap(triangle[1], triangle[2]);

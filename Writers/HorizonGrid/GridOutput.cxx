@@ -4,6 +4,7 @@
 #include "GridOutput.h"
 
 #include "Common/Errors.h"
+#include "Common/LatticePlacement.h"
 #include "Common/TextNumbers.h"
 
 #include <charconv>
@@ -61,7 +62,8 @@ void RequireWritable(const HorizonGrid& grid, double firstNull, const std::strin
   if (!lattice.Origin.allFinite() || !lattice.ColumnStep.allFinite() || !lattice.RowStep.allFinite() ||
     lattice.ColumnStep.isZero(0.0) || lattice.RowStep.isZero(0.0))
   {
-    throw InputError("a lattice with a step of 0 or a place that is not finite, expected others");
+    throw InputError("a lattice from " + ToText(lattice.Origin) + " with the steps " + ToText(lattice.ColumnStep) +
+      " and " + ToText(lattice.RowStep) + ", expected finite numbers, and steps other than 0");
   }
   for (std::size_t n = 0; n < grid.Z.size(); ++n)
   {

@@ -3,6 +3,7 @@
 
 #include "ColumnHeights.h"
 
+#include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
 
 #include <algorithm>
@@ -101,7 +102,8 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
     }
     if (!std::isnan(value))
     {
-      throw InputError("two points in " + Describe(columns[point]) + ", expected at most one");
+      const auto first = std::find(columns.begin(), columns.end(), columns[point]) - columns.begin();
+      throw SameColumnError(PointId(first), PointId(point), columns[point]);
     }
     value = height[point];
     this->Whole = this->Whole && std::abs(value - std::round(value)) <= Tolerance;

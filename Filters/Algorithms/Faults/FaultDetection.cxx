@@ -246,26 +246,50 @@ double ClippedMean(const std::vector<float>& sizes, double largest)
   }
   return sum / double(sizes.size());
 }
+
+/// The sizes of deviations, of many only some, which tell as well as all: of each group of values that follow each other
+/// one. It is each time another one (by the fraction of the golden ratio; Knuth, 6.4), as noise that returns every few
+/// columns, such as the footprint of a survey, would else be met in some of them alone. Values are counted from the
+/// first one on, so that the noise does not depend on what the raster leaves out.
+std::vector<float> SampleSizes(const RawVector<float>& deviations)
+{
+  constexpr std::int64_t Enough = 1000000;
+  const auto missing =
+    std::count_if(deviations.begin(), deviations.end(), [](float deviation) { return std::isnan(deviation); });
+  const std::int64_t groupSize = std::max<std::int64_t>(1, (std::int64_t(deviations.size()) - missing) / Enough);
+  std::vector<float> sizes;
+  sizes.reserve(std::size_t((std::int64_t(deviations.size()) - missing) / groupSize + 1));
+  std::uint64_t fraction = 0; // in units of 2^-64
+  std::int64_t left = 0; // values of the group
+  std::int64_t chosen = 0; // how many are left at the one that is taken
+  for (const float deviation : deviations)
+  {
+    if (std::isnan(deviation))
+    {
+      continue;
+    }
+    if (left == 0)
+    {
+      left = groupSize;
+      fraction += 0x9E3779B97F4A7C15U;
+      chosen = 1 + std::int64_t((fraction >> 32) * std::uint64_t(groupSize) >> 32);
+    }
+    if (left == chosen)
+    {
+      sizes.push_back(std::abs(deviation));
+    }
+    --left;
+  }
+  return sizes;
+}
+
 /// The standard deviation of noise in deviations: 1.4826 times the median of their sizes. Of whole heights that is the
 /// median of groups, which lies between the whole numbers, and the result at least what rounding does to differences.
 /// Of others, where the median is next to nothing, as in data that were smoothed or rounded, the mean of small sizes
 /// is used.
 double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
 {
-  // A million values tell as well as all. They are chosen by their numbers in the grid, so that the noise does not
-  // depend on what the raster leaves out.
-  constexpr std::int64_t Enough = 1000000;
-  // Odd, so that links of both sides are among them.
-  const std::int64_t step = (heights.Grid().NumberOfLinks() / Enough) | 1;
-  const bool isRasterWhole = heights.Raster().NumberOfLinks() == heights.Grid().NumberOfLinks();
-  std::vector<float> sizes;
-  for (std::int64_t link = 0; link < heights.Raster().NumberOfLinks(); link += isRasterWhole ? step : 1)
-  {
-    if (!std::isnan(deviations[link]) && (isRasterWhole || heights.ToGrid(link) % step == 0))
-    {
-      sizes.push_back(std::abs(deviations[link]));
-    }
-  }
+  std::vector<float> sizes = SampleSizes(deviations);
   const double floor = heights.AreWhole() ? WholeFloor : RealFloor;
   if (sizes.empty())
   {

@@ -103,29 +103,25 @@ void ForEachStencil(const GapRegion& region, Visitor&& visit)
   static constexpr std::array<Term, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
   static constexpr std::array<Term, 3> alongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
   static constexpr std::array<Term, 4> twist = { { { 0, 0, 1.0 }, { 1, 0, -1.0 }, { 0, 1, -1.0 }, { 1, 1, 1.0 } } };
-  const std::int64_t width = region.Width;
   const auto isIn = [&](std::int64_t place) { return region.Kind[place] != PlaceKind::Other; };
-  const auto isLine = [&](std::int64_t place, std::int64_t step)
-  {
-    return isIn(place - step) && isIn(place + step) && region.IsLinked(place - step, place) &&
-      region.IsLinked(place, place + step);
-  };
-  const std::int64_t last = std::int64_t(region.Kind.size()) - width - 1;
-  for (std::int64_t place = width + 1; place < last; ++place)
+  const auto isLine = [&](std::int64_t before, std::int64_t place, std::int64_t beyond)
+  { return isIn(before) && isIn(beyond) && region.IsLinked(before, place) && region.IsLinked(place, beyond); };
+  for (std::int64_t place = 0; place < region.Near->Size(); ++place)
   {
     if (!isIn(place))
     {
       continue;
     }
-    if (isLine(place, 1))
+    const std::int64_t above = region.Near->Above(place);
+    if (isLine(place - 1, place, place + 1))
     {
       visit(place, alongX, 1.0);
     }
-    if (isLine(place, width))
+    if (isLine(region.Near->Below(place), place, above))
     {
       visit(place, alongY, 1.0);
     }
-    if (isIn(place + 1) && isIn(place + width) && isIn(place + width + 1) && region.IsWholeBlock(place))
+    if (isIn(place + 1) && isIn(above) && isIn(above + 1) && region.IsWholeBlock(place))
     {
       visit(place, twist, 2.0);
     }
@@ -139,15 +135,17 @@ SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
   ForEachStencil(region,
     [&](std::int64_t place, const auto& terms, double weight)
     {
-      for (const Term& a : terms)
+      std::array<std::int32_t, 4> sites;
+      std::transform(terms.begin(), terms.end(), sites.begin(),
+        [&](const Term& term) { return plate.Sites.Number[region.Near->Beside(place, term.X, term.Y)]; });
+      for (std::size_t n = 0; n < terms.size(); ++n)
       {
-        const std::int32_t site = plate.Sites.Number[place + a.Y * region.Width + a.X];
-        for (const Term& b : terms)
+        for (std::size_t other = 0; other < terms.size() && sites[n] != NoSite; ++other)
         {
-          const std::int32_t other = plate.Sites.Number[place + b.Y * region.Width + b.X];
-          if (site != NoSite && other != NoSite)
+          if (sites[other] != NoSite)
           {
-            plate.Matrix[site][StencilMatrix<2>::Index(b.X - a.X, b.Y - a.Y)] += weight * a.Coefficient * b.Coefficient;
+            plate.Matrix[sites[n]][StencilMatrix<2>::Index(terms[other].X - terms[n].X, terms[other].Y - terms[n].Y)] +=
+              weight * terms[n].Coefficient * terms[other].Coefficient;
           }
         }
       }
@@ -182,12 +180,12 @@ std::vector<double> PlateRightSide(
       double known = 0.0;
       for (const Term& term : terms)
       {
-        const std::int64_t at = place + term.Y * region.Width + term.X;
+        const std::int64_t at = region.Near->Beside(place, term.X, term.Y);
         known += region.Kind[at] == PlaceKind::Ring ? term.Coefficient * height[at] : 0.0;
       }
       for (const Term& term : terms)
       {
-        const std::int32_t site = sites.Number[place + term.Y * region.Width + term.X];
+        const std::int32_t site = sites.Number[region.Near->Beside(place, term.X, term.Y)];
         if (site != NoSite)
         {
           side[site] -= weight * term.Coefficient * known;
@@ -207,8 +205,7 @@ bool HoldsPlate(const GapRegion& region)
     {
       continue;
     }
-    const PlanePoint column = { std::int32_t(std::int64_t(place) % region.Width),
-      std::int32_t(std::int64_t(place) / region.Width) };
+    const PlanePoint column = region.Near->Column(std::int64_t(place));
     if (ends.size() < 2)
     {
       ends.push_back(column);
@@ -243,8 +240,7 @@ SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isK
         if (isGap || isKnown[neighbour])
         {
           const std::int64_t step = neighbour - place;
-          const std::size_t beside =
-            step * step == 1 ? Stencil::Index(step, 0) : Stencil::Index(0, step / region.Width);
+          const std::size_t beside = step * step == 1 ? Stencil::Index(step, 0) : Stencil::Index(0, step > 0 ? 1 : -1);
           membrane.Matrix[site][Stencil::Centre] += 1.0;
           membrane.Matrix[site][beside] = isGap ? -1.0 : 0.0;
         }
@@ -466,7 +462,7 @@ private:
       int count = 0;
       for (int n = 0; this->IsRing[place] && n < 9; ++n)
       {
-        const std::int64_t neighbour = std::int64_t(place) + (n / 3 - 1) * this->Region.Width + (n % 3 - 1);
+        const std::int64_t neighbour = this->Region.Near->Beside(std::int64_t(place), n % 3 - 1, n / 3 - 1);
         if (this->IsRing[neighbour] && this->Region.CanStep(std::int64_t(place), n % 3 - 1, n / 3 - 1))
         {
           sum += values[neighbour];

@@ -4,7 +4,6 @@
 #include "GapRegion.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace SeismicHorizons
 {
@@ -21,22 +20,28 @@ GapRegion::GapRegion(const ColumnIndex& index, const RasterFrame& frame, const L
   }
   const std::int64_t margin = ringWidth + SiteBox::Margin;
   const std::int64_t bottom = gap.front() / index.Width();
-  this->Width = rightmost - leftmost + 1 + 2 * margin;
-  this->Height = gap.back() / index.Width() - bottom + 1 + 2 * margin;
+  const std::int64_t top = gap.back() / index.Width();
   this->First = (bottom - margin) * index.Width() + leftmost - margin;
-  this->Turned = this->Width > this->Height;
-  if (this->Turned)
+  this->Turned = rightmost - leftmost > top - bottom;
+  const auto inBox = [&](std::int64_t place)
   {
-    std::swap(this->Width, this->Height);
+    const auto x = std::int32_t(place % index.Width() - (leftmost - margin));
+    const auto y = std::int32_t(place / index.Width() - (bottom - margin));
+    return this->Turned ? PlanePoint{ y, x } : PlanePoint{ x, y };
+  };
+  std::vector<BoxRun> runs;
+  for (const std::int64_t place : gap)
+  {
+    const PlanePoint column = inBox(place);
+    runs.push_back({ column.Y, column.X, column.X });
   }
-  this->Kind.assign(std::size_t(this->Width * this->Height), PlaceKind::Other);
+  this->Near = std::make_shared<const BoxPlaces>(runs, int(margin));
+  this->Kind.assign(std::size_t(this->Near->Size()), PlaceKind::Other);
   this->Point.assign(this->Kind.size(), NoPoint);
   this->GapPlaces.reserve(gap.size());
   for (const std::int64_t place : gap)
   {
-    const std::int64_t x = place % index.Width() - (leftmost - margin);
-    const std::int64_t y = place / index.Width() - (bottom - margin);
-    this->GapPlaces.push_back(this->Turned ? x * this->Width + y : y * this->Width + x);
+    this->GapPlaces.push_back(this->Near->Find(inBox(place)));
     this->Kind[this->GapPlaces.back()] = PlaceKind::Gap;
   }
   if (cuts)
@@ -69,9 +74,9 @@ bool GapRegion::CanStep(std::int64_t place, int dx, int dy) const
   }
   if (dx == 0 || dy == 0)
   {
-    return this->IsLinked(place, place + dy * this->Width + dx);
+    return this->IsLinked(place, this->Near->Beside(place, dx, dy));
   }
-  return this->IsWholeBlock(place + (dx < 0 ? -1 : 0) + (dy < 0 ? -this->Width : 0));
+  return this->IsWholeBlock(this->Near->Beside(place, dx < 0 ? -1 : 0, dy < 0 ? -1 : 0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -90,7 +95,7 @@ void GapRegion::AddRing(const ColumnIndex& index, int ringWidth)
     {
       for (int n = 0; n < 9; ++n)
       {
-        const std::int64_t neighbour = place + (n / 3 - 1) * this->Width + (n % 3 - 1);
+        const std::int64_t neighbour = this->Near->Beside(place, n % 3 - 1, n / 3 - 1);
         if (!reached[neighbour] && this->CanStep(place, n % 3 - 1, n / 3 - 1))
         {
           reached[neighbour] = true;
@@ -109,7 +114,7 @@ void GapRegion::AddRing(const ColumnIndex& index, int ringWidth)
 //----------------------------------------------------------------------------------------------------------------------
 SiteBox GapRegion::MakeSites(bool withRing) const
 {
-  SiteBox box(this->Width, this->Height);
+  SiteBox box(this->Near);
   for (std::size_t place = 0; place < this->Kind.size(); ++place)
   {
     if (this->Kind[place] == PlaceKind::Gap || (withRing && this->Kind[place] == PlaceKind::Ring))

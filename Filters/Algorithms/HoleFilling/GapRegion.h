@@ -6,11 +6,13 @@
 #ifndef SeismicHorizonsGapRegion_h
 #define SeismicHorizonsGapRegion_h
 
+#include "BoxPlaces.h"
 #include "Common/ColumnIndex.h"
 #include "Common/LinkCuts.h"
 #include "SiteSolver.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -46,8 +48,8 @@ enum class PlaceKind : unsigned char
   Ring = 2 // a known column near the gap
 };
 
-/// A box around a gap. The box is turned over its diagonal where the gap is wider than high, as systems over narrow
-/// rows are quicker to solve; nothing that is solved here depends on which axis is which.
+/// The surroundings of a gap in a box of their own. The box is turned over its diagonal where the gap is wider than
+/// high, as systems over narrow rows are quicker to solve; nothing that is solved here depends on which axis is which.
 class GapRegion
 {
 public:
@@ -56,8 +58,8 @@ public:
   GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
     const std::vector<std::int64_t>& gap, int ringWidth);
 
-  std::int64_t Width = 0;
-  std::int64_t Height = 0;
+  /// The gap, its ring, and the places beside these.
+  std::shared_ptr<const BoxPlaces> Near;
   std::vector<PlaceKind> Kind; // of each place
   std::vector<PointId> Point; // at each place of the ring
   std::vector<std::int64_t> GapPlaces; // of the columns of the gap, in the order they were given
@@ -71,7 +73,7 @@ public:
   bool IsWholeBlock(std::int64_t place) const
   {
     return !this->HasCuts() ||
-      !(this->IsCutEast(place) || this->IsCutNorth(place) || this->IsCutEast(place + this->Width) ||
+      !(this->IsCutEast(place) || this->IsCutNorth(place) || this->IsCutEast(this->Near->Above(place)) ||
         this->IsCutNorth(place + 1));
   }
   /// Whether a link is there to walk along: from a place to one of its four neighbours.
@@ -89,7 +91,7 @@ public:
   template <typename Visitor>
   void ForEachLinked(std::int64_t place, Visitor&& visit) const
   {
-    for (const std::int64_t neighbour : { place - this->Width, place - 1, place + 1, place + this->Width })
+    for (const std::int64_t neighbour : { this->Near->Below(place), place - 1, place + 1, this->Near->Above(place) })
     {
       if (this->IsLinked(place, neighbour))
       {
@@ -110,9 +112,10 @@ private:
 
   std::int64_t InRaster(std::int64_t place, std::int64_t rasterWidth) const
   {
-    const std::int64_t x = place % this->Width;
-    const std::int64_t y = place / this->Width;
-    return this->First + (this->Turned ? x * rasterWidth + y : y * rasterWidth + x);
+    const PlanePoint column = this->Near->Column(place);
+    const std::int64_t x = this->Turned ? column.Y : column.X;
+    const std::int64_t y = this->Turned ? column.X : column.Y;
+    return this->First + y * rasterWidth + x;
   }
 
   bool Turned = false;

@@ -67,8 +67,8 @@ struct FilledColumns
 
 /// `columns` and `heights` have an entry for each point, no two points in one column (InputError). New columns are in
 /// the order of their gaps, which rows from the least y meet, and in that of their rows within a gap. The result does
-/// not depend on the number of threads. Memory beyond the result: 4 bytes for each column of the bounding box, about
-/// 600 for each of the largest gap, and up to 20 megabytes for each thread.
+/// not depend on the number of threads. Memory beyond the result: that of the index, about 600 bytes for each column of
+/// the largest gap, whatever its bounding box is, and up to 20 megabytes for each thread.
 FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts = nullptr,
   const Monitor& monitor = Monitor());

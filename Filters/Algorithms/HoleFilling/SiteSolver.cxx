@@ -54,12 +54,11 @@ void ForEachCoefficient(const SiteSystem<Radius>& system, Visitor&& visit)
 {
   for (std::size_t site = 0; site < system.Sites.Size(); ++site)
   {
-    const std::int32_t* const number = system.Sites.Number.data() + system.Sites.Place[site];
     for (int n = StencilMatrix<Radius>::Centre; n < StencilMatrix<Radius>::Length; ++n)
     {
       if (system.Matrix[site][n] != 0.0)
       {
-        visit(std::int32_t(site), number[system.Matrix.Step(n)], system.Matrix[site][n]);
+        visit(std::int32_t(site), system.SiteAt(site, n), system.Matrix[site][n]);
       }
     }
   }
@@ -86,12 +85,11 @@ SiteOrder ByStepsFrom(std::int32_t start, const SiteSystem<Radius>& system)
   {
     for (reach(seed < 0 ? start : seed); done < order.size(); ++done)
     {
-      const std::int32_t* const number = system.Sites.Number.data() + system.Sites.Place[order[done]];
       for (int n = 0; n < StencilMatrix<Radius>::Length; ++n)
       {
         if (system.Matrix[order[done]][n] != 0.0)
         {
-          reach(number[system.Matrix.Step(n)]);
+          reach(system.SiteAt(std::size_t(order[done]), n));
         }
       }
     }
@@ -128,8 +126,9 @@ public:
   template <int Radius>
   explicit EnvelopeCholesky(const SiteSystem<Radius>& system)
     : Order(ChooseOrder(system))
-    , Ends(Order.size(), 0)
+    , Ends(Order.size())
   {
+    std::iota(this->Ends.begin(), this->Ends.end(), 1); // the diagonal, also where it is 0
     std::vector<std::size_t> position(this->Order.size());
     for (std::size_t n = 0; n < position.size(); ++n)
     {
@@ -318,18 +317,18 @@ CoarsePair Coarsened(std::int64_t x)
   }
 }
 
-/// Calls visit(place, weight) for the coarser sites that stand for a fine place.
+/// Calls visit(place, weight) for the coarser sites that stand for the fine one of a column; `low` is the first of them.
 template <int Radius, typename Visitor>
-void ForEachCoarse(std::int64_t x, std::int64_t y, std::int64_t width, Visitor&& visit)
+void ForEachCoarse(const PlanePoint& column, std::int64_t low, const BoxPlaces& coarser, Visitor&& visit)
 {
-  const CoarsePair along = Coarsened<Radius>(x);
-  const CoarsePair across = Coarsened<Radius>(y);
+  const CoarsePair along = Coarsened<Radius>(column.X);
+  const CoarsePair across = Coarsened<Radius>(column.Y);
   for (int high = 0; high < 2; ++high)
   {
     const double weight = high == 0 ? across.LowWeight : across.HighWeight;
     if (weight > 0.0)
     {
-      const std::int64_t place = (across.Low + high) * width + along.Low;
+      const std::int64_t place = high == 0 ? low : coarser.Above(low);
       visit(place, weight * along.LowWeight);
       if (along.HighWeight > 0.0)
       {
@@ -407,7 +406,7 @@ public:
   std::size_t Size() const { return this->System.Sites.Size(); }
 
   /// The system of the next level, whose surfaces are interpolated to this one.
-  std::unique_ptr<SiteSystem<Radius>> MakeCoarser() const;
+  std::unique_ptr<SiteSystem<Radius>> MakeCoarser();
 
   /// Prepares the direct solution. Coarse surfaces that are the same on all fine sites make the matrix singular, which
   /// does no harm to what is interpolated; a diagonal that is larger by a trifle makes it regular.
@@ -427,7 +426,7 @@ public:
     for (std::size_t site = 0; site < this->Size(); ++site)
     {
       const std::int64_t place = this->System.Sites.Place[site];
-      product[place] = this->System.Matrix.Product(site, values.data() + place);
+      product[place] = this->System.Product(site, values);
     }
   }
 
@@ -448,16 +447,17 @@ public:
     for (std::size_t site = 0; site < this->Size(); ++site)
     {
       const double rest = this->Rest(site);
-      this->ForEachCoarseOf(this->System.Sites.Place[site], coarser.System.Sites,
-        [&](std::int64_t coarse, double weight) { coarser.Side[coarse] += weight * rest; });
+      this->ForEachCoarseOf(
+        site, coarser.System.Sites, [&](std::int64_t coarse, double weight) { coarser.Side[coarse] += weight * rest; });
     }
   }
 
   void AddInterpolated(const GridLevel& coarser)
   {
-    for (const std::int64_t place : this->System.Sites.Place)
+    for (std::size_t site = 0; site < this->Size(); ++site)
     {
-      this->ForEachCoarseOf(place, coarser.System.Sites,
+      const std::int64_t place = this->System.Sites.Place[site];
+      this->ForEachCoarseOf(site, coarser.System.Sites,
         [&](std::int64_t coarse, double weight) { this->Solution[place] += weight * coarser.Solution[coarse]; });
     }
   }
@@ -500,18 +500,24 @@ public:
 
 private:
   template <typename Visitor>
-  void ForEachCoarseOf(std::int64_t place, const SiteBox& coarse, Visitor&& visit) const
+  void ForEachCoarseOf(std::size_t site, const SiteBox& coarse, Visitor&& visit) const
   {
-    const std::int64_t width = this->System.Sites.Width;
-    ForEachCoarse<Radius>(place % width, place / width, coarse.Width, visit);
+    ForEachCoarse<Radius>(this->ColumnOf(site), this->CoarseOf[site], *coarse.Near, visit);
   }
+
+  PlanePoint ColumnOf(std::size_t site) const
+  {
+    return this->System.Sites.Near->Column(this->System.Sites.Place[site]);
+  }
+
+  std::vector<BoxRun> CoarseRuns() const;
 
   void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const;
 
   double Rest(std::size_t site) const
   {
     const std::int64_t place = this->System.Sites.Place[site];
-    return this->Side[place] - this->System.Matrix.Product(site, this->Solution.data() + place);
+    return this->Side[place] - this->System.Product(site, this->Solution);
   }
 
   void Smooth(std::size_t site)
@@ -522,26 +528,30 @@ private:
 
   const std::unique_ptr<SiteSystem<Radius>> Own; // not that of the finest level
   const SiteSystem<Radius>& System;
+  std::vector<std::int64_t> CoarseOf; // for each site the first place of the next level that stands for it
   std::optional<EnvelopeCholesky> Direct;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
 template <int Radius>
-std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser() const
+std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser()
 {
-  const SiteBox& fine = this->System.Sites;
-  SiteBox sites(fine.Width / 2 + 2 * SiteBox::Margin + 2, fine.Height / 2 + 2 * SiteBox::Margin + 2);
-  std::vector<bool> isSite(sites.Number.size(), false);
-  for (const std::int64_t place : fine.Place)
+  const std::vector<BoxRun> runs = this->CoarseRuns();
+  SiteBox sites(std::make_shared<const BoxPlaces>(runs, SiteBox::Margin));
+  for (const BoxRun& run : runs)
   {
-    this->ForEachCoarseOf(place, sites, [&](std::int64_t coarse, double) { isSite[coarse] = true; });
-  }
-  for (std::size_t place = 0; place < isSite.size(); ++place)
-  {
-    if (isSite[place])
+    const std::int64_t first = sites.Near->Find({ run.First, run.Row });
+    for (std::int64_t place = first; place <= first + run.Last - run.First; ++place)
     {
-      sites.Add(std::int64_t(place));
+      sites.Add(place);
     }
+  }
+  this->CoarseOf.reserve(this->Size());
+  for (std::size_t site = 0; site < this->Size(); ++site)
+  {
+    const PlanePoint column = this->ColumnOf(site);
+    this->CoarseOf.push_back(sites.Near->Find(
+      { std::int32_t(Coarsened<Radius>(column.X).Low), std::int32_t(Coarsened<Radius>(column.Y).Low) }));
   }
   auto coarse = std::make_unique<SiteSystem<Radius>>(std::move(sites));
   for (std::size_t site = 0; site < this->Size(); ++site)
@@ -552,28 +562,57 @@ std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// The coarser sites: they follow each other where the sites that they stand for do.
+template <int Radius>
+std::vector<BoxRun> GridLevel<Radius>::CoarseRuns() const
+{
+  std::vector<BoxRun> fine;
+  fine.reserve(this->Size());
+  for (std::size_t site = 0; site < this->Size(); ++site)
+  {
+    const PlanePoint column = this->ColumnOf(site);
+    fine.push_back({ column.Y, column.X, column.X });
+  }
+  std::vector<BoxRun> coarse;
+  for (const BoxRun& run : Merged(std::move(fine)))
+  {
+    const CoarsePair last = Coarsened<Radius>(run.Last);
+    const CoarsePair across = Coarsened<Radius>(run.Row);
+    const BoxRun low = { std::int32_t(across.Low), std::int32_t(Coarsened<Radius>(run.First).Low),
+      std::int32_t(last.Low + (last.HighWeight > 0.0 ? 1 : 0)) };
+    coarse.push_back(low);
+    if (across.HighWeight > 0.0)
+    {
+      coarse.push_back({ low.Row + 1, low.First, low.Last });
+    }
+  }
+  return Merged(std::move(coarse));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 /// What a row of the matrix adds to P^T A P.
 template <int Radius>
 void GridLevel<Radius>::AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const
 {
-  const std::int64_t x = this->System.Sites.Place[site] % this->System.Sites.Width;
-  const std::int64_t y = this->System.Sites.Place[site] / this->System.Sites.Width;
-  const std::array<CoarseRow, CoarseReach> image = CoarseImage<Radius>(this->System.Matrix[site].data(), x, y);
-  const std::int64_t beginX = Coarsened<Radius>(x - Radius).Low;
-  const std::int64_t beginY = Coarsened<Radius>(y - Radius).Low;
-  ForEachCoarse<Radius>(x, y, coarse.Sites.Width,
+  const PlanePoint column = this->ColumnOf(site);
+  const std::array<CoarseRow, CoarseReach> image =
+    CoarseImage<Radius>(this->System.Matrix[site].data(), column.X, column.Y);
+  const std::int64_t beginX = Coarsened<Radius>(column.X - Radius).Low;
+  const std::int64_t beginY = Coarsened<Radius>(column.Y - Radius).Low;
+  this->ForEachCoarseOf(site, coarse.Sites,
     [&](std::int64_t place, double weight)
     {
       typename StencilMatrix<Radius>::Row& target = coarse.Matrix[coarse.Sites.Number[place]];
-      const std::int64_t dx = beginX - place % coarse.Sites.Width;
-      const std::int64_t dy = beginY - place / coarse.Sites.Width;
+      const PlanePoint centre = coarse.Sites.Near->Column(place);
+      const std::int64_t dx = beginX - centre.X;
+      const std::int64_t dy = beginY - centre.Y;
       for (int row = 0; row < CoarseReach; ++row)
       {
-        for (int column = 0; column < CoarseReach; ++column)
+        for (int file = 0; file < CoarseReach; ++file)
         {
-          if (image[row][column] != 0.0)
+          if (image[row][file] != 0.0)
           {
-            target[StencilMatrix<Radius>::Index(dx + column, dy + row)] += weight * image[row][column];
+            target[StencilMatrix<Radius>::Index(dx + file, dy + row)] += weight * image[row][file];
           }
         }
       }

@@ -7,6 +7,7 @@
 #ifndef SeismicHorizonsSiteSolver_h
 #define SeismicHorizonsSiteSolver_h
 
+#include "BoxPlaces.h"
 #include "Common/Monitor.h"
 
 #include <array>
@@ -20,16 +21,15 @@ namespace SeismicHorizons
 {
 constexpr std::int32_t NoSite = -1;
 
-/// Sites are numbered row by row. No site is nearer than Margin places to a side of the box, so that neighbours need no
-/// test for its sides.
+/// Sites are numbered row by row. All places up to Margin rows and columns from a site are there, so that neighbours
+/// need no test.
 struct SiteBox
 {
   static constexpr int Margin = 2;
 
-  SiteBox(std::int64_t width, std::int64_t height)
-    : Width(width)
-    , Height(height)
-    , Number(std::size_t(width * height), NoSite)
+  explicit SiteBox(std::shared_ptr<const BoxPlaces> near)
+    : Near(std::move(near))
+    , Number(std::size_t(this->Near->Size()), NoSite)
   {
   }
 
@@ -42,8 +42,13 @@ struct SiteBox
 
   std::size_t Size() const { return this->Place.size(); }
 
-  std::int64_t Width;
-  std::int64_t Height;
+  /// The number of the site so many columns and rows from one, or NoSite.
+  std::int32_t Beside(std::size_t site, int dx, int dy) const
+  {
+    return this->Number[this->Near->Beside(this->Place[site], dx, dy)];
+  }
+
+  std::shared_ptr<const BoxPlaces> Near;
   std::vector<std::int32_t> Number; // of the site at each place, or NoSite
   std::vector<std::int64_t> Place; // of each site
 };
@@ -59,53 +64,54 @@ public:
   static constexpr int Centre = Length / 2;
   using Row = std::array<double, std::size_t(Length)>;
 
-  explicit StencilMatrix(const SiteBox& box)
-    : Rows(box.Size(), Row{})
-    , Width(box.Width)
+  explicit StencilMatrix(std::size_t sites)
+    : Rows(sites, Row{})
   {
   }
 
   /// The position in a row of the coefficient for a place that is `dx`, `dy` away.
   static constexpr std::size_t Index(std::int64_t dx, std::int64_t dy) { return std::size_t(Centre + dy * Side + dx); }
 
-  /// How much further a place is than that of the row, for a position in it.
-  std::int64_t Step(int index) const
-  {
-    return std::int64_t(index / Side - Radius) * this->Width + (index % Side - Radius);
-  }
-
   Row& operator[](std::size_t site) { return this->Rows[site]; }
   const Row& operator[](std::size_t site) const { return this->Rows[site]; }
 
-  /// Of the row of the site at `place`, times values given for each place.
-  double Product(std::size_t site, const double* atPlace) const
-  {
-    const Row& row = this->Rows[site];
-    double sum = 0.0;
-    for (int dy = 0; dy < Side; ++dy)
-    {
-      const double* const values = atPlace + (dy - Radius) * this->Width - Radius;
-      for (int dx = 0; dx < Side; ++dx)
-      {
-        sum += row[dy * Side + dx] * values[dx];
-      }
-    }
-    return sum;
-  }
-
 private:
   std::vector<Row> Rows;
-  std::int64_t Width;
 };
 
 /// A matrix with its sites; a right side is a number for each of these.
 template <int Radius>
 struct SiteSystem
 {
+  using Stencil = StencilMatrix<Radius>;
+
   explicit SiteSystem(SiteBox sites)
     : Sites(std::move(sites))
-    , Matrix(this->Sites)
+    , Matrix(this->Sites.Size())
   {
+  }
+
+  /// The number of the site that a position in the row of another one is for, or NoSite.
+  std::int32_t SiteAt(std::size_t site, int index) const
+  {
+    return this->Sites.Beside(site, index % Stencil::Side - Radius, index / Stencil::Side - Radius);
+  }
+
+  /// The row of a site, times values given for each place.
+  double Product(std::size_t site, const std::vector<double>& atPlace) const
+  {
+    const typename Stencil::Row& row = this->Matrix[site];
+    double sum = 0.0;
+    for (int dy = 0; dy < Stencil::Side; ++dy)
+    {
+      const double* const values =
+        atPlace.data() + this->Sites.Near->Beside(this->Sites.Place[site], -Radius, dy - Radius);
+      for (int dx = 0; dx < Stencil::Side; ++dx)
+      {
+        sum += row[dy * Stencil::Side + dx] * values[dx];
+      }
+    }
+    return sum;
   }
 
   SiteBox Sites;

@@ -268,7 +268,7 @@ void CheckSize(const std::array<int, 3>& size)
   {
     refuse("at most " + std::to_string(MostSamples) + " samples each");
   }
-  if (std::int64_t(size[0]) * size[1] >= std::numeric_limits<PointId>::max())
+  if (std::int64_t(size[0]) * size[1] > std::numeric_limits<PointId>::max())
   {
     refuse("less than 2^31 traces");
   }

@@ -130,7 +130,7 @@ private:
       first, last, [&](const Edge& a, const Edge& b) { return this->IsSweptBefore(edge, a.To, b.To); });
     if (next == last)
     {
-      throw InputError("no edge goes on from vertex " + std::to_string(edge.To) + ", expected parts whose seams fit");
+      throw InputError("no edge continues from vertex " + std::to_string(edge.To) + ", expected parts whose seams fit");
     }
     return std::size_t(next - this->Edges.begin());
   }

@@ -9,6 +9,7 @@
 #include "Generator/FaultGenerator.h"
 #include "Tools/Check.h"
 #include "Tools/FaultScore.h"
+#include "Tools/Patches.h"
 
 #include <limits>
 
@@ -73,6 +74,25 @@ void NoiseIsMeasured()
   CHECK_EQUAL(found.Noise, 3.0);
   CHECK_EQUAL(found.Low, 7.5);
   CHECK_EQUAL(found.High, 12.0);
+}
+
+/// Noise as a survey leaves it, in every third file. Of many links only some are measured: all files alike, whatever the
+/// width of the lattice is, so that the whole has the noise of a part all links of which are.
+void NoiseInStripesIsMeasured()
+{
+  for (const int width : { 300, 301, 302 })
+  {
+    const auto measure = [width](int length)
+    {
+      Patches::Random random(5);
+      return DetectFaults(
+        MakeHeights(width, length, [&random](int i, int) { return (i % 3 == 1 ? 3.0 : 1.0) * random.Fraction(); }), {})
+        .Noise;
+    };
+    const double ofPart = measure(800);
+    const double ofWhole = measure(3500);
+    CHECK(std::abs(ofWhole - ofPart) < 0.01 * ofPart);
+  }
 }
 
 void FindsGeneratedFaults()
@@ -162,7 +182,8 @@ void SmallHorizonsHaveNoFaults()
   CHECK_EQUAL(DetectFaults(ColumnHeights({ { 0, 0 }, { 300, 200 } }, { 5.0, 99.0 }), {}).Lines.Size(), 0U);
 }
 
-/// The links that cut two equal parts with faults, the second of which begins at `second`, counted from their part.
+/// The noise, and the links that cut two equal parts with faults, the second of which begins at `second`, counted from
+/// their part.
 std::string CutsOfParts(const FaultedHorizon& part, const PlanePoint& second, int largestGap)
 {
   std::vector<PlanePoint> columns = part.Columns;
@@ -174,15 +195,15 @@ std::string CutsOfParts(const FaultedHorizon& part, const PlanePoint& second, in
   }
   const ColumnHeights horizon(columns, heights);
   FaultDetectionOptions options;
-  options.Noise = 0.5;
   options.LargestGap = largestGap;
-  FaultLines lines = DetectFaults(horizon, options).Lines;
+  const FaultDetection found = DetectFaults(horizon, options);
+  FaultLines lines = found.Lines;
   CHECK(AreChains(lines));
   // Along the diagonal of both parts, and from the first to the second.
   const double end = 199.5;
   lines.Append(CutAlong(horizon, { { { 0.5, 0.3 }, { end, end } }, { { 20.5, 180.3 }, { end, 180.3 } } }));
   lines.Append(CutAlong(horizon, { { { second.X + 0.5, second.Y + 0.3 }, { second.X + end, second.Y + end } } }));
-  std::string text;
+  std::string text = std::to_string(found.Noise) + '\n';
   for (std::size_t n = 0; n < lines.NumberOfLinks(); ++n)
   {
     LatticeLink link = lines[n].Place;
@@ -241,8 +262,8 @@ void RefusesBadInput()
 {
   CHECK_THROWS_WITH(ColumnHeights({}, {}), "no points, expected a horizon");
   CHECK_THROWS_WITH(ColumnHeights({ { 1, 2 } }, { Missing }), "height nan in column (1, 2), expected a finite number");
-  CHECK_THROWS_WITH(
-    ColumnHeights({ { 1, 2 }, { 1, 2 } }, { 3.0, 4.0 }), "two points in column (1, 2), expected at most one");
+  CHECK_THROWS_WITH(ColumnHeights({ { 1, 2 }, { 1, 2 } }, { 3.0, 4.0 }),
+    "points 0 and 1 both in column (1, 2), expected at most one point of a horizon in a column");
   FaultDetectionOptions options;
   options.SmallestThrow = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(CheckOptions(options), "smallest throw inf, expected a finite number, at least 0 vertical indices");
@@ -281,6 +302,7 @@ int TestFaultDetection(int, char*[])
 {
   FindsAStepExactly();
   NoiseIsMeasured();
+  NoiseInStripesIsMeasured();
   FindsGeneratedFaults();
   FindsNothingWhereNothingIs();
   BridgesGaps();

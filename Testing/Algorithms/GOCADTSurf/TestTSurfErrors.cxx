@@ -69,7 +69,7 @@ void AtomsAreChecked()
   CheckLineRefused("ATOM 3", "ATOM id \"\", expected an integer from 0 on");
   CheckLineRefused("ATOM 3 1 5", "\"5\" behind ATOM, expected the end of the line");
   CheckLineRefused("ATOM 3 9", "ATOM at vertex 9, expected the id of a vertex of the object");
-  const std::string circle = "an ATOM that leads to no place but back to itself, expected the id of a vertex with";
+  const std::string circle = "an ATOM that refers back to itself, expected the id of a vertex with coordinates";
   CheckLineRefused("ATOM 3 3", circle);
   CheckLineRefused("ATOM 3 4\nATOM 4 5\nATOM 5 4", circle);
 }

@@ -7,6 +7,7 @@
 
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/Parallel.h"
+#include "HoleFilling/GapRegion.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 
@@ -226,6 +227,32 @@ void TestFarApart()
   }
 }
 
+/// A narrow gap along the diagonal, whose bounding box has 600 times as many columns, is as it would be in a box of its
+/// own columns, and takes little more memory.
+void TestDiagonal()
+{
+  constexpr int length = 1200;
+  const Patches::Columns columns =
+    Square(length + 40, [](int x, int y) { return y >= 20 && y < 20 + length && x - y >= 0 && x - y < 2; });
+  const Surface plane = [](double x, double y) { return 0.3 * x - 0.7 * y; };
+  HoleFillingOptions options = AllHoles(FillMethod::Plate, 1.0);
+  const FilledColumns filled = Fill(OnSurface(columns, plane), options);
+  CHECK_EQUAL(filled.FilledGaps, 1);
+  CHECK_EQUAL(filled.Column.size(), 2u * length);
+  CHECK(LargestError(filled, plane) < 1e-8);
+
+  const ColumnIndex index(columns, options.RimWidth + SiteBox::Margin);
+  std::vector<std::int64_t> gap;
+  for (const PlanePoint& column : filled.Column)
+  {
+    gap.push_back(index.Place(column));
+  }
+  const RasterFrame frame(index, std::vector<std::int32_t>(std::size_t(index.Width())),
+    std::vector<std::int32_t>(std::size_t(index.Height())));
+  const GapRegion region(index, frame, nullptr, gap, options.RimWidth);
+  CHECK(region.Kind.size() < 15 * gap.size());
+}
+
 Horizon ManyHoles()
 {
   Patches::Random random(3);
@@ -319,6 +346,7 @@ int TestHoleFilling(int, char*[])
   TestAttributes();
   TestOutlines();
   TestFarApart();
+  TestDiagonal();
   TestThreads();
   TestMonitor();
   TestNothingToFill();

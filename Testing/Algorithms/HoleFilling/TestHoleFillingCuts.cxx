@@ -141,6 +141,26 @@ void TestRimOnALine()
   CHECK(LargestError(filled, steps) < 1e-9);
 }
 
+/// A column with one link left, to a column beyond which there is a cut again: no stencil of a plate leads there, so that
+/// it has the height of that column.
+void TestOneLinkLeft()
+{
+  const auto isGap = [](int x, int y) { return x == 10 && y == 10; };
+  const Surface slope = [](double x, double y) { return 2.0 * x + 3.0 * y; };
+  LinkCuts cuts = NoCuts();
+  cuts.CutEast({ 9, 10 });
+  cuts.CutEast({ 10, 10 });
+  cuts.CutNorth({ 10, 9 });
+  cuts.CutNorth({ 10, 11 });
+  for (const double smoothing : { 0.0, 1.0 })
+  {
+    const FilledColumns filled =
+      Fill(OnSurface(Square(Size, isGap), slope), AllHoles(FillMethod::Plate, smoothing), &cuts);
+    CHECK_EQUAL(filled.Column.size(), 1u);
+    CHECK(LargestError(filled, [](double, double) { return 2.0 * 10 + 3.0 * 11; }) < 1e-9);
+  }
+}
+
 /// Cuts far from any gap, and outside the horizon, change nothing, to the bit.
 void TestCutsElsewhere()
 {
@@ -162,6 +182,7 @@ int TestHoleFillingCuts(int, char*[])
   TestTip();
   TestCutOff();
   TestRimOnALine();
+  TestOneLinkLeft();
   TestCutsElsewhere();
   return Check::Result();
 }

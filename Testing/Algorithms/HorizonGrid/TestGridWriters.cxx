@@ -157,7 +157,8 @@ void LatticesThatDoNotFitAreRefused()
   grid.Lattice.ColumnStep = { 0, 0 };
   for (const Writer write : { WriteIrapText, WriteZmap })
   {
-    CHECK_THROWS_WITH(Write(write, grid), "a lattice with a step of 0 or a place that is not finite, expected others");
+    CHECK_THROWS_WITH(
+      Write(write, grid), " with the steps (0, 0) and (-1, 24.95), expected finite numbers, and steps other than 0");
   }
 }
 

@@ -30,7 +30,7 @@ void CheckLineRefused(const std::string& line, const std::string& message)
 
 void HeaderIsChecked()
 {
-  const std::string expected = ", expected three positive integers \"nX nY nZ\"";
+  const std::string expected = ", expected three positive integers \"nX nY nZ\" below 2^31";
   CheckRefused("", "line 1: empty file" + expected);
   CheckRefused("\xEF\xBB\xBF", "line 1: empty file" + expected);
   for (const std::string header : { "", "3 2", "3 2 10 1", "3 2 0", "3 -2 10", "3 2 1.5", "a b c", "3 2 2147483648",
@@ -41,14 +41,17 @@ void HeaderIsChecked()
   }
   CheckRefused(
     "2147483647 2147483647 3\n", "line 1: header \"2147483647 2147483647 3\", expected a product below 2^63");
+  for (const std::string header : { "268435456 2 3", "2 268435456 3" })
+  {
+    CheckRefused(header + '\n', "line 1: header \"" + header + "\", expected nX and nY below 2^28");
+  }
   CheckRefused(std::string(10000, '7'), "line 1: header \"" + std::string(32, '7') + "...\"" + expected);
   CheckRefused(std::string(10000, '\0'), "line 1: header \"" + std::string(32, '?') + "...\"" + expected);
 }
 
 void LargeHeaderTakesNoMemory()
 {
-  CheckRefused(
-    "2147483647 2147483647 2\n0 1 0 0 0\n", "line 3: end of file after 2 columns, expected 4611686014132420609");
+  CheckRefused("268435455 268435455 2\n0 1 0 0 0\n", "line 3: end of file after 2 columns, expected 72057593501057025");
 }
 
 void NumberOfColumnsIsChecked()
