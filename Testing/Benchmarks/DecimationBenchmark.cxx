@@ -41,6 +41,7 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 using namespace SeismicHorizons;
@@ -100,8 +101,7 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
   double sum = 0.0;
   double largest = 0.0;
   double inside = 0.0;
-  std::size_t count = 0;
-  std::vector<bool> isCounted(surface.Columns.size(), false); // columns where triangles meet count once
+  std::unordered_set<PointId> counted; // columns where triangles meet count once
   for (const auto& corners : mesh.Triangles)
   {
     RaisedTriangle triangle = { mesh.Vertices[corners[0]], mesh.Vertices[corners[1]], mesh.Vertices[corners[2]] };
@@ -118,18 +118,12 @@ void PrintRow(const char* method, const Surface& surface, const Mesh& mesh, doub
       [&](PointId point, double error, const std::array<double, 3>&)
       {
         largest = std::max(largest, std::abs(error));
-        if (isCounted[std::size_t(point)])
-        {
-          return;
-        }
-        isCounted[std::size_t(point)] = true;
-        sum += std::abs(error);
-        ++count;
         inside = surface.IsInside[std::size_t(point)] ? std::max(inside, std::abs(error)) : inside;
+        sum += counted.insert(point).second ? std::abs(error) : 0.0;
       });
   }
-  std::printf("| %s | %zu | %.3f | %.4f | %.3f | %.3f |\n", method, mesh.Vertices.size(), seconds, sum / double(count),
-    inside, largest);
+  std::printf("| %s | %zu | %.3f | %.4f | %.3f | %.3f |\n", method, mesh.Vertices.size(), seconds,
+    sum / double(counted.size()), inside, largest);
 }
 
 Mesh ToMesh(const Surface& surface, const Decimation& decimation)
