@@ -4,7 +4,7 @@
 #include "GridOutput.h"
 
 #include "Common/Errors.h"
-#include "Common/LatticePlacement.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "Common/TextNumbers.h"
 
 #include <charconv>
