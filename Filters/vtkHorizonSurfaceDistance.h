@@ -16,7 +16,8 @@
  * and field data (double), with three tuples (from the reference to the mesh, from the mesh to the reference, both) of
  * three components (in lattice units, in world units, divided by the diagonal of the reference's bounding box in
  * lattice units):
- *  - LargestDistance: of all places that are measured
+ *  - LargestDistance: no place is farther, up to rounding; at most 1 % above the next, unless effort ran out before
+ *  - LargestDistanceFound: the largest one of a place
  *  - MeanDistance, RmsDistance, DistancePercentile50, 90, 95 and 99: over the faces, weighted by area
  *  - OutlineDistance: the largest distance in plan of one outline to the other; nan where a surface has none
  * and Grading, two components: median and 95th percentile, over the corners of all triangles, of the ratio of the

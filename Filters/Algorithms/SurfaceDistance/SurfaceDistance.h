@@ -41,7 +41,8 @@ constexpr std::array<int, 4> Percentiles = { 50, 90, 95, 99 };
 /// Distances from one surface to another, in the units of the coordinates.
 struct DistanceFigures
 {
-  double Largest = 0.0; // of vertices, edges and faces
+  double Largest = 0.0; // no vertex, edge or face is farther anywhere, up to rounding
+  double LargestFound = 0.0; // at a place
   // Of the faces, weighted by area.
   double Mean = 0.0;
   double Rms = 0.0; // the root of the mean square
