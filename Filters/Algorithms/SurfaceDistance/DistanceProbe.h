@@ -33,7 +33,10 @@ public:
   /// The triangles in an order in which neighbours follow each other, in pieces: cells, or single triangles. Loops take
   /// a fixed number of pieces at a time.
   static constexpr std::int64_t PiecesPerChunk = 512;
-  std::int64_t Pieces() const { return this->Raster ? this->Raster->Cells() : std::int64_t(this->Surface.Triangles.size()); }
+  std::int64_t Pieces() const
+  {
+    return this->Raster ? this->Raster->Cells() : std::int64_t(this->Surface.Triangles.size());
+  }
 
   /// Calls visit(triangle) for the triangles of a range of pieces. Each triangle is in one piece.
   template <typename Visitor>

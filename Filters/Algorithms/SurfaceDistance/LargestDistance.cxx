@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace SeismicHorizons
 {
@@ -29,13 +30,16 @@ namespace
 constexpr double Accuracy = 0.01;
 
 // Bounds below this, times the largest coordinate, are rounding.
-constexpr double Rounding = 32.0 * std::numeric_limits<double>::epsilon();
+constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 constexpr std::int64_t TrianglesPerChunk = 1024;
 // Of triangles that are cut.
 constexpr std::int64_t CutPerChunk = 4;
 constexpr std::int64_t FirstRound = 32;
 constexpr std::int64_t LargestRound = 8192;
+
+// With less of the effort left, triangles are not cut once more.
+constexpr double LeastEffort = 0.1;
 
 // So many triangles of an overlay take the time of one measured distance.
 constexpr double VisitsPerDistance = 16.0;
@@ -47,6 +51,7 @@ struct Piece
   std::array<MetricValues, 3> Distance;
   std::array<NearestTriangles, 3> Nearest;
   MetricValues Bound; // of the distances of all its places
+  MetricValues Rounding; // bounds below this are
 };
 
 /// A triangle, or one of its sides, whose bound is too high.
@@ -95,6 +100,11 @@ public:
     const Corners& t = from.Triangles[number];
     if (from.Counts(t))
     {
+      if (this->Known.Nearest[t[0]] == this->Known.Nearest[t[1]] &&
+        this->Known.Nearest[t[0]] == this->Known.Nearest[t[2]])
+      {
+        return; // the distance to that triangle is largest at a corner
+      }
       this->BoundOne({ number, -1, {} }, open);
       return;
     }
@@ -108,14 +118,13 @@ public:
   }
 
   /// Cuts a triangle into pieces until the bounds of all are low enough, or as many distances are measured as are
-  /// allowed. Returns how many were.
-  double Cut(const OpenTriangle& triangle, double allowed)
+  /// allowed. Returns how many were, and sets the bound to that of the pieces that remain too high.
+  double Cut(OpenTriangle& triangle, double allowed)
   {
     this->Spent = 0.0;
     std::vector<Piece> pieces = { this->MakePiece(triangle) };
     pieces[0].Bound = triangle.Bound;
-    const auto isLower = [this](const Piece& a, const Piece& b)
-    { return this->Excess(a) < this->Excess(b); };
+    const auto isLower = [this](const Piece& a, const Piece& b) { return this->Excess(a) < this->Excess(b); };
     while (!pieces.empty() && this->Excess(pieces.front()) > 1.0 && this->Spent < allowed)
     {
       std::pop_heap(pieces.begin(), pieces.end(), isLower);
@@ -134,9 +143,11 @@ public:
         }
       }
     }
+    triangle.Bound = {};
+    const bool isDone = pieces.empty() || this->Excess(pieces.front()) <= 1.0;
     for (const Piece& piece : pieces)
     {
-      Raise(piece.Bound, this->Result.Most);
+      Raise(piece.Bound, isDone ? this->Result.Most : triangle.Bound);
     }
     return this->Spent;
   }
@@ -150,8 +161,7 @@ private:
     Piece piece;
     for (std::size_t n = 0; n < 3; ++n)
     {
-      const std::size_t corner =
-        triangle.Side < 0 ? n : (std::size_t(triangle.Side) + std::min<std::size_t>(n, 1)) % 3;
+      const std::size_t corner = triangle.Side < 0 ? n : (std::size_t(triangle.Side) + std::min<std::size_t>(n, 1)) % 3;
       const PointId point = t[corner];
       piece.Corner[n] = this->Known.From.Point(point);
       for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
@@ -161,7 +171,12 @@ private:
       piece.Nearest[n] = this->Known.Nearest[point];
     }
     piece.Bound = {};
-    std::fill_n(piece.Bound.begin(), this->Metrics.size(), std::numeric_limits<double>::infinity());
+    piece.Rounding = {};
+    for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
+    {
+      piece.Bound[metric] = std::numeric_limits<double>::infinity();
+      piece.Rounding[metric] = Rounding * this->LargestCoordinate(piece.Corner, metric);
+    }
     return piece;
   }
 
@@ -180,15 +195,14 @@ private:
     }
   }
 
-  /// A distance that differs from nothing by rounding alone.
-  double RoundingAt(const Piece& piece, std::size_t metric) const
+  double LargestCoordinate(const Triangle& corners, std::size_t metric) const
   {
     double largest = 0.0;
-    for (const Eigen::Vector3d& corner : piece.Corner)
+    for (const Eigen::Vector3d& corner : corners)
     {
       largest = std::max(largest, this->Metrics[metric](corner).cwiseAbs().maxCoeff());
     }
-    return Rounding * largest;
+    return largest;
   }
 
   /// What a bound need not be lower than, when the largest distance is multiplied.
@@ -197,7 +211,7 @@ private:
     MetricValues limits = {};
     for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
     {
-      limits[metric] = std::max(times * this->Result.Found[metric], this->RoundingAt(piece, metric));
+      limits[metric] = std::max(times * this->Result.Found[metric], piece.Rounding[metric]);
     }
     return limits;
   }
@@ -268,8 +282,8 @@ private:
     double squared = 0.0;
     for (std::size_t n = 0; n < 3; ++n)
     {
-      squared = std::max(
-        squared, this->Metrics[metric].SquaredDistance(surface, surface.Triangles[triangle], piece.Corner[n]));
+      squared =
+        std::max(squared, this->Metrics[metric].SquaredDistance(surface, surface.Triangles[triangle], piece.Corner[n]));
     }
     piece.Bound[metric] = std::min(piece.Bound[metric], std::sqrt(squared));
   }
@@ -311,8 +325,7 @@ private:
   std::array<Piece, 2> Halve(const Piece& piece)
   {
     const MetricValues limits = this->Limits(piece, 1.0);
-    const bool isSecond =
-      this->Metrics.size() > 1 && piece.Bound[1] * limits[0] > piece.Bound[0] * limits[1];
+    const bool isSecond = this->Metrics.size() > 1 && piece.Bound[1] * limits[0] > piece.Bound[0] * limits[1];
     const std::array<double, 3> lengths = this->Lengths(piece, isSecond ? 1 : 0);
     const std::size_t from = std::size_t(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
     const std::size_t to = (from + 1) % 3;
@@ -345,7 +358,7 @@ void Raise(const LargestDistance& other, LargestDistance& largest)
   Raise(other.Most, largest.Most);
 }
 
-/// Bounds all triangles; returns those whose bound is too high, the highest ones first.
+/// Bounds all triangles; returns those whose bound is too high.
 OpenTriangles BoundAll(const KnownDistances& known, LargestDistance& largest, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(known.From.Triangles.size());
@@ -367,19 +380,18 @@ OpenTriangles BoundAll(const KnownDistances& known, LargestDistance& largest, co
     all.insert(all.end(), open[chunk].begin(), open[chunk].end());
     Raise(parts[chunk], largest);
   }
-  std::stable_sort(all.begin(), all.end(), [&](const OpenTriangle& a, const OpenTriangle& b)
-    { return Excess(a.Bound, largest.Found) > Excess(b.Bound, largest.Found); });
   return all;
 }
 
-/// Cuts triangles, each within an allowance; returns how many distances were measured.
-double CutRound(const KnownDistances& known, const OpenTriangle* triangles, std::int64_t size, double allowed,
-  LargestDistance& largest, const Monitor& monitor)
+/// Cuts triangles, each within an allowance, and sets their bounds to what remains; returns how many distances were
+/// measured.
+double CutRound(
+  const KnownDistances& known, OpenTriangle* triangles, std::int64_t size, double allowed, LargestDistance& largest)
 {
   std::vector<LargestDistance> parts(CountChunks(size, CutPerChunk));
   std::vector<double> spent(parts.size(), 0.0);
   const MetricValues found = largest.Found;
-  ForEachChunk(size, CutPerChunk, monitor,
+  ForEachChunk(size, CutPerChunk, Monitor(),
     [&](std::size_t chunk, std::int64_t first, std::int64_t last)
     {
       Bounder bounder(known, found);
@@ -389,13 +401,34 @@ double CutRound(const KnownDistances& known, const OpenTriangle* triangles, std:
       }
       parts[chunk] = bounder.Get();
     });
-  double sum = 0.0;
-  for (std::size_t chunk = 0; chunk < parts.size(); ++chunk)
+  for (const LargestDistance& part : parts)
   {
-    Raise(parts[chunk], largest);
-    sum += spent[chunk];
+    Raise(part, largest);
   }
-  return sum;
+  return std::accumulate(spent.begin(), spent.end(), 0.0);
+}
+
+/// Cuts all triangles, those of the highest bounds first, and leaves those in the list whose bound remains too high;
+/// returns how many distances were measured, about as many as are allowed at most.
+double CutAll(
+  const KnownDistances& known, OpenTriangles& open, double allowed, LargestDistance& largest, const Monitor& monitor)
+{
+  const auto excess = [&](const OpenTriangle& triangle) { return Excess(triangle.Bound, largest.Found); };
+  std::stable_sort(
+    open.begin(), open.end(), [&](const OpenTriangle& a, const OpenTriangle& b) { return excess(a) > excess(b); });
+  const std::int64_t size = std::int64_t(open.size());
+  double left = allowed;
+  std::int64_t round = FirstRound;
+  for (std::int64_t first = 0; first < size; first += round, round = std::min(2 * round, LargestRound))
+  {
+    monitor.Progress(double(first) / double(size));
+    // With half of what is left, those of the highest bounds can not take all of it.
+    const std::int64_t count = std::min(round, size - first);
+    left -= CutRound(known, &open[first], count, 0.5 * left / double(count), largest);
+  }
+  const auto isDone = [&](const OpenTriangle& triangle) { return triangle.Bound == MetricValues(); };
+  open.erase(std::remove_if(open.begin(), open.end(), isDone), open.end());
+  return allowed - left;
 }
 }
 
@@ -403,18 +436,15 @@ double CutRound(const KnownDistances& known, const OpenTriangle* triangles, std:
 LargestDistance FindLargestDistance(const KnownDistances& known, std::int64_t effort, const Monitor& monitor)
 {
   LargestDistance largest{ known.Found, known.Found };
-  const OpenTriangles open = BoundAll(known, largest, monitor.Step(0.0, 0.5));
-  const std::int64_t size = std::int64_t(open.size());
+  OpenTriangles open = BoundAll(known, largest, monitor.Step(0.0, 0.5));
   double left = double(effort);
-  std::int64_t round = FirstRound;
-  for (std::int64_t first = 0; first < size; first += round, round = std::min(2 * round, LargestRound))
+  for (double part = 0.5; !open.empty() && left > LeastEffort * double(effort); part *= 0.5)
   {
-    const std::int64_t count = std::min(round, size - first);
-    const Monitor step = monitor.Step(
-      0.5 + 0.5 * double(first) / double(size), 0.5 + 0.5 * double(first + count) / double(size));
-    // With half of what is left, those of the highest bounds can not take all of it.
-    const double share = first + count < size ? 0.5 * left : left;
-    left -= CutRound(known, &open[first], count, share / double(count), largest, step);
+    left -= CutAll(known, open, left, largest, monitor.Step(1.0 - part, 1.0 - 0.5 * part));
+  }
+  for (const OpenTriangle& triangle : open)
+  {
+    Raise(triangle.Bound, largest.Most);
   }
   Raise(largest.Found, largest.Most);
   return largest;

@@ -126,8 +126,7 @@ public:
     const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
     const double longest =
       std::max({ (t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm() });
-    this->DoubledArea = std::abs(normal.z());
-    this->IsFlat = this->DoubledArea > LeastFlatness * longest;
+    this->IsFlat = std::abs(normal.z()) > LeastFlatness * longest;
     this->Slope = -normal.head<2>() / normal.z();
   }
 
@@ -138,7 +137,6 @@ public:
                         : std::numeric_limits<double>::infinity();
   }
 
-  double DoubledArea = 0.0; // in plan
   Eigen::Vector2d Slope;
 
 private:
@@ -228,6 +226,8 @@ public:
     , Bounds(bounds)
     , Plan(corners)
     , Plane(corners)
+    , Low(this->Plan.Low(0), this->Plan.Low(1))
+    , High(this->Plan.High(0), this->Plan.High(1))
     , Middle(((corners[0] + corners[1] + corners[2]) / 3.0).head<2>())
     , Turn(this->Plan.DoubledArea() < 0.0 ? -1.0 : 1.0)
     , LongestOverHeight(this->Plan.SquaredLongest() / std::abs(this->Plan.DoubledArea()))
@@ -249,28 +249,25 @@ public:
     ++this->Visits;
     const Corners& t = this->Surface.Triangles[number];
     const Triangle other = TriangleOf(this->Surface, t);
+    const unsigned ends = this->Ends[number];
+    const bool isNear = this->IsSmall(this->Plane.LargestGap(other));
+    if (isNear && this->IsTouched && ends == 0)
+    {
+      return true;
+    }
     const PlanTriangle plan(other);
     const double area = plan.DoubledArea();
-    if (area == 0.0)
+    if (area == 0.0 || !this->MayOverlap(plan))
     {
       return true; // it covers nothing
     }
-    if (!this->AllowsSides(other, this->Ends[number]))
+    if (ends != 0 && !this->AllowsSides(other, ends))
     {
       return false;
     }
     this->IsTouched = this->IsTouched || IsWithin(this->Middle, plan, area);
-    const double gap = this->GapTo(other, std::abs(area));
-    if (gap <= this->LargestGap || !Overlap(this->Plan, plan))
-    {
-      return true;
-    }
-    if (gap <= this->GapEnough)
-    {
-      this->LargestGap = gap;
-      return true;
-    }
-    return this->AddPolygon(t, other, area < 0.0 ? -1.0 : 1.0);
+    return isNear || this->IsSmall(HeightPlane(other).LargestGap(this->Corner)) || !Overlap(this->Plan, plan) ||
+      this->AddPolygon(t, other, area < 0.0 ? -1.0 : 1.0);
   }
 
   /// Lowers the bounds, once all triangles were added.
@@ -284,8 +281,7 @@ public:
         // From what is just outside, along the plane of the triangle.
         const double stretch = std::sqrt(in.SquaredPlanNorm()) + in.Weights()[2] * this->Plane.Slope.norm();
         const double largest = std::max(in.Weights()[2] * this->LargestGap, this->Largest[metric]);
-        bounds[metric] =
-          std::min(bounds[metric], this->Outside > 0.0 ? largest + this->Outside * stretch : largest);
+        bounds[metric] = std::min(bounds[metric], this->Outside > 0.0 ? largest + this->Outside * stretch : largest);
       }
     }
   }
@@ -293,7 +289,23 @@ public:
   std::int64_t Visits = 0;
 
 private:
+  /// Whether with that gap all distances are small enough.
+  bool IsSmall(double gap)
+  {
+    const bool isSmall = gap <= this->GapEnough;
+    this->LargestGap = isSmall ? std::max(this->LargestGap, gap) : this->LargestGap;
+    return isSmall;
+  }
+
   bool IsOpen(std::size_t metric) const { return this->Bounds[metric] > this->Enough[metric]; }
+
+  /// Whether the boxes overlap.
+  bool MayOverlap(const PlanTriangle& plan) const
+  {
+    const auto& [a, b, c] = plan.Corner;
+    return (a.array().min(b.array()).min(c.array()) < this->High).all() &&
+      (a.array().max(b.array()).max(c.array()) > this->Low).all();
+  }
 
   /// Whether no side of a triangle where the surface may end passes through this one.
   bool AllowsSides(const Triangle& other, unsigned ends)
@@ -318,7 +330,8 @@ private:
     {
       const Eigen::Vector2d& corner = this->Plan.Corner[n];
       const Eigen::Vector2d side = this->Plan.Corner[(n + 1) % 3] - corner;
-      const double inside = std::max(this->Turn * this->Plan.DoubledArea(n, from), this->Turn * this->Plan.DoubledArea(n, to));
+      const double inside =
+        std::max(this->Turn * this->Plan.DoubledArea(n, from), this->Turn * this->Plan.DoubledArea(n, to));
       depth = std::min(depth, inside <= 0.0 ? 0.0 : inside / side.norm());
       const double left = along.x() * (corner.y() - from.y()) - along.y() * (corner.x() - from.x());
       least = std::min(least, left);
@@ -332,16 +345,6 @@ private:
     }
     this->Outside = std::max(this->Outside, depth * this->LongestOverHeight);
     return true;
-  }
-
-  /// An upper bound of the vertical gap to a triangle of that area, wherever it is above or below.
-  double GapTo(const Triangle& other, double area) const
-  {
-    if (area < this->Plane.DoubledArea)
-    {
-      return this->Plane.LargestGap(other);
-    }
-    return HeightPlane(other).LargestGap(this->Corner);
   }
 
   /// What the two triangles have in common.
@@ -377,12 +380,14 @@ private:
   const MetricValues& Bounds;
   PlanTriangle Plan;
   HeightPlane Plane;
+  Eigen::Array2d Low;
+  Eigen::Array2d High;
   Eigen::Vector2d Middle;
   double Turn;
   double LongestOverHeight; // in plan: what is so far from a side is this times as far from the triangle at most
   double MostOutside;
-  double GapEnough = std::numeric_limits<double>::infinity(); // with a smaller gap all distances are small enough
-  double LargestGap = 0.0; // of those
+  double GapEnough = std::numeric_limits<double>::infinity();
+  double LargestGap = 0.0; // of those that are small enough
   MetricValues Largest = {}; // of the corners of polygons, where gaps are larger
   double Outside = 0.0; // how far the surface may end within the triangle, by rounding
   bool IsTouched = false; // whether the surface has anything at the middle

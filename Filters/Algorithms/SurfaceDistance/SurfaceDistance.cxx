@@ -240,8 +240,7 @@ std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
 /// 0 (as of FindHeight), also writes how far points are above the other surface, in the first metric. Writes the
 /// nearest triangles where these are asked for.
 MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to, const std::vector<Metric>& metrics,
-  double tolerance, std::vector<PointDistances>& points, std::vector<NearestTriangles>* nearest,
-  const Monitor& monitor)
+  double tolerance, std::vector<PointDistances>& points, std::vector<NearestTriangles>* nearest, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(from.Points.size());
   points.resize(metrics.size());
@@ -525,8 +524,8 @@ LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface&
   {
     distances.push_back(&points.Distance);
   }
-  return FindLargestDistance(
-    { from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found }, measured.Sums.Samples, monitor);
+  return FindLargestDistance({ from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found },
+    measured.Sums.Samples, monitor);
 }
 
 /// Measures one direction, with about `samples` on the faces.
@@ -539,8 +538,8 @@ void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, do
   std::vector<NearestTriangles> nearest;
   const MetricValues ofPoints =
     MeasurePoints(from.Surface, to.Search, from.Metrics, tolerance, result.Points, &nearest, monitor.Step(0.0, 0.2));
-  MetricValues found = MeasureEdges(from.Surface, from.Edges, to.Search, from.Metrics, result.Points, ofPoints,
-    spacing, options.Seed, monitor.Step(0.2, 0.4));
+  MetricValues found = MeasureEdges(from.Surface, from.Edges, to.Search, from.Metrics, result.Points, ofPoints, spacing,
+    options.Seed, monitor.Step(0.2, 0.4));
   result.Sums = AddUpChunks<FaceSums>(from.Search.Pieces(), TriangleSearch::PiecesPerChunk, monitor.Step(0.4, 0.8),
     [&](FaceSums& sums, std::int64_t first, std::int64_t last)
     { sums = FaceMeter(from, to, density, options.Seed, result.Histogram).Run(first, last); });
@@ -594,8 +593,7 @@ std::vector<SurfaceDistance> MeasureSurfaceDistances(const TriangleSurface& refe
     result.ReferenceToMesh = toMesh.Figures[metric];
     result.MeshToReference = toReference.Figures[metric];
     result.TwoSided.Largest = std::max(result.ReferenceToMesh.Largest, result.MeshToReference.Largest);
-    result.TwoSided.LargestFound =
-      std::max(result.ReferenceToMesh.LargestFound, result.MeshToReference.LargestFound);
+    result.TwoSided.LargestFound = std::max(result.ReferenceToMesh.LargestFound, result.MeshToReference.LargestFound);
     result.TwoSided.Outline = std::max(result.ReferenceToMesh.Outline, result.MeshToReference.Outline);
     SetFaceFigures(toMesh, metric, result.TwoSided);
     result.Reference = std::move(toMesh.Points[metric]);

@@ -143,12 +143,23 @@ void TestAgainstBruteForce()
     {
       const PointId size = PointId(overlapping.Points.size());
       overlapping.Triangles.push_back({ size, size + 1, size + 2 });
-      overlapping.Points.insert(
-        overlapping.Points.end(), { above.Point(t[0]), above.Point(t[1]), above.Point(t[2]) });
+      overlapping.Points.insert(overlapping.Points.end(), { above.Point(t[0]), above.Point(t[1]), above.Point(t[2]) });
     }
     CheckPair("overlapping", fine, overlapping);
+    TriangleSurface folded = fine; // back over itself along a line
+    for (Eigen::Vector3d& point : folded.Points)
+    {
+      point.x() = std::min(point.x(), 9.0 - point.x());
+    }
+    CheckPair("folded", coarse, folded);
     CheckPair("soups", MakeSoup(40, 10.0, random), MakeSoup(30, 10.0, random));
     CheckPair("one triangle", fine, MakeSoup(1, 10.0, random));
+    TriangleSurface far = coarse;
+    for (Eigen::Vector3d& point : far.Points)
+    {
+      point += Eigen::Vector3d(30.0, -20.0, 1000.0 * seed);
+    }
+    CheckPair("far apart", fine, far);
   }
 }
 

@@ -140,8 +140,8 @@ void TestAgainstBruteForce()
 
 bool AreSame(const DistanceFigures& a, const DistanceFigures& b)
 {
-  return a.Largest == b.Largest && a.LargestFound == b.LargestFound && a.Mean == b.Mean && a.Rms == b.Rms && a.Percentile == b.Percentile &&
-    a.Samples == b.Samples && IsNear(a.Outline, b.Outline, 0.0);
+  return a.Largest == b.Largest && a.LargestFound == b.LargestFound && a.Mean == b.Mean && a.Rms == b.Rms &&
+    a.Percentile == b.Percentile && a.Samples == b.Samples && IsNear(a.Outline, b.Outline, 0.0);
 }
 
 bool AreSame(const std::vector<double>& a, const std::vector<double>& b)
