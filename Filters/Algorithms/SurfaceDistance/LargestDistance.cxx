@@ -39,7 +39,7 @@ constexpr std::int64_t FirstRound = 32;
 constexpr std::int64_t LargestRound = 8192;
 
 // With less of the effort left, triangles are not cut once more.
-constexpr double LeastEffort = 0.1;
+constexpr double LeastLeft = 0.1;
 
 // So many triangles of an overlay take the time of one measured distance.
 constexpr double VisitsPerDistance = 16.0;
@@ -52,6 +52,7 @@ struct Piece
   std::array<NearestTriangles, 3> Nearest;
   MetricValues Bound; // of the distances of all its places
   MetricValues Rounding; // bounds below this are
+  double Order = 0.0; // in which pieces are cut, the highest first
 };
 
 /// A triangle, or one of its sides, whose bound is too high.
@@ -100,8 +101,8 @@ public:
     const Corners& t = from.Triangles[number];
     if (from.Counts(t))
     {
-      if (this->Known.Nearest[t[0]] == this->Known.Nearest[t[1]] &&
-        this->Known.Nearest[t[0]] == this->Known.Nearest[t[2]])
+      const NearestTriangles& nearest = this->Known.Nearest[t[0]];
+      if (nearest == this->Known.Nearest[t[1]] && nearest == this->Known.Nearest[t[2]])
       {
         return; // the distance to that triangle is largest at a corner
       }
@@ -124,30 +125,30 @@ public:
     this->Spent = 0.0;
     std::vector<Piece> pieces = { this->MakePiece(triangle) };
     pieces[0].Bound = triangle.Bound;
-    const auto isLower = [this](const Piece& a, const Piece& b) { return this->Excess(a) < this->Excess(b); };
-    while (!pieces.empty() && this->Excess(pieces.front()) > 1.0 && this->Spent < allowed)
+    const auto isLower = [](const Piece& a, const Piece& b) { return a.Order < b.Order; };
+    while (!pieces.empty() && this->Spent < allowed)
     {
       std::pop_heap(pieces.begin(), pieces.end(), isLower);
       const Piece piece = pieces.back();
       pieces.pop_back();
-      for (const Piece& half : this->Halve(piece))
+      if (this->IsDone(piece))
       {
-        if (this->Excess(half) > 1.0)
+        continue;
+      }
+      for (Piece& half : this->Halve(piece))
+      {
+        if (!this->IsDone(half))
         {
+          half.Order = this->Excess(half);
           pieces.push_back(half);
           std::push_heap(pieces.begin(), pieces.end(), isLower);
-        }
-        else
-        {
-          Raise(half.Bound, this->Result.Most);
         }
       }
     }
     triangle.Bound = {};
-    const bool isDone = pieces.empty() || this->Excess(pieces.front()) <= 1.0;
     for (const Piece& piece : pieces)
     {
-      Raise(piece.Bound, isDone ? this->Result.Most : triangle.Bound);
+      Raise(piece.Bound, triangle.Bound);
     }
     return this->Spent;
   }
@@ -184,15 +185,22 @@ private:
   {
     Piece piece = this->MakePiece(triangle);
     this->Lower(piece);
-    if (this->Excess(piece) > 1.0)
+    if (!this->IsDone(piece))
     {
       triangle.Bound = piece.Bound;
       open.push_back(triangle);
     }
-    else
+  }
+
+  /// Whether the bound is low enough; then it counts.
+  bool IsDone(const Piece& piece)
+  {
+    const bool isDone = this->Excess(piece) <= 1.0;
+    if (isDone)
     {
       Raise(piece.Bound, this->Result.Most);
     }
+    return isDone;
   }
 
   double LargestCoordinate(const Triangle& corners, std::size_t metric) const
@@ -424,7 +432,8 @@ double CutAll(
     monitor.Progress(double(first) / double(size));
     // With half of what is left, those of the highest bounds can not take all of it.
     const std::int64_t count = std::min(round, size - first);
-    left -= CutRound(known, &open[first], count, 0.5 * left / double(count), largest);
+    const double share = first + count < size ? 0.5 * left : left;
+    left -= CutRound(known, &open[first], count, share / double(count), largest);
   }
   const auto isDone = [&](const OpenTriangle& triangle) { return triangle.Bound == MetricValues(); };
   open.erase(std::remove_if(open.begin(), open.end(), isDone), open.end());
@@ -438,7 +447,7 @@ LargestDistance FindLargestDistance(const KnownDistances& known, std::int64_t ef
   LargestDistance largest{ known.Found, known.Found };
   OpenTriangles open = BoundAll(known, largest, monitor.Step(0.0, 0.5));
   double left = double(effort);
-  for (double part = 0.5; !open.empty() && left > LeastEffort * double(effort); part *= 0.5)
+  for (double part = 0.5; !open.empty() && left > LeastLeft * double(effort); part *= 0.5)
   {
     left -= CutAll(known, open, left, largest, monitor.Step(1.0 - part, 1.0 - 0.5 * part));
   }

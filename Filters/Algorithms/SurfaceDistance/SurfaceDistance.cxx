@@ -515,6 +515,9 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   }
 }
 
+// For bounds of the largest distance on small surfaces, beside as many distances as there are samples.
+constexpr std::int64_t LeastEffort = 100000;
+
 /// Bounds the largest distance, from what the other passes have found.
 LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface& to, Direction& measured,
   const std::vector<NearestTriangles>& nearest, const MetricValues& found, const Monitor& monitor)
@@ -524,8 +527,9 @@ LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface&
   {
     distances.push_back(&points.Distance);
   }
-  return FindLargestDistance({ from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found },
-    measured.Sums.Samples, monitor);
+  const std::int64_t effort = measured.Sums.Samples + LeastEffort;
+  return FindLargestDistance(
+    { from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found }, effort, monitor);
 }
 
 /// Measures one direction, with about `samples` on the faces.

@@ -4,14 +4,15 @@
 // Bounds of the largest distance: beside places everywhere on surfaces of all kinds, and where it is known.
 
 #include "Common/Parallel.h"
+#include "SurfaceDistance/LargestDistance.h"
 #include "SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Check.h"
 #include "Tools/RandomSurfaces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -55,31 +56,70 @@ double LargestByHand(const TriangleSurface& from, const TriangleSurface& to, con
   return largest;
 }
 
+/// The bounds without any samples: from the corners alone.
+LargestDistance FindFromCorners(const TriangleSurface& from, const TriangleSurface& to, std::int64_t effort)
+{
+  const TriangleSearch search(to);
+  const std::unique_ptr<PlanOverlay> overlay(search.GetRaster() ? new PlanOverlay(*search.GetRaster()) : nullptr);
+  DistanceProbe probe(search, TwoMetrics);
+  DistanceProbe ofCorners(search, TwoMetrics);
+  std::vector<double> distances[2];
+  std::vector<NearestTriangles> nearest;
+  for (const Eigen::Vector3d& place : from.Points)
+  {
+    const MetricValues found = probe(place);
+    distances[0].push_back(found[0]);
+    distances[1].push_back(found[1]);
+    nearest.push_back(probe.Triangles());
+  }
+  for (const Corners& t : from.Triangles)
+  {
+    for (const PointId corner : t)
+    {
+      if (from.Counts(corner))
+      {
+        ofCorners(from.Point(corner));
+      }
+    }
+  }
+  return FindLargestDistance(
+    { from, search, overlay.get(), TwoMetrics, { &distances[0], &distances[1] }, nearest, ofCorners.Largest() }, effort,
+    Monitor());
+}
+
 /// Whether the bounds hold what was found by hand, and are as near as 1 % where that is asked for.
-void CheckBounds(const char* name, const DistanceFigures& figures, double byHand, bool isNear = true)
+void CheckBounds(const char* name, double found, double most, double byHand, bool isNear)
 {
   const double rounding = 1e-12 * (1.0 + byHand);
-  if (!CHECK(figures.LargestFound <= figures.Largest && byHand <= figures.Largest + rounding) ||
-    !CHECK(!isNear || figures.Largest <= 1.01 * figures.LargestFound + rounding))
+  if (!CHECK(found <= most && byHand <= most + rounding) || !CHECK(!isNear || most <= 1.01 * found + rounding))
   {
-    std::cerr << name << ": " << figures.LargestFound << " to " << figures.Largest << ", by hand " << byHand << '\n';
+    std::cerr << name << ": " << found << " to " << most << ", by hand " << byHand << '\n';
   }
 }
 
-void CheckPair(const char* name, const TriangleSurface& a, const TriangleSurface& b, bool isNear = true)
+void CheckBounds(const char* name, const DistanceFigures& figures, double byHand)
 {
-  SurfaceDistanceOptions few;
-  few.SamplesPerPoint = 1e-6;
-  const std::vector<SurfaceDistance> found = MeasureSurfaceDistances(a, b, TwoMetrics, few);
-  for (std::size_t metric = 0; metric < TwoMetrics.size(); ++metric)
+  CheckBounds(name, figures.LargestFound, figures.Largest, byHand, true);
+}
+
+void CheckDirection(const char* name, const TriangleSurface& from, const TriangleSurface& to)
+{
+  for (const std::int64_t effort : { 0, 100, 1000000 })
   {
-    CheckBounds(name, found[metric].ReferenceToMesh, LargestByHand(a, b, TwoMetrics[metric], 16), isNear);
-    CheckBounds(name, found[metric].MeshToReference, LargestByHand(b, a, TwoMetrics[metric], 16), isNear);
-    const DistanceFigures& both = found[metric].TwoSided;
-    CHECK(both.Largest == std::max(found[metric].ReferenceToMesh.Largest, found[metric].MeshToReference.Largest));
-    CHECK(both.LargestFound ==
-      std::max(found[metric].ReferenceToMesh.LargestFound, found[metric].MeshToReference.LargestFound));
+    const LargestDistance largest = FindFromCorners(from, to, effort);
+    for (std::size_t metric = 0; metric < TwoMetrics.size(); ++metric)
+    {
+      const double byHand = LargestByHand(from, to, TwoMetrics[metric], 16);
+      CheckBounds(name, largest.Found[metric], largest.Most[metric], byHand, effort > 1000);
+      CHECK(effort <= 1000 || largest.Found[metric] >= 0.99 * byHand - 1e-9);
+    }
   }
+}
+
+void CheckPair(const char* name, const TriangleSurface& a, const TriangleSurface& b)
+{
+  CheckDirection(name, a, b);
+  CheckDirection(name, b, a);
 }
 
 TriangleSurface MakeRough(int count, double step, double height, Patches::Random& random)
@@ -181,32 +221,78 @@ void TestNeedles()
   }
 }
 
-/// A hole that no sample is in: 2 by 2 columns of a million.
+/// A plane of a million columns with a hole of two, around a point whose fan ends at a thousandth of its length.
+TriangleSurface MakeHoled()
+{
+  constexpr int Count = 10;
+  TriangleSurface holed = MakeField(Count, 100.0, Flat);
+  const PointId corner = 6 * (Count + 1) + 3;
+  const Eigen::Vector3d middle = holed.Points[corner];
+  const PointId size = PointId(holed.Points.size());
+  std::vector<PointId> inner(size, NoPoint); // by outer point
+  const auto innerOf = [&](PointId outer)
+  {
+    if (inner[outer] == NoPoint)
+    {
+      inner[outer] = PointId(holed.Points.size());
+      holed.Points.push_back(middle + 0.01 * (holed.Points[outer] - middle));
+    }
+    return inner[outer];
+  };
+  const std::vector<Corners> triangles = holed.Triangles;
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    const Corners& t = triangles[n];
+    const std::size_t at = std::size_t(std::find(t.begin(), t.end(), corner) - t.begin());
+    if (at < 3)
+    {
+      const PointId next = t[(at + 1) % 3];
+      const PointId last = t[(at + 2) % 3];
+      const PointId inside[2] = { innerOf(next), innerOf(last) };
+      holed.Triangles[n] = { next, last, inside[1] };
+      holed.Triangles.push_back({ next, inside[1], inside[0] });
+    }
+  }
+  return holed;
+}
+
+/// With a second sheet right below, joined to the first one where that ends: each side has two triangles.
+TriangleSurface Doubled(const TriangleSurface& surface)
+{
+  TriangleSurface doubled = surface;
+  std::vector<PointId> lower(surface.Points.size(), NoPoint);
+  SurfaceEdges(surface).ForEach(0, std::int64_t(surface.Points.size()),
+    [&](PointId low, PointId high, std::uint32_t triangles)
+    {
+      lower[low] = triangles == 1 ? low : lower[low];
+      lower[high] = triangles == 1 ? high : lower[high];
+    });
+  for (std::size_t point = 0; point < lower.size(); ++point)
+  {
+    if (lower[point] == NoPoint)
+    {
+      lower[point] = PointId(doubled.Points.size());
+      doubled.Points.push_back(surface.Points[point] - Eigen::Vector3d(0.0, 0.0, 1e-3));
+    }
+  }
+  for (const Corners& t : surface.Triangles)
+  {
+    doubled.Triangles.push_back({ lower[t[0]], lower[t[2]], lower[t[1]] });
+  }
+  return doubled;
+}
+
+/// A hole that no sample is in; in the second surface all sides have two triangles, those around the hole on one side.
 void TestSmallHole()
 {
-  TriangleSurface whole = MakeField(1, 1000.0, Flat);
-  TriangleSurface holed = MakeField(100, 10.0, Flat);
-  const PointId corner = 57 * 101 + 33;
-  const Eigen::Vector3d middle = holed.Points[corner];
-  // Four columns around a point: its fan is replaced by one that ends a column before it.
-  for (Corners& t : holed.Triangles)
+  const TriangleSurface whole = MakeField(1, 1000.0, Flat);
+  for (const TriangleSurface& holed : { MakeHoled(), Doubled(MakeHoled()) })
   {
-    if (t[0] != corner && t[1] != corner && t[2] != corner)
-    {
-      continue;
-    }
-    const std::size_t at = t[0] == corner ? 0 : t[1] == corner ? 1 : 2;
-    const PointId next = t[(at + 1) % 3];
-    const PointId last = t[(at + 2) % 3];
-    const PointId size = PointId(holed.Points.size());
-    holed.Points.push_back(middle + (holed.Points[next] - middle) / 10.0);
-    holed.Points.push_back(middle + (holed.Points[last] - middle) / 10.0);
-    t = { next, last, size + 1 };
-    holed.Triangles.push_back({ next, size + 1, size });
+    CHECK(TriangleSearch(holed).GetRaster() != nullptr);
+    const DistanceFigures figures = MeasureSurfaceDistance(whole, holed).ReferenceToMesh;
+    CHECK(figures.LargestFound > 0.6 && figures.Largest < 1.01);
+    CheckBounds("small hole", figures, 0.7);
   }
-  const DistanceFigures figures = MeasureSurfaceDistance(whole, holed).ReferenceToMesh;
-  CHECK(figures.LargestFound > 0.6 && figures.Largest < 1.01);
-  CHECK(figures.Largest <= 1.01 * figures.LargestFound);
 }
 
 /// The same plane in two triangulations that have nothing in common, with and without anything beyond its outline.
@@ -224,6 +310,19 @@ void TestSamePlane()
   CHECK(beyond.MeshToReference.LargestFound > 12.0 && beyond.MeshToReference.Largest < 1.01 * std::sqrt(2.0) * 14.0);
 }
 
+/// A plane of 12 by 12 columns, without the 8 by 8 in its middle.
+TriangleSurface MakeRing()
+{
+  TriangleSurface ring = MakeField(12, 1.0, Flat);
+  const auto isIn = [&](const Corners& t)
+  {
+    const Eigen::Vector3d middle = (ring.Point(t[0]) + ring.Point(t[1]) + ring.Point(t[2])) / 3.0;
+    return std::max(std::abs(middle.x() - 6.0), std::abs(middle.y() - 6.0)) < 4.0;
+  };
+  ring.Triangles.erase(std::remove_if(ring.Triangles.begin(), ring.Triangles.end(), isIn), ring.Triangles.end());
+  return ring;
+}
+
 /// What is known: below the ridge of a tent, and in the middle of a patch that is missing.
 void TestKnownDistances()
 {
@@ -235,19 +334,12 @@ void TestKnownDistances()
   CheckBounds("tent", toTent.ReferenceToMesh, slant);
   CheckBounds("plane", toTent.MeshToReference, 2.0);
   CHECK(toTent.ReferenceToMesh.LargestFound <= slant + 1e-12 && toTent.MeshToReference.LargestFound <= 2.0);
-  TriangleSurface ring = MakeField(12, 1.0, Flat);
-  const auto isIn = [&](const Corners& t)
-  {
-    const Eigen::Vector3d middle = (ring.Point(t[0]) + ring.Point(t[1]) + ring.Point(t[2])) / 3.0;
-    return std::max(std::abs(middle.x() - 6.0), std::abs(middle.y() - 6.0)) < 4.0;
-  };
-  ring.Triangles.erase(std::remove_if(ring.Triangles.begin(), ring.Triangles.end(), isIn), ring.Triangles.end());
-  const SurfaceDistance toRing = MeasureSurfaceDistance(MakeField(1, 12.0, Flat), ring);
+  const SurfaceDistance toRing = MeasureSurfaceDistance(MakeField(1, 12.0, Flat), MakeRing());
   CheckBounds("ring", toRing.ReferenceToMesh, 4.0);
   CHECK(toRing.ReferenceToMesh.LargestFound <= 4.0 + 1e-12 && toRing.MeshToReference.Largest < 1e-12);
 }
 
-/// What is left out has no part in the bounds, and an edge between two points that count has.
+/// What is left out has no part in the bounds; an edge between two points that count has.
 void TestLeftOut()
 {
   TriangleSurface spike = MakeField(6, 1.0, [](double x, double y) { return x == 3.0 && y == 3.0 ? 9.0 : 0.0; });
@@ -255,16 +347,19 @@ void TestLeftOut()
   spike.LeftOut[3 * 7 + 3] = 1;
   const SurfaceDistance distance = MeasureSurfaceDistance(spike, MakeField(2, 3.0, Flat));
   CHECK(distance.ReferenceToMesh.Largest < 1e-12);
-  // A triangle with one corner left out: only its low side counts, beyond the end of the other surface.
-  TriangleSurface wing = MakeField(2, 1.0, Flat);
-  wing.Points.insert(wing.Points.end(), { { 3.0, 0.0, 0.0 }, { 3.0, 1.0, 50.0 } });
-  wing.Triangles.push_back({ 2, 9, 10 });
-  wing.LeftOut.assign(wing.Points.size(), 0);
-  wing.LeftOut[10] = 1;
-  CheckBounds("wing", MeasureSurfaceDistance(wing, MakeField(2, 1.0, Flat)).ReferenceToMesh, 1.0);
+  // A triangle with one corner left out: its low side counts, across a hole.
+  TriangleSurface ring = MakeRing();
+  TriangleSurface bridge = ring;
+  bridge.Points.emplace_back(6.0, 7.0, 50.0);
+  bridge.Triangles.push_back({ 6 * 13 + 2, 6 * 13 + 10, PointId(ring.Points.size()) });
+  bridge.LeftOut.assign(bridge.Points.size(), 0);
+  bridge.LeftOut.back() = 1;
+  const LargestDistance largest = FindFromCorners(bridge, ring, 1000);
+  CheckBounds("bridge", largest.Found[0], largest.Most[0], 4.0, true);
+  CHECK(FindFromCorners(ring, ring, 1000).Most[0] < 1e-12);
 }
 
-/// The bounds scale with the surfaces, and are the same on any number of threads, also when the effort does not reach.
+/// The bounds are the same on any number of threads, and hold what is found elsewhere.
 void TestSameBounds()
 {
   Patches::Random random(8);
