@@ -6,9 +6,9 @@
 // places, the least of several, which are tried in this order until one is no more than the largest distance found:
 //
 //   - distances of two places differ by no more than how far these are apart;
+//   - the overlay with what is above and below (PlanOverlay.h);
 //   - the distance to a triangle of the other surface, a convex function, is largest at a corner: those that are
-//     nearest to the corners and to the middle are tried;
-//   - the overlay with what is above and below (PlanOverlay.h).
+//     nearest to the corners and to the middle are tried.
 //
 // Triangles whose bound remains higher are cut in two at their longest side, again and again, the pieces of the highest
 // bound first. Those of the highest bounds come first of all, in rounds: what these find settles most of the others.
@@ -51,7 +51,7 @@ struct Piece
   std::array<MetricValues, 3> Distance;
   std::array<NearestTriangles, 3> Nearest;
   MetricValues Bound; // of the distances of all its places
-  MetricValues Rounding; // bounds below this are
+  MetricValues Rounding; // what bounds differ by from nothing by rounding
   double Order = 0.0; // in which pieces are cut, the highest first
 };
 
@@ -341,13 +341,21 @@ private:
     this->Spent += 1.0;
     const MetricValues distance = this->Probe(middle);
     Raise(distance, this->Result.Found);
+    const NearestTriangles nearest = this->Probe.Triangles();
     std::array<Piece, 2> halves = { piece, piece };
     for (std::size_t n = 0; n < 2; ++n)
     {
-      const std::size_t moved = n == 0 ? to : from;
-      halves[n].Corner[moved] = middle;
-      halves[n].Distance[moved] = distance;
-      halves[n].Nearest[moved] = this->Probe.Triangles();
+      // With both corners that an edge has at one end.
+      const Eigen::Vector3d& moved = piece.Corner[n == 0 ? to : from];
+      for (std::size_t corner = 0; corner < 3; ++corner)
+      {
+        if (piece.Corner[corner] == moved)
+        {
+          halves[n].Corner[corner] = middle;
+          halves[n].Distance[corner] = distance;
+          halves[n].Nearest[corner] = nearest;
+        }
+      }
       this->Lower(halves[n]);
     }
     return halves;

@@ -33,7 +33,7 @@ struct KnownDistances
   const std::vector<const std::vector<double>*>& Distance;
   /// By point: the triangles of To that are nearest.
   const std::vector<NearestTriangles>& Nearest;
-  MetricValues Found; // the largest distance at any place so far
+  MetricValues Found; // the largest distance of any place so far, and of all corners that count
 };
 
 /// Bounds of the largest distance of the triangles that count, and of their edges. `effort` is about how many distances
