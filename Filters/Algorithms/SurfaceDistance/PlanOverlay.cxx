@@ -34,8 +34,8 @@ int TurnOf(const TriangleSurface& surface, const Corners& t)
 }
 
 /// Points around which triangles follow each other until the first one comes again. Each triangle adds a random number
-/// for the side that begins its turn about a point, and takes away that for the side that ends it: nothing is left where
-/// each side does both.
+/// for the side that begins its turn about a point, and takes away that for the side that ends it: nothing is left
+/// where each side does both.
 std::vector<unsigned char> FindInside(const TriangleSurface& surface)
 {
   std::vector<std::atomic<std::uint64_t>> sums(surface.Points.size());
@@ -98,8 +98,8 @@ std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vect
   return sides;
 }
 
-/// By triangle: a bit for each side where the surface may end in plan, which is not that of one triangle on its left and
-/// of one on its right.
+/// By triangle: a bit for each side where the surface may end in plan, which is not that of one triangle on its left
+/// and of one on its right.
 std::vector<unsigned char> FindEnds(const TriangleSurface& surface)
 {
   std::vector<unsigned char> ends(surface.Triangles.size(), 0);

@@ -5,8 +5,8 @@
 //
 // Each place of the triangle is above or below a triangle of the surface. Over the part that the two have in common in
 // plan, a convex polygon, the distance to the one of the surface is a convex function: it is largest at a corner of the
-// polygon. The vertical gap between their planes is longer, and takes less time: it is linear, and largest at corners of
-// either of the two triangles, also where these are outside the polygon.
+// polygon. The vertical gap between their planes is longer, and takes less time: it is linear, and largest at corners
+// of either of the two triangles, also where these are outside the polygon.
 //
 // What is covered is known without adding up areas: the plan of a surface ends at sides that have no triangle on one of
 // their sides. Where none of these passes through a triangle, and the surface has anything there, it covers all of it.
