@@ -32,9 +32,9 @@
  * other surface; the distance of each of them is exact. The largest distance is bounded from above by a search that
  * cuts triangles into pieces where it may be larger than any found (Tang, Lee and Kim 2009, "Interactive Hausdorff
  * distance computation for general polygonal models"). The nearest place in lattice units need not be the nearest one
- * in world units, so that everything is measured in both. Where a lattice unit is as long in all directions of the world,
- * one follows from the other. The lattice is that of the reference, else that of the mesh; where neither has one,
- * lattice units are those of the world.
+ * in world units, so that everything is measured in both. Where a lattice unit is as long in all directions of the
+ * world, one follows from the other. The lattice is that of the reference, else that of the mesh; where neither has
+ * one, lattice units are those of the world.
  *
  * Runs on several threads, and gives the same bytes on any number of them. Near linear; about 70 bytes per triangle
  * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, means are exact for the
