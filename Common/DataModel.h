@@ -97,6 +97,7 @@ constexpr const char* SeamRows = "SeamRows";
 constexpr const char* NumberOfParts = "NumberOfParts";
 constexpr const char* SeamPoints = "SeamPoints";
 constexpr const char* LargestDistance = "LargestDistance";
+constexpr const char* LargestDistanceFound = "LargestDistanceFound";
 constexpr const char* MeanDistance = "MeanDistance";
 constexpr const char* RmsDistance = "RmsDistance";
 constexpr const char* DistancePercentile = "DistancePercentile"; // followed by the number

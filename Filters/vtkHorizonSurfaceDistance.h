@@ -16,7 +16,8 @@
  * and field data (double), with three tuples (from the reference to the mesh, from the mesh to the reference, both) of
  * three components (in lattice units, in world units, divided by the diagonal of the reference's bounding box in
  * lattice units):
- *  - LargestDistance: of all places that are measured
+ *  - LargestDistance: no place is farther, up to rounding
+ *  - LargestDistanceFound: the largest one of a place; at most 1 % less, unless the effort ran out before
  *  - MeanDistance, RmsDistance, DistancePercentile50, 90, 95 and 99: over the faces, weighted by area
  *  - OutlineDistance: the largest distance in plan of one outline to the other; nan where a surface has none
  * and Grading, two components: median and 95th percentile, over the corners of all triangles, of the ratio of the
@@ -28,14 +29,16 @@
  *
  * The measure is that of Metro (Cignoni, Rocchini and Scopigno 1998, "Metro: measuring error on simplified surfaces";
  * thesis 4.4). Vertices of a surface, and samples that are spread evenly over its edges and faces, are measured to the
- * other surface; the distance of each of them is exact. The nearest place in lattice units need not be the nearest one
+ * other surface; the distance of each of them is exact. The largest distance is bounded from above by a search that
+ * cuts triangles into pieces where it may be larger than any found (Tang, Lee and Kim 2009, "Interactive Hausdorff
+ * distance computation for general polygonal models"). The nearest place in lattice units need not be the nearest one
  * in world units, so that everything is measured in both. Where a lattice unit is as long in all directions of the
  * world, one follows from the other. The lattice is that of the reference, else that of the mesh; where neither has
  * one, lattice units are those of the world.
  *
  * Runs on several threads, and gives the same bytes on any number of them. Near linear; about 70 bytes per triangle
- * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, all else is exact for
- * the samples.
+ * of both surfaces beyond input and output. Percentiles are within a thousandth of their size, means are exact for the
+ * samples.
  *
  * In a program of several processes each of them measures the references it has; meshes that are elsewhere are sent to
  * it, and back. The table is on the first one, and a horizon must have all its points on one of them.
@@ -93,7 +96,7 @@ public:
   /**
    * How many places on the faces of each surface are measured, for each point of the surface that has more points; at
    * least 10,000 on each surface and one on each triangle. Edges are sampled at the same spacing. More take longer, and
-   * find the largest distance more reliably; 2 is about one place on each triangle at full resolution. Unit: places per
+   * make means and percentiles more exact; 2 is about one place on each triangle at full resolution. Unit: places per
    * point. Range: 0.01 to 1000. Default: 2.
    */
   vtkSetMacro(SamplesPerPoint, double);

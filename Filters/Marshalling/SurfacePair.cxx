@@ -171,7 +171,7 @@ std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distanc
 
 DistanceFigures Scaled(DistanceFigures figures, double scale)
 {
-  for (double* figure : { &figures.Largest, &figures.Mean, &figures.Rms, &figures.Outline })
+  for (double* figure : { &figures.Largest, &figures.LargestFound, &figures.Mean, &figures.Rms, &figures.Outline })
   {
     *figure *= scale;
   }
@@ -241,7 +241,8 @@ using Figure = std::pair<std::string, double>;
 std::vector<Figure> ListFigures(const DistanceFigures& figures)
 {
   std::vector<Figure> list = { { FieldArray::LargestDistance, figures.Largest },
-    { FieldArray::MeanDistance, figures.Mean }, { FieldArray::RmsDistance, figures.Rms } };
+    { FieldArray::LargestDistanceFound, figures.LargestFound }, { FieldArray::MeanDistance, figures.Mean },
+    { FieldArray::RmsDistance, figures.Rms } };
   for (std::size_t n = 0; n < Percentiles.size(); ++n)
   {
     list.emplace_back(FieldArray::DistancePercentile + std::to_string(Percentiles[n]), figures.Percentile[n]);

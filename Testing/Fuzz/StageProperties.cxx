@@ -93,7 +93,7 @@ std::vector<double> Figures(const SurfaceDistance& distance)
   std::vector<double> figures;
   for (const DistanceFigures* f : { &distance.ReferenceToMesh, &distance.MeshToReference, &distance.TwoSided })
   {
-    figures.insert(figures.end(), { f->Largest, f->Mean, f->Rms, f->Outline, double(f->Samples) });
+    figures.insert(figures.end(), { f->Largest, f->LargestFound, f->Mean, f->Rms, f->Outline, double(f->Samples) });
     figures.insert(figures.end(), f->Percentile.begin(), f->Percentile.end());
   }
   return figures;
@@ -107,14 +107,15 @@ bool IsSame(const std::vector<double>& a, const std::vector<double>& b)
 
 void CheckFigures(const DistanceFigures& figures)
 {
-  const double most = figures.Largest * (1.0 + Rounding);
+  const double most = figures.LargestFound * (1.0 + Rounding);
   Require(
     std::isfinite(figures.Largest) && figures.Largest >= 0.0, "largest distance " + std::to_string(figures.Largest));
+  Require(figures.LargestFound >= 0.0 && figures.LargestFound <= figures.Largest, "bounds of the largest distance");
   Require(figures.Rms >= 0.0 && figures.Rms <= most, "root mean square above the largest distance");
   Require(figures.Mean >= 0.0 && figures.Mean <= figures.Rms * (1.0 + Rounding), "mean above the root mean square");
   Require(std::is_sorted(figures.Percentile.begin(), figures.Percentile.end()), "percentiles not in order");
   // Percentiles are right within a thousandth.
-  Require(figures.Percentile.front() >= 0.0 && figures.Percentile.back() <= figures.Largest * 1.001 * (1.0 + Rounding),
+  Require(figures.Percentile.front() >= 0.0 && figures.Percentile.back() <= most * 1.001,
     "percentile above the largest distance");
 }
 }

@@ -22,9 +22,9 @@ from .tables import TWO_SIDED, prepared_number
 BINS = 24  # of the histogram of distances
 ANGLE_BINS = 12  # of 5 degrees, to 60, which is the most the smallest angle of a triangle can be
 CHUNK = 1 << 20  # triangles whose angles are computed at a time
-ERRORS = {"LargestDistance": "largest", "MeanDistance": "mean", "RmsDistance": "rms", "DistancePercentile50": "median",
-          "DistancePercentile90": "percentile_90", "DistancePercentile95": "percentile_95",
-          "DistancePercentile99": "percentile_99", "OutlineDistance": "outline"}
+ERRORS = {"LargestDistance": "largest", "LargestDistanceFound": "largest_found", "MeanDistance": "mean",
+          "RmsDistance": "rms", "DistancePercentile50": "median", "DistancePercentile90": "percentile_90",
+          "DistancePercentile95": "percentile_95", "DistancePercentile99": "percentile_99", "OutlineDistance": "outline"}
 VERTICAL = {"LargestError": "largest", "MeanError": "mean", "LargestLoopError": "outlines"}
 STATED = {"VerticalUnit": "vertical_unit", "VerticalDomain": "vertical_domain", "HorizontalUnit": "horizontal_unit",
           "CoordinateSystem": "coordinate_system"}

@@ -19,15 +19,15 @@ COLUMNS = (
     ("Vertical error", "the largest, of points under the mesh, in vertical indices", lambda h: _vertical(h, "largest"),
      "{:.3f}"),
     ("Outside", "points outside the outlines of the mesh", lambda h: h["points_outside"], "{:,}"),
-    ("Hausdorff distance", "the largest distance in space, both ways, in lattice units", lambda h: _error(h, "largest"),
+    ("Hausdorff distance", "no place is farther in space, both ways, in lattice units", lambda h: _error(h, "largest"),
      "{:.3f}"),
     ("Mean distance", "in space, both ways, in lattice units", lambda h: _error(h, "mean"), "{:.3f}"),
     ("Smallest angle", "of a triangle, as seen from above, in degrees", lambda h: h["angles"] and h["angles"]["smallest"],
      "{:.1f}\u00b0"),
     ("Time", "of all stages, in seconds", lambda h: h["seconds"]["total"], "{:.2f} s"))
-ERROR_ROWS = (("largest (Hausdorff)", "largest"), ("mean", "mean"), ("root mean square", "rms"), ("median", "median"),
-              ("90 % are below", "percentile_90"), ("95 %", "percentile_95"), ("99 %", "percentile_99"),
-              ("outlines, on the map", "outline"))
+ERROR_ROWS = (("largest (Hausdorff), at most", "largest"), ("largest found", "largest_found"), ("mean", "mean"),
+              ("root mean square", "rms"), ("median", "median"), ("90 % are below", "percentile_90"),
+              ("95 %", "percentile_95"), ("99 %", "percentile_99"), ("outlines, on the map", "outline"))
 STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole filling", "simplified": "outline"}
 PREPARED = {"despiked": "spikes removed", "torn": "links cut along faults", "filled": "points filled in"}
 MOST_OPEN_FILES = 3

@@ -29,8 +29,8 @@ constexpr double RoundingAtEnds = 1e-17;
 
 //----------------------------------------------------------------------------------------------------------------------
 TriangleSearch::TriangleSearch(const TriangleSurface& surface, const Monitor& monitor)
-  : Raster(std::make_unique<TriangleRaster>(surface, monitor.Step(0.0, 0.5)))
-  , Triangles(std::int64_t(surface.Triangles.size()))
+  : Surface(surface)
+  , Raster(std::make_unique<TriangleRaster>(surface, monitor.Step(0.0, 0.5)))
 {
   if (!this->Raster->IsWorthwhile())
   {

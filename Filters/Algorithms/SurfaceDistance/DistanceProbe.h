@@ -24,6 +24,8 @@ public:
   /// `surface` is one that CheckSurface takes, and must outlive the search.
   explicit TriangleSearch(const TriangleSurface& surface, const Monitor& monitor = Monitor());
 
+  const TriangleSurface& GetSurface() const { return this->Surface; }
+
   /// The raster, or nothing: then there is a tree.
   const TriangleRaster* GetRaster() const { return this->Raster.get(); }
   const TriangleTree& GetTree() const { return *this->Tree; }
@@ -31,7 +33,10 @@ public:
   /// The triangles in an order in which neighbours follow each other, in pieces: cells, or single triangles. Loops take
   /// a fixed number of pieces at a time.
   static constexpr std::int64_t PiecesPerChunk = 512;
-  std::int64_t Pieces() const { return this->Raster ? this->Raster->Cells() : this->Triangles; }
+  std::int64_t Pieces() const
+  {
+    return this->Raster ? this->Raster->Cells() : std::int64_t(this->Surface.Triangles.size());
+  }
 
   /// Calls visit(triangle) for the triangles of a range of pieces. Each triangle is in one piece.
   template <typename Visitor>
@@ -49,9 +54,9 @@ public:
   }
 
 private:
+  const TriangleSurface& Surface;
   std::unique_ptr<TriangleRaster> Raster;
   std::unique_ptr<TriangleTree> Tree;
-  std::int64_t Triangles;
 };
 
 /// A triangle of a raster that many places are above or below, one after the other.
@@ -122,6 +127,8 @@ private:
   std::array<Plane, MostMetrics> Planes;
 };
 
+using NearestTriangles = std::array<std::int32_t, MostMetrics>; // by metric
+
 /// Each search begins with what the one before found, so that a probe serves one chunk: with the same places in the
 /// same order it finds the same triangles.
 class DistanceProbe
@@ -135,6 +142,9 @@ public:
 
   /// The same where only the largest distance is asked for: places that are surely nearer are not measured.
   void RaiseLargest(const Eigen::Vector3d& place);
+
+  /// The numbers of the triangles that are nearest to that place.
+  const NearestTriangles& Triangles() const { return this->Nearest; }
 
   /// The height of the surface at the place that was measured last, as TriangleTree::FindHeight.
   double FindHeight(const Eigen::Vector3d& place, double tolerance) const;
@@ -155,7 +165,7 @@ private:
   std::size_t NumberOfMetrics;
   Facet Across; // the last one above or below a place
   bool IsAcross = false; // whether it is above or below the last place
-  std::array<std::int32_t, MostMetrics> Nearest = {};
+  NearestTriangles Nearest = {};
   MetricValues Found = {};
   MetricValues Farthest = {};
 };

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Each direction, from one surface to the other, is measured in four passes:
+// Each direction, from one surface to the other, is measured in five passes:
 //
 //   MeasurePoints   all points; their distances are results, too;
 //   MeasureEdges    samples of edges, but only where they may be farther away than any place so far;
 //   FaceMeter       samples of faces, spread evenly by area, for means and percentiles;
+//   FindLargestDistance  (LargestDistance.h) bounds of the largest distance of all places;
 //   MeasureOutline  points and samples of the outline to the outline of the other surface, in plan.
 //
 // The two-sided figures follow from the sums and histograms of both directions.
@@ -19,11 +20,13 @@
 
 #include "Common/FixedChunks.h"
 #include "DistanceProbe.h"
+#include "LargestDistance.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <numeric>
 
@@ -175,6 +178,7 @@ struct MeasuredSurface
   const TriangleSurface& Surface;
   const std::vector<Metric>& Metrics;
   TriangleSearch Search;
+  std::unique_ptr<PlanOverlay> Overlay; // of a raster
   SurfaceEdges Edges;
   TriangleSurface Outline;
   FaceSums Areas;
@@ -186,6 +190,10 @@ struct MeasuredSurface
     , Edges(surface)
   {
     monitor.Progress(0.8);
+    if (this->Search.GetRaster() != nullptr)
+    {
+      this->Overlay = std::make_unique<PlanOverlay>(*this->Search.GetRaster());
+    }
     this->Outline = FindOutline(surface, this->Edges);
     monitor.Progress(0.9);
     this->Areas = MeasureAreas(surface, metrics);
@@ -229,9 +237,10 @@ std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
 }
 
 /// Writes the distances of all points, by metric, and returns the largest of corners that count. With a tolerance above
-/// 0 (as of FindHeight), also writes how far points are above the other surface, in the first metric.
+/// 0 (as of FindHeight), also writes how far points are above the other surface, in the first metric. Writes the
+/// nearest triangles where these are asked for.
 MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to, const std::vector<Metric>& metrics,
-  double tolerance, std::vector<PointDistances>& points, const Monitor& monitor)
+  double tolerance, std::vector<PointDistances>& points, std::vector<NearestTriangles>* nearest, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(from.Points.size());
   points.resize(metrics.size());
@@ -240,6 +249,10 @@ MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to
     distances.Distance.resize(size);
   }
   points[0].Vertical.resize(tolerance > 0.0 ? size : 0);
+  if (nearest != nullptr)
+  {
+    nearest->resize(size);
+  }
   const std::vector<unsigned char> corners = MarkCorners(from);
   std::vector<MetricValues> largest(CountChunks(size, PointsPerChunk), MetricValues());
   ForEachChunk(size, PointsPerChunk, monitor,
@@ -253,6 +266,10 @@ MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to
         for (std::size_t metric = 0; metric < metrics.size(); ++metric)
         {
           points[metric].Distance[point] = found[metric];
+        }
+        if (nearest != nullptr)
+        {
+          (*nearest)[point] = probe.Triangles();
         }
         if (tolerance > 0.0)
         {
@@ -357,7 +374,7 @@ MetricValues MeasureOutline(const MeasuredSurface& from, const MeasuredSurface& 
   {
     const TriangleSearch search(to.Outline);
     std::vector<PointDistances> points;
-    largest = MeasurePoints(from.Outline, search, from.Metrics, 0.0, points, Monitor());
+    largest = MeasurePoints(from.Outline, search, from.Metrics, 0.0, points, nullptr, Monitor());
     largest = MeasureEdges(
       from.Outline, SurfaceEdges(from.Outline), search, from.Metrics, points, largest, spacing, seed, Monitor());
   }
@@ -488,7 +505,6 @@ struct Direction
 void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures& figures)
 {
   const FaceSums::Sums& in = faces.Sums.In[metric];
-  figures.Largest = std::max(figures.Largest, in.Largest);
   figures.Mean = in.Distance / in.Area;
   figures.Rms = std::sqrt(in.Square / in.Area);
   figures.Samples = faces.Sums.Samples;
@@ -499,6 +515,23 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   }
 }
 
+// For bounds of the largest distance on small surfaces, beside as many distances as there are samples.
+constexpr std::int64_t LeastEffort = 100000;
+
+/// Bounds the largest distance, from what the other passes have found.
+LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface& to, Direction& measured,
+  const std::vector<NearestTriangles>& nearest, const MetricValues& found, const Monitor& monitor)
+{
+  std::vector<const std::vector<double>*> distances;
+  for (const PointDistances& points : measured.Points)
+  {
+    distances.push_back(&points.Distance);
+  }
+  const std::int64_t effort = measured.Sums.Samples + LeastEffort;
+  return FindLargestDistance(
+    { from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found }, effort, monitor);
+}
+
 /// Measures one direction, with about `samples` on the faces.
 void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, double samples,
   const SurfaceDistanceOptions& options, Direction& result, const Monitor& monitor)
@@ -506,19 +539,26 @@ void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, do
   const double density = samples / from.Areas.In[0].Area;
   const double spacing = 1.0 / std::sqrt(density);
   const double tolerance = options.Vertical ? HeightTolerance * spacing : 0.0;
+  std::vector<NearestTriangles> nearest;
   const MetricValues ofPoints =
-    MeasurePoints(from.Surface, to.Search, from.Metrics, tolerance, result.Points, monitor.Step(0.0, 0.2));
-  const MetricValues ofEdges = MeasureEdges(from.Surface, from.Edges, to.Search, from.Metrics, result.Points, ofPoints,
-    spacing, options.Seed, monitor.Step(0.2, 0.5));
-  result.Sums = AddUpChunks<FaceSums>(from.Search.Pieces(), TriangleSearch::PiecesPerChunk, monitor.Step(0.5, 0.95),
+    MeasurePoints(from.Surface, to.Search, from.Metrics, tolerance, result.Points, &nearest, monitor.Step(0.0, 0.2));
+  MetricValues found = MeasureEdges(from.Surface, from.Edges, to.Search, from.Metrics, result.Points, ofPoints, spacing,
+    options.Seed, monitor.Step(0.2, 0.4));
+  result.Sums = AddUpChunks<FaceSums>(from.Search.Pieces(), TriangleSearch::PiecesPerChunk, monitor.Step(0.4, 0.8),
     [&](FaceSums& sums, std::int64_t first, std::int64_t last)
     { sums = FaceMeter(from, to, density, options.Seed, result.Histogram).Run(first, last); });
+  for (std::size_t metric = 0; metric < MostMetrics; ++metric)
+  {
+    found[metric] = std::max(found[metric], result.Sums.In[metric].Largest);
+  }
+  const LargestDistance largest = BoundLargest(from, to, result, nearest, found, monitor.Step(0.8, 0.95));
   monitor.Progress(0.95);
   const MetricValues ofOutline = MeasureOutline(from, to, spacing, options.Seed);
   result.Figures.resize(from.Metrics.size());
   for (std::size_t metric = 0; metric < from.Metrics.size(); ++metric)
   {
-    result.Figures[metric].Largest = ofEdges[metric]; // and of points
+    result.Figures[metric].Largest = largest.Most[metric];
+    result.Figures[metric].LargestFound = largest.Found[metric];
     result.Figures[metric].Outline = ofOutline[metric];
     SetFaceFigures(result, metric, result.Figures[metric]);
   }
@@ -557,6 +597,7 @@ std::vector<SurfaceDistance> MeasureSurfaceDistances(const TriangleSurface& refe
     result.ReferenceToMesh = toMesh.Figures[metric];
     result.MeshToReference = toReference.Figures[metric];
     result.TwoSided.Largest = std::max(result.ReferenceToMesh.Largest, result.MeshToReference.Largest);
+    result.TwoSided.LargestFound = std::max(result.ReferenceToMesh.LargestFound, result.MeshToReference.LargestFound);
     result.TwoSided.Outline = std::max(result.ReferenceToMesh.Outline, result.MeshToReference.Outline);
     SetFaceFigures(toMesh, metric, result.TwoSided);
     result.Reference = std::move(toMesh.Points[metric]);

@@ -5,9 +5,8 @@
 // error on simplified surfaces"; thesis 4.4).
 //
 // From places on one surface (its points, and samples of its edges and faces) the distance to the nearest triangle of
-// the other surface is measured exactly; then the other way round. Only the choice of the places is approximate: the
-// largest distance that is found is never above the true one, and is below it by no more than the distance from any
-// place to the sample nearest to it.
+// the other surface is measured exactly; then the other way round. Only the choice of the places is approximate, and
+// that not for the largest distance, which is found within bounds (LargestDistance.h).
 
 #ifndef SeismicHorizonsSurfaceDistance_h
 #define SeismicHorizonsSurfaceDistance_h
@@ -41,7 +40,10 @@ constexpr std::array<int, 4> Percentiles = { 50, 90, 95, 99 };
 /// Distances from one surface to another, in the units of the coordinates.
 struct DistanceFigures
 {
-  double Largest = 0.0; // of vertices, edges and faces
+  // Bounds of the largest distance of vertices, edges and faces, up to rounding: no place is farther than the first,
+  // and one is as far as the second, which is at most 1 % less unless the effort ran out.
+  double Largest = 0.0;
+  double LargestFound = 0.0;
   // Of the faces, weighted by area.
   double Mean = 0.0;
   double Rms = 0.0; // the root of the mean square

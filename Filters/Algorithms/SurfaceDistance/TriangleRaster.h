@@ -18,6 +18,7 @@
 #include "Common/CountingSort.h"
 #include "Common/Monitor.h"
 #include "Metric.h"
+#include "PlanTriangle.h"
 
 #include <Eigen/Core>
 
@@ -92,6 +93,34 @@ public:
         visit(this->TriangleOf(n));
       }
     }
+  }
+
+  /// Calls visit(triangle) for all triangles that may overlap one in plan, some of them more than once, while it is
+  /// true; whether it always was.
+  template <typename Visitor>
+  bool ForEachNear(const PlanTriangle& plan, Visitor&& visit) const
+  {
+    const CellRange box = this->Grid.Range(0, plan.Low(0) - this->Slack(), plan.High(0) + this->Slack());
+    const CellRange rows = this->Grid.Range(1, plan.Low(1) - this->Slack(), plan.High(1) + this->Slack());
+    for (std::int64_t row = rows.First; row <= rows.Last; ++row)
+    {
+      CellRange cells = box;
+      if (box.Size() > 2)
+      {
+        const double low = this->Grid.Low[1] + double(row) * this->Grid.Side;
+        const auto [first, last] = SpanWithin(plan, low - this->Slack(), low + this->Grid.Side + this->Slack());
+        cells = this->Grid.Range(0, std::min(first, last) - this->Slack(), std::max(first, last) + this->Slack());
+      }
+      const std::uint32_t end = cells.Size() > 0 ? this->Sort.End(row * this->Grid.Size[0] + cells.Last) : 0;
+      for (std::uint32_t n = end > 0 ? this->Sort.First(row * this->Grid.Size[0] + cells.First) : 0; n < end; ++n)
+      {
+        if (!visit(this->TriangleOf(n)))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   const TriangleSurface& GetSurface() const { return this->Surface; }

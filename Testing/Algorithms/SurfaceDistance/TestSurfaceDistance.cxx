@@ -74,8 +74,8 @@ void TestTent()
   const double slant = 1.0 / std::sqrt(1.25);
   CHECK(IsNear(distance.ReferenceToMesh.Mean, slant, 2e-3));
   // Below the ridge; edges and faces are sampled, and the plane's diagonal runs there.
-  CHECK(distance.ReferenceToMesh.Largest <= 2.0 * slant + 1e-12);
-  CHECK(distance.ReferenceToMesh.Largest > 2.0 * slant - 0.02);
+  CHECK(distance.ReferenceToMesh.LargestFound <= 2.0 * slant + 1e-12);
+  CHECK(distance.ReferenceToMesh.LargestFound > 2.0 * slant - 0.02);
   CHECK_EQUAL(distance.TwoSided.Largest, 2.0);
   const double slope = std::sqrt(1.25);
   CHECK(IsNear(distance.TwoSided.Mean, (slant + slope) / (1.0 + slope), 2e-3));
@@ -140,8 +140,8 @@ void TestAgainstBruteForce()
 
 bool AreSame(const DistanceFigures& a, const DistanceFigures& b)
 {
-  return a.Largest == b.Largest && a.Mean == b.Mean && a.Rms == b.Rms && a.Percentile == b.Percentile &&
-    a.Samples == b.Samples && IsNear(a.Outline, b.Outline, 0.0);
+  return a.Largest == b.Largest && a.LargestFound == b.LargestFound && a.Mean == b.Mean && a.Rms == b.Rms &&
+    a.Percentile == b.Percentile && a.Samples == b.Samples && IsNear(a.Outline, b.Outline, 0.0);
 }
 
 bool AreSame(const std::vector<double>& a, const std::vector<double>& b)

@@ -1,0 +1,415 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PlanOverlay.h"
+
+#include "Common/Parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t Grain = 16384; // triangles or points that a thread takes at a time
+
+// How far the end of the surface may be inside a triangle as if by rounding: of the slack of the raster, which makes it
+// a billionth of a cell, and of the height of the triangle. The bound is higher by as much.
+constexpr double RoundingOfOutlines = 2.5e-4;
+constexpr double RoundingInside = 1e-3;
+
+// A plane is given as a height over plan where the area in plan is at least this fraction of the square of the longest
+// side in space: rounding of its slopes is multiplied by no more than one over it.
+constexpr double LeastFlatness = 1e-3;
+
+/// 1 where sides turn left, -1 where they turn right, and 0 for a triangle without an area in plan.
+int TurnOf(const TriangleSurface& surface, const Corners& t)
+{
+  const double area = PlanTriangle(surface, t).DoubledArea();
+  return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
+}
+
+/// Points around which triangles follow each other until the first one comes again. Each triangle adds a random number
+/// for the side that begins its turn about a point, and takes away that for the side that ends it: nothing is left
+/// where each side does both.
+std::vector<unsigned char> FindInside(const TriangleSurface& surface)
+{
+  std::vector<std::atomic<std::uint64_t>> sums(surface.Points.size());
+  ParallelFor(std::int64_t(surface.Triangles.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const Corners& t = surface.Triangles[n];
+        const std::uint64_t turn = std::uint64_t(std::int64_t(TurnOf(surface, t)));
+        const std::uint64_t number[3] = { Scramble(std::uint64_t(t[0])), Scramble(std::uint64_t(t[1])),
+          Scramble(std::uint64_t(t[2])) };
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+          sums[t[corner]].fetch_add(
+            turn * (number[(corner + 1) % 3] - number[(corner + 2) % 3]), std::memory_order_relaxed);
+        }
+      }
+    });
+  std::vector<unsigned char> inside(sums.size());
+  std::transform(sums.begin(), sums.end(), inside.begin(),
+    [](const std::atomic<std::uint64_t>& sum) { return sum.load(std::memory_order_relaxed) == 0 ? 1 : 0; });
+  return inside;
+}
+
+/// A side, by the numbers of its ends, with what it is a side of.
+struct Side
+{
+  PointId Low;
+  PointId High;
+  std::int32_t Triangle;
+  std::int8_t Corner; // where it begins
+  std::int8_t Turn; // 1 for a triangle to its left, seen from Low, -1 to its right
+
+  bool IsSame(const Side& other) const { return this->Low == other.Low && this->High == other.High; }
+};
+
+/// The sides of triangles between points that are not inside, sorted by their ends.
+std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vector<unsigned char>& inside)
+{
+  std::vector<Side> sides;
+  for (std::size_t n = 0; n < surface.Triangles.size(); ++n)
+  {
+    const Corners& t = surface.Triangles[n];
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const PointId from = t[corner];
+      const PointId to = t[(corner + 1) % 3];
+      if (inside[from] == 0 && inside[to] == 0)
+      {
+        const int turn = TurnOf(surface, t);
+        sides.push_back({ std::min(from, to), std::max(from, to), std::int32_t(n), std::int8_t(corner),
+          std::int8_t(from < to ? turn : -turn) });
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    { return std::tie(a.Low, a.High, a.Triangle) < std::tie(b.Low, b.High, b.Triangle); });
+  return sides;
+}
+
+/// By triangle: a bit for each side where the surface may end in plan, which is not that of one triangle on its left
+/// and of one on its right.
+std::vector<unsigned char> FindEnds(const TriangleSurface& surface)
+{
+  std::vector<unsigned char> ends(surface.Triangles.size(), 0);
+  const std::vector<Side> sides = ListOuterSides(surface, FindInside(surface));
+  for (auto first = sides.begin(); first != sides.end();)
+  {
+    const auto last = std::find_if(first, sides.end(), [first](const Side& side) { return !side.IsSame(*first); });
+    const bool isBetween = last - first == 2 && first->Turn * (first + 1)->Turn == -1;
+    for (; first != last; ++first)
+    {
+      ends[first->Triangle] |= isBetween ? 0 : (1U << unsigned(first->Corner));
+    }
+  }
+  return ends;
+}
+
+/// The plane of a triangle as a height over plan.
+class HeightPlane
+{
+public:
+  explicit HeightPlane(const Triangle& t)
+    : Origin(t[0])
+  {
+    const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const double longest =
+      std::max({ (t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm() });
+    this->IsFlat = std::abs(normal.z()) > LeastFlatness * longest;
+    this->Slope = -normal.head<2>() / normal.z();
+  }
+
+  /// How far the corners of a triangle are above or below at most; infinite for a triangle too steep to have a plane.
+  double LargestGap(const Triangle& t) const
+  {
+    return this->IsFlat ? std::max({ this->Gap(t[0]), this->Gap(t[1]), this->Gap(t[2]) })
+                        : std::numeric_limits<double>::infinity();
+  }
+
+  Eigen::Vector2d Slope;
+
+private:
+  bool IsFlat = false;
+
+  double Gap(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3d offset = place - this->Origin;
+    return std::abs(offset.z() - this->Slope.x() * offset.x() - this->Slope.y() * offset.y());
+  }
+
+  Eigen::Vector3d Origin;
+};
+
+/// A polygon in space that is cut, along vertical planes, to what is inside a triangle in plan.
+class CutPolygon
+{
+public:
+  explicit CutPolygon(const Triangle& corners)
+    : Size(3)
+  {
+    std::copy(corners.begin(), corners.end(), this->Place.begin());
+  }
+
+  /// Cuts off what is to the right of a line in plan; to the left where `turn` is negative.
+  void Cut(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double turn)
+  {
+    const Eigen::Vector2d along = turn * (to - from).head<2>();
+    const auto side = [&](const Eigen::Vector3d& place)
+    { return along.x() * (place.y() - from.y()) - along.y() * (place.x() - from.x()); };
+    std::array<Eigen::Vector3d, Most> kept;
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < this->Size; ++n)
+    {
+      const Eigen::Vector3d& place = this->Place[n];
+      const Eigen::Vector3d& next = this->Place[n + 1 < this->Size ? n + 1 : 0];
+      const double here = side(place);
+      const double there = side(next);
+      if (here >= 0.0)
+      {
+        kept[count++] = place;
+      }
+      if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0))
+      {
+        kept[count++] = place + here / (here - there) * (next - place);
+      }
+    }
+    this->Place = kept;
+    this->Size = count;
+  }
+
+  const Eigen::Vector3d* begin() const { return this->Place.data(); }
+  const Eigen::Vector3d* end() const { return this->Place.data() + this->Size; }
+
+private:
+  static constexpr std::size_t Most = 9; // a cut adds one place, and rounding at most another one
+  std::array<Eigen::Vector3d, Most> Place;
+  std::size_t Size;
+};
+
+/// Whether a place is within a triangle of that area in plan.
+bool IsWithin(const Eigen::Vector2d& place, const PlanTriangle& triangle, double area)
+{
+  const double turn = area < 0.0 ? -1.0 : 1.0;
+  return turn * triangle.DoubledArea(0, place) >= 0.0 && turn * triangle.DoubledArea(1, place) >= 0.0 &&
+    turn * triangle.DoubledArea(2, place) >= 0.0;
+}
+
+Triangle TriangleOf(const TriangleSurface& surface, const Corners& t)
+{
+  return { surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]) };
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// One triangle that is measured.
+class PlanOverlay::Measure
+{
+public:
+  Measure(const PlanOverlay& overlay, const Triangle& corners, const std::vector<Metric>& metrics,
+    const MetricValues& enough, const MetricValues& bounds)
+    : Surface(overlay.Raster.GetSurface())
+    , Ends(overlay.Ends)
+    , Corner(corners)
+    , Metrics(metrics)
+    , Enough(enough)
+    , Bounds(bounds)
+    , Plan(corners)
+    , Plane(corners)
+    , Low(this->Plan.Low(0), this->Plan.Low(1))
+    , High(this->Plan.High(0), this->Plan.High(1))
+    , Middle(((corners[0] + corners[1] + corners[2]) / 3.0).head<2>())
+    , Turn(this->Plan.DoubledArea() < 0.0 ? -1.0 : 1.0)
+    , LongestOverHeight(this->Plan.SquaredLongest() / std::abs(this->Plan.DoubledArea()))
+    , MostOutside(std::min(RoundingOfOutlines * overlay.Raster.Slack(),
+        RoundingInside * std::sqrt(this->Plan.SquaredLongest()) / this->LongestOverHeight))
+  {
+    for (std::size_t metric = 0; metric < metrics.size(); ++metric)
+    {
+      if (this->IsOpen(metric))
+      {
+        this->GapEnough = std::min(this->GapEnough, enough[metric] / metrics[metric].Weights()[2]);
+      }
+    }
+  }
+
+  /// Takes a triangle of the surface; false once there is no bound below those known.
+  bool Add(std::int32_t number)
+  {
+    ++this->Visits;
+    const Corners& t = this->Surface.Triangles[number];
+    const Triangle other = TriangleOf(this->Surface, t);
+    const unsigned ends = this->Ends[number];
+    const bool isNear = this->IsSmall(this->Plane.LargestGap(other));
+    if (isNear && this->IsTouched && ends == 0)
+    {
+      return true;
+    }
+    const PlanTriangle plan(other);
+    const double area = plan.DoubledArea();
+    if (area == 0.0 || !this->MayOverlap(plan))
+    {
+      return true; // it covers nothing
+    }
+    if (ends != 0 && !this->AllowsSides(other, ends))
+    {
+      return false;
+    }
+    this->IsTouched = this->IsTouched || IsWithin(this->Middle, plan, area);
+    return isNear || this->IsSmall(HeightPlane(other).LargestGap(this->Corner)) || !Overlap(this->Plan, plan) ||
+      this->AddPolygon(t, other, area < 0.0 ? -1.0 : 1.0);
+  }
+
+  /// Lowers the bounds, once all triangles were added.
+  void Lower(MetricValues& bounds) const
+  {
+    for (std::size_t metric = 0; metric < this->Metrics.size() && this->IsTouched; ++metric)
+    {
+      if (this->IsOpen(metric))
+      {
+        const Metric& in = this->Metrics[metric];
+        // From what is just outside, along the plane of the triangle.
+        const double stretch = std::sqrt(in.SquaredPlanNorm()) + in.Weights()[2] * this->Plane.Slope.norm();
+        const double largest = std::max(in.Weights()[2] * this->LargestGap, this->Largest[metric]);
+        bounds[metric] = std::min(bounds[metric], this->Outside > 0.0 ? largest + this->Outside * stretch : largest);
+      }
+    }
+  }
+
+  std::int64_t Visits = 0;
+
+private:
+  /// Whether with that gap all distances are small enough.
+  bool IsSmall(double gap)
+  {
+    const bool isSmall = gap <= this->GapEnough;
+    this->LargestGap = isSmall ? std::max(this->LargestGap, gap) : this->LargestGap;
+    return isSmall;
+  }
+
+  bool IsOpen(std::size_t metric) const { return this->Bounds[metric] > this->Enough[metric]; }
+
+  /// Whether the boxes overlap.
+  bool MayOverlap(const PlanTriangle& plan) const
+  {
+    const auto& [a, b, c] = plan.Corner;
+    return (a.array().min(b.array()).min(c.array()) < this->High).all() &&
+      (a.array().max(b.array()).max(c.array()) > this->Low).all();
+  }
+
+  /// Whether no side of a triangle where the surface may end passes through this one.
+  bool AllowsSides(const Triangle& other, unsigned ends)
+  {
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      if ((ends >> n & 1U) != 0 && !this->AllowsSide(other[n].head<2>(), other[(n + 1) % 3].head<2>()))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool AllowsSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    const Eigen::Vector2d along = to - from;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    double depth = std::numeric_limits<double>::infinity(); // how far it is inside the side that it is least inside of
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      const Eigen::Vector2d& corner = this->Plan.Corner[n];
+      const Eigen::Vector2d side = this->Plan.Corner[(n + 1) % 3] - corner;
+      const double inside =
+        std::max(this->Turn * this->Plan.DoubledArea(n, from), this->Turn * this->Plan.DoubledArea(n, to));
+      depth = std::min(depth, inside <= 0.0 ? 0.0 : inside / side.norm());
+      const double left = along.x() * (corner.y() - from.y()) - along.y() * (corner.x() - from.x());
+      least = std::min(least, left);
+      most = std::max(most, left);
+    }
+    const double length = along.norm();
+    depth = std::min(depth, std::max(0.0, std::min(most, -least)) / length);
+    if (depth > this->MostOutside)
+    {
+      return false;
+    }
+    this->Outside = std::max(this->Outside, depth * this->LongestOverHeight);
+    return true;
+  }
+
+  /// What the two triangles have in common.
+  bool AddPolygon(const Corners& t, const Triangle& other, double turn)
+  {
+    CutPolygon polygon(this->Corner);
+    polygon.Cut(other[0], other[1], turn);
+    polygon.Cut(other[1], other[2], turn);
+    polygon.Cut(other[2], other[0], turn);
+    bool isLower = false;
+    for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
+    {
+      if (!this->IsOpen(metric))
+      {
+        continue;
+      }
+      double squared = 0.0;
+      for (const Eigen::Vector3d& place : polygon)
+      {
+        squared = std::max(squared, this->Metrics[metric].SquaredDistance(this->Surface, t, place));
+      }
+      this->Largest[metric] = std::max(this->Largest[metric], std::sqrt(squared));
+      isLower = isLower || this->Largest[metric] < this->Bounds[metric];
+    }
+    return isLower;
+  }
+
+  const TriangleSurface& Surface;
+  const std::vector<unsigned char>& Ends;
+  const Triangle& Corner;
+  const std::vector<Metric>& Metrics;
+  const MetricValues& Enough;
+  const MetricValues& Bounds;
+  PlanTriangle Plan;
+  HeightPlane Plane;
+  Eigen::Array2d Low;
+  Eigen::Array2d High;
+  Eigen::Vector2d Middle;
+  double Turn;
+  double LongestOverHeight; // in plan: what is so far from a side is this times as far from the triangle at most
+  double MostOutside;
+  double GapEnough = std::numeric_limits<double>::infinity();
+  double LargestGap = 0.0; // of those that are small enough
+  MetricValues Largest = {}; // of the corners of polygons, where gaps are larger
+  double Outside = 0.0; // how far the surface may end within the triangle, by rounding
+  bool IsTouched = false; // whether the surface has anything at the middle
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+PlanOverlay::PlanOverlay(const TriangleRaster& raster)
+  : Raster(raster)
+  , Ends(FindEnds(raster.GetSurface()))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t PlanOverlay::Lower(
+  const Triangle& corners, const std::vector<Metric>& metrics, const MetricValues& enough, MetricValues& bounds) const
+{
+  Measure measure(*this, corners, metrics, enough, bounds);
+  if (PlanTriangle(corners).DoubledArea() != 0.0 &&
+    this->Raster.ForEachNear(PlanTriangle(corners), [&](std::int32_t triangle) { return measure.Add(triangle); }))
+  {
+    measure.Lower(bounds);
+  }
+  return measure.Visits;
+}
+}
