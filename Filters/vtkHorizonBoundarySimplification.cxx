@@ -54,9 +54,13 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
                                       : SpacePoints(points.Column, height, 1),
       boundary, options, monitor.Step(0.2, 0.7));
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
+  // Points that an earlier simplification dropped are not here any more: with its figures these are bounds.
   vtkFieldData* const figures = output->GetFieldData();
-  AddValue<vtkDoubleArray>(figures, FieldArray::BoundaryDeviation, simplified.Deviation);
-  AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, simplified.OutlineDeviation);
-  AddValue<vtkDoubleArray>(figures, FieldArray::OutlineHeightDeviation, simplified.HeightDeviation);
-  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(simplified.NumberOutside));
+  const auto add = [&](const char* name, double value)
+  { AddValue<vtkDoubleArray>(figures, name, FirstValue(figures, name) + value); };
+  add(FieldArray::BoundaryDeviation, simplified.Deviation);
+  add(FieldArray::OutlineDeviation, simplified.OutlineDeviation);
+  add(FieldArray::OutlineHeightDeviation, simplified.HeightDeviation);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints,
+    vtkIdType(FirstValue(figures, FieldArray::NumberOfOutsidePoints)) + vtkIdType(simplified.NumberOutside));
 }

@@ -63,6 +63,7 @@ DecimationOptions vtkHorizonDecimation::MakeOptions(
 //------------------------------------------------------------------------------
 void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
+  RequireAllPoints(horizon);
   LatticePoints points = ReadColumns(horizon, outputs);
   const SeismicHorizons::Lattice& grid = points.Grid;
   BoundedHorizon bounded;

@@ -163,6 +163,7 @@ SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
 //------------------------------------------------------------------------------
 void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
+  RequireAllPoints(horizon);
   LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
   SurfaceOptions options = this->MakeOptions(points);

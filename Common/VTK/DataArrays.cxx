@@ -6,6 +6,7 @@
 #include "Common/Errors.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
 
 #include <string>
 
@@ -29,5 +30,12 @@ void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* item
   {
     RequireTuples(data->GetAbstractArray(n), numberOfItems, items);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double FirstValue(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* const array = data->GetArray(name);
+  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
 }
 }

@@ -27,6 +27,9 @@ void RequireTuples(vtkAbstractArray* array, vtkIdType numberOfItems, const char*
 /// The same for all arrays of point, cell or row data.
 void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* items);
 
+/// The first value of an array of numbers, or 0 where there is none.
+double FirstValue(vtkFieldData* data, const char* name);
+
 /// An array of that size, whose values are still to be written.
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)

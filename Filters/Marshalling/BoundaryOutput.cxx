@@ -32,6 +32,11 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
     [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
   output->GetPointData()->SetActiveScalars(PointArray::PatchId);
   vtkFieldData* const figures = output->GetFieldData();
+  for (const char* const name : { FieldArray::BoundaryDeviation, FieldArray::OutlineDeviation,
+         FieldArray::OutlineHeightDeviation, FieldArray::NumberOfOutsidePoints })
+  {
+    figures->RemoveArray(name); // of other outlines
+  }
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(boundary.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::NumberOfHoles, vtkIdType(boundary.Boundary.Size() - boundary.NumberOfPatches));

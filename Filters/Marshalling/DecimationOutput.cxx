@@ -33,9 +33,8 @@ void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, decimation.LargestError);
   AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, decimation.MeanError);
-  vtkDataArray* const outside = figures->GetArray(FieldArray::OutlineHeightDeviation);
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestLoopError,
-    std::max(decimation.LargestLoopError, outside && outside->GetNumberOfTuples() > 0 ? outside->GetTuple1(0) : 0.0));
+    std::max(decimation.LargestLoopError, FirstValue(figures, FieldArray::OutlineHeightDeviation)));
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
 }

@@ -287,6 +287,16 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void RequireAllPoints(vtkPolyData* horizon)
+{
+  if (horizon->GetNumberOfPolys() > 0 && horizon->GetPointData()->HasArray(PointArray::PointCount))
+  {
+    throw InputError("a mesh of " + std::to_string(horizon->GetNumberOfPolys()) +
+      " triangles that was simplified, expected all points of the horizon, from which the error is measured");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
 {
   if (mesh->GetNumberOfStrips() > 0)

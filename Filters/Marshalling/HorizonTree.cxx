@@ -3,6 +3,7 @@
 
 #include "HorizonTree.h"
 
+#include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
@@ -28,6 +29,17 @@ namespace SeismicHorizons
 {
 namespace
 {
+/// What was said of the triangles of the input, which an output does not have, or has others.
+void RemoveMeshFigures(vtkFieldData* figures)
+{
+  for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
+         FieldArray::BoundaryEdgeCount, FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle,
+         FieldArray::LargestError, FieldArray::MeanError, FieldArray::LargestLoopError })
+  {
+    figures->RemoveArray(name);
+  }
+}
+
 std::string NameOf(vtkInformation* block, const std::string& above)
 {
   const char* const name = block ? block->Get(vtkCompositeDataSet::NAME()) : nullptr;
@@ -250,6 +262,7 @@ std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vt
     for (vtkPolyData* output : leaf.Outputs)
     {
       output->GetFieldData()->PassData(leaf.Input->GetFieldData());
+      RemoveMeshFigures(output->GetFieldData());
     }
   }
   return std::move(collector.Leaves);

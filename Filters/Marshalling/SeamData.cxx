@@ -155,18 +155,12 @@ std::vector<double> GatherErrors(const std::vector<vtkPolyData*>& meshes, const 
   return errors;
 }
 
-double ValueOf(vtkPolyData* mesh, const char* name)
-{
-  vtkDataArray* const array = mesh->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
-}
-
 void WriteLargest(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFieldData* figures)
 {
   double largest = 0.0;
   for (vtkPolyData* const mesh : meshes)
   {
-    largest = std::max(largest, ValueOf(mesh, name));
+    largest = std::max(largest, FirstValue(mesh->GetFieldData(), name));
   }
   AddValue<vtkDoubleArray>(figures, name, largest);
 }
@@ -176,7 +170,7 @@ void WriteSum(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFiel
   double sum = 0.0;
   for (vtkPolyData* const mesh : meshes)
   {
-    sum += ValueOf(mesh, name);
+    sum += FirstValue(mesh->GetFieldData(), name);
   }
   AddValue<vtkIdTypeArray>(figures, name, vtkIdType(sum));
 }
@@ -190,7 +184,7 @@ double FindMeanError(const std::vector<vtkPolyData*>& meshes)
   {
     const std::vector<std::int64_t> counts = CountsOf(mesh);
     const double count = double(std::accumulate(counts.begin(), counts.end(), std::int64_t(0)));
-    sum += count * ValueOf(mesh, FieldArray::MeanError);
+    sum += count * FirstValue(mesh->GetFieldData(), FieldArray::MeanError);
     points += count;
   }
   return points > 0.0 ? sum / points : 0.0;

@@ -192,6 +192,34 @@ class BoundTest(unittest.TestCase):
             join.Update()
             self.check(seed, horizon, join.GetOutputDataObject(0), error, error, in_windows=True)
 
+    def test_figures_of_stages_before(self):
+        """A second simplification keeps the figures of the first; those of triangles do not outlive these."""
+        horizon = random_horizon(numpy.random.default_rng(13))
+        data = run(seismichorizons.vtkHorizonExteriorBoundary(), horizon)
+        for tolerance in (3.0, 0.0):
+            simplification = seismichorizons.vtkHorizonBoundarySimplification()
+            simplification.SetMethodToFewestPoints()
+            simplification.SetOutlineTolerance(tolerance)
+            simplification.SetDistanceThreshold(tolerance)
+            data = run(simplification, data)
+            self.assertGreater(bound_check.value(data, "NumberOfOutsidePoints"), 0)
+            self.assertGreater(bound_check.value(data, "OutlineDeviation"), 0.0)
+        mesh = run(seismichorizons.vtkHorizonDecimation(), data)
+        rough = run(seismichorizons.vtkHorizonRoughSimplification(), mesh)
+        self.assertTrue(mesh.GetFieldData().HasArray("LargestError"))
+        for name in ("LargestError", "MeanError", "LargestLoopError", "TriangleCount", "SmallestAngle"):
+            self.assertFalse(rough.GetFieldData().HasArray(name), name)
+        boundary = run(seismichorizons.vtkHorizonExteriorBoundary(), mesh)
+        self.assertFalse(boundary.GetFieldData().HasArray("NumberOfOutsidePoints"))
+        for stage in (seismichorizons.vtkHorizonDecimation, seismichorizons.vtkHorizonSurface):
+            said = []
+            again = stage()
+            again.AddObserver("ErrorEvent", lambda *arguments: said.append(1))
+            again.SetInputData(mesh)
+            again.Update()
+            self.assertTrue(said)
+            self.assertEqual(again.GetErrorCode() != 0 or again.GetOutputDataObject(0).GetNumberOfPoints(), 0)
+
     @unittest.skipUnless(REAL.is_dir(), "no real horizons")
     def test_real(self):
         for path in sorted(REAL.glob("*/*.ijz")):

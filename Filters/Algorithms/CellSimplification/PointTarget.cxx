@@ -90,6 +90,19 @@ private:
   std::size_t Left = 0; // by the last try
   Reduction Found;
 };
+
+/// By halving, the smallest cell size that leaves few enough, as that of `tried` does; `tooSmall` leaves too many.
+template <typename Search, typename Options>
+int FindSmallest(Search& search, Options tried, int tooSmall)
+{
+  int enough = tried.CellSize;
+  while (enough - tooSmall > 1)
+  {
+    tried.CellSize = tooSmall + (enough - tooSmall) / 2;
+    (search.Try(tried) ? enough : tooSmall) = tried.CellSize;
+  }
+  return enough;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -108,11 +121,7 @@ Reduction SimplifyRoughTo(std::size_t most, const BoundedHorizon& horizon, CellO
       search.Refuse();
     }
   }
-  for (int enough = tried.CellSize; enough - tooSmall > 1;)
-  {
-    tried.CellSize = tooSmall + (enough - tooSmall) / 2;
-    (search.Try(tried) ? enough : tooSmall) = tried.CellSize;
-  }
+  FindSmallest(search, tried, tooSmall);
   return search.Take();
 }
 
@@ -124,17 +133,32 @@ Reduction SimplifyElaborateTo(
   TargetSearch search(most, options, monitor,
     [&](const ElaborateOptions& tried, const Monitor& step) { return SimplifyElaborate(horizon, tried, step); });
   ElaborateOptions tried = options;
-  for (tried.FlatnessThreshold = AllFlat; !search.Try(tried);)
+  // With the coarsest threshold, the smallest cells that leave few enough, unless those given do.
+  tried.FlatnessThreshold = AllFlat;
+  int tooSmall = tried.CellSize;
+  if (!search.Try(tried))
   {
-    if (tried.CellSize >= largest)
+    do
     {
-      search.Refuse();
-    }
-    tried.CellSize = int(std::min<std::int64_t>(largest, 2LL * tried.CellSize));
+      tooSmall = tried.CellSize;
+      if (tooSmall >= largest)
+      {
+        search.Refuse();
+      }
+      tried.CellSize = int(std::min<std::int64_t>(largest, 2LL * tooSmall));
+    } while (!search.Try(tried));
+    tried.CellSize = FindSmallest(search, tried, tooSmall);
   }
-  for (tried.FlatnessThreshold = 0.0; search.Try(tried) && !search.IsNear() && tried.CellSize > 1;)
+  // With the finest one, the same.
+  tried.FlatnessThreshold = 0.0;
+  if (search.Try(tried) && !search.IsNear())
   {
-    tried.CellSize /= 2;
+    tried.CellSize = FindSmallest(search, tried, 0);
+    --tried.CellSize; // which leaves too many with that threshold
+  }
+  if (tried.CellSize < 1)
+  {
+    return search.Take();
   }
   double tooMany = 0.0; // a threshold that leaves too many, or the least one there is
   double enough = AllFlat;
