@@ -65,7 +65,7 @@ def exaggerate(events, flat):
     events.undo(1)
     events.macro("NoteView")
     # What comes now gets the factor that undo has brought back.
-    events.filter("HorizonSurface")
+    events.filter("HorizonExteriorBoundary")
     events.apply()
     events.macro("NoteView")
     events.save_state("exaggerated.pvsm")
