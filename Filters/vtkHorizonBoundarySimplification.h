@@ -99,8 +99,9 @@ public:
   ///@{
   /**
    * How far a dropped point may be from the new outline on the map. 0 keeps the outline as it is on the map; from about
-   * 0.5, staircases that come from the lattice become straight lines. Outlines never cross. Their points that come to lie
-   * inside stay, and those outside are counted (NumberOfOutsidePoints); no other point changes sides. Unit: columns. Range: at least 0. Default: 0.
+   * 0.5, staircases that come from the lattice become straight lines. Outlines never cross. Their points that come to
+   * lie inside stay, and those outside are counted (NumberOfOutsidePoints); no other point changes sides. Unit:
+   * columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);

@@ -52,10 +52,11 @@ public:
 
   ///@{
   /**
-   * At most so many points are left: the rough simplification then looks for the smallest cell size with which that holds,
-   * the elaborate one a FlatnessThreshold that leaves nearly as many, with larger or smaller cells where no threshold
-   * does (thesis 6.2). What was chosen is in the field data (ChosenCellSize, ChosenFlatnessThreshold). 0: CellSize and
-   * FlatnessThreshold as given. Outline points are always kept. Unit: points. Range: at least 0. Default: 0.
+   * At most so many points are left: the rough simplification then looks for the smallest cell size with which that
+   * holds, the elaborate one a FlatnessThreshold that leaves nearly as many, with larger or smaller cells where no
+   * threshold does (thesis 6.2). What was chosen is in the field data (ChosenCellSize, ChosenFlatnessThreshold). 0:
+   * CellSize and FlatnessThreshold as given. Outline points are always kept. Unit: points. Range: at least 0. Default:
+   * 0.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);

@@ -15,8 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <optional>
 #include <utility>
 
 using namespace SeismicHorizons;
@@ -71,10 +69,7 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   bounded.Patch = ReadPatches(points.Horizon);
   bounded.Boundary = ReadBoundary(points.Horizon);
   bounded.Height = std::move(points.Height);
-  if (std::optional<LinkCuts> cuts = FindCuts(points.Horizon, PlaneBox(points.Column)))
-  {
-    bounded.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
-  }
+  bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
   ReadCounts(points.Horizon); // refuses wrong ones before the work
   monitor.Progress(0.1);
   const DecimationOptions options = this->MakeOptions(bounded, grid);

@@ -7,13 +7,13 @@
 #include "Common/Errors.h"
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/SeamData.h"
 #include "Surface/SurfaceJoin.h"
 
-#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -54,10 +54,9 @@ std::vector<vtkPolyData*> ListParts(vtkInformationVector* inputs)
   for (int n = 0; n < inputs->GetNumberOfInformationObjects(); ++n)
   {
     vtkPolyData* const mesh = vtkPolyData::GetData(inputs, n);
-    vtkDataArray* const rows = mesh ? mesh->GetFieldData()->GetArray(FieldArray::SeamRows) : nullptr;
-    if (mesh && (rows || mesh->GetNumberOfPoints() > 0))
+    if (mesh && (mesh->GetNumberOfPoints() > 0 || mesh->GetFieldData()->GetArray(FieldArray::SeamRows)))
     {
-      parts.push_back({ rows && rows->GetNumberOfValues() > 0 ? rows->GetComponent(0, 0) : 0.0, mesh });
+      parts.push_back({ FirstValue(mesh->GetFieldData(), FieldArray::SeamRows), mesh });
     }
   }
   std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

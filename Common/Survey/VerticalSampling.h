@@ -21,9 +21,10 @@ struct VerticalSampling
   int Indices = 1;
 };
 
-/// From a multiple of the step, at most the least z of all horizons, up to their largest. By the given step, or where that is 0 by one that suits the data: the median of the differences between neighbouring
-/// columns that have different z, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where there are none.
-/// Throws InputError on a step that is negative or not finite, and on one that makes 2^31 indices or more.
+/// From a multiple of the step, at most the least z of all horizons, up to their largest. By the given step, or where
+/// that is 0 by one that suits the data: the median of the differences between neighbouring columns that have different
+/// z, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where there are none. Throws InputError on a step
+/// that is negative or not finite, and on one that makes 2^31 indices or more.
 VerticalSampling FindVerticalSampling(
   const std::vector<LatticeHorizon>& horizons, double step, const Monitor& monitor = Monitor());
 }

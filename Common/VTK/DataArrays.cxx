@@ -33,9 +33,9 @@ void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* item
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double FirstValue(vtkFieldData* data, const char* name)
+double FirstValue(vtkFieldData* data, const char* name, double otherwise)
 {
   vtkDataArray* const array = data->GetArray(name);
-  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
+  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : otherwise;
 }
 }

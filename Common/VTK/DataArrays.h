@@ -27,8 +27,8 @@ void RequireTuples(vtkAbstractArray* array, vtkIdType numberOfItems, const char*
 /// The same for all arrays of point, cell or row data.
 void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* items);
 
-/// The first value of an array of numbers, or 0 where there is none.
-double FirstValue(vtkFieldData* data, const char* name);
+/// The first value of an array of numbers, or another one where there is none.
+double FirstValue(vtkFieldData* data, const char* name, double otherwise = 0.0);
 
 /// An array of that size, whose values are still to be written.
 template <typename Array>

@@ -17,6 +17,7 @@
 #include <array>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -79,6 +80,13 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns
     link.Side == LinkSide::North ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
   }
   return cuts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::shared_ptr<const LinkCuts> ShareCuts(vtkDataObject* horizon, const PlaneBox& columns)
+{
+  std::optional<LinkCuts> cuts = FindCuts(horizon, columns);
+  return cuts ? std::make_shared<const LinkCuts>(std::move(*cuts)) : nullptr;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Common/LinkCuts.h"
 #include "Faults/FaultLines.h"
 
+#include <memory>
 #include <optional>
 
 class vtkDataObject;
@@ -21,6 +22,9 @@ namespace SeismicHorizons
 /// only take memory. Throws InputError on an array of other than three whole numbers a link, on columns outside the
 /// lattice of the horizon, and on sides other than 0 and 1.
 std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns);
+
+/// The same for a horizon that keeps them, or null.
+std::shared_ptr<const LinkCuts> ShareCuts(vtkDataObject* horizon, const PlaneBox& columns);
 
 /// Writes the links of fault lines as CutLinks, CutThrow and CutLine, in place of those there are. A link of several
 /// lines is that of the first.

@@ -126,8 +126,8 @@ std::vector<Number> CopyValues(vtkDataArray* array)
   return values;
 }
 
-/// Refuses loops that go from a point to another one twice: the surface would be there twice. Both ways it is a spur, or
-/// a bridge between two sides.
+/// Refuses loops that go from a point to another one twice: the surface would be there twice. Both ways it is a spur,
+/// or a bridge between two sides.
 void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
 {
   std::vector<PointId> firstEnd(std::size_t(numberOfPoints), NoPoint);
@@ -363,11 +363,7 @@ BoundedHorizon ReadBoundedHorizon(LatticePoints points)
   result.Patch = ReadPatches(points.Horizon);
   result.Boundary = ReadBoundary(points.Horizon);
   result.Count = ReadCounts(points.Horizon);
-  if (std::optional<LinkCuts> cuts =
-        FindCuts(points.Horizon, ColumnsAround(result.Places().Box(), result.SubVoxelsPerColumn)))
-  {
-    result.Cuts = std::make_shared<const LinkCuts>(std::move(*cuts));
-  }
+  result.Cuts = ShareCuts(points.Horizon, ColumnsAround(result.Places().Box(), result.SubVoxelsPerColumn));
   return result;
 }
 }

@@ -41,8 +41,8 @@ double FieldValue(vtkDataArray* array, int n);
 /// The boundary loops: all lines of the horizon, which must be closed polylines, at least one.
 Loops ReadBoundary(vtkPolyData* horizon);
 
-/// Throws InputError on a mesh whose points stand for more points than there are: how far those are from another mesh could
-/// not be known.
+/// Throws InputError on a mesh whose points stand for more points than there are: how far those are from another mesh
+/// could not be known.
 void RequireAllPoints(vtkPolyData* horizon);
 
 /// The patch number of each point.

@@ -113,16 +113,10 @@ bool IsVertical(const Eigen::Affine3d& map)
   return axes(2, 0) == 0.0 && axes(2, 1) == 0.0 && axes(0, 2) == 0.0 && axes(1, 2) == 0.0;
 }
 
-double FieldNumber(vtkFieldData* data, const char* name, double otherwise)
-{
-  vtkDataArray* const array = data->GetArray(name);
-  return array && array->GetNumberOfValues() > 0 ? FieldValue(array, 0) : otherwise;
-}
-
 /// The frame of a lattice, whose vertical indices count as the field data say, or else as its map does.
 LatticeFrame MakeFrame(vtkImageData* image, const Indices& size, const Eigen::Matrix4d& map)
 {
-  const bool isDown = FieldNumber(image->GetFieldData(), FieldArray::VerticalDirection, map(2, 2)) < 0.0;
+  const bool isDown = FirstValue(image->GetFieldData(), FieldArray::VerticalDirection, map(2, 2)) < 0.0;
   return MakeLatticeFrame(size, map, isDown ? VerticalDirection::Down : VerticalDirection::Up);
 }
 
@@ -151,7 +145,7 @@ void CheckPlaces(vtkImageData* image, const Lattice& lattice)
   {
     return;
   }
-  const double deviation = FieldNumber(image->GetFieldData(), "ImageDeviation", 0.0);
+  const double deviation = FirstValue(image->GetFieldData(), "ImageDeviation", 0.0);
   const double most = 0.25 + (deviation > 0.0 ? deviation : 0.0);
   const int* const extent = image->GetExtent();
   for (int corner = 0; corner < 8; ++corner)

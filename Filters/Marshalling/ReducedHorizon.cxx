@@ -23,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,11 +219,15 @@ void UnmarkInside(const Loops& boundary, vtkPolyData* output)
   {
     return;
   }
+  auto* const bytes = vtkUnsignedCharArray::FastDownCast(marks); // as our own are
+  const unsigned char* const values = bytes ? bytes->GetPointer(0) : nullptr;
+  const auto isMarked = [&](vtkIdType point)
+  { return values ? values[point] != 0 : marks->GetComponent(point, 0) != 0.0; };
   const std::vector<unsigned char> isOnLoop = boundary.MarkPoints(std::size_t(output->GetNumberOfPoints()));
   vtkSmartPointer<vtkDataArray> changed; // the input may have the same array
   for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
   {
-    if (isOnLoop[point] == 0 && marks->GetComponent(point, 0) != 0.0)
+    if (isMarked(point) && isOnLoop[point] == 0)
     {
       if (!changed)
       {

@@ -25,7 +25,7 @@ mount -t proc proc "$root/proc"
 mount -t sysfs sysfs "$root/sys" # Open MPI looks there
 mount -t devpts devpts "$root/dev/pts"
 mount -t tmpfs tmpfs "$root/dev/shm"
-rm -rf "$root/root/project"
-git clone --quiet --no-hardlinks "$source_folder" "$root/root/project"
-inside sh -c 'cd /root && project/Utilities/demo.sh'
-inside sh -c 'cd /root && project/Utilities/test.sh'
+rm -rf "$root/project"
+git clone --quiet --no-hardlinks "$source_folder" "$root/project"
+inside sh -c 'cd && /project/Utilities/demo.sh'
+inside sh -c 'cd && /project/Utilities/test.sh'

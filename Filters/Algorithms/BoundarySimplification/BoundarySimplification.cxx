@@ -619,7 +619,9 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
   {
     left.push_back(one.Point.Point);
   }
-  const std::vector<LoopSide> sides = SideFinder(points, left).Find(result.Boundary);
+  // Loops that are what they were in plan pass through all of them.
+  const std::vector<LoopSide> sides = result.OutlineDeviation > 0.0 ? SideFinder(points, left).Find(result.Boundary)
+                                                                    : std::vector<LoopSide>(left.size(), LoopSide::On);
   for (std::size_t n = 0; n < spanned.size(); ++n)
   {
     if (sides[n] != LoopSide::Inside)

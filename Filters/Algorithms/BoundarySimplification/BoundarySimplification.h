@@ -62,8 +62,8 @@ struct BoundarySimplification
 {
   /// The loops with fewer points, over the input points.
   Loops Boundary;
-  /// The points that were dropped, which lie outside the new loops or on them, each with the nearer end of the edge that
-  /// spans it.
+  /// The points that were dropped, which lie outside the new loops or on them, each with the nearer end of the edge
+  /// that spans it.
   DroppedPoints Dropped;
   /// How many of them lie outside.
   std::int64_t NumberOutside = 0;

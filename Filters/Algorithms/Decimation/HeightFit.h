@@ -3,7 +3,8 @@
 //
 // Heights of the vertices of a mesh for which it is nearer to the horizon than with those of their columns.
 //
-// Errors are those at columns, each of which counts once, and where inner sides of the mesh cross lines between columns.
+// Errors are those at columns, each of which counts once, and where inner sides of the mesh cross lines between
+// columns.
 //
 // For a small mean error the sum of the squares of all errors is made least, and then that of their p-th powers small,
 // p being 1.5 and then 1: squares alone are made less by many small errors, where heights are whole numbers that a

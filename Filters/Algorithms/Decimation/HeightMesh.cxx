@@ -63,10 +63,6 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
 {
   this->FindRange();
   this->MakeRasters();
-  for (HeightRaster& raster : this->Rasters)
-  {
-    raster.SetCuts(this->Horizon.Cuts.get());
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -140,7 +136,7 @@ void HeightMesh::MakeRasters()
   if (patches == 1)
   {
     this->Rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Columns(), this->VertexHeights);
+      this->Columns(), this->VertexHeights, this->Horizon.Cuts.get());
     return;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -148,7 +144,7 @@ void HeightMesh::MakeRasters()
   for (std::int32_t number = 0; number < patches; ++number)
   {
     this->Rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Columns(), this->VertexHeights);
+      this->Columns(), this->VertexHeights, this->Horizon.Cuts.get());
   }
 }
 

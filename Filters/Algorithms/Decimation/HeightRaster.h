@@ -142,17 +142,17 @@ class HeightRaster
 public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
   /// `columns` and `heights`, which are finite, are those of all its points. Takes 12 bytes per column of the bounding
-  /// box. Throws InputError when two stand in the same column.
+  /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut; `cuts`, null
+  /// for none, must outlive it.
   template <typename ForEachPoint>
-  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const std::vector<double>& heights)
+  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const std::vector<double>& heights,
+    const LinkCuts* cuts = nullptr)
+    : Cuts(cuts)
   {
     forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
     this->MakeColumns();
     forEachPoint([&](PointId point) { this->Add(point, columns[point], heights[point]); });
   }
-
-  /// Nothing is measured at links that are cut; null for none. Keeps the pointer.
-  void SetCuts(const LinkCuts* cuts) { this->Cuts = cuts; }
 
   /// Of a column with a point.
   double HeightAt(const PlanePoint& column) const { return this->Heights[this->Place(column.X, column.Y)]; }
@@ -197,7 +197,7 @@ private:
   std::int64_t Width = 0;
   std::vector<PointId> Points; // by place
   std::vector<double> Heights; // by place; nan where there is no point
-  const LinkCuts* Cuts = nullptr;
+  const LinkCuts* Cuts;
 };
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -247,10 +247,10 @@ double ClippedMean(const std::vector<float>& sizes, double largest)
   return sum / double(sizes.size());
 }
 
-/// The sizes of deviations, of many only some, which tell as well as all: of each group of values that follow each other
-/// one. It is each time another one (by the fraction of the golden ratio; Knuth, 6.4), as noise that returns every few
-/// columns, such as the footprint of a survey, would else be met in some of them alone. Values are counted from the
-/// first one on, so that the noise does not depend on what the raster leaves out.
+/// The sizes of deviations, of many only some, which tell as well as all: of each group of values that follow each
+/// other one. It is each time another one (by the fraction of the golden ratio; Knuth, 6.4), as noise that returns
+/// every few columns, such as the footprint of a survey, would else be met in some of them alone. Values are counted
+/// from the first one on, so that the noise does not depend on what the raster leaves out.
 std::vector<float> SampleSizes(const RawVector<float>& deviations)
 {
   constexpr std::int64_t Enough = 1000000;

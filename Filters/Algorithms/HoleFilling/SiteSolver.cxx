@@ -317,7 +317,8 @@ CoarsePair Coarsened(std::int64_t x)
   }
 }
 
-/// Calls visit(place, weight) for the coarser sites that stand for the fine one of a column; `low` is the first of them.
+/// Calls visit(place, weight) for the coarser sites that stand for the fine one of a column; `low` is the first of
+/// them.
 template <int Radius, typename Visitor>
 void ForEachCoarse(const PlanePoint& column, std::int64_t low, const BoxPlaces& coarser, Visitor&& visit)
 {

@@ -110,8 +110,9 @@ constexpr double Beyond = 1.3;
 // time by the square of the one before; to the end when the numbers are as good as level.
 constexpr double FarthestStep = 8.0;
 constexpr double LeastPower = 0.2;
-// The search ends with so much of the number, or when its ends are so near to each other, as a factor. The error is that
-// of outlines alone, and a tenth of the number is some hundredths of it. Secants aim at the middle of what is enough.
+// The search ends with so much of the number, or when its ends are so near to each other, as a factor. The error is
+// that of outlines alone, and a tenth of the number is some hundredths of it. Secants aim at the middle of what is
+// enough.
 constexpr double EnoughOfNumber = 0.9;
 constexpr double Aim = 0.95;
 constexpr double NearEnough = 1.05;

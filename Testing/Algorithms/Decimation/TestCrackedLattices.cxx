@@ -173,7 +173,8 @@ void TestRandomLattices()
     fewest.Method = OutlineMethod::FewestPoints;
     const auto simplified = [&horizon](const BoundarySimplificationOptions& options)
     {
-      BoundedHorizon result = Drop(horizon, SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, options));
+      BoundedHorizon result =
+        Drop(horizon, SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, options));
       result.Cuts = horizon.Cuts;
       return result;
     };

@@ -16,6 +16,11 @@ using namespace DecimationChecker;
 
 namespace
 {
+double Wave(const PlanePoint& column)
+{
+  return 8.0 * std::sin(0.2 * column.X) * std::cos(0.17 * column.Y);
+}
+
 Patches::Columns Square(int side)
 {
   return Patches::FromPicture(std::vector<std::string>(std::size_t(side), std::string(std::size_t(side), '#')));
@@ -82,7 +87,7 @@ void TestFitHeights()
   BoundedHorizon horizon = smooth;
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    smooth.Height[point] = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
+    smooth.Height[point] = Wave(columns[point]);
     horizon.Height[point] = std::round(smooth.Height[point]);
   }
   const Decimation fitted = Decimate(smooth, AtMost(400, true));
@@ -111,8 +116,7 @@ void TestFitNoise()
   BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeLevelHorizon(columns));
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    const double wave = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
-    horizon.Height[point] = wave + 2.0 * random.Fraction();
+    horizon.Height[point] = Wave(columns[point]) + 2.0 * random.Fraction();
   }
   for (const std::size_t most : { 300, 400, 600 })
   {
@@ -129,7 +133,7 @@ void TestBest()
   BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeLevelHorizon(columns));
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    horizon.Height[point] = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
+    horizon.Height[point] = Wave(columns[point]);
   }
   horizon = TestHorizons::Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, { 0.25, true, 0.0 }));
   for (const bool fitHeights : { false, true })
@@ -151,8 +155,7 @@ void TestPriority()
   BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeLevelHorizon(columns));
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
-    const double wave = 8.0 * std::sin(0.2 * columns[point].X) * std::cos(0.17 * columns[point].Y);
-    horizon.Height[point] = wave + (columns[point].X > 40 ? 3.0 * random.Fraction() : 0.0);
+    horizon.Height[point] = Wave(columns[point]) + (columns[point].X > 40 ? 3.0 * random.Fraction() : 0.0);
   }
   for (DecimationOptions options : { AtMost(500, true), Best(AtMost(500, true)) })
   {

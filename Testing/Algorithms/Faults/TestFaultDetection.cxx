@@ -76,8 +76,8 @@ void NoiseIsMeasured()
   CHECK_EQUAL(found.High, 12.0);
 }
 
-/// Noise as a survey leaves it, in every third file. Of many links only some are measured: all files alike, whatever the
-/// width of the lattice is, so that the whole has the noise of a part all links of which are.
+/// Noise as a survey leaves it, in every third file. Of many links only some are measured: all files alike, whatever
+/// the width of the lattice is, so that the whole has the noise of a part all links of which are.
 void NoiseInStripesIsMeasured()
 {
   for (const int width : { 300, 301, 302 })

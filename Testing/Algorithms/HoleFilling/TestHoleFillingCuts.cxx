@@ -141,8 +141,8 @@ void TestRimOnALine()
   CHECK(LargestError(filled, steps) < 1e-9);
 }
 
-/// A column with one link left, to a column beyond which there is a cut again: no stencil of a plate leads there, so that
-/// it has the height of that column.
+/// A column with one link left, to a column beyond which there is a cut again: no stencil of a plate leads there, so
+/// that it has the height of that column.
 void TestOneLinkLeft()
 {
   const auto isGap = [](int x, int y) { return x == 10 && y == 10; };

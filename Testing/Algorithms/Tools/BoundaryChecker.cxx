@@ -145,7 +145,8 @@ std::string CheckLoops(const std::vector<PlanePoint>& columns, const ExteriorBou
     {
       return "direction" + name;
     }
-    if (parts.IsHole(loop) && !options.Cuts && parts.CountInside(loop) < std::max<std::int64_t>(1, options.SmallestHoleSize))
+    if (parts.IsHole(loop) && !options.Cuts &&
+      parts.CountInside(loop) < std::max<std::int64_t>(1, options.SmallestHoleSize))
     {
       return "size" + name;
     }
