@@ -109,6 +109,29 @@ def play(paraview, sample, folder):
     return window.play(paraview, events, folder)
 
 
+def play_results(paraview, sample, folder):
+    """The panel tells what the run tells that is shown: after each Apply, after undo, and for each file of a series."""
+    reader, surface = sh.vtkVerneySparseMatrixReader(), sh.vtkHorizonSurface()
+    reader.SetFileName(str(sample))
+    surface.SetInputConnection(reader.GetOutputPort())
+    told = {}
+    events = window.Events()
+    events.open(sample)
+    events.apply()
+    events.filter("HorizonSurface")
+    for error in (0.75, 4, 2):
+        events.set_number("MaximumError", error, "DoubleRangeWidget/DoubleLineEdit")
+        events.apply()
+        surface.SetMaximumError(error)
+        surface.Update()
+        told[error] = surface.GetResults()
+        events.check_results(told[error])
+    assert len(set(told.values())) == 3, told
+    events.undo(1)
+    events.check_results(told[4])
+    window.play(paraview, events, folder)
+
+
 def main():
     paraview, pvpython, data, folder = sys.argv[1:5]
     folder = window.new_folder(folder)
@@ -130,6 +153,7 @@ def main():
     subprocess.run([pvpython, script], cwd=folder, check=True, timeout=60)
     for name in ("traced.ts", "loaded.ts"):
         assert (folder / name).read_bytes() == expected, name
+    play_results(paraview, sample, window.new_folder(folder / "results"))
     play_others(paraview, sample, window.new_folder(folder / "others"))
 
 

@@ -96,6 +96,10 @@ class Events:
         quoted = tuple(xml.sax.saxutils.quoteattr(str(text)) for text in (place, name, value))
         self.lines.append("  <pqcheck object=%s property=%s arguments=%s />" % quoted)
 
+    def check_results(self, text):
+        """The results of the stage in the panel have to be this text."""
+        self.check(FIELDS + "ProxyPanel/Results/Results", "plainText", text)
+
     def macro(self, name):
         self.menu("menu_Macros", name)
 

@@ -120,6 +120,7 @@ def check_animation(sample, folder):
     for error in ERRORS:
         surface.MaximumError = error
         expected.append({name: mesh_checks.check_mesh(mesh) for name, mesh in fetch(surface).items()})
+        assert str(surface.Results) == surface.GetClientSideObject().GetResults(), (error, surface.Results)
     scene = simple.GetAnimationScene()
     scene.PlayMode, scene.NumberOfFrames = "Sequence", len(ERRORS)
     track = simple.GetAnimationTrack("MaximumError", proxy=surface)
@@ -133,6 +134,20 @@ def check_animation(sample, folder):
         assert {name: len(mesh_checks.triangles(mesh)) for name, mesh in found.items()} == triangles, frame
     totals = [sum(triangles.values()) for triangles in expected]
     assert totals == sorted(totals, reverse=True) and totals[0] > 3 * totals[-1] > 0, totals
+
+
+def check_results(sample, folder):
+    """What a stage tells in scripts is of the time that was asked for last."""
+    fewer = folder / "fewer.vsm"
+    simple.SaveData(str(fewer), proxy=simple.VerneySparseMatrixReader(
+        FileName=str(sample), HorizonStatus=["Horizon 1"]))
+    surface = simple.HorizonSurface(Input=simple.VerneySparseMatrixReader(FileName=[str(sample), str(fewer)]))
+    told = []
+    for time in (0.0, 1.0, 0.0):
+        surface.UpdatePipeline(time)
+        told.append(str(surface.Results))
+        assert told[-1] == surface.GetClientSideObject().GetResults(), (time, told[-1])
+    assert told[0] == told[2] != told[1], told
 
 
 def main():
@@ -151,6 +166,8 @@ def main():
     simple.ResetSession()
     points = simple.OpenDataFile(str(sample))
     check_saved_data(points, simple.HorizonSurface(Input=points), folder)
+    simple.ResetSession()
+    check_results(sample, folder)
     simple.ResetSession()
     check_animation(sample, folder / "extracts")
 
