@@ -71,6 +71,7 @@ constexpr const char* FaultTriangleCount = "FaultTriangleCount";
 constexpr const char* BoundaryEdgeCount = "BoundaryEdgeCount";
 constexpr const char* NonDelaunayEdgeCount = "NonDelaunayEdgeCount";
 constexpr const char* SmallestAngle = "SmallestAngle";
+constexpr const char* SliverCount = "SliverCount";
 constexpr const char* LargestError = "LargestError";
 constexpr const char* MeanError = "MeanError";
 constexpr const char* LargestLoopError = "LargestLoopError";

@@ -11,6 +11,9 @@
 #include "Portable.h"
 #include "Types.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace SeismicHorizons
 {
 /// Twice the signed area of the triangle a, b, c: positive when it turns counter-clockwise.
@@ -21,6 +24,23 @@ inline std::int64_t SignedArea(const PlanePoint& a, const PlanePoint& b, const P
   const std::int64_t cx = std::int64_t(c.X) - a.X;
   const std::int64_t cy = std::int64_t(c.Y) - a.Y;
   return bx * cy - by * cx;
+}
+
+/// Of the smallest angle of a triangle, which is between its two longer sides; at most 0 when it is flat or clockwise.
+/// Rounded, unlike the answers of all others here.
+inline double SineOfSmallestAngle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+{
+  const double ab = double(SquaredDistance(a, b));
+  const double bc = double(SquaredDistance(b, c));
+  const double ca = double(SquaredDistance(c, a));
+  const double longer = std::max({ ab * bc, bc * ca, ca * ab });
+  return longer > 0.0 ? double(SignedArea(a, b, c)) / std::sqrt(longer) : 0.0;
+}
+
+/// Of an angle in degrees.
+inline double SineOfDegrees(double angle)
+{
+  return std::sin(angle * std::atan(1.0) / 45.0);
 }
 
 /// -1, 0 or 1.

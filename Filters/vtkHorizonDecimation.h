@@ -16,7 +16,9 @@
  *  - LargestLoopError (double): the largest vertical distance of loops, which are kept as they are, from the lines
  *    between neighbouring columns that they cross, and from the points that the boundary simplification before dropped
  *    from them (OutlineHeightDeviation)
- *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees)
+ *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees), in plan
+ *  - SliverCount (vtkIdType): triangles with an angle below the SmallestAngle that was asked for, nearly all of them at
+ *    outlines, where heights beside a long side need vertices near it
  *
  * With the Target LargestError no point is farther from the mesh than that, vertically, and no inner side of the mesh
  * is farther from the line between two neighbouring columns where it crosses that line. With the Effort Fast, vertices

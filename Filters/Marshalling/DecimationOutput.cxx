@@ -37,6 +37,7 @@ void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
     std::max(decimation.LargestLoopError, FirstValue(figures, FieldArray::OutlineHeightDeviation)));
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::SliverCount, vtkIdType(decimation.NumberOfSlivers));
 }
 }
 

@@ -34,7 +34,7 @@ void RemoveMeshFigures(vtkFieldData* figures)
 {
   for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
          FieldArray::BoundaryEdgeCount, FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle,
-         FieldArray::LargestError, FieldArray::MeanError, FieldArray::LargestLoopError })
+         FieldArray::SliverCount, FieldArray::LargestError, FieldArray::MeanError, FieldArray::LargestLoopError })
   {
     figures->RemoveArray(name);
   }

@@ -196,6 +196,7 @@ void WriteFigures(
   vtkFieldData* const figures = output->GetFieldData();
   figures->PassData(meshes.front()->GetFieldData());
   figures->RemoveArray(FieldArray::SeamRows);
+  figures->RemoveArray(FieldArray::SliverCount); // seams are meshed anew, and no angle is asked for here
   for (const char* const name : { FieldArray::LargestError, FieldArray::LargestLoopError, FieldArray::BoundaryDeviation,
          FieldArray::OutlineDeviation, FieldArray::OutlineHeightDeviation })
   {

@@ -29,7 +29,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 29> Figures = { {
+constexpr std::array<Figure, 30> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
@@ -41,6 +41,7 @@ constexpr std::array<Figure, 29> Figures = { {
   { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
   { FieldArray::SmallestAngle, "smallest angle" },
+  { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
   { FieldArray::LargestError, "largest vertical error" },
   { FieldArray::MeanError, "mean vertical error" },
   { FieldArray::LargestLoopError, "largest vertical error of outlines" },

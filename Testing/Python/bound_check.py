@@ -171,6 +171,16 @@ def measure_links(horizon, corners, heights, triangles, inside, cuts):
     return largest
 
 
+def smallest_angles(corners, triangles):
+    """Of each triangle in plan, in degrees."""
+    places = corners[triangles].astype(float)
+    angles = []
+    for first in range(3):
+        one, other = (numpy.roll(places, -first, axis=1)[:, k] - places[:, first] for k in (1, 2))
+        angles.append(numpy.arctan2(abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]), (one * other).sum(axis=1)))
+    return numpy.degrees(numpy.min(angles, axis=0))
+
+
 def value(mesh, name):
     return mesh.GetFieldData().GetArray(name).GetTuple1(0)
 
@@ -206,6 +216,9 @@ def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_win
         off, columns = measure_links(horizon, corners, heights, triangles, inside, cut_links(horizon_data))
         if off > error + slack:
             faults.append(f"a side is {off:.4g} off between columns {columns}, asked {error}")
+    slivers = int((smallest_angles(corners, triangles) < 2).sum())  # the default of SmallestAngle
+    if not in_windows and slivers != value(mesh, "SliverCount"):
+        faults.append(f"{slivers} triangles with an angle below 2 degrees, told {value(mesh, 'SliverCount')}")
     told = value(mesh, "LargestError")
     largest = errors[inside].max(initial=0.0)
     if largest > told + slack or (not in_windows and largest < told - slack) or told > error + slack:

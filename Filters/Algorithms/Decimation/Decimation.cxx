@@ -9,6 +9,7 @@
 #include "Common/MeshChecker.h"
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
+#include "Common/Predicates.h"
 #include "Common/Types.h"
 #include "HeightFit.h"
 #include "HeightMesh.h"
@@ -229,9 +230,10 @@ void MeshRefiner::AddNew(TriangleId triangle)
 class Collector
 {
 public:
-  explicit Collector(const HeightMesh& mesh)
+  Collector(const HeightMesh& mesh, double smallestAngle)
     : Surface(mesh)
     , Mesh(mesh.Triangles())
+    , SmallestSine(SineOfDegrees(smallestAngle))
   {
   }
 
@@ -272,6 +274,8 @@ private:
         const std::size_t point = std::size_t(this->Mesh.Corner(triangle, corner));
         this->Result.Triangles.push_back(this->Result.Points.Target[point]);
       }
+      const auto place = [&](int corner) { return this->Mesh.Place(this->Mesh.Corner(triangle, corner)); };
+      this->Result.NumberOfSlivers += SineOfSmallestAngle(place(0), place(1), place(2)) < this->SmallestSine ? 1 : 0;
     }
   }
 
@@ -342,13 +346,14 @@ private:
 
   const HeightMesh& Surface;
   const PlaneMesh& Mesh;
+  const double SmallestSine;
   Decimation Result;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-Decimation MakeResult(const HeightMesh& mesh, const Monitor& monitor)
+Decimation MakeResult(const HeightMesh& mesh, double smallestAngle, const Monitor& monitor)
 {
-  return Collector(mesh).Run(monitor);
+  return Collector(mesh, smallestAngle).Run(monitor);
 }
 
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
@@ -443,7 +448,7 @@ Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const M
     fast.Effort = DecimationEffort::Fast;
     return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0));
   }
-  return MakeResult(mesh, monitor.Step(0.9, 1.0));
+  return MakeResult(mesh, options.SmallestAngle, monitor.Step(0.9, 1.0));
 }
 }
 

@@ -81,6 +81,8 @@ struct Decimation
   /// kept as they are whatever their error.
   double LargestSideError = 0.0;
   double LargestLoopError = 0.0;
+  /// Triangles with an angle in plan below the smallest one that was asked for: sides of loops leave no other.
+  std::size_t NumberOfSlivers = 0;
 };
 
 /// The places of the points are columns, one at most in each, inside the loops of their patch; heights are finite.

@@ -33,7 +33,7 @@ struct MeshCost
   /// Errors are divided by the unit; the angle is in degrees.
   MeshCost(DecimationPriority priority, double unit, double smallestAngle)
     : Power{ priority == DecimationPriority::LargestError ? 4 : 2, unit }
-    , SmallestSine(std::sin(smallestAngle * std::atan(1.0) / 45.0))
+    , SmallestSine(SineOfDegrees(smallestAngle))
   {
   }
 
@@ -52,26 +52,8 @@ struct MeshCost
     return error;
   }
 
-  /// Of the smallest angle of a triangle in plan, which is between its two longer sides; at most 0 when it is flat or
-  /// turned over.
-  static double SmallestSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
-  {
-    const double ab = SquaredLength(a, b);
-    const double bc = SquaredLength(b, c);
-    const double ca = SquaredLength(c, a);
-    const double longer = std::max({ ab * bc, bc * ca, ca * ab });
-    return longer > 0.0 ? double(SignedArea(a, b, c)) / std::sqrt(longer) : 0.0;
-  }
-
 private:
   static constexpr double PartOfSides = 0.1;
-
-  static double SquaredLength(const PlanePoint& a, const PlanePoint& b)
-  {
-    const double x = double(b.X) - a.X;
-    const double y = double(b.Y) - a.Y;
-    return x * x + y * y;
-  }
 };
 
 // ---- Flips ---------------------------------------------------------------------------------------------------------
@@ -189,11 +171,11 @@ private:
     const RaisedPoint d = this->Mesh.Raised(this->Triangles.Beyond(triangle, side));
     Candidate result;
     result.Side = id;
-    const double sine = std::min(
-      MeshCost::SmallestSineOf(a.Column, d.Column, c.Column), MeshCost::SmallestSineOf(d.Column, b.Column, c.Column));
+    const double sine =
+      std::min(SineOfSmallestAngle(a.Column, d.Column, c.Column), SineOfSmallestAngle(d.Column, b.Column, c.Column));
     if (sine <= 0.0 ||
-      (sine < this->Cost.SmallestSine && sine < MeshCost::SmallestSineOf(a.Column, b.Column, c.Column) &&
-        sine < MeshCost::SmallestSineOf(b.Column, a.Column, d.Column)))
+      (sine < this->Cost.SmallestSine && sine < SineOfSmallestAngle(a.Column, b.Column, c.Column) &&
+        sine < SineOfSmallestAngle(b.Column, a.Column, d.Column)))
     {
       return result;
     }
@@ -435,8 +417,8 @@ private:
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
-      ring.Sine = std::min(ring.Sine,
-        MeshCost::SmallestSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
+      ring.Sine = std::min(
+        ring.Sine, SineOfSmallestAngle(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
     }
     return ring;
   }
@@ -447,7 +429,7 @@ private:
   {
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
     {
-      const double sine = MeshCost::SmallestSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
+      const double sine = SineOfSmallestAngle(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
       if (sine <= 0.0 || (sine < this->Cost.SmallestSine && sine <= ring.Sine))
       {
         return false;

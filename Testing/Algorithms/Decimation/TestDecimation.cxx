@@ -178,6 +178,7 @@ void TestSmallestAngle()
   {
     const Decimation result = Decimate(horizon, options);
     double least = 180.0;
+    std::vector<double> angles(result.Triangles.size() / 3, 180.0); // the smallest one of each triangle
     for (std::size_t n = 0; n < result.Triangles.size(); ++n)
     {
       const std::size_t first = n / 3 * 3;
@@ -187,8 +188,12 @@ void TestSmallestAngle()
       const PlanePoint c = at(n % 3 + 2);
       const double one = std::atan2(double(b.Y) - a.Y, double(b.X) - a.X);
       const double other = std::atan2(double(c.Y) - a.Y, double(c.X) - a.X);
-      least = std::min(least, std::remainder(other - one, 8.0 * std::atan(1.0)) * 45.0 / std::atan(1.0));
+      const double angle = std::remainder(other - one, 8.0 * std::atan(1.0)) * 45.0 / std::atan(1.0);
+      angles[n / 3] = std::min(angles[n / 3], angle);
+      least = std::min(least, angle);
     }
+    const auto isBelow = [&options](double angle) { return angle < options.SmallestAngle; };
+    CHECK_EQUAL(result.NumberOfSlivers, std::size_t(std::count_if(angles.begin(), angles.end(), isBelow)));
     return least;
   };
   const double before = smallest(Within(2.0));
