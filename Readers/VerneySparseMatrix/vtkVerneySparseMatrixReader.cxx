@@ -50,6 +50,16 @@ bool HasOwnExtension(const std::string& name)
   return endsIn(".vsm") || endsIn(".vsm.gz");
 }
 
+/// Nothing of a range would be there, without a word, when it begins behind the lattice.
+void CheckBegins(const char* range, int first, const char* lines, int size)
+{
+  if (first > 0 && first >= size)
+  {
+    throw InputError(std::string(range) + " from " + std::to_string(first) + ", expected a first number below the " +
+      std::to_string(size) + " " + lines + " of the file");
+  }
+}
+
 /// The bounding box of two boxes.
 VoxelExtent Unite(const VoxelExtent& a, const VoxelExtent& b)
 {
@@ -188,6 +198,9 @@ std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor
   RequireFileName(name);
   const SparseMatrixOptions options = this->MakeOptions();
   PrefixFileErrors(name, [&]() { this->File->List(name, options, monitor); });
+  const auto [columns, rows, indices] = this->File->Size();
+  CheckBegins("ColumnRange", this->ColumnRange[0], "columns", columns);
+  CheckBegins("RowRange", this->RowRange[0], "rows", rows);
   std::vector<std::string> names;
   for (const ListedHorizon& horizon : this->File->Horizons())
   {

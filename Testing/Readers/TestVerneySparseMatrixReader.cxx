@@ -266,6 +266,8 @@ void WrongParametersGiveOneErrorEach()
     [](Reader* reader) { reader->SetSmallestHorizonSize(0); }, "SmallestHorizonSize 0, expected at least 1 point");
   CheckParameterRefused([](Reader* reader) { reader->SetColumnRange(3, 2); }, "ColumnRange 3 to 2, expected a first");
   CheckParameterRefused([](Reader* reader) { reader->SetRowRange(-1, 2); }, "RowRange -1 to 2, expected a first");
+  CheckParameterRefused([](Reader* reader) { reader->SetColumnRange(90, -1); }, "ColumnRange from 90, expected a first");
+  CheckParameterRefused([](Reader* reader) { reader->SetRowRange(90, 99); }, "RowRange from 90, expected a first");
   CheckParameterRefused([&](Reader* reader) { reader->SetVerticalStep(infinite); }, "VerticalStep (inf), expected");
   CheckParameterRefused([](Reader* reader) { reader->SetRowStep(-2.0, 0.0); },
     "ColumnStep (1, 0) and RowStep (-2, 0), expected finite vectors that are not parallel");
