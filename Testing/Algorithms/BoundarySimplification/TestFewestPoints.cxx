@@ -168,6 +168,27 @@ void TestPointsInTheWay()
   CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
 }
 
+/// Edges that were simplified before and cross wide bands without points: the corner of a hole stays on its side of them.
+void TestLongEdgesOverEmptyBands()
+{
+  const std::vector<PlanePoint> columns = { { 0, 0 }, { 15000, 1498 }, { 30000, 3000 }, { 30000, 30000 }, { 0, 30000 },
+    { 10000, 999 }, { 10000, 1010 }, { 10010, 1010 } };
+  const std::vector<double> heights(columns.size(), 0.0);
+  Loops loops;
+  for (PointId point = 0; point < 8; ++point)
+  {
+    loops.Append(point);
+    if (point == 4 || point == 7)
+    {
+      loops.Close();
+    }
+  }
+  std::vector<PointId> kept;
+  SimplifyBoundary(SpacePoints(columns, heights, 1), loops, Options(2.0, 0.0))
+    .Boundary.ForEachPoint([&kept](PointId point) { kept.push_back(point); });
+  CHECK(kept == std::vector<PointId>({ 0, 1, 2, 3, 4, 5, 6, 7 }));
+}
+
 /// A random horizon with any radius, with holes or without.
 BoundedHorizon RandomHorizon(int shape, Patches::Random& random)
 {
@@ -307,6 +328,7 @@ int TestFewestPoints(int, char*[])
   TestSlope();
   TestLongSides();
   TestPointsInTheWay();
+  TestLongEdgesOverEmptyBands();
   TestRandomPatches();
   TestNothingIsLost();
   TestNumberIsLeast();

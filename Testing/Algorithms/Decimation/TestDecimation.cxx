@@ -124,6 +124,12 @@ void TestFitNoise()
     const Decimation columnsAlone = Decimate(horizon, Best(AtMost(most)));
     CHECK(fitted.MeanError < 0.98 * columnsAlone.MeanError);
   }
+  // Within an error, fitted heights take fewer vertices.
+  for (const double error : { 0.8, 1.0 })
+  {
+    const std::size_t columnsAlone = Decimate(horizon, Best(Within(error))).Points.Source.size();
+    CHECK(double(Decimate(horizon, Best(Within(error, true))).Points.Source.size()) < 0.8 * double(columnsAlone));
+  }
 }
 
 /// Fewer vertices for an error, and a smaller error for so many vertices.
