@@ -236,9 +236,12 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vect
       std::find_if(arrays.begin(), arrays.end(), [array](const FilledArray& one) { return one.Array == array; });
     if (HasName(array, { PointArray::Column }))
     {
-      const auto* const columns = &filled.Column.data()->X;
-      std::copy_n(columns, 2 * filled.Column.size(),
-        vtkIntArray::SafeDownCast(result)->GetPointer(2 * input->GetNumberOfPoints()));
+      int* to = vtkIntArray::SafeDownCast(result)->GetPointer(2 * input->GetNumberOfPoints());
+      for (const PlanePoint& column : filled.Column)
+      {
+        *to++ = column.X;
+        *to++ = column.Y;
+      }
     }
     else if (found != arrays.end())
     {
