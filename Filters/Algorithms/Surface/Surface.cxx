@@ -619,7 +619,8 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 {
   constexpr double Widest = 1 << 14; // no lattice has as many columns as its square
   const double narrow = std::ceil(std::min(2.0 * outlineTolerance, Widest));
-  const std::int64_t side = std::max(std::int64_t(2 * radius + 1), std::int64_t(narrow));
+  const std::int64_t span = 2 * std::int64_t(std::min(radius, LargestRadius)) + 1; // larger ones are refused
+  const std::int64_t side = std::max(span, std::int64_t(narrow));
   return side * side;
 }
 

@@ -204,6 +204,7 @@ void TestHoles()
   CHECK_EQUAL(ChooseSmallestHoleSize(1, 2.0), 16);
   CHECK_EQUAL(ChooseSmallestHoleSize(3, 2.0), 49);
   CHECK_EQUAL(ChooseSmallestHoleSize(1, 1e300), std::int64_t(1) << 28);
+  CHECK_EQUAL(ChooseSmallestHoleSize(std::numeric_limits<int>::max(), 0.0), ChooseSmallestHoleSize(LargestRadius, 0.0));
 }
 
 /// At most so many; just as many, but for one, where there are points enough.
