@@ -109,9 +109,13 @@ constexpr double Power = 1.5; // the number of triangles is as the error to the 
 // How far a first guess goes beyond where that leads, as a factor of the error: it is to come out on the other side.
 constexpr double Beyond = 1.3;
 // As long as all errors come out on one side, the search goes on as the last two lead: by this factor at most, and each
-// time by the square of the one before; to the end when the numbers are as good as level.
+// time by the square of the one before; to the end when the numbers are as good as level there.
 constexpr double FarthestStep = 8.0;
 constexpr double LeastPower = 0.2;
+// Below this error, in lattice units, numbers are level as nearly all points are vertices; above, as outlines alone are
+// left, and then they rise faster towards smaller errors.
+constexpr double ErrorOfAllPoints = 0.1;
+constexpr double PowerOfOutlines = 0.75;
 // The search ends with so much of the number, or when its ends are so near to each other, as a factor. The error is
 // that of outlines alone, and a tenth of the number is some hundredths of it. Secants aim at the middle of what is
 // enough.
@@ -169,10 +173,15 @@ private:
   /// From the last of the errors, which are all on one side, to where the number should be on the other one.
   double GoBeyond(const Sample& before, const Sample& last)
   {
-    const double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
-    if (power < LeastPower)
+    double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
+    const bool isFine = last.Part > 0.0;
+    if (power < LeastPower && (isFine || last.Error < std::log(ErrorOfAllPoints)))
     {
-      return last.Part > 0.0 ? this->Largest : this->Least;
+      return isFine ? this->Largest : this->Least;
+    }
+    if (!isFine && last.Error > std::log(ErrorOfAllPoints))
+    {
+      power = std::max(power, PowerOfOutlines);
     }
     const double beyond = std::log(last.Part > 0.0 ? Beyond : 1.0 / Beyond);
     double step = last.Part / power + beyond;
