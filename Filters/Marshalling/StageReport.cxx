@@ -4,6 +4,9 @@
 #include "StageReport.h"
 
 #include "Common/DataModel.h"
+#include "Common/VTK/SurveyFields.h"
+#include "HeightUnit.h"
+#include "HorizonData.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -26,12 +29,16 @@ struct Figure
 {
   const char* Array;
   const char* Name;
+  bool IsHeight = false; // in vertical indices, to be told in the unit of z, too
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 30> Figures = { {
+constexpr std::array<Figure, 33> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
+  { FieldArray::SpikeThreshold, "threshold of spikes", true },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
+  { FieldArray::FaultNoise, "noise", true },
+  { FieldArray::SmallestFaultThrow, "smallest throw", true },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
   { FieldArray::NumberOfOpenHoles, "holes left open" },
   { FieldArray::NumberOfPatches, "patches" },
@@ -70,6 +77,30 @@ std::ostringstream MakeStream()
   return stream;
 }
 
+/// What a height in vertical indices is in the unit of z.
+std::string InWorld(double height, vtkPolyData* horizon)
+{
+  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
+  std::ostringstream text = MakeStream();
+  text << " vertical indices, " << height * WorldPerIndex(ReadLattice(horizon))
+       << (unit.empty() ? " in z" : " " + unit);
+  return text.str();
+}
+
+/// How many links and lines a stage cut; nothing where it cut none.
+std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
+{
+  vtkDataArray* const lines = output->GetFieldData()->GetArray(FieldArray::CutLine);
+  const bool isOfStage = lines && lines != input->GetFieldData()->GetArray(FieldArray::CutLine);
+  if (!isOfStage || lines->GetNumberOfTuples() == 0)
+  {
+    return {};
+  }
+  std::ostringstream text = MakeStream();
+  text << "\n  fault lines " << vtkIdType(lines->GetRange(0)[1]) + 1 << "\n  links cut " << lines->GetNumberOfTuples();
+  return text.str();
+}
+
 /// The array of a figure that the stage made and that is not 0, or null.
 vtkDataArray* FindFigure(const char* name, vtkPolyData* input, vtkPolyData* output)
 {
@@ -92,6 +123,7 @@ void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* 
   std::ostringstream line = MakeStream();
   line << (name.empty() ? "" : name + ": ") << input->GetNumberOfPoints() << " points in, "
        << output->GetNumberOfPoints() << " out";
+  line << TellCuts(input, output);
   for (const Figure& figure : Figures)
   {
     if (vtkDataArray* const array = FindFigure(figure.Array, input, output))
@@ -99,7 +131,7 @@ void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* 
       line << "\n  " << figure.Name << ' ';
       if (array->GetDataType() == VTK_DOUBLE)
       {
-        line << array->GetTuple1(0);
+        line << array->GetTuple1(0) << (figure.IsHeight ? InWorld(array->GetTuple1(0), output) : "");
       }
       else
       {
