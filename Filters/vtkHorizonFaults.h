@@ -69,7 +69,8 @@ public:
   ///@{
   /**
    * Only faults whose throw reaches this somewhere are found; their ends, with throws down to half of it, are found
-   * with them. 0: eight times the noise of the heights, which is measured on each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * with them. 0: eight times the noise of the heights, which is measured on each horizon. Unit: ThrowUnit. Range: at
+   * least 0. Default: 0.
    */
   vtkSetMacro(SmallestThrow, double);
   vtkGetMacro(SmallestThrow, double);

@@ -55,8 +55,8 @@ Spikes FindSpikes(PlanePoints columns, const std::vector<double>& heights, const
   const Monitor& monitor = Monitor());
 
 /// The noise of heights, in lattice units: the root mean square of their deviations as above, with a radius of 2, those
-/// above four times the median clipped; of heights that are whole, or multiples of less, at least what rounding does. Of many
-/// points a part is looked at. 0 without points.
+/// above four times the median clipped; of heights that are whole, or multiples of less, at least what rounding does.
+/// Of many points a part is looked at. 0 without points.
 double MeasureNoise(PlanePoints columns, const std::vector<double>& heights);
 }
 
