@@ -3,13 +3,18 @@
 
 #include "vtkHorizonHoleFilling.h"
 
+#include "Common/DataModel.h"
 #include "Common/Parameters.h"
+#include "Common/VTK/DataArrays.h"
 #include "HoleFilling/HoleFilling.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/FilledHorizon.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -29,7 +34,11 @@ void vtkHorizonHoleFilling::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LargestHoleSize: " << this->LargestHoleSize << "\n";
   os << indent << "LargestHoleArea: " << this->LargestHoleArea << "\n";
-  os << indent << "Method: " << (this->Method == Plate ? "Plate" : "Membrane") << "\n";
+  os << indent << "Method: "
+     << (this->Method == Plate         ? "Plate"
+            : this->Method == Membrane ? "Membrane"
+                                       : "Automatic")
+     << "\n";
   os << indent << "RimSmoothing: " << this->RimSmoothing << "\n";
   os << indent << "RimWidth: " << this->RimWidth << "\n";
   os << indent << "Attributes: " << (this->Attributes == FromRim ? "FromRim" : "NotANumber") << "\n";
@@ -81,6 +90,11 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
   const FilledColumns filled = FillHoles(points.Column, points.Height, ListFilledValues(arrays, points.Height), options,
     cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
   WriteFilledHorizon(input, points.Grid, arrays, filled, outputs.front());
+  if (this->Method == Automatic)
+  {
+    AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::RimSmoothing, filled.RimSmoothing);
+    AddValue<vtkIdTypeArray>(outputs.front()->GetFieldData(), FieldArray::RimWidth, vtkIdType(filled.RimWidth));
+  }
   this->NumberOfFilledHoles += vtkIdType(filled.FilledGaps);
   this->NumberOfFilledPoints += vtkIdType(filled.Column.size());
   this->NumberOfOpenHoles += vtkIdType(filled.OpenGaps);

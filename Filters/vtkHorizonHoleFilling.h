@@ -17,7 +17,7 @@
  *    all else, which are labels: that of the nearest point of the rim;
  *  - PatchId and Boundary of an outline before are left out, as it is that of the holes.
  * Field data, one vtkIdType each: NumberOfFilledHoles, NumberOfFilledPoints, and NumberOfOpenHoles, those that are too
- * large.
+ * large; with Automatic also what was chosen, RimSmoothing (double) and RimWidth (vtkIdType).
  *
  * Each hole is filled independently; where the field data array CutLinks (Documentation/DataModel.md) cuts links of the
  * lattice, so is each side of the cuts. With Plate, the least energy of bending of a thin plate over the hole and a
@@ -55,7 +55,8 @@ public:
   enum Methods
   {
     Plate = 0,
-    Membrane = 1
+    Membrane = 1,
+    Automatic = 2
   };
 
   /// Values of Attributes.
@@ -88,19 +89,21 @@ public:
   ///@{
   /**
    * The surface over a hole. Plate: a thin plate, which continues the slope and curvature of the rim. Membrane: like a
-   * skin over the hole, never above or below its rim; faster on very large holes. Default: Plate.
+   * skin over the hole, never above or below its rim; faster on very large holes. Automatic: a plate whose RimSmoothing
+   * and RimWidth are chosen by how rough the horizon is. Default: Automatic.
    */
-  vtkSetClampMacro(Method, int, Plate, Membrane);
+  vtkSetClampMacro(Method, int, Plate, Automatic);
   vtkGetMacro(Method, int);
   void SetMethodToPlate() { this->SetMethod(Plate); }
   void SetMethodToMembrane() { this->SetMethod(Membrane); }
+  void SetMethodToAutomatic() { this->SetMethod(Automatic); }
   ///@}
 
   ///@{
   /**
-   * How much noise of the rim the plate smooths; known points are never moved. 0: none, for clean data such as grids
-   * and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default:
-   * 1.
+   * How much noise of the rim the plate of the Method Plate smooths; known points are never moved. 0: none, for clean
+   * data such as grids and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index.
+   * Range: 0 to 1e6. Default: 1.
    *
    * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
    * heights.
@@ -111,7 +114,7 @@ public:
 
   ///@{
   /**
-   * How many columns of known points around a hole the plate continues. More, together with more smoothing, suit noisy
+   * How many columns of known points around a hole the Method Plate continues. More, together with more smoothing, suit noisy
    * data. Unit: columns. Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
@@ -158,7 +161,7 @@ private:
 
   vtkIdType LargestHoleSize = 2500;
   double LargestHoleArea = 0.0;
-  int Method = Plate;
+  int Method = Automatic;
   double RimSmoothing = 1.0;
   int RimWidth = 3;
   int Attributes = FromRim;

@@ -30,10 +30,11 @@ struct Figure
   const char* Array;
   const char* Name;
   bool IsHeight = false; // in vertical indices, to be told in the unit of z, too
+  bool IsToldAtZero = false;
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 33> Figures = { {
+constexpr std::array<Figure, 35> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", true },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
@@ -41,6 +42,8 @@ constexpr std::array<Figure, 33> Figures = { {
   { FieldArray::SmallestFaultThrow, "smallest throw", true },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
   { FieldArray::NumberOfOpenHoles, "holes left open" },
+  { FieldArray::RimSmoothing, "rim smoothing", false, true },
+  { FieldArray::RimWidth, "rim width" },
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
   { FieldArray::DroppedSpeckPoints, "points in specks left out" },
@@ -101,12 +104,14 @@ std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
   return text.str();
 }
 
-/// The array of a figure that the stage made and that is not 0, or null.
-vtkDataArray* FindFigure(const char* name, vtkPolyData* input, vtkPolyData* output)
+/// The array of a figure that the stage made and that is to be told, or null.
+vtkDataArray* FindFigure(const Figure& figure, vtkPolyData* input, vtkPolyData* output)
 {
-  vtkDataArray* const array = output->GetFieldData()->GetArray(name);
-  const bool isOfStage = array && array != input->GetFieldData()->GetArray(name);
-  return isOfStage && array->GetNumberOfValues() == 1 && array->GetTuple1(0) != 0.0 ? array : nullptr;
+  vtkDataArray* const array = output->GetFieldData()->GetArray(figure.Array);
+  const bool isOfStage = array && array != input->GetFieldData()->GetArray(figure.Array);
+  const bool isTold =
+    isOfStage && array->GetNumberOfValues() == 1 && (figure.IsToldAtZero || array->GetTuple1(0) != 0.0);
+  return isTold ? array : nullptr;
 }
 }
 
@@ -126,7 +131,7 @@ void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* 
   line << TellCuts(input, output);
   for (const Figure& figure : Figures)
   {
-    if (vtkDataArray* const array = FindFigure(figure.Array, input, output))
+    if (vtkDataArray* const array = FindFigure(figure, input, output))
     {
       line << "\n  " << figure.Name << ' ';
       if (array->GetDataType() == VTK_DOUBLE)

@@ -314,6 +314,22 @@ void TestErrors()
   CHECK_EQUAL(filling->GetNumberOfFilledHoles(), 0);
 }
 
+/// The plate that was chosen is told, also in the panel; one that is given is not.
+void TestAutomatic()
+{
+  vtkNew<vtkHorizonHoleFilling> filling;
+  CHECK_EQUAL(filling->GetMethod(), vtkHorizonHoleFilling::Automatic);
+  filling->SetInputDataObject(WithHoles());
+  filling->Update();
+  vtkFieldData* const figures = filling->GetPolyDataOutput()->GetFieldData();
+  CHECK_EQUAL(figures->GetArray("RimSmoothing")->GetTuple1(0), 0.0); // a plane
+  CHECK_EQUAL(figures->GetArray("RimWidth")->GetTuple1(0), 3.0);
+  CHECK(std::string(filling->GetResults()).find("rim smoothing 0\n  rim width 3\n") != std::string::npos);
+  filling->SetMethodToPlate();
+  filling->Update();
+  CHECK(!filling->GetPolyDataOutput()->GetFieldData()->HasArray("RimSmoothing"));
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonHoleFilling> filling;
@@ -344,6 +360,7 @@ int TestHorizonHoleFilling(int, char*[])
   TestNothingToFill();
   TestBlocks();
   TestErrors();
+  TestAutomatic();
   TestPrint();
   return Check::Result();
 }

@@ -15,6 +15,7 @@
 #include "Common/PlaneGeometry.h"
 #include "GapFiller.h"
 #include "GapRegion.h"
+#include "PlateChoice.h"
 #include "SiteSolver.h"
 
 #include <algorithm>
@@ -405,9 +406,22 @@ FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
 {
   CheckOptions(options);
   // Rings, and what stencils look at, are in it.
-  const ColumnIndex index(columns, options.RimWidth + SiteBox::Margin, options.RimWidth);
+  const bool isChosen = options.Method == FillMethod::Automatic;
+  const int rimWidth = isChosen ? WidestChosenRim : options.RimWidth;
+  const ColumnIndex index(columns, rimWidth + SiteBox::Margin, rimWidth);
   const RasterFrame frame = FindFrame(columns, index);
+  HoleFillingOptions chosen = options;
+  if (isChosen)
+  {
+    const PlateChoice choice = ChoosePlate(index, frame, heights, cuts);
+    chosen.Method = FillMethod::Plate;
+    chosen.RimSmoothing = choice.RimSmoothing;
+    chosen.RimWidth = choice.RimWidth;
+  }
   monitor.Progress(0.1);
-  return HoleFiller(index, frame, heights, attributes, options, cuts).Run(monitor.Step(0.1, 1.0));
+  FilledColumns filled = HoleFiller(index, frame, heights, attributes, chosen, cuts).Run(monitor.Step(0.1, 1.0));
+  filled.RimSmoothing = chosen.RimSmoothing;
+  filled.RimWidth = chosen.RimWidth;
+  return filled;
 }
 }

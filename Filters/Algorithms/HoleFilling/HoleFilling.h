@@ -30,15 +30,16 @@ namespace SeismicHorizons
 enum class FillMethod
 {
   Plate = 0,
-  Membrane = 1
+  Membrane = 1,
+  Automatic = 2 // a plate whose smoothing and rim are chosen by how rough the horizon is
 };
 
 struct HoleFillingOptions
 {
   /// Gaps of more columns stay open.
   std::int64_t LargestHoleSize = 2500;
-  FillMethod Method = FillMethod::Plate;
-  /// How much a plate may differ from the ring: the inverse of the strength of the springs that hold it to each known
+  FillMethod Method = FillMethod::Automatic;
+  /// Of Plate. How much a plate may differ from the ring: the inverse of the strength of the springs that hold it to each known
   /// column. 0 makes it go through them.
   double RimSmoothing = 1.0;
   /// How many columns wide the ring is.
@@ -63,6 +64,9 @@ struct FilledColumns
   std::int64_t FilledGaps = 0;
   /// Gaps that are too large, or have a part that is cut off from all known columns.
   std::int64_t OpenGaps = 0;
+  /// Of the plates, as given or chosen.
+  double RimSmoothing = 0.0;
+  int RimWidth = 0;
 };
 
 /// `columns` and `heights` have an entry for each point, no two points in one column (InputError). New columns are in
