@@ -18,6 +18,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -42,6 +43,7 @@ void vtkHorizonHoleFilling::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RimSmoothing: " << this->RimSmoothing << "\n";
   os << indent << "RimWidth: " << this->RimWidth << "\n";
   os << indent << "Attributes: " << (this->Attributes == FromRim ? "FromRim" : "NotANumber") << "\n";
+  os << indent << "ExtrapolationDistance: " << this->ExtrapolationDistance << "\n";
   os << indent << "NumberOfFilledHoles: " << this->NumberOfFilledHoles << "\n";
   os << indent << "NumberOfFilledPoints: " << this->NumberOfFilledPoints << "\n";
   os << indent << "NumberOfOpenHoles: " << this->NumberOfOpenHoles << "\n";
@@ -65,6 +67,7 @@ HoleFillingOptions vtkHorizonHoleFilling::MakeOptions(double columnArea) const
   options.Method = static_cast<FillMethod>(this->Method);
   options.RimSmoothing = this->RimSmoothing;
   options.RimWidth = this->RimWidth;
+  options.ExtrapolationDistance = this->ExtrapolationDistance;
   return options;
 }
 
@@ -83,7 +86,9 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
 {
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
-  const HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
+  HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
+  const std::array<int, 3> size = ReadLatticeDimensions(input);
+  options.Survey = PlaneBox({ { 0, 0 }, { size[0] - 1, size[1] - 1 } });
   const std::vector<FilledArray> arrays = ListFilledArrays(input, points.Height, this->Attributes == FromRim);
   const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(points.Column));
   monitor.Progress(0.2);

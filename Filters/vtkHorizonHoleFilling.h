@@ -8,10 +8,10 @@
  * lattice. Output: the same points with their arrays, bit by bit, and after them a new point on each column of the
  * holes that are filled; a vertex cell for each point. A hole is a group of empty columns, connected side by side, that
  * a patch encloses: what vtkHorizonExteriorBoundary with a radius of 1 takes for one. Empty columns around patches stay
- * empty. Where a patch lies in a hole of another one, both are the rim of the hole.
+ * empty without an ExtrapolationDistance. Where a patch lies in a hole of another one, both are the rim of the hole.
  *
  * Point arrays:
- *  - Filled (unsigned char): 1 at new points, else 0;
+ *  - Filled (unsigned char): 1 at new points, 2 at those outside (ExtrapolationDistance), else 0;
  *  - PointCount (vtkIdType): 0 at new points, as they stand for no voxel; so they weigh nothing in means;
  *  - VerticalIndex, RealZ: those of the new surface; floating point numbers: by a membrane, or nan (see Attributes);
  *    all else, which are labels: that of the nearest point of the rim;
@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * How many columns of known points around a hole the Method Plate continues. More, together with more smoothing, suit noisy
-   * data. Unit: columns. Range: 1 to 64. Default: 3.
+   * How many columns of known points around a hole the Method Plate continues. More, together with more smoothing, suit
+   * noisy data. Unit: columns. Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
    */
@@ -135,6 +135,18 @@ public:
   vtkGetMacro(Attributes, int);
   void SetAttributesToFromRim() { this->SetAttributes(FromRim); }
   void SetAttributesToNotANumber() { this->SetAttributes(NotANumber); }
+  ///@}
+
+  ///@{
+  /**
+   * Columns outside the horizon, bays included, that are at most so many columns from it and in the survey are filled,
+   * too, with 2 in the array Filled; 0 fills none. The Method continues the slope of the rim: far from it that is a
+   * guess. Unit: columns. Range: 0 to 10000. Default: 0.
+   *
+   * The survey is that of LatticeDimensions: a distance of its size fills it. Holes have the limits above.
+   */
+  vtkSetMacro(ExtrapolationDistance, int);
+  vtkGetMacro(ExtrapolationDistance, int);
   ///@}
 
   /// How many holes were filled, in all horizons of the last update.
@@ -165,6 +177,7 @@ private:
   double RimSmoothing = 1.0;
   int RimWidth = 3;
   int Attributes = FromRim;
+  int ExtrapolationDistance = 0;
   vtkIdType NumberOfFilledHoles = 0;
   vtkIdType NumberOfFilledPoints = 0;
   vtkIdType NumberOfOpenHoles = 0;

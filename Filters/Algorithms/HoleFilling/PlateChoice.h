@@ -23,8 +23,9 @@ struct PlateChoice
 /// The widest rim of any choice.
 constexpr int WidestChosenRim = 5;
 
-/// By the twists z(i, j) - z(i + l, j) - z(i, j + l) + z(i + l, j + l) of the squares without a cut: how much larger their
-/// mean square is at l = 2 than at l = 1. It is 1 of white noise, whose squares do not grow, and 16 of a smooth surface.
+/// By the twists z(i, j) - z(i + l, j) - z(i, j + l) + z(i + l, j + l) of the squares without a cut: how much larger
+/// their mean square is at l = 2 than at l = 1. It is 1 of white noise, whose squares do not grow, and 16 of a smooth
+/// surface.
 ///  - Above 2.4 there is hardly any noise: a plate goes through all heights.
 ///  - Below 1.4, and where whole heights have no twists but those of rounding, it smooths much.
 ///  - Else, and where there are no such squares, it smooths a little.
