@@ -100,7 +100,7 @@ private:
 PlateChoice ChoosePlate(
   const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights, const LinkCuts* cuts)
 {
-  constexpr std::int64_t enough = 1000000;
+  constexpr std::int64_t enough = 250000;
   // One row of so many, each time another one (by the fraction of the golden ratio), as noise may return with the rows.
   constexpr double golden = 0.6180339887498949;
   const std::int64_t width = index.Width();
