@@ -8,7 +8,8 @@
  * be left out: fault traces or polygons, as lines or polygons of vtkPolyData in world coordinates; only their places on
  * the map count.
  *
- * Output 0: the horizon with all its points, arrays and cells. New field data, in place of such as there are; a link
+ * Output 0: the horizon with all its points, arrays and cells, but for points inside of polygons, which are left out
+ * (Polygons); their number is BlankedPoints (vtkIdType) in the field data. New field data, in place of such as there are; a link
  * joins two neighbouring columns of the lattice:
  *  - CutLinks (3 int): i, j and side of each link that a fault cuts; side 0 is the link to column (i + 1, j), 1 that to
  *    (i, j + 1). By j, i and side, each once. Columns may be missing
@@ -34,7 +35,7 @@
  * wide bands without points left out, and 16 per point beyond input and output.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range, a line with a point that is not finite. A warning where no given line passes the horizon.
+ * parameter out of its range, a line with a point that is not finite, polygons around all points. A warning where no given line passes the horizon.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonHoleFilling
  */
@@ -45,9 +46,13 @@
 #include "vtkHorizonAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <vector>
+
 namespace SeismicHorizons
 {
 struct FaultDetectionOptions;
+struct LatticePoints;
+struct MapPlace;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonFaults : public vtkHorizonAlgorithm
@@ -56,6 +61,27 @@ public:
   static vtkHorizonFaults* New();
   vtkTypeMacro(vtkHorizonFaults, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of Polygons.
+  enum PolygonUses
+  {
+    Blank = 0,
+    Cut = 1,
+    Leave = 2
+  };
+
+  ///@{
+  /**
+   * What closed lines among Traces do: fault polygons, as mapping programs draw them around the gap of a fault. Blank:
+   * points inside, where values are made up, are left out, and links are cut where a polygon is too narrow for a gap.
+   * Cut: points inside stay, as islands. Leave: nothing. Default: Blank.
+   */
+  vtkSetClampMacro(Polygons, int, Blank, Leave);
+  vtkGetMacro(Polygons, int);
+  void SetPolygonsToBlank() { this->SetPolygons(Blank); }
+  void SetPolygonsToCut() { this->SetPolygons(Cut); }
+  void SetPolygonsToLeave() { this->SetPolygons(Leave); }
+  ///@}
 
   ///@{
   /**
@@ -188,8 +214,11 @@ private:
   void operator=(const vtkHorizonFaults&) = delete;
 
   SeismicHorizons::FaultDetectionOptions MakeOptions() const;
+  void UsePolygons(std::vector<std::vector<SeismicHorizons::MapPlace>>& polylines,
+    SeismicHorizons::LatticePoints& points, const Outputs& outputs);
 
   int LineType = Traces;
+  int Polygons = Blank;
   bool Detect = true;
   double SmallestThrow = 0.0;
   double Noise = 0.0;
