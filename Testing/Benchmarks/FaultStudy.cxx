@@ -6,8 +6,10 @@
 //
 //   FaultStudy [HORIZONS] > Documentation/FaultTables.md      HORIZONS of each kind; without it 4
 
+#include "Common/LinkCuts.h"
 #include "Faults/FaultDetection.h"
 #include "Generator/FaultGenerator.h"
+#include "HoleFilling/HoleFilling.h"
 #include "Tools/FaultScore.h"
 
 #include <cmath>
@@ -42,7 +44,8 @@ std::vector<Method> ListMethods()
   return methods;
 }
 
-FaultScore ScoreHorizons(int horizons, const FaultDetectionOptions& options, FaultGeneratorOptions made)
+FaultScore ScoreHorizons(
+  int horizons, const FaultDetectionOptions& options, FaultGeneratorOptions made, int reachOfAll = 0)
 {
   FaultScore total;
   for (const double largest : made.NumberOfFaults > 0 ? Throws : std::vector<double>{ 0.0 })
@@ -53,7 +56,7 @@ FaultScore ScoreHorizons(int horizons, const FaultDetectionOptions& options, Fau
       made.Seed = FirstSeed + std::uint64_t(n) + 100 * std::uint64_t(largest);
       const FaultedHorizon horizon = MakeFaultedHorizon(made);
       const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), options);
-      total.Add(ScoreFaults(horizon, found.Lines, int(std::ceil(0.5 * made.GapWidth))));
+      total.Add(ScoreFaults(horizon, found.Lines, int(std::ceil(0.5 * made.GapWidth)), reachOfAll));
     }
   }
   return total;
@@ -154,6 +157,162 @@ void PrintGapTable(int horizons, const Method& method)
     std::printf("\n");
   }
 }
+
+// How far from a fault that bends the surface a link that was found may be.
+constexpr int RampReach = 2;
+
+void PrintRampTable(int horizons, const Method& method)
+{
+  std::printf("| faults | ramp | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- | --- |\n");
+  for (const bool areTapered : { false, true })
+  {
+    const char* const kind = areTapered ? "tapered" : "side to side";
+    FaultGeneratorOptions options;
+    options.AreTapered = areTapered;
+    const auto print = [&](const std::string& ramp)
+    {
+      std::printf("| %s | %s |", kind, ramp.c_str());
+      for (const double noise : { 0.0, 0.3, 1.0 })
+      {
+        options.Noise = noise;
+        PrintScore(ScoreHorizons(horizons, method.Options, options, RampReach), true);
+      }
+      std::printf("\n");
+    };
+    for (int width = 1; width <= 7; ++width)
+    {
+      options.RampWidth = width;
+      print(width == 1 ? "1 column" : std::to_string(width) + " columns");
+    }
+    options.RampWidth = 0.0;
+    options.PickSpacing = 5;
+    print("picks on each 5th row");
+  }
+}
+
+void PrintFoldTable(int horizons, const Method& method)
+{
+  std::printf("| folds | heights | dip | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- | --- | --- |\n");
+  for (const double fold : { 0.5, 1.0, 2.0 })
+  {
+    for (const bool areWhole : { true, false })
+    {
+      for (const double dip : { 0.5, 2.0 })
+      {
+        std::printf("| %g | %s | %g |", fold, areWhole ? "whole" : "real", dip);
+        for (const double noise : { 0.0, 0.3, 1.0 })
+        {
+          FaultGeneratorOptions options;
+          options.NumberOfFaults = 0;
+          options.Fold = fold;
+          options.AreHeightsWhole = areWhole;
+          options.Dip = dip;
+          options.Noise = noise;
+          std::printf(" %.2f |", ScoreHorizons(4 * horizons, method.Options, options).FalsePerThousand());
+        }
+        std::printf("\n");
+        std::fflush(stdout);
+      }
+    }
+  }
+}
+
+/// Adds the squares of the errors of the heights that a hole is filled with.
+class FillErrors
+{
+public:
+  void Add(const FaultedHorizon& horizon, const FaultedHorizon& whole, const LinkCuts& cuts)
+  {
+    HoleFillingOptions options;
+    options.LargestHoleSize = std::int64_t(whole.Columns.size());
+    const FilledColumns filled = FillHoles(horizon.Columns, horizon.Height, {}, options, &cuts);
+    const int size = whole.Columns.back().X + 1;
+    for (std::size_t n = 0; n < filled.Column.size(); ++n)
+    {
+      const double truth = whole.Height[std::size_t(filled.Column[n].Y * size + filled.Column[n].X)];
+      this->Sum += (filled.Height[n] - truth) * (filled.Height[n] - truth);
+      ++this->Columns;
+    }
+  }
+
+  double RootMeanSquare() const { return std::sqrt(this->Sum / double(this->Columns)); }
+
+private:
+  double Sum = 0.0;
+  std::int64_t Columns = 0;
+};
+
+void Cut(LinkCuts& cuts, const PlanePoint& column, bool isNorth)
+{
+  isNorth ? cuts.CutNorth(column) : cuts.CutEast(column);
+}
+
+/// The torn links both columns of which are in the hole.
+std::vector<TornLink> TornInHole(const FaultedHorizon& horizon, const FaultGeneratorOptions& made)
+{
+  const PlanePoint first{ (made.Size - made.HoleSize) / 2, (made.Size - made.HoleSize) / 2 };
+  const PlaneBox hole({ first, { first.X + made.HoleSize - 1, first.Y + made.HoleSize - 1 } });
+  std::vector<TornLink> torn;
+  for (const TornLink& link : horizon.Torn)
+  {
+    if (hole.Contains(link.Column) &&
+      hole.Contains({ link.Column.X + (link.IsNorth ? 0 : 1), link.Column.Y + (link.IsNorth ? 1 : 0) }))
+    {
+      torn.push_back(link);
+    }
+  }
+  return torn;
+}
+
+void PrintHoleTable(int horizons, const Method& method)
+{
+  std::printf("| hole | noise | found | error without cuts | with those found | with all |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
+  for (const int size : { 10, 20, 40, 80 })
+  {
+    for (const double noise : { 0.0, 0.3 })
+    {
+      FaultScore score;
+      FillErrors plain, withFound, withAll;
+      for (const double largest : { 8.0, 12.0, 20.0, 40.0 })
+      {
+        for (int n = 0; n < horizons; ++n)
+        {
+          FaultGeneratorOptions made;
+          made.NumberOfFaults = 1;
+          made.Noise = noise;
+          made.Throw = largest;
+          made.Seed = FirstSeed + std::uint64_t(n) + 100 * std::uint64_t(largest);
+          const FaultedHorizon whole = MakeFaultedHorizon(made);
+          made.HoleSize = size;
+          FaultedHorizon horizon = MakeFaultedHorizon(made);
+          const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), method.Options);
+          LinkCuts cuts(PlaneBox({ { 0, 0 }, { made.Size - 1, made.Size - 1 } }));
+          plain.Add(horizon, whole, cuts);
+          LinkCuts foundCuts = cuts;
+          for (std::size_t link = 0; link < found.Lines.NumberOfLinks(); ++link)
+          {
+            Cut(foundCuts, found.Lines[link].Place.Column, found.Lines[link].Place.Side == LinkSide::North);
+          }
+          withFound.Add(horizon, whole, foundCuts);
+          for (const TornLink& link : horizon.Torn)
+          {
+            Cut(cuts, link.Column, link.IsNorth);
+          }
+          withAll.Add(horizon, whole, cuts);
+          const std::int64_t falseLinks = ScoreFaults(horizon, found.Lines, RampReach).False;
+          horizon.Torn = TornInHole(horizon, made);
+          FaultScore one = ScoreFaults(horizon, found.Lines, RampReach);
+          one.False = falseLinks;
+          score.Add(one);
+        }
+      }
+      std::printf("| %d x %d | %g | %.0f, %.2f | %.2f | %.2f | %.2f |\n", size, size, noise, score.FoundPercent(3),
+        score.FalsePerThousand(), plain.RootMeanSquare(), withFound.RootMeanSquare(), withAll.RootMeanSquare());
+      std::fflush(stdout);
+    }
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -167,6 +326,13 @@ int main(int argc, char* argv[])
     PrintNoiseTable(horizons, method);
     std::printf("\nGaps along tapered faults, dip 0.5, whole heights:\n\n");
     PrintGapTable(horizons, method);
+    std::printf("\nFaults that bend the surface, dip 0.5, whole heights; within two columns:\n\n");
+    PrintRampTable(horizons, method);
+    std::printf("\nFolds without faults, by their height in parts of that of the dip; false links for 1,000 columns:\n\n");
+    PrintFoldTable(horizons, method);
+    std::printf("\nA fault with a throw of 8 and more through a hole: %% of its links there found within two columns, false\n"
+                "links for 1,000 columns, and root mean square errors of the filled heights:\n\n");
+    PrintHoleTable(horizons, method);
   }
   return EXIT_SUCCESS;
 }

@@ -5,6 +5,7 @@
 
 #include "SmoothNoise.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace SeismicHorizons
@@ -26,6 +27,7 @@ public:
     , HalfLength((0.25 + 0.15 * Random(seed, 2, 0)) * options.Size)
     , Throw(Random(seed, 3, 0) < 0.5 ? options.Throw : -options.Throw)
     , IsTapered(options.AreTapered)
+    , RampWidth(options.RampWidth)
   {
   }
 
@@ -48,7 +50,10 @@ public:
     constexpr double Fade = 50.0; // columns
     const double distance = this->Distance(x, y);
     const double fade = this->IsTapered ? std::exp(-std::abs(distance) / Fade) : 1.0;
-    return (distance < 0.0 ? -0.5 : 0.5) * this->ThrowAt(x, y) * fade;
+    const double side = std::abs(distance) < 0.5 * this->RampWidth ? distance / this->RampWidth
+      : distance < 0.0                                             ? -0.5
+                                                                   : 0.5;
+    return side * this->ThrowAt(x, y) * fade;
   }
 
   double StepBetween(double x, double y, double otherX, double otherY) const
@@ -71,6 +76,7 @@ private:
   double HalfLength;
   double Throw;
   bool IsTapered;
+  double RampWidth;
 };
 
 class FaultedSurface
@@ -90,6 +96,11 @@ public:
 
   bool IsGap(int i, int j) const
   {
+    const int holeStart = (this->Given.Size - this->Given.HoleSize) / 2;
+    if (std::min(i, j) >= holeStart && std::max(i, j) < holeStart + this->Given.HoleSize)
+    {
+      return true;
+    }
     for (const Fault& fault : this->Faults)
     {
       constexpr double LeastThrow = 1.0; // there is no gap where there is hardly a fault
@@ -103,15 +114,11 @@ public:
 
   double Height(int i, int j) const
   {
-    const std::uint64_t seed = this->Given.Seed;
-    constexpr double FoldWidth = 40.0; // columns
-    double height = this->Given.Dip * (i * std::cos(this->DipAngle) + j * std::sin(this->DipAngle));
-    height += 0.2 * FoldWidth * this->Given.Dip * Noise(Mix(seed), i / FoldWidth, j / FoldWidth);
-    for (const Fault& fault : this->Faults)
-    {
-      height += fault.Shift(i, j);
-    }
-    height += this->Given.Noise * NormalNoise(Mix(seed + 1), i, j);
+    const int before = j % this->Given.PickSpacing;
+    const double part = double(before) / this->Given.PickSpacing;
+    const double height = before == 0
+      ? this->Pick(i, j)
+      : (1.0 - part) * this->Pick(i, j - before) + part * this->Pick(i, j - before + this->Given.PickSpacing);
     return this->Given.AreHeightsWhole ? std::round(height) : height;
   }
 
@@ -126,6 +133,20 @@ public:
   }
 
 private:
+  double Pick(int i, int j) const
+  {
+    const std::uint64_t seed = this->Given.Seed;
+    constexpr double FoldWidth = 40.0; // columns
+    double height = this->Given.Dip * (i * std::cos(this->DipAngle) + j * std::sin(this->DipAngle));
+    height += this->Given.Fold * FoldWidth * this->Given.Dip * Noise(Mix(seed), i / FoldWidth, j / FoldWidth);
+    for (const Fault& fault : this->Faults)
+    {
+      height += fault.Shift(i, j);
+    }
+    height += this->Given.Noise * NormalNoise(Mix(seed + 1), i, j);
+    return height;
+  }
+
   /// Faults side by side, in the middle of strips of the lattice.
   void AddRow(double angle, std::int64_t number)
   {

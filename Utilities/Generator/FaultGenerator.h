@@ -18,13 +18,17 @@ struct FaultGeneratorOptions
 {
   int Size = 200; // columns along i and j
   double Dip = 0.5; // vertical indices per column
+  double Fold = 0.2; // amplitude of folds 40 columns wide, in parts of the height that the dip gives over these
   double Noise = 0.3; // standard deviation in vertical indices
   bool AreHeightsWhole = true;
   int NumberOfFaults = 4; // side by side
   double Throw = 10.0; // vertical indices; the largest along a fault
   bool AreTapered = false; // whether the throw falls to 0 within the lattice
   bool AreCrossed = false; // by as many others, at an angle
+  double RampWidth = 0.0; // columns across a fault over which the surface steps; 0 for a crack
+  int PickSpacing = 1; // heights of every so many rows, with straight lines between
   double GapWidth = 0.0; // columns without points along faults
+  int HoleSize = 0; // columns along i and j without points, in the middle
   std::uint64_t Seed = 1;
 };
 

@@ -3,6 +3,7 @@
 
 #include "FaultScore.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -55,8 +56,9 @@ double FaultScore::FoundPercent(std::size_t throwClass) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultScore ScoreFaults(const FaultedHorizon& horizon, const FaultLines& found, int reach)
+FaultScore ScoreFaults(const FaultedHorizon& horizon, const FaultLines& found, int reach, int reachOfAll)
 {
+  reach = std::max(reach, reachOfAll);
   FaultScore score;
   score.Columns = std::int64_t(horizon.Columns.size());
   std::set<std::pair<int, int>> columns;
@@ -86,7 +88,7 @@ FaultScore ScoreFaults(const FaultedHorizon& horizon, const FaultLines& found, i
     const bool isInGap = columns.count({ link.Column.X, link.Column.Y }) == 0 ||
       columns.count({ link.Column.X + (link.IsNorth ? 0 : 1), link.Column.Y + (link.IsNorth ? 1 : 0) }) == 0;
     ++score.Torn[throwClass - 1];
-    score.Found[throwClass - 1] += (isInGap ? IsNear(foundPlaces, place, reach) : foundPlaces.count(place) > 0) ? 1 : 0;
+    score.Found[throwClass - 1] += IsNear(foundPlaces, place, isInGap ? reach : reachOfAll) ? 1 : 0;
   }
   for (const std::pair<int, int>& place : foundPlaces)
   {

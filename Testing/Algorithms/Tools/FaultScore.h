@@ -20,7 +20,7 @@ struct FaultScore
   static constexpr std::array<double, 4> ClassBegins = { 1.0, 2.0, 4.0, 8.0 };
 
   std::array<std::int64_t, 4> Torn = {}; // links of each class
-  std::array<std::int64_t, 4> Found = {}; // of these; where one of their columns is missing, or both, one that is near
+  std::array<std::int64_t, 4> Found = {}; // of these, or one within reach
   std::int64_t False = 0; // links more than a column off all that are torn, beyond the gap
   std::int64_t Columns = 0;
 
@@ -30,8 +30,8 @@ struct FaultScore
   double FalsePerThousand() const { return 1000.0 * double(this->False) / double(this->Columns); }
 };
 
-/// `reach` is how far from a torn link in a gap one that was found may be, in columns.
-FaultScore ScoreFaults(const FaultedHorizon& horizon, const FaultLines& found, int reach);
+/// `reach` is how far from a torn link in a gap one that was found may be, in columns; `reachOfAll` how far from any.
+FaultScore ScoreFaults(const FaultedHorizon& horizon, const FaultLines& found, int reach, int reachOfAll = 0);
 }
 
 #endif
