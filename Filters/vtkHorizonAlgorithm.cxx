@@ -72,7 +72,7 @@ int vtkHorizonAlgorithm::RequestData(
           { horizon.Outputs.begin(), horizon.Outputs.end() },
           [&]()
           {
-            CheckPointArrays(horizon.Input);
+            CheckArraySizes(horizon.Input);
             if (CountVisiblePoints(horizon.Input) == 0)
             {
               vtkWarningMacro(<< (subject.empty() ? "" : subject + ": ") << "all " << horizon.Input->GetNumberOfPoints()

@@ -5,12 +5,16 @@
 
 #include "Common/DataModel.h"
 #include "Common/KeptPoints.h"
+#include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/VertexCells.h"
 #include "Despiking/Despiking.h"
+#include "Marshalling/HeightUnit.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
@@ -19,6 +23,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +31,8 @@ using namespace SeismicHorizons;
 
 namespace
 {
+constexpr double FewPercent = 2.0; // of spikes; the picks of a tracker have less
+
 /// The points of the input that are neither spikes nor on threads.
 void CopyOthers(vtkPolyData* input, const std::vector<SpikeKind>& kinds, vtkPolyData* output)
 {
@@ -49,6 +56,7 @@ void vtkHorizonDespiking::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Action: " << (this->Action == Remove ? "Remove" : "Flag") << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "ThresholdUnit: " << (this->ThresholdUnit == World ? "World" : "Lattice") << "\n";
   os << indent << "NeighborhoodRadius: " << this->NeighborhoodRadius << "\n";
   os << indent << "ThreadWidth: " << this->ThreadWidth << "\n";
   os << indent << "NumberOfSpikes: " << this->NumberOfSpikes << "\n";
@@ -70,8 +78,12 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
   monitor.Progress(0.2);
-  const std::vector<SpikeKind> kinds = FindSpikes(points.Column, points.Height,
-    { this->Threshold, this->NeighborhoodRadius, this->ThreadWidth }, monitor.Step(0.2, 0.9));
+  CheckAtLeast("threshold", this->Threshold, 0.0, "");
+  const double threshold = this->Threshold *
+    IndicesPerUnit(static_cast<HeightUnit>(this->ThresholdUnit), points.Column, points.Height, points.Grid);
+  const Spikes found = FindSpikes(
+    points.Column, points.Height, { threshold, this->NeighborhoodRadius, this->ThreadWidth }, monitor.Step(0.2, 0.9));
+  const std::vector<SpikeKind>& kinds = found.Kind;
   vtkPolyData* const output = outputs.front();
   if (this->Action == Remove)
   {
@@ -91,6 +103,16 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const vtkIdType threads = std::count(kinds.begin(), kinds.end(), SpikeKind::Thread);
   AddValue<vtkIdTypeArray>(output->GetFieldData(), FieldArray::NumberOfSpikes, spikes);
   AddValue<vtkIdTypeArray>(output->GetFieldData(), FieldArray::NumberOfThreadPoints, threads);
+  AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::SpikeThreshold, found.Threshold);
+  const double percent = 100.0 * double(spikes) / double(kinds.size());
+  if (percent > FewPercent)
+  {
+    const std::string name = NameBySurfaceId(input);
+    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << spikes << " of " << kinds.size()
+                    << " points are spikes, expected at most " << FewPercent << " %: above a threshold of "
+                    << found.Threshold << " vertical indices terrain and faults may be "
+                    << "taken for them");
+  }
   this->NumberOfSpikes += spikes;
   this->NumberOfThreadPoints += threads;
 }

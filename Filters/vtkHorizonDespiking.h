@@ -8,18 +8,19 @@
  * lattice. Output: with Remove the points that are neither spikes nor on threads, with Flag all of them; a vertex cell
  * for each point, and all arrays but PatchId and Boundary of an outline before. With Flag there is the point array
  *  - Spike (unsigned char): 0 a point that belongs to the horizon, 1 a spike, 2 on a thread.
- * Field data, one vtkIdType each: NumberOfSpikes, NumberOfThreadPoints.
+ * Field data: NumberOfSpikes, NumberOfThreadPoints (vtkIdType), and SpikeThreshold (double), in vertical indices, as it
+ * was given or followed from the noise.
  *
- * A spike is a point whose height differs from the median of the points around it by more than Threshold. The median
- * goes with the larger side at a fault, so that straight faults are no spikes; at the rim of a steep horizon it is off
- * by about Radius times the dip. A thread is what is at most ThreadWidth columns wide: points that no full square of
+ * A spike is a point whose height differs from the median of the points around it, each taken along the dip to the
+ * place of the point, by more than Threshold. The median goes with the larger side at a fault, so that straight faults
+ * are no spikes. A thread is what is at most ThreadWidth columns wide: points that no full square of
  * one column more covers (a morphological opening). What was connected by it alone becomes a patch of its own, which
  * vtkHorizonExteriorBoundary drops if it is small.
  *
  * Takes time linear in the points and in the square of Radius, on several threads.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range.
+ * parameter out of its range. A warning where more than 2 % of the points are spikes.
  *
  * @sa vtkHorizonHoleFilling, which fills what was removed
  */
@@ -57,16 +58,34 @@ public:
 
   ///@{
   /**
-   * How far a point may be above or below the median of the points around it. Unit: vertical indices. Range: at least
-   * 0. Default: 4.
+   * How far a point may be above or below the surface through the points around it. 0: four times the noise, which is
+   * measured on each horizon, and four times the deviations around. Unit: ThresholdUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
 
+  /// Values of ThresholdUnit.
+  enum ThresholdUnits
+  {
+    Lattice = 0,
+    World = 1
+  };
+
   ///@{
   /**
-   * How far around a point the median is taken, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes
+   * The unit of Threshold. Lattice: 1 is one vertical index, a voxel. World: the unit of z, such as m or ms. Default:
+   * Lattice.
+   */
+  vtkSetClampMacro(ThresholdUnit, int, Lattice, World);
+  vtkGetMacro(ThresholdUnit, int);
+  void SetThresholdUnitToLattice() { this->SetThresholdUnit(Lattice); }
+  void SetThresholdUnitToWorld() { this->SetThresholdUnit(World); }
+  ///@}
+
+  ///@{
+  /**
+   * How far around a point others are looked at, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes
    * are found if they cover less than half of the square. Unit: columns. Range: 1 to 16. Default: 2.
    */
   vtkSetMacro(NeighborhoodRadius, int);
@@ -99,7 +118,8 @@ private:
   void operator=(const vtkHorizonDespiking&) = delete;
 
   int Action = Remove;
-  double Threshold = 4.0;
+  double Threshold = 0.0;
+  int ThresholdUnit = Lattice;
   int NeighborhoodRadius = 2;
   int ThreadWidth = 0;
   vtkIdType NumberOfSpikes = 0;

@@ -5,10 +5,12 @@
 
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Despiking/Despiking.h"
 #include "Faults/FaultDetection.h"
 #include "Faults/FaultLines.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/FaultPolyData.h"
+#include "Marshalling/HeightUnit.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/LatticePoints.h"
 
@@ -22,6 +24,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -31,6 +34,15 @@ using namespace SeismicHorizons;
 namespace
 {
 constexpr int LinesPort = 1;
+
+/// The smallest throw that is worth a cut, where none is given: terrain and tracking leave steps of a few times the
+/// noise. Differences, whose noise may be given, have that of two heights.
+double ThrowAboveNoise(const LatticePoints& points, double noiseOfDifferences)
+{
+  constexpr double factor = 8.0;
+  return factor *
+    (noiseOfDifferences > 0.0 ? noiseOfDifferences / std::sqrt(2.0) : MeasureNoise(points.Column, points.Height));
+}
 }
 
 vtkStandardNewMacro(vtkHorizonFaults);
@@ -50,6 +62,7 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Detect: " << (this->Detect ? "on" : "off") << "\n";
   os << indent << "SmallestThrow: " << this->SmallestThrow << "\n";
   os << indent << "Noise: " << this->Noise << "\n";
+  os << indent << "ThrowUnit: " << (this->ThrowUnit == World ? "World" : "Lattice") << "\n";
   os << indent << "SmallestExtent: " << this->SmallestExtent << "\n";
   os << indent << "SmallestBranch: " << this->SmallestBranch << "\n";
   os << indent << "LargestGap: " << this->LargestGap << "\n";
@@ -114,9 +127,14 @@ int vtkHorizonFaults::RequestData(
 //------------------------------------------------------------------------------
 void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const FaultDetectionOptions options = this->MakeOptions();
+  FaultDetectionOptions options = this->MakeOptions();
   CheckOptions(options);
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  const double indices =
+    IndicesPerUnit(static_cast<HeightUnit>(this->ThrowUnit), points.Column, points.Height, points.Grid);
+  options.Noise *= indices;
+  options.SmallestThrow =
+    this->SmallestThrow > 0.0 ? this->SmallestThrow * indices : ThrowAboveNoise(points, options.Noise);
   const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
   FaultLines lines;
@@ -138,6 +156,7 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
     lines.Append(detection.Lines);
     this->MeasuredNoise = std::max(this->MeasuredNoise, detection.Noise);
     AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::FaultNoise, detection.Noise);
+    AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::SmallestFaultThrow, detection.High);
   }
   WriteCuts(lines, output->GetFieldData());
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);

@@ -15,6 +15,8 @@
  *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan where it is not known
  *  - CutLine (int): the number of the fault line that the link belongs to
  *  - FaultNoise (double, one value): standard deviation of height differences due to noise alone, in vertical indices
+ *  - SmallestFaultThrow (double, one value): the smallest throw that a fault reaches somewhere, in vertical indices, as
+ *    it was given or follows from the noise
  * Later stages mesh each side of the cuts independently.
  *
  * Output 1: the fault lines as polylines, with the point data array Throw (double): how much larger the vertical index
@@ -67,7 +69,8 @@ public:
   ///@{
   /**
    * Only faults whose throw reaches this somewhere are found; their ends, with throws down to half of it, are found
-   * with them. Unit: vertical indices. Range: at least 0. Default: 4.
+   * with them. 0: eight times the noise of the heights, which is measured on each horizon. Unit: ThrowUnit. Range: at
+   * least 0. Default: 0.
    */
   vtkSetMacro(SmallestThrow, double);
   vtkGetMacro(SmallestThrow, double);
@@ -76,11 +79,29 @@ public:
   ///@{
   /**
    * Standard deviation of height differences between neighbouring columns due to noise alone; 0 measures it on each
-   * horizon. Only throws of several times the noise can be told from it. Unit: vertical indices. Range: at least 0.
-   * Default: 0.
+   * horizon. Only throws of several times the noise can be told from it. Unit: ThrowUnit. Range: at least 0. Default:
+   * 0.
    */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
+  ///@}
+
+  /// Values of ThrowUnit.
+  enum ThrowUnits
+  {
+    Lattice = 0,
+    World = 1
+  };
+
+  ///@{
+  /**
+   * The unit of SmallestThrow and Noise. Lattice: 1 is one vertical index, a voxel. World: the unit of z, such as m or
+   * ms. Default: Lattice.
+   */
+  vtkSetClampMacro(ThrowUnit, int, Lattice, World);
+  vtkGetMacro(ThrowUnit, int);
+  void SetThrowUnitToLattice() { this->SetThrowUnit(Lattice); }
+  void SetThrowUnitToWorld() { this->SetThrowUnit(World); }
   ///@}
 
   ///@{
@@ -170,8 +191,9 @@ private:
 
   int LineType = Traces;
   bool Detect = true;
-  double SmallestThrow = 4.0;
+  double SmallestThrow = 0.0;
   double Noise = 0.0;
+  int ThrowUnit = Lattice;
   int SmallestExtent = 20;
   int SmallestBranch = 10;
   int LargestGap = 5;

@@ -3,16 +3,22 @@
 
 #include "vtkHorizonHoleFilling.h"
 
+#include "Common/DataModel.h"
 #include "Common/Parameters.h"
+#include "Common/VTK/DataArrays.h"
 #include "HoleFilling/HoleFilling.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/FilledHorizon.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -29,10 +35,15 @@ void vtkHorizonHoleFilling::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LargestHoleSize: " << this->LargestHoleSize << "\n";
   os << indent << "LargestHoleArea: " << this->LargestHoleArea << "\n";
-  os << indent << "Method: " << (this->Method == Plate ? "Plate" : "Membrane") << "\n";
+  os << indent << "Method: "
+     << (this->Method == Plate         ? "Plate"
+            : this->Method == Membrane ? "Membrane"
+                                       : "Automatic")
+     << "\n";
   os << indent << "RimSmoothing: " << this->RimSmoothing << "\n";
   os << indent << "RimWidth: " << this->RimWidth << "\n";
   os << indent << "Attributes: " << (this->Attributes == FromRim ? "FromRim" : "NotANumber") << "\n";
+  os << indent << "ExtrapolationDistance: " << this->ExtrapolationDistance << "\n";
   os << indent << "NumberOfFilledHoles: " << this->NumberOfFilledHoles << "\n";
   os << indent << "NumberOfFilledPoints: " << this->NumberOfFilledPoints << "\n";
   os << indent << "NumberOfOpenHoles: " << this->NumberOfOpenHoles << "\n";
@@ -56,6 +67,7 @@ HoleFillingOptions vtkHorizonHoleFilling::MakeOptions(double columnArea) const
   options.Method = static_cast<FillMethod>(this->Method);
   options.RimSmoothing = this->RimSmoothing;
   options.RimWidth = this->RimWidth;
+  options.ExtrapolationDistance = this->ExtrapolationDistance;
   return options;
 }
 
@@ -74,13 +86,20 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
 {
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
-  const HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
+  HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
+  const std::array<int, 3> size = ReadLatticeDimensions(input);
+  options.Survey = PlaneBox({ { 0, 0 }, { size[0] - 1, size[1] - 1 } });
   const std::vector<FilledArray> arrays = ListFilledArrays(input, points.Height, this->Attributes == FromRim);
   const std::optional<LinkCuts> cuts = FindCuts(input, PlaneBox(points.Column));
   monitor.Progress(0.2);
   const FilledColumns filled = FillHoles(points.Column, points.Height, ListFilledValues(arrays, points.Height), options,
     cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
   WriteFilledHorizon(input, points.Grid, arrays, filled, outputs.front());
+  if (this->Method == Automatic)
+  {
+    AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::RimSmoothing, filled.RimSmoothing);
+    AddValue<vtkIdTypeArray>(outputs.front()->GetFieldData(), FieldArray::RimWidth, vtkIdType(filled.RimWidth));
+  }
   this->NumberOfFilledHoles += vtkIdType(filled.FilledGaps);
   this->NumberOfFilledPoints += vtkIdType(filled.Column.size());
   this->NumberOfOpenHoles += vtkIdType(filled.OpenGaps);

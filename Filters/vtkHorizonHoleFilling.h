@@ -8,16 +8,16 @@
  * lattice. Output: the same points with their arrays, bit by bit, and after them a new point on each column of the
  * holes that are filled; a vertex cell for each point. A hole is a group of empty columns, connected side by side, that
  * a patch encloses: what vtkHorizonExteriorBoundary with a radius of 1 takes for one. Empty columns around patches stay
- * empty. Where a patch lies in a hole of another one, both are the rim of the hole.
+ * empty without an ExtrapolationDistance. Where a patch lies in a hole of another one, both are the rim of the hole.
  *
  * Point arrays:
- *  - Filled (unsigned char): 1 at new points, else 0;
+ *  - Filled (unsigned char): 1 at new points, 2 at those outside (ExtrapolationDistance), else 0;
  *  - PointCount (vtkIdType): 0 at new points, as they stand for no voxel; so they weigh nothing in means;
  *  - VerticalIndex, RealZ: those of the new surface; floating point numbers: by a membrane, or nan (see Attributes);
  *    all else, which are labels: that of the nearest point of the rim;
  *  - PatchId and Boundary of an outline before are left out, as it is that of the holes.
  * Field data, one vtkIdType each: NumberOfFilledHoles, NumberOfFilledPoints, and NumberOfOpenHoles, those that are too
- * large.
+ * large; with Automatic also what was chosen, RimSmoothing (double) and RimWidth (vtkIdType).
  *
  * Each hole is filled independently; where the field data array CutLinks (Documentation/DataModel.md) cuts links of the
  * lattice, so is each side of the cuts. With Plate, the least energy of bending of a thin plate over the hole and a
@@ -55,7 +55,8 @@ public:
   enum Methods
   {
     Plate = 0,
-    Membrane = 1
+    Membrane = 1,
+    Automatic = 2
   };
 
   /// Values of Attributes.
@@ -88,19 +89,21 @@ public:
   ///@{
   /**
    * The surface over a hole. Plate: a thin plate, which continues the slope and curvature of the rim. Membrane: like a
-   * skin over the hole, never above or below its rim; faster on very large holes. Default: Plate.
+   * skin over the hole, never above or below its rim; faster on very large holes. Automatic: a plate whose RimSmoothing
+   * and RimWidth are chosen by how rough the horizon is. Default: Automatic.
    */
-  vtkSetClampMacro(Method, int, Plate, Membrane);
+  vtkSetClampMacro(Method, int, Plate, Automatic);
   vtkGetMacro(Method, int);
   void SetMethodToPlate() { this->SetMethod(Plate); }
   void SetMethodToMembrane() { this->SetMethod(Membrane); }
+  void SetMethodToAutomatic() { this->SetMethod(Automatic); }
   ///@}
 
   ///@{
   /**
-   * How much noise of the rim the plate smooths; known points are never moved. 0: none, for clean data such as grids
-   * and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default:
-   * 1.
+   * How much noise of the rim the plate of the Method Plate smooths; known points are never moved. 0: none, for clean
+   * data such as grids and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index.
+   * Range: 0 to 1e6. Default: 1.
    *
    * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
    * heights.
@@ -111,8 +114,8 @@ public:
 
   ///@{
   /**
-   * How many columns of known points around a hole the plate continues. More, together with more smoothing, suit noisy
-   * data. Unit: columns. Range: 1 to 64. Default: 3.
+   * How many columns of known points around a hole the Method Plate continues. More, together with more smoothing, suit
+   * noisy data. Unit: columns. Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
    */
@@ -132,6 +135,18 @@ public:
   vtkGetMacro(Attributes, int);
   void SetAttributesToFromRim() { this->SetAttributes(FromRim); }
   void SetAttributesToNotANumber() { this->SetAttributes(NotANumber); }
+  ///@}
+
+  ///@{
+  /**
+   * Columns outside the horizon, bays included, that are at most so many columns from it and in the survey are filled,
+   * too, with 2 in the array Filled; 0 fills none. The Method continues the slope of the rim: far from it that is a
+   * guess. Unit: columns. Range: 0 to 10000. Default: 0.
+   *
+   * The survey is that of LatticeDimensions: a distance of its size fills it. Holes have the limits above.
+   */
+  vtkSetMacro(ExtrapolationDistance, int);
+  vtkGetMacro(ExtrapolationDistance, int);
   ///@}
 
   /// How many holes were filled, in all horizons of the last update.
@@ -158,10 +173,11 @@ private:
 
   vtkIdType LargestHoleSize = 2500;
   double LargestHoleArea = 0.0;
-  int Method = Plate;
+  int Method = Automatic;
   double RimSmoothing = 1.0;
   int RimWidth = 3;
   int Attributes = FromRim;
+  int ExtrapolationDistance = 0;
   vtkIdType NumberOfFilledHoles = 0;
   vtkIdType NumberOfFilledPoints = 0;
   vtkIdType NumberOfOpenHoles = 0;

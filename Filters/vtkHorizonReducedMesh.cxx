@@ -3,8 +3,9 @@
 
 #include "vtkHorizonReducedMesh.h"
 
+#include "Common/Parameters.h"
 #include "Decimation/Decimation.h"
-#include "Marshalling/DecimationOutput.h"
+#include "Marshalling/HeightUnit.h"
 
 using namespace SeismicHorizons;
 
@@ -37,6 +38,6 @@ DecimationQuality vtkHorizonReducedMesh::MakeQuality() const
 double vtkHorizonReducedMesh::FindMaximumError(
   PlanePoints columns, const std::vector<double>& height, const SeismicHorizons::Lattice& grid) const
 {
-  return ErrorInLatticeUnits(
-    this->MaximumError, static_cast<SeismicHorizons::ErrorUnit>(this->ErrorUnit), columns, height, grid);
+  CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
+  return this->MaximumError * IndicesPerUnit(static_cast<HeightUnit>(this->ErrorUnit), columns, height, grid);
 }

@@ -129,7 +129,7 @@ int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
     {
       if (horizon && horizon->GetNumberOfPoints() > 0)
       {
-        CheckPointArrays(horizon);
+        CheckArraySizes(horizon);
         radius = SeismicHorizons::ChooseRadius(ReadColumns(WithoutHiddenPoints(horizon), {}, KeptHeights::None).Column);
       }
     });

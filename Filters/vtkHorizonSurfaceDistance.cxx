@@ -122,8 +122,8 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   }
   CheckWithin("samples per point", this->SamplesPerPoint, 0.01, 1000.0, "");
   CheckAtLeast("seed", this->Seed, 0, "");
-  PrefixErrors("reference", [&]() { CheckPointArrays(pair.Reference); });
-  PrefixErrors("mesh", [&]() { CheckPointArrays(pair.Mesh); });
+  PrefixErrors("reference", [&]() { CheckArraySizes(pair.Reference); });
+  PrefixErrors("mesh", [&]() { CheckArraySizes(pair.Mesh); });
   WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
   pair.MeshOutput->ShallowCopy(pair.Mesh);
   SurfaceDistanceOptions options;

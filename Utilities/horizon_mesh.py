@@ -207,11 +207,14 @@ def _add_cube_options(group):
 
 def _add_preparation_options(group):
     group.add_argument("--despike", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
-                       help="remove points that are more than T vertical indices above or below the median of those "
-                       "around them (default: none)")
+                       help="remove points that are more than T above or below the surface through those around them; 0 "
+                       "finds T by the noise; height unit (default: none)")
     group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
-                       help="find faults that throw by T vertical indices or more, and leave the mesh open there "
-                       "(default: no fault is cut)")
+                       help="find faults that throw by T or more, and leave the mesh open there; 0 finds T by the noise; "
+                       "height unit (default: no fault is cut)")
+    group.add_argument("--height-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
+                       help="the unit of --largest-error, --despike and --cut-faults: vertical indices, or that of z, such "
+                       "as m or ms")
     group.add_argument("--close-faults", action="store_true",
                        help="close the mesh at these faults by triangles from one side to the other, which have 1 in the "
                        "array Fault")
@@ -224,8 +227,8 @@ def _add_stage_options(group):
     target = group.add_mutually_exclusive_group()
     target.add_argument("--largest-error", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="E",
                         help="few triangles, with no point farther from the mesh than this, vertically, in place of "
-                        "the stages below; outlines may move by as much; 0.75 suits horizons of whole voxels; lattice "
-                        "units")
+                        "the stages below; outlines may move by as much; 0.75 suits horizons of whole voxels; height "
+                        "unit")
     target.add_argument("--triangles", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
                         help="the same with at most N triangles in each mesh, as near to its horizon as it then can be")
     group.add_argument("--radius", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="K",
@@ -293,7 +296,8 @@ def _make_surface(options, boundary, simplified):
     target = _given(options, largest_error="largest_error", triangles="triangles")
     given = {**boundary, **simplified}
     names = (*CHOSEN, "GrowthStrategy", "MinimumPatchSize")
-    return surface_properties(**target, **{name: given[name] for name in names if name in given}) if target else None
+    unit = {"ErrorUnit": options.height_unit} if options.height_unit != DISTANCE_UNITS[0] else {}
+    return surface_properties(**target, **unit, **{name: given[name] for name in names if name in given}) if target else None
 
 
 def make_settings(options):
@@ -308,8 +312,9 @@ def make_settings(options):
         Columns="columns", NullValues="null_values", Origin="origin", ColumnStep="column_step", RowStep="row_step",
         LargestNumber="surfaces", SmallestSize="smallest_surface", InlineRange="inlines", CrosslineRange="crosslines",
         Polarity="polarity", Joining="joining", AmplitudePercentile="amplitude_percentile")}
-    settings.despiked = {"Threshold": options.despike} if hasattr(options, "despike") else None
-    settings.torn = {"SmallestThrow": options.cut_faults} if hasattr(options, "cut_faults") else None
+    unit = options.height_unit
+    settings.despiked = {"Threshold": options.despike, "ThresholdUnit": unit} if hasattr(options, "despike") else None
+    settings.torn = {"SmallestThrow": options.cut_faults, "ThrowUnit": unit} if hasattr(options, "cut_faults") else None
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,

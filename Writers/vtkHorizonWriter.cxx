@@ -105,7 +105,7 @@ void vtkHorizonWriter::WriteData()
       if (leaf.Input->GetNumberOfPoints() > 0)
       {
         const std::string name = leaf.Name.empty() ? std::filesystem::u8path(file).stem().u8string() : leaf.Name;
-        PrefixErrors(name, [&]() { CheckPointArrays(leaf.Input); });
+        PrefixErrors(name, [&]() { CheckArraySizes(leaf.Input); });
         horizons.push_back({ name, leaf.Input });
       }
     }

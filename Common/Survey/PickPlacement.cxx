@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -25,6 +26,9 @@ namespace
 constexpr std::int64_t ChunkSize = 1 << 16;
 // A dataset takes 25 kB even for a single pick, and names as many as picks are mostly some other column.
 constexpr std::size_t MostHorizons = 1 << 15;
+// Picks that fill less of their lattice are hardly those of a horizon; of small lattices any part will do.
+constexpr double MostColumnsPerPick = 1000.0;
+constexpr double EnoughColumns = 1 << 20;
 
 /// The columns of picks, before it is known which of them is the first.
 class ColumnFinder
@@ -132,6 +136,45 @@ void CheckRange(const ColumnRange& range, std::int64_t picks, const SurveyLattic
   }
 }
 
+/// The pick whose column is farthest from the middle one along i or j.
+std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
+{
+  std::vector<Eigen::Vector2d> indices;
+  for (std::size_t pick = 0; pick < picks; ++pick)
+  {
+    indices.push_back(columns.Index(pick));
+  }
+  Eigen::Vector2d middle;
+  for (const int axis : { 0, 1 })
+  {
+    std::vector<double> along;
+    std::transform(indices.begin(), indices.end(), std::back_inserter(along),
+      [axis](const Eigen::Vector2d& index) { return index[axis]; });
+    std::nth_element(along.begin(), along.begin() + std::ptrdiff_t(picks / 2), along.end());
+    middle[axis] = along[picks / 2];
+  }
+  const auto distance = [&middle](const Eigen::Vector2d& index) { return (index - middle).cwiseAbs().maxCoeff(); };
+  return std::size_t(std::max_element(indices.begin(), indices.end(),
+                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
+    indices.begin());
+}
+
+/// One stray pick can make a lattice that takes all memory of whatever looks at all of its columns.
+void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, std::size_t picks)
+{
+  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks)))
+  {
+    const std::size_t farthest = FindFarthest(finder, picks);
+    std::ostringstream text;
+    text.precision(15);
+    text << "lattice of " << columns.x() << " x " << columns.y() << " columns for " << picks
+         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; pick " << farthest + 1
+         << ", in column " << ToText(finder.Index(farthest) - range.First) << ", is the farthest from the others";
+    throw InputError(text.str());
+  }
+}
+
 /// The lattice that begins at the first column of the picks, and ends at the last one.
 SurveyLattice MakeLattice(SurveyLattice lattice, const ColumnRange& range)
 {
@@ -194,6 +237,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   const ColumnFinder finder(picks, lattice);
   const ColumnRange range = FindRange(finder, size, options.Tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, size, lattice, options.Tolerance);
+  CheckSpread(finder, range, std::size_t(size));
   SurveyHorizons placed;
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);

@@ -42,27 +42,6 @@ void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double ErrorInLatticeUnits(
-  double error, ErrorUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& grid)
-{
-  CheckAtLeast("maximum error", error, 0.0, "");
-  if (unit == ErrorUnit::World)
-  {
-    const Eigen::Vector3d up(0.0, 0.0, 1.0);
-    return error / std::abs((grid.ToWorld(up) - grid.ToWorld(Eigen::Vector3d::Zero())).z());
-  }
-  if (unit == ErrorUnit::Diagonal)
-  {
-    const PlaneBox box(columns);
-    const auto ends = std::minmax_element(height.begin(), height.end());
-    const Eigen::Vector3d diagonal(
-      double(box.Greatest.X) - box.Least.X, double(box.Greatest.Y) - box.Least.Y, *ends.second - *ends.first);
-    return error * diagonal.norm();
-  }
-  return error;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void WriteDecimation(vtkPolyData* input, const Lattice& grid, Decimation& decimation, vtkPolyData* output)
 {
   output->SetPoints(MakePoints(input, grid, decimation.Points));

@@ -163,16 +163,21 @@ void WritePoints(vtkPolyData* input, const Lattice& grid, const FilledColumns& f
   output->SetPoints(points);
 }
 
-/// Adds a point array that tells known points from new ones; those that were new before stay what they were.
+/// Adds a point array that tells known points from new ones, and of these the ones from `outside` on; those that were
+/// new before stay what they were.
 template <typename Array>
-void AddMark(vtkPolyData* input, const char* name, int known, int filled, vtkPolyData* output)
+void AddMark(
+  vtkPolyData* input, const char* name, int known, int filled, int extrapolated, vtkIdType outside, vtkPolyData* output)
 {
   const vtkIdType size = input->GetNumberOfPoints();
   auto marks = NewArray<Array>(name, output->GetNumberOfPoints());
   vtkDataArray* const before = input->GetPointData()->GetArray(name);
   for (vtkIdType point = 0; point < marks->GetNumberOfTuples(); ++point)
   {
-    const double mark = point >= size ? filled : before ? before->GetComponent(point, 0) : known;
+    const double mark = point >= outside ? extrapolated
+      : point >= size                    ? filled
+      : before                           ? before->GetComponent(point, 0)
+                                         : known;
     marks->SetValue(point, static_cast<typename Array::ValueType>(mark));
   }
   output->GetPointData()->AddArray(marks);
@@ -236,9 +241,12 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vect
       std::find_if(arrays.begin(), arrays.end(), [array](const FilledArray& one) { return one.Array == array; });
     if (HasName(array, { PointArray::Column }))
     {
-      const auto* const columns = &filled.Column.data()->X;
-      std::copy_n(columns, 2 * filled.Column.size(),
-        vtkIntArray::SafeDownCast(result)->GetPointer(2 * input->GetNumberOfPoints()));
+      int* to = vtkIntArray::SafeDownCast(result)->GetPointer(2 * input->GetNumberOfPoints());
+      for (const PlanePoint& column : filled.Column)
+      {
+        *to++ = column.X;
+        *to++ = column.Y;
+      }
     }
     else if (found != arrays.end())
     {
@@ -251,8 +259,9 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vect
     }
     AddPointArray(input, n, result, output);
   }
-  AddMark<vtkIdTypeArray>(input, PointArray::PointCount, 1, 0, output);
-  AddMark<vtkUnsignedCharArray>(input, PointArray::Filled, 0, 1, output);
+  const vtkIdType outside = input->GetNumberOfPoints() + vtkIdType(filled.FirstOutside);
+  AddMark<vtkIdTypeArray>(input, PointArray::PointCount, 1, 0, 0, outside, output);
+  AddMark<vtkUnsignedCharArray>(input, PointArray::Filled, 0, 1, 2, outside, output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfFilledHoles, vtkIdType(filled.FilledGaps));
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfFilledPoints, vtkIdType(filled.Column.size()));

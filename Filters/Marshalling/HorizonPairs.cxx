@@ -56,7 +56,7 @@ HorizonPairs::HorizonPairs(vtkDataObject* reference, vtkDataObject* mesh, vtkDat
       meshes = ListHorizons(mesh, { meshOutput });
       for (std::size_t n = 0; ranks.Size() > 1 && n < meshes.size(); ++n) // which may be sent: VTK reads their arrays
       {
-        PrefixErrors(meshes[n].Name, [&]() { CheckPointArrays(meshes[n].Input); });
+        PrefixErrors(meshes[n].Name, [&]() { CheckArraySizes(meshes[n].Input); });
       }
     });
   this->MatchNames(ListOnRanks(references, ranks), ListOnRanks(meshes, ranks));

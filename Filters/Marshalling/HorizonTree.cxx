@@ -11,6 +11,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
@@ -72,7 +73,7 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
         std::to_string(partitions.size()) +
         " partitions, expected one partition for each horizon from its boundary on");
     }
-    CheckPointArrays(partition);
+    CheckArraySizes(partition);
     append->AddInputData(partition);
   }
   append->Update();
@@ -199,9 +200,10 @@ void AcceptHorizons(vtkInformation* port)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckPointArrays(vtkPolyData* horizon)
+void CheckArraySizes(vtkPolyData* horizon)
 {
   RequireTuples(horizon->GetPointData(), horizon->GetNumberOfPoints(), "points");
+  RequireTuples(horizon->GetCellData(), horizon->GetNumberOfCells(), "cells");
   vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
   if (ghosts && ghosts->GetNumberOfComponents() != 1)
   {

@@ -255,7 +255,7 @@ void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface
 SurfacePart ReadSurfacePart(vtkPolyData* mesh)
 {
   vtkDataArray* const rows = RequireSeamRows(mesh);
-  CheckPointArrays(mesh);
+  CheckArraySizes(mesh);
   LatticePoints points = ReadColumns(mesh, {});
   SurfacePart part;
   part.Seams.Lower = FromRow(FieldValue(rows, 0));

@@ -4,6 +4,9 @@
 #include "StageReport.h"
 
 #include "Common/DataModel.h"
+#include "Common/VTK/SurveyFields.h"
+#include "HeightUnit.h"
+#include "HorizonData.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -26,14 +29,21 @@ struct Figure
 {
   const char* Array;
   const char* Name;
+  bool IsHeight = false; // in vertical indices, to be told in the unit of z, too
+  bool IsToldAtZero = false;
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 30> Figures = { {
+constexpr std::array<Figure, 35> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
+  { FieldArray::SpikeThreshold, "threshold of spikes", true },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
+  { FieldArray::FaultNoise, "noise", true },
+  { FieldArray::SmallestFaultThrow, "smallest throw", true },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
   { FieldArray::NumberOfOpenHoles, "holes left open" },
+  { FieldArray::RimSmoothing, "rim smoothing", false, true },
+  { FieldArray::RimWidth, "rim width" },
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
   { FieldArray::DroppedSpeckPoints, "points in specks left out" },
@@ -70,12 +80,38 @@ std::ostringstream MakeStream()
   return stream;
 }
 
-/// The array of a figure that the stage made and that is not 0, or null.
-vtkDataArray* FindFigure(const char* name, vtkPolyData* input, vtkPolyData* output)
+/// What a height in vertical indices is in the unit of z.
+std::string InWorld(double height, vtkPolyData* horizon)
 {
-  vtkDataArray* const array = output->GetFieldData()->GetArray(name);
-  const bool isOfStage = array && array != input->GetFieldData()->GetArray(name);
-  return isOfStage && array->GetNumberOfValues() == 1 && array->GetTuple1(0) != 0.0 ? array : nullptr;
+  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
+  std::ostringstream text = MakeStream();
+  text << " vertical indices, " << height * WorldPerIndex(ReadLattice(horizon))
+       << (unit.empty() ? " in z" : " " + unit);
+  return text.str();
+}
+
+/// How many links and lines a stage cut; nothing where it cut none.
+std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
+{
+  vtkDataArray* const lines = output->GetFieldData()->GetArray(FieldArray::CutLine);
+  const bool isOfStage = lines && lines != input->GetFieldData()->GetArray(FieldArray::CutLine);
+  if (!isOfStage || lines->GetNumberOfTuples() == 0)
+  {
+    return {};
+  }
+  std::ostringstream text = MakeStream();
+  text << "\n  fault lines " << vtkIdType(lines->GetRange(0)[1]) + 1 << "\n  links cut " << lines->GetNumberOfTuples();
+  return text.str();
+}
+
+/// The array of a figure that the stage made and that is to be told, or null.
+vtkDataArray* FindFigure(const Figure& figure, vtkPolyData* input, vtkPolyData* output)
+{
+  vtkDataArray* const array = output->GetFieldData()->GetArray(figure.Array);
+  const bool isOfStage = array && array != input->GetFieldData()->GetArray(figure.Array);
+  const bool isTold =
+    isOfStage && array->GetNumberOfValues() == 1 && (figure.IsToldAtZero || array->GetTuple1(0) != 0.0);
+  return isTold ? array : nullptr;
 }
 }
 
@@ -92,14 +128,15 @@ void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* 
   std::ostringstream line = MakeStream();
   line << (name.empty() ? "" : name + ": ") << input->GetNumberOfPoints() << " points in, "
        << output->GetNumberOfPoints() << " out";
+  line << TellCuts(input, output);
   for (const Figure& figure : Figures)
   {
-    if (vtkDataArray* const array = FindFigure(figure.Array, input, output))
+    if (vtkDataArray* const array = FindFigure(figure, input, output))
     {
       line << "\n  " << figure.Name << ' ';
       if (array->GetDataType() == VTK_DOUBLE)
       {
-        line << array->GetTuple1(0);
+        line << array->GetTuple1(0) << (figure.IsHeight ? InWorld(array->GetTuple1(0), output) : "");
       }
       else
       {

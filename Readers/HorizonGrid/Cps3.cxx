@@ -4,12 +4,17 @@
 #include "GridParsers.h"
 #include "HeaderFields.h"
 
+#include <algorithm>
 #include <map>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// Of the line FSASCI; some programs write a seventh word.
+constexpr std::size_t NullWord = 5;
+constexpr double AlwaysNull = 1e30;
+
 /// The header lines by their first words, and the name.
 struct Cps3Header
 {
@@ -61,7 +66,7 @@ HorizonGrid ReadCps3(GridText& text)
   const Cps3Header header = ReadHeader(text);
   grid.Name = header.Name;
   const HeaderFields& format = RequireLine(header, "FSASCI", text);
-  const double null = format.Number(format.Size() - 1, "null value");
+  const double null = format.Number(std::min(NullWord, format.Size() - 1), "null value");
   const HeaderFields& limits = RequireLine(header, "FSLIMI", text);
   const std::array<double, 2> x = { limits.Number(1, "xmin"), limits.Number(2, "xmax") };
   const std::array<double, 2> y = { limits.Number(3, "ymin"), limits.Number(4, "ymax") };
@@ -71,7 +76,7 @@ HorizonGrid ReadCps3(GridText& text)
   StorageOrder order;
   order.AlongY = true;
   order.FromTop = true;
-  std::vector<double> values = text.Values(CountNodes(columns), NullAt(null));
+  std::vector<double> values = text.Values(CountNodes(columns), OrFrom(NullAt(null), AlwaysNull));
   text.RequireEnd();
   grid.Z = Arrange(std::move(values), columns, order);
   return grid;

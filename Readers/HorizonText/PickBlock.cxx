@@ -37,6 +37,9 @@ class BlockParser
 public:
   explicit BlockParser(const TextLayout& layout)
     : Layout(layout)
+    , X(layout.Find(ColumnRole::X))
+    , Y(layout.Find(ColumnRole::Y))
+    , Z(layout.Find(ColumnRole::Z))
   {
     this->Block.Values.resize(layout.Columns.size());
   }
@@ -104,6 +107,35 @@ private:
     {
       this->Fail(
         std::to_string(column) + " fields, expected one for each of the columns " + ListNames(this->Layout.Columns));
+      return;
+    }
+    if (this->IsEndOfLine())
+    {
+      this->DropLast();
+    }
+  }
+
+  /// RMS ends lines of points, and files of them, by a point whose coordinates are all 999.
+  bool IsEndOfLine() const
+  {
+    constexpr double Mark = 999.0;
+    const auto last = [this](int column) { return this->Block.Values[std::size_t(column)].back(); };
+    return this->X >= 0 && this->Y >= 0 && last(this->X) == Mark && last(this->Y) == Mark &&
+      (last(this->Z) == Mark || std::isnan(last(this->Z)));
+  }
+
+  void DropLast()
+  {
+    for (std::vector<double>& values : this->Block.Values)
+    {
+      if (!values.empty())
+      {
+        values.pop_back();
+      }
+    }
+    if (!this->Block.Horizon.empty())
+    {
+      this->Block.Horizon.pop_back();
     }
   }
 
@@ -173,6 +205,7 @@ private:
   }
 
   const TextLayout& Layout;
+  const int X, Y, Z; // columns of the layout, or -1
   PickBlock Block;
   std::unordered_map<std::string_view, int> Numbers; // of names
 };

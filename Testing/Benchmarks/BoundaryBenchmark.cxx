@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Measures boundaries and their simplification on generated horizons, beside OpenCV where it was found.
+// Measures boundaries and their simplification on generated horizons, beside OpenCV and the alpha shapes of CGAL where
+// these were found.
 //
 //   BoundaryBenchmark [--exterior] [POINTS]...     (148317 886639 10000000 when none is given)
 //
@@ -19,12 +20,21 @@
 #include "Tools/OpenCvContours.h"
 #endif
 
+#ifdef SEISMICHORIZONS_HAS_CGAL
+#include <CGAL/Alpha_shape_2.h>
+#include <CGAL/Alpha_shape_face_base_2.h>
+#include <CGAL/Alpha_shape_vertex_base_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#endif
+
 #include <malloc.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <string>
@@ -164,6 +174,32 @@ public:
   }
 #endif
 
+#ifdef SEISMICHORIZONS_HAS_CGAL
+  /// The alpha shape that has a hop of the radius along both axes for an edge; its edges that have triangles on one side
+  /// at most are counted as boundary points.
+  void AlphaShape(int radius) const
+  {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Triangles = CGAL::Triangulation_data_structure_2<CGAL::Alpha_shape_vertex_base_2<Kernel>,
+      CGAL::Alpha_shape_face_base_2<Kernel>>;
+    using Shape = CGAL::Alpha_shape_2<CGAL::Delaunay_triangulation_2<Kernel, Triangles>>;
+    std::vector<Kernel::Point_2> places;
+    for (const PlanePoint& column : this->Columns)
+    {
+      places.emplace_back(column.X, column.Y);
+    }
+    this->Measure("cgal alpha shape", radius,
+      [&](Measurement& result)
+      {
+        const double squaredRadius = 0.5 * radius * radius * (1.0 + 1e-9);
+        const Shape shape(places.begin(), places.end(), squaredRadius, Shape::GENERAL);
+        result.Bytes = -1;
+        result.BoundaryPoints =
+          std::size_t(std::distance(shape.alpha_shape_edges_begin(), shape.alpha_shape_edges_end()));
+      });
+  }
+#endif
+
 private:
   template <typename Work>
   void Measure(const char* what, double parameter, Work&& work) const
@@ -200,6 +236,12 @@ void RunAll(const Benchmark& benchmark)
 {
   RunExterior(benchmark, false);
   benchmark.Boundary("all loops", 1, GrowthStrategy::Clockwise, true);
+#ifdef SEISMICHORIZONS_HAS_CGAL
+  for (const int radius : { 1, 3 })
+  {
+    benchmark.AlphaShape(radius);
+  }
+#endif
   for (const int radius : { 2, 3, 4, 5 })
   {
     benchmark.Boundary("clockwise", radius, GrowthStrategy::Clockwise, false);

@@ -4,6 +4,7 @@
 // The filter around the decimation: targets and their units, what comes out, errors. Meshes are checked in
 // TestDecimation.
 
+#include "Common/MeshChecker.h"
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 
@@ -218,8 +219,10 @@ void TestDoubledLoops()
     refuse({ outline->begin(), outline->end() }, target,
       "once more, expected each side of a loop once, with the surface to its right");
     refuse({ 40, 41, 40, 41, 40 }, target, "line 1 from point 41 to point 40 once more");
-    refuse(
-      { 155, 455, 465, 165, 155 }, target, "in several triangles, expected loops that enclose it once"); // clockwise
+    // Clockwise. Builds that check meshes stop at the first one.
+    refuse({ 155, 455, 465, 165, 155 }, target,
+      SeismicHorizons::MeshChecker::IsOn ? "made a wrong mesh"
+                                         : "in several triangles, expected loops that enclose it once");
   }
 }
 

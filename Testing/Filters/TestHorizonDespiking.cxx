@@ -104,6 +104,44 @@ void TestThreads()
   CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 25);
 }
 
+/// In the world, where a vertical index is 4 long, and by the noise: the field data tell the threshold in both.
+void TestThresholdUnit()
+{
+  vtkNew<vtkHorizonDespiking> despiking;
+  const HorizonFixtures::Errors warnings(despiking, vtkCommand::WarningEvent);
+  despiking->SetInputDataObject(WithSpikes());
+  despiking->SetThresholdUnitToWorld();
+  const auto threshold = [&]()
+  { return despiking->GetPolyDataOutput()->GetFieldData()->GetArray("SpikeThreshold")->GetTuple1(0); };
+  for (const auto& [given, spikes] : { std::pair(27.0, 2), std::pair(29.0, 1), std::pair(49.0, 0) })
+  {
+    despiking->SetThreshold(given);
+    despiking->Update();
+    CHECK_EQUAL(despiking->GetNumberOfSpikes(), spikes);
+    CHECK_EQUAL(threshold(), given / 4.0);
+  }
+  despiking->SetThreshold(29.0);
+  despiking->Update();
+  CHECK_EQUAL(std::string(despiking->GetResults()),
+    "Horizon 3: 36 points in, 35 out\n  spikes 1\n  threshold of spikes 7.25 vertical indices, 29 in z\n");
+  CHECK(warnings.FirstContains(
+    "Horizon 3: 2 of 36 points are spikes, expected at most 2 %: above a threshold of 6.75 vertical indices"));
+  CHECK_EQUAL(warnings.Count(), 3u);
+}
+
+void TestErrors()
+{
+  for (const double threshold : { -1.0, std::nan("") })
+  {
+    vtkNew<vtkHorizonDespiking> despiking;
+    HorizonFixtures::Errors errors(despiking);
+    despiking->SetInputDataObject(WithSpikes());
+    despiking->SetThreshold(threshold);
+    despiking->Update();
+    CHECK(errors.FirstContains("at least 0"));
+  }
+}
+
 /// Nothing to compare with is no spike; what is no place is refused.
 void TestBadInput()
 {
@@ -132,12 +170,13 @@ void TestPrint()
   vtkNew<vtkHorizonDespiking> despiking;
   despiking->SetActionToFlag();
   despiking->SetThreshold(2.5);
+  despiking->SetThresholdUnitToWorld();
   despiking->SetNeighborhoodRadius(4);
   despiking->SetThreadWidth(6);
   std::ostringstream text;
   despiking->Print(text);
-  for (const char* line : { "Action: Flag", "Threshold: 2.5", "NeighborhoodRadius: 4", "ThreadWidth: 6",
-         "NumberOfSpikes: 0", "NumberOfThreadPoints: 0" })
+  for (const char* line : { "Action: Flag", "Threshold: 2.5", "ThresholdUnit: World", "NeighborhoodRadius: 4",
+         "ThreadWidth: 6", "NumberOfSpikes: 0", "NumberOfThreadPoints: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -149,6 +188,8 @@ int TestHorizonDespiking(int, char*[])
   TestRemove();
   TestFlag();
   TestThreads();
+  TestThresholdUnit();
+  TestErrors();
   TestBadInput();
   TestPrint();
   return Check::Result();

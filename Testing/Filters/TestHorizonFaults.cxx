@@ -324,11 +324,45 @@ void TestCellsWithoutPoints()
   CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1); // that is found
 }
 
+/// A vertical index is 4 long: a step of 7 is one of 28. Of no throw, that of eight times the noise, here of rounding.
+void TestThrowUnit()
+{
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(Horizon(Torn, HorizonFixtures::RotatedSurvey()));
+  const auto figure = [&](const char* name)
+  { return filter->GetPolyDataOutput()->GetFieldData()->GetArray(name)->GetTuple1(0); };
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
+  filter->SetNoise(0.5);
+  filter->Update();
+  CHECK(std::abs(figure("SmallestFaultThrow") - 8.0 * 0.5 / std::sqrt(2.0)) < 1e-12);
+  filter->SetThrowUnitToWorld();
+  filter->SetNoise(2.0);
+  filter->Update();
+  CHECK_EQUAL(figure("FaultNoise"), 0.5);
+  CHECK(std::abs(figure("SmallestFaultThrow") - 8.0 * 0.5 / std::sqrt(2.0)) < 1e-12);
+  for (const auto& [given, lines] : { std::pair(27.0, 1), std::pair(29.0, 0) })
+  {
+    filter->SetSmallestThrow(given);
+    filter->Update();
+    CHECK_EQUAL(filter->GetNumberOfFaultLines(), lines);
+    CHECK_EQUAL(figure("SmallestFaultThrow"), given / 4.0);
+  }
+  CHECK(std::string(filter->GetResults()).find("links cut") == std::string::npos);
+  filter->SetSmallestThrow(27.0);
+  filter->Update();
+  CHECK(std::string(filter->GetResults()).find("fault lines 1\n  links cut 25\n  noise 0.5") != std::string::npos);
+  filter->SetSmallestThrow(29.0);
+  filter->Update();
+  CHECK(std::string(filter->GetResults()).find("smallest throw 7.25 vertical indices, 29 in z") != std::string::npos);
+}
+
 void TestPrintSelf()
 {
   vtkNew<vtkHorizonFaults> filter;
   filter->SetSmallestThrow(2.5);
   filter->SetNoise(0.75);
+  filter->SetThrowUnitToWorld();
   filter->SetSmallestExtent(11);
   filter->SetSmallestBranch(7);
   filter->SetLargestGap(3);
@@ -337,8 +371,8 @@ void TestPrintSelf()
   std::ostringstream text;
   filter->Print(text);
   for (const char* const line :
-    { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "SmallestExtent: 11", "SmallestBranch: 7",
-      "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
+    { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "ThrowUnit: World", "SmallestExtent: 11",
+      "SmallestBranch: 7", "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -356,6 +390,7 @@ int TestHorizonFaults(int, char*[])
   TestErrors();
   TestEndlessLines();
   TestCellsWithoutPoints();
+  TestThrowUnit();
   TestPrintSelf();
   return Check::Result();
 }

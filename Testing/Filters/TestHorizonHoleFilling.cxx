@@ -314,6 +314,46 @@ void TestErrors()
   CHECK_EQUAL(filling->GetNumberOfFilledHoles(), 0);
 }
 
+/// The plate that was chosen is told, also in the panel; one that is given is not.
+void TestAutomatic()
+{
+  vtkNew<vtkHorizonHoleFilling> filling;
+  CHECK_EQUAL(filling->GetMethod(), vtkHorizonHoleFilling::Automatic);
+  filling->SetInputDataObject(WithHoles());
+  filling->Update();
+  vtkFieldData* const figures = filling->GetPolyDataOutput()->GetFieldData();
+  CHECK_EQUAL(figures->GetArray("RimSmoothing")->GetTuple1(0), 0.0); // a plane
+  CHECK_EQUAL(figures->GetArray("RimWidth")->GetTuple1(0), 3.0);
+  CHECK(std::string(filling->GetResults()).find("rim smoothing 0\n  rim width 3\n") != std::string::npos);
+  filling->SetMethodToPlate();
+  filling->Update();
+  CHECK(!filling->GetPolyDataOutput()->GetFieldData()->HasArray("RimSmoothing"));
+}
+
+/// The bay of a patch at the edge of the survey, and its hole, apart by their marks; columns off the survey are none.
+void TestExtrapolation()
+{
+  vtkNew<vtkHorizonHoleFilling> filling;
+  filling->SetInputDataObject(HorizonFixtures::FromPicture(
+    { "#######", "###.###", "#######", "###....", "#######" }, 3, HorizonFixtures::RotatedSurvey()));
+  filling->SetExtrapolationDistance(2);
+  filling->Update();
+  vtkPolyData* const output = filling->GetPolyDataOutput();
+  const vtkIdType known = 30;
+  CHECK_EQUAL(output->GetNumberOfPoints(), 35);
+  vtkDataArray* const filled = output->GetPointData()->GetArray("Filled");
+  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+  {
+    CHECK_EQUAL(filled->GetTuple1(point), point < known ? 0.0 : point == known ? 1.0 : 2.0);
+  }
+  CHECK_EQUAL(filling->GetNumberOfFilledHoles(), 1);
+  CHECK_EQUAL(filling->GetNumberOfFilledPoints(), 5);
+  filling->SetExtrapolationDistance(-1);
+  HorizonFixtures::Errors errors(filling);
+  filling->Update();
+  CHECK(errors.FirstContains("extrapolation distance -1, expected 0 to 10000 columns"));
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonHoleFilling> filling;
@@ -322,12 +362,13 @@ void TestPrint()
   filling->SetMethodToMembrane();
   filling->SetRimSmoothing(0.25);
   filling->SetRimWidth(9);
+  filling->SetExtrapolationDistance(6);
   filling->SetAttributesToNotANumber();
   std::ostringstream text;
   filling->Print(text);
-  for (const char* line :
-    { "LargestHoleSize: 7", "LargestHoleArea: 12.5", "Method: Membrane", "RimSmoothing: 0.25", "RimWidth: 9",
-      "Attributes: NotANumber", "NumberOfFilledHoles: 0", "NumberOfFilledPoints: 0", "NumberOfOpenHoles: 0" })
+  for (const char* line : { "LargestHoleSize: 7", "LargestHoleArea: 12.5", "Method: Membrane", "RimSmoothing: 0.25",
+         "RimWidth: 9", "ExtrapolationDistance: 6", "Attributes: NotANumber", "NumberOfFilledHoles: 0",
+         "NumberOfFilledPoints: 0", "NumberOfOpenHoles: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -344,6 +385,8 @@ int TestHorizonHoleFilling(int, char*[])
   TestNothingToFill();
   TestBlocks();
   TestErrors();
+  TestAutomatic();
+  TestExtrapolation();
   TestPrint();
   return Check::Result();
 }

@@ -216,11 +216,12 @@ void MeshAtOnce(const BoundedHorizon& horizon, StageInput& input)
   {
     options.Growth = GrowthStrategy::Clockwise; // the other one refuses the radius that may be chosen
   }
-  SurfacePoints points{ {}, horizon.Plane, horizon.Height, horizon.SubVoxelsPerColumn };
+  std::vector<PlanePoint> columns;
   for (const PlanePoint& place : horizon.Plane)
   {
-    points.Columns.push_back({ place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn });
+    columns.push_back({ place.X / horizon.SubVoxelsPerColumn, place.Y / horizon.SubVoxelsPerColumn });
   }
+  const SurfacePoints points{ columns, horizon.Height };
   const bool isByNumber = options.MaximumNumberOfTriangles > 0;
   const auto isSame = [](const Surface& a, const Surface& b)
   { return a.Mesh.Triangles == b.Mesh.Triangles && a.Mesh.Points.Height == b.Mesh.Points.Height; };

@@ -52,7 +52,7 @@ Patches::Columns StageInput::TakeBitmap()
 {
   const int width = 1 + this->TakeBelow(20);
   const int height = 1 + this->TakeBelow(20);
-  const std::vector<unsigned char> bits = this->Bytes.ConsumeBytes<unsigned char>(std::size_t(width * height + 7) / 8);
+  const std::vector<unsigned char> bits = this->Bytes.TakeContents(std::size_t(width * height + 7) / 8);
   Patches::Columns columns;
   for (int n = 0; n < width * height && std::size_t(n / 8) < bits.size(); ++n)
   {
@@ -268,8 +268,8 @@ SurfaceOptions StageInput::TakeSurfaceOptions()
 SurfaceDistanceOptions StageInput::TakeSurfaceDistanceOptions()
 {
   SurfaceDistanceOptions options;
-  options.SamplesPerPoint = 0.01 + 3.0 * this->Bytes.ConsumeProbability<double>();
-  options.Seed = this->Bytes.ConsumeIntegral<std::uint64_t>();
+  options.SamplesPerPoint = 0.01 + 3.0 * this->Bytes.TakeFraction();
+  options.Seed = this->Bytes.TakeNumber(std::numeric_limits<std::uint64_t>::max());
   options.Vertical = this->TakeBool();
   return options;
 }
@@ -280,6 +280,6 @@ double StageInput::TakeNumber(double low, double high)
   const double odd[] = { Numbers::quiet_NaN(), Numbers::infinity(), -Numbers::infinity(), -1.0, -0.0, Numbers::max(),
     Numbers::denorm_min(), low, high };
   const int kind = this->TakeBelow(32);
-  return kind < 9 ? odd[kind] : low + (high - low) * this->Bytes.ConsumeProbability<double>();
+  return kind < 9 ? odd[kind] : low + (high - low) * this->Bytes.TakeFraction();
 }
 }

@@ -15,13 +15,57 @@
 #include "Tools/Patches.h"
 #include "Triangulation/OutsideTriangles.h"
 
-#include <fuzzer/FuzzedDataProvider.h>
-
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace Fuzz
 {
+/// Bytes that a fuzzer made up: contents are taken from the front, numbers from the back, so that a number more or less
+/// leaves the contents as they are. Where bytes are used up, they are 0.
+class ByteSource
+{
+public:
+  ByteSource(const std::uint8_t* data, std::size_t size)
+    : First(data)
+    , End(data + size)
+  {
+  }
+
+  std::vector<unsigned char> TakeContents(std::size_t size)
+  {
+    std::vector<unsigned char> contents(
+      this->First, this->First + std::min(size, std::size_t(this->End - this->First)));
+    this->First += contents.size();
+    return contents;
+  }
+
+  /// From 0 to `last`, of as many bytes as that takes.
+  std::uint64_t TakeNumber(std::uint64_t last)
+  {
+    std::uint64_t number = 0;
+    for (std::uint64_t left = last; left > 0 && this->First != this->End; left >>= 8U)
+    {
+      number = number << 8U | *--this->End;
+    }
+    return last == std::numeric_limits<std::uint64_t>::max() ? number : number % (last + 1);
+  }
+
+  /// From 0 to 1.
+  double TakeFraction()
+  {
+    constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+    return double(this->TakeNumber(all)) / double(all);
+  }
+
+private:
+  const std::uint8_t* First;
+  const std::uint8_t* End;
+};
+
 class StageInput
 {
 public:
@@ -43,21 +87,24 @@ public:
   SeismicHorizons::DecimationOptions TakeDecimationOptions();
   SeismicHorizons::SurfaceOptions TakeSurfaceOptions();
   SeismicHorizons::SurfaceDistanceOptions TakeSurfaceDistanceOptions();
-  bool TakeBool() { return this->Bytes.ConsumeBool(); }
+  bool TakeBool() { return this->Bytes.TakeNumber(255) % 2 == 1; }
   /// From 0 to below `bound`.
-  int TakeBelow(int bound) { return this->Bytes.ConsumeIntegralInRange(0, bound - 1); }
+  int TakeBelow(int bound) { return int(this->Bytes.TakeNumber(std::uint64_t(bound) - 1)); }
 
 private:
   Patches::Columns TakeBitmap();
   Patches::Columns TakeShape();
   Patches::Columns TakeScattered();
-  Patches::Random TakeRandom() { return Patches::Random(this->Bytes.ConsumeIntegral<std::uint32_t>()); }
+  Patches::Random TakeRandom()
+  {
+    return Patches::Random(std::uint32_t(this->Bytes.TakeNumber(std::numeric_limits<std::uint32_t>::max())));
+  }
   double TakeHeight(int kind, const SeismicHorizons::PlanePoint& column, Patches::Random& random);
   /// A number from `low` to `high`, or one of those that are often forgotten.
   double TakeNumber(double low, double high);
   std::int64_t TakeSize();
 
-  FuzzedDataProvider Bytes;
+  ByteSource Bytes;
 };
 }
 

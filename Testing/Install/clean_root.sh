@@ -21,6 +21,7 @@ cleanup() {
 trap cleanup EXIT
 
 [ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$root" ${mirror:+"$mirror"} > "$root.log"
+cleanup # of a run that was killed
 mount -t proc proc "$root/proc"
 mount -t sysfs sysfs "$root/sys" # Open MPI looks there
 mount -t devpts devpts "$root/dev/pts"

@@ -74,9 +74,14 @@ class LimitsTest(unittest.TestCase):
             self.assertGreater(apply(make("vtkHorizonSurface"), horizon(far, columns)).GetNumberOfPoints(), 0)
 
         self.check(row, "less than 2^28", r"less than 2\^28 columns a side", mesh, 1 << 28)
-        self.check(row, "less than 2^28", r"expected less than 2\^28 along a side", lambda columns: read(
-            "vtkHorizonTextReader", "far.dat", ["%d %d %d %d 5" % (x, y, x, y) for x, y in (
-                (0, 0), (1, 0), (0, 1), (1, 1), (columns - 1, 0))]), 1 << 28)
+
+        def pick(columns):
+            places = ((0, 0), (1, 0), (0, 1), (1, 1), (columns - 1, 0))
+            read("vtkHorizonTextReader", "far.dat", ["%d %d %d %d 5" % (x, y, x, y) for x, y in places])
+
+        with self.assertRaisesRegex(HorizonError, r"expected less than 2\^28 along a side"):
+            pick(1 << 28)
+        self.check("columns that picks span", "2^20", "expected at most 1000 columns a pick", pick, (1 << 19) + 1)
         with self.assertRaisesRegex(HorizonError, r"expected nX and nY below 2\^28"):
             read("vtkVerneySparseMatrixReader", "wide.vsm", ["%d 1 1" % (1 << 28)])
 

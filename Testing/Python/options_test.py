@@ -72,6 +72,15 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual((stages[0][1].GetThreshold(), stages[1][1].GetSmallestThrow()), (2.5, 3.0))
         self.assertFalse(settings.can_cut())
 
+    def test_height_unit(self):
+        """That of all heights that are given."""
+        for unit in ("Lattice", "World"):
+            stages = dict(self.settings("--cut-faults", "30", "--despike", "0", "--largest-error", "2", "--height-unit",
+                                        unit).make_stages())
+            found = (stages["despiked"].GetThresholdUnit(), stages["torn"].GetThrowUnit(), stages["mesh"].GetErrorUnit())
+            self.assertEqual(found, (unit == "World",) * 3)
+            self.assertEqual((stages["despiked"].GetThreshold(), stages["torn"].GetSmallestThrow()), (0.0, 30.0))
+
     def test_close_faults(self):
         """The stage that makes the mesh closes it."""
         for target in ((), ("--largest-error", "1")):

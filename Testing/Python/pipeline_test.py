@@ -103,7 +103,7 @@ def check_filling(reader):
     """Spikes out and holes filled before all else; the choices of the panels reach the filters, which say what they did."""
     from paraview import simple
 
-    despiking = simple.HorizonDespiking(Input=reader, Threshold=2.0, NeighborhoodRadius=3)
+    despiking = simple.HorizonDespiking(Input=reader, Threshold=0.75, NeighborhoodRadius=3)
     filling = simple.HorizonHoleFilling(Input=despiking, LargestHoleSize=30, Method="Membrane", Attributes="Not A Number")
     filling.UpdatePipeline()
     left, filled = (sum(horizon.GetNumberOfPoints() for horizon in fetch(proxy).values()) for proxy in (despiking, filling))

@@ -15,6 +15,7 @@
 #include "vtkHorizonTriangulation.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 
 #include <cmath>
 
@@ -231,6 +232,7 @@ void WhatCanNotBeIsRefused()
   vtkNew<vtkCellArray> polygons;
   polygons->InsertNextCell({ 0, 1, 7, 6 });
   quads->SetPolys(polygons);
+  quads->GetCellData()->Initialize();
   vtkNew<vtkHorizonTextWriter> text;
   CheckRefused(text, quads, "polygon 0 with 4 corners, expected triangles");
   auto bare = vtkSmartPointer<vtkPolyData>::New();

@@ -292,7 +292,6 @@ private:
         this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
       }
     }
-    this->Candidates.clear();
     for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
     {
       if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Steps: find threads by a morphological opening, with a square one column wider than they may be; then spikes, each by
-// the median of the points around it.
+// the plane through the points around it, which is made of medians.
 //
 // Opening: a square is full when each of its rows is. So rows are looked at first, and then columns of what they gave;
 // and the same the other way round to cover with squares. Takes time linear in the places of the index, whatever the
@@ -25,6 +25,7 @@ namespace
 {
 constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
 constexpr std::size_t FewestAround = 3;
+constexpr double NoiseFactor = 4.0;
 
 void CheckOptions(const DespikingOptions& options)
 {
@@ -141,56 +142,230 @@ std::vector<double> ListHeights(const ColumnIndex& index, const std::vector<doub
   return byPlace;
 }
 
-bool IsSpike(const std::vector<double>& heights, std::int64_t width, std::int64_t place,
-  const DespikingOptions& options, std::vector<double>& around)
+/// What a point is compared with: the points in a square around it.
+class Surroundings
 {
-  around.clear();
-  for (std::int64_t y = -options.Radius; y <= options.Radius; ++y)
+public:
+  Surroundings(const std::vector<double>& heights, std::int64_t width, int radius)
+    : Heights(heights)
+    , Width(width)
+    , Radius(radius)
   {
-    for (std::int64_t x = -options.Radius; x <= options.Radius; ++x)
+  }
+
+  /// How far the point at a place is above the plane through those around it; nan where these are too few.
+  double Deviation(std::int64_t place)
+  {
+    const double alongX = this->Dip(place, 1, 0);
+    const double alongY = this->Dip(place, 0, 1);
+    this->Around.clear();
+    for (std::int64_t y = -this->Radius; y <= this->Radius; ++y)
     {
-      const double height = heights[place + y * width + x];
-      if (!std::isnan(height) && (x != 0 || y != 0))
+      for (std::int64_t x = -this->Radius; x <= this->Radius; ++x)
       {
-        around.push_back(height);
+        const double height = this->Heights[place + y * this->Width + x];
+        if (!std::isnan(height) && (x != 0 || y != 0))
+        {
+          this->Around.push_back(height - alongX * double(x) - alongY * double(y));
+        }
       }
     }
+    if (this->Around.size() < FewestAround)
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    this->Level = Median(this->Around);
+    return this->Heights[place] - this->Level;
   }
-  return around.size() >= FewestAround && std::abs(heights[place] - Median(around)) > options.Threshold;
+
+  /// The median distance from the plane of the points that the last deviation was taken from. Of whole numbers, whose
+  /// median leaps, the mean where it is less.
+  double Spread()
+  {
+    constexpr double medianPerMean = 0.845; // of normal noise
+    double sum = 0.0;
+    for (double& height : this->Around)
+    {
+      height = std::abs(height - this->Level);
+      sum += height;
+    }
+    return std::min(Median(this->Around), medianPerMean * sum / double(this->Around.size()));
+  }
+
+private:
+  /// The median difference between neighbours around, one of which is `x`, `y` from the other; 0 where there are none.
+  /// The point itself, which may be a spike, is none of them.
+  double Dip(std::int64_t place, std::int64_t x, std::int64_t y)
+  {
+    const std::int64_t step = y * this->Width + x;
+    this->Around.clear();
+    for (std::int64_t row = -this->Radius; row <= this->Radius - y; ++row)
+    {
+      for (std::int64_t column = -this->Radius; column <= this->Radius - x; ++column)
+      {
+        const std::int64_t first = place + row * this->Width + column;
+        const double difference = this->Heights[first + step] - this->Heights[first];
+        if (!std::isnan(difference) && first != place && first + step != place)
+        {
+          this->Around.push_back(difference);
+        }
+      }
+    }
+    return this->Around.empty() ? 0.0 : Median(this->Around);
+  }
+
+  const std::vector<double>& Heights;
+  const std::int64_t Width;
+  const std::int64_t Radius;
+  std::vector<double> Around;
+  double Level = 0.0;
+};
+
+/// The least height difference between neighbours that is more than `rounding`: 1 of whole numbers, next to nothing of
+/// others. At most 1, as a surface that is level but for a fault has no less than its throw.
+double LeastStep(const std::vector<double>& heights, std::int64_t width, double rounding)
+{
+  double least = 1.0;
+  for (std::size_t place = std::size_t(width); place < heights.size(); ++place)
+  {
+    for (const std::size_t before : { place - 1, place - std::size_t(width) })
+    {
+      const double step = std::abs(heights[place] - heights[before]);
+      least = step > rounding && step < least ? step : least;
+    }
+  }
+  return least;
 }
 
-std::vector<SpikeKind> Find(
+/// The root mean square of deviations, those that stand out clipped. Of numbers that are rounded, at least what
+/// rounding does to differences. `deviations` may be nan.
+double NoiseOf(const std::vector<double>& byPlace, std::int64_t width, const std::vector<double>& deviations)
+{
+  constexpr double clip = 4.0; // medians
+  constexpr double few = 0.1; // of the points, which may all be spikes
+  const double rootOfSix = std::sqrt(6.0); // two roundings, each of the variance 1 / 12
+  constexpr double digits = 1e-6; // of single precision
+  double largest = 0.0;
+  for (const double height : byPlace)
+  {
+    largest = std::abs(height) > largest ? std::abs(height) : largest;
+  }
+  const double rounding = digits * largest;
+  const double step = LeastStep(byPlace, width, rounding);
+  const double least = std::max(rounding, step / rootOfSix);
+  std::vector<double> sizes;
+  sizes.reserve(deviations.size());
+  for (const double deviation : deviations)
+  {
+    if (!std::isnan(deviation))
+    {
+      sizes.push_back(std::abs(deviation));
+    }
+  }
+  if (sizes.empty())
+  {
+    return least;
+  }
+  const double count = double(sizes.size());
+  double median = Median(sizes);
+  if (median <= rounding)
+  {
+    sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [&](double size) { return size <= rounding; }), sizes.end());
+    if (double(sizes.size()) <= few * count)
+    {
+      return least;
+    }
+    median = Median(sizes);
+  }
+  double sum = 0.0;
+  for (const double size : sizes)
+  {
+    sum += std::pow(std::min(size, clip * median), 2);
+  }
+  return std::max(least, std::sqrt(sum / count));
+}
+
+Spikes Find(
   const ColumnIndex& index, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
 {
   const PlanePoints columns = index.Columns();
   assert(heights.size() == columns.size());
-  std::vector<SpikeKind> kinds(columns.size(), SpikeKind::None);
+  Spikes spikes;
+  spikes.Kind.assign(columns.size(), SpikeKind::None);
   if (options.ThreadWidth > 0)
   {
     for (const PointId point : FindThreads(index, options.ThreadWidth))
     {
-      kinds[point] = SpikeKind::Thread;
+      spikes.Kind[point] = SpikeKind::Thread;
     }
   }
   const std::vector<double> byPlace = ListHeights(index, heights);
-  ParallelFor(std::int64_t(columns.size()), Grain, monitor.Step(0.3, 1.0),
+  std::vector<double> deviations(columns.size());
+  ParallelFor(std::int64_t(columns.size()), Grain, monitor.Step(0.3, 0.9),
     [&](std::int64_t first, std::int64_t last)
     {
-      std::vector<double> around;
+      Surroundings surroundings(byPlace, index.Width(), options.Radius);
       for (std::int64_t n = first; n < last; ++n)
       {
-        if (IsSpike(byPlace, index.Width(), index.Place(columns[n]), options, around))
+        deviations[n] = surroundings.Deviation(index.Place(columns[n]));
+      }
+    });
+  const bool isGiven = options.Threshold > 0.0;
+  spikes.Threshold = isGiven ? options.Threshold
+    : columns.empty()        ? 0.0
+                             : NoiseFactor * NoiseOf(byPlace, index.Width(), deviations);
+  ParallelFor(std::int64_t(columns.size()), Grain, monitor.Step(0.9, 1.0),
+    [&](std::int64_t first, std::int64_t last)
+    {
+      Surroundings surroundings(byPlace, index.Width(), options.Radius);
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        if (!(std::abs(deviations[n]) > spikes.Threshold)) // nan, too
         {
-          kinds[n] = SpikeKind::Spike;
+          continue;
+        }
+        if (!isGiven)
+        {
+          surroundings.Deviation(index.Place(columns[n]));
+        }
+        if (isGiven || std::abs(deviations[n]) > NoiseFactor * surroundings.Spread())
+        {
+          spikes.Kind[n] = SpikeKind::Spike;
         }
       }
     });
-  return kinds;
+  return spikes;
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<SpikeKind> FindSpikes(
+double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
+{
+  constexpr std::size_t enough = 100000;
+  constexpr int radius = 2;
+  if (columns.empty())
+  {
+    return 0.0;
+  }
+  const ColumnIndex index(columns, radius, radius);
+  const PlanePoints near = index.Columns();
+  const std::vector<double> byPlace = ListHeights(index, heights);
+  Surroundings surroundings(byPlace, index.Width(), radius);
+  std::vector<double> deviations;
+  // One of so many, each time another one (by the fraction of the golden ratio), as noise may return with the rows.
+  constexpr double golden = 0.6180339887498949;
+  const std::size_t step = columns.size() / enough + 1;
+  double part = 0.0;
+  for (std::size_t n = 0; n + step <= near.size(); n += step)
+  {
+    part = part + golden < 1.0 ? part + golden : part + golden - 1.0;
+    deviations.push_back(surroundings.Deviation(index.Place(near[n + std::size_t(part * double(step))])));
+  }
+  return NoiseOf(byPlace, index.Width(), deviations);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Spikes FindSpikes(
   PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);

@@ -16,8 +16,8 @@ namespace SeismicHorizons
 {
 struct DespikingOptions
 {
-  /// A spike is more than so much above or below the median of the points around it. Lattice units.
-  double Threshold = 4.0;
+  /// A spike is more than so much above or below the points around it. Lattice units. 0: four times the noise.
+  double Threshold = 0.0;
   /// How many columns along each axis points count as around.
   int Radius = 2;
   /// Strips and spurs that are at most so many columns wide are threads. 0: none are.
@@ -35,12 +35,29 @@ enum class SpikeKind : unsigned char
   Thread = 2
 };
 
-/// What each point is; a spike on a thread is a spike. `columns` and `heights` have an entry for each point, no two
-/// points in one column (InputError). A point with less than three others around is no spike: there is nothing to tell
-/// it by. A point is of a thread when no full square of columns one wider than ThreadWidth covers it (a morphological
-/// opening). Does not depend on the number of threads of the computer.
-std::vector<SpikeKind> FindSpikes(PlanePoints columns, const std::vector<double>& heights,
-  const DespikingOptions& options, const Monitor& monitor = Monitor());
+struct Spikes
+{
+  std::vector<SpikeKind> Kind; // of each point
+  double Threshold = 0.0; // as given, or the least one that followed from the noise; 0 without points
+};
+
+/// `columns` and `heights` have an entry for each point, no two points in one column (InputError).
+///
+/// The deviation of a point is its height less the median of those around, each taken along the dip to the column of
+/// the point; the dip along an axis is the median of the differences between neighbours around. A point with less than
+/// three others around has none, and is no spike: there is nothing to tell it by. Without a threshold, a spike deviates
+/// by more than four times the noise of all points, and four times the median deviation of the points around it from
+/// the same plane, so that rough places are compared with themselves.
+///
+/// A point is of a thread when no full square of columns one wider than ThreadWidth covers it (a morphological
+/// opening); a spike on a thread is a spike. Does not depend on the number of threads of the computer.
+Spikes FindSpikes(PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options,
+  const Monitor& monitor = Monitor());
+
+/// The noise of heights, in lattice units: the root mean square of their deviations as above, with a radius of 2, those
+/// above four times the median clipped; of heights that are whole, or multiples of less, at least what rounding does.
+/// Of many points a part is looked at. 0 without points.
+double MeasureNoise(PlanePoints columns, const std::vector<double>& heights);
 }
 
 #endif

@@ -89,15 +89,14 @@ public:
     return part == this->Out ? (this->Half > 0.0 ? this->Greatest : Least) : this->At(part);
   }
 
+  double Clamp(double place) const { return std::clamp(place, Least, this->Greatest); }
+
 private:
   // Up to two columns outside, so that rounding leaves what is inside as it is.
   static constexpr double Margin = 2.0;
   static constexpr double Least = -Margin;
 
-  double At(double part) const
-  {
-    return std::clamp(this->From + part * this->Half + part * this->Half, Least, this->Greatest);
-  }
+  double At(double part) const { return this->Clamp(this->From + part * this->Half + part * this->Half); }
 
   const double From;
   const double Half;
@@ -120,14 +119,11 @@ struct NearSegment
     const ClippedAxis alongY(this->From.Y, this->To.Y, double(box.Height()));
     this->First = std::max({ 0.0, alongX.In, alongY.In });
     this->Last = std::min({ 1.0, alongX.Out, alongY.Out });
-    if (this->First > 0.0)
-    {
-      this->From = { alongX.First(this->First), alongY.First(this->First) };
-    }
-    if (this->Last < 1.0)
-    {
-      this->To = { alongX.Last(this->Last), alongY.Last(this->Last) };
-    }
+    this->From = this->First > 0.0 ? MapPlace{ alongX.First(this->First), alongY.First(this->First) }
+                                   : MapPlace{ alongX.Clamp(this->From.X), alongY.Clamp(this->From.Y) };
+    // An end far outside can be the place of the last crossing, too, as far as rounded parts tell.
+    this->To = this->Last < 1.0 ? MapPlace{ alongX.Last(this->Last), alongY.Last(this->Last) }
+                                : MapPlace{ alongX.Clamp(this->To.X), alongY.Clamp(this->To.Y) };
   }
 
   bool IsEmpty() const { return this->First > this->Last; }

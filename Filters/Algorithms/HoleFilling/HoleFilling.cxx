@@ -15,6 +15,7 @@
 #include "Common/PlaneGeometry.h"
 #include "GapFiller.h"
 #include "GapRegion.h"
+#include "PlateChoice.h"
 #include "SiteSolver.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ void CheckOptions(const HoleFillingOptions& options)
   CheckAtLeast<std::int64_t>("largest hole size", options.LargestHoleSize, 0, " columns");
   CheckWithin("rim smoothing", options.RimSmoothing, 0.0, LargestRimSmoothing, "");
   CheckWithin("rim width", options.RimWidth, 1, LargestRimWidth, " columns");
+  CheckWithin("extrapolation distance", options.ExtrapolationDistance, 0, LargestExtrapolationDistance, " columns");
 }
 
 /// Numbers along an axis of the index, of which some are known, at least one: the others go on from their neighbours.
@@ -88,13 +90,14 @@ struct GapList
   std::vector<std::int64_t> Columns; // how many each gap has
 };
 
-/// The runs of empty columns of all rows, as sets of connected ones. The first row is the rim of the index: its run
-/// stands for the outside.
+/// The runs of empty columns of all rows, as sets of connected ones: those without a point, or some of them. Of all,
+/// the first row is the rim of the index: its run stands for the outside.
 class EmptyRuns
 {
 public:
-  explicit EmptyRuns(const ColumnIndex& index)
+  explicit EmptyRuns(const ColumnIndex& index, const std::vector<bool>* some = nullptr)
     : Index(index)
+    , Some(some)
   {
     std::size_t before = 0;
     for (std::int64_t row = 0; row < index.Height(); ++row)
@@ -113,7 +116,7 @@ public:
     for (std::size_t run = 0; run < this->Runs.size(); ++run)
     {
       const std::size_t root = std::size_t(this->Sets.Find(std::int32_t(run)));
-      if (root == 0)
+      if (root == 0 && !this->Some)
       {
         continue;
       }
@@ -139,6 +142,20 @@ public:
     return result;
   }
 
+  /// Whether each place of the index is outside.
+  std::vector<bool> Outside()
+  {
+    std::vector<bool> result(std::size_t(this->Index.NumberOfPlaces()), false);
+    for (std::size_t run = 0; run < this->Runs.size(); ++run)
+    {
+      if (this->Sets.Find(std::int32_t(run)) == 0)
+      {
+        std::fill(result.begin() + this->Runs[run].First, result.begin() + this->Runs[run].Last + 1, true);
+      }
+    }
+    return result;
+  }
+
 private:
   static constexpr std::int32_t NoGap = -1;
 
@@ -148,7 +165,7 @@ private:
     bool wasEmpty = false;
     for (std::int64_t place = row * this->Index.Width(); place < end; ++place)
     {
-      const bool isEmpty = !this->Index.Has(place);
+      const bool isEmpty = this->Some ? (*this->Some)[std::size_t(place)] : !this->Index.Has(place);
       if (isEmpty && !wasEmpty)
       {
         this->Runs.push_back({ place, place });
@@ -180,9 +197,66 @@ private:
   }
 
   const ColumnIndex& Index;
+  const std::vector<bool>* const Some;
   std::vector<GapRun> Runs;
   DisjointSets Sets;
 };
+
+/// The places outside that so many steps from points, each to one of eight neighbours, lead to, and that are in a box.
+std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& frame, std::vector<bool> outside,
+  int distance, const std::optional<PlaneBox>& box)
+{
+  std::vector<bool> near(outside.size(), false);
+  std::vector<std::int64_t> front;
+  index.ForEachPoint(0, index.NumberOfPlaces(), [&](std::int64_t place, PointId) { front.push_back(place); });
+  std::vector<std::int64_t> next;
+  for (int step = 0; step < distance && !front.empty(); ++step)
+  {
+    for (const std::int64_t place : front)
+    {
+      for (int n = 0; n < 9; ++n)
+      {
+        const std::int64_t neighbour = place + (n / 3 - 1) * index.Width() + n % 3 - 1;
+        if (outside[std::size_t(neighbour)])
+        {
+          const PlanePoint column = frame.Column(neighbour);
+          outside[std::size_t(neighbour)] = false;
+          if (!box ||
+            (column.X >= box->Least.X && column.Y >= box->Least.Y && column.X <= box->Greatest.X &&
+              column.Y <= box->Greatest.Y))
+          {
+            near[std::size_t(neighbour)] = true;
+            next.push_back(neighbour);
+          }
+        }
+      }
+    }
+    front.swap(next);
+    next.clear();
+  }
+  return near;
+}
+
+/// The gaps, and after them those outside.
+struct AllGaps
+{
+  GapList Enclosed;
+  GapList Outside;
+};
+
+AllGaps FindGaps(const ColumnIndex& index, const RasterFrame& frame, const HoleFillingOptions& options)
+{
+  EmptyRuns all(index);
+  AllGaps gaps;
+  gaps.Enclosed = all.Gaps();
+  if (options.ExtrapolationDistance > 0 && index.NumberOfPlaces() > 0)
+  {
+    const std::vector<bool> near =
+      FindNearOutside(index, frame, all.Outside(), options.ExtrapolationDistance, options.Survey);
+    gaps.Outside = EmptyRuns(index, &near).Gaps();
+  }
+  return gaps;
+}
 
 /// The parts that cuts divide a gap into, given by its places in the index, in their order: in the order of their
 /// first places, and so are the places of each.
@@ -240,7 +314,7 @@ public:
     , Attributes(attributes)
     , Options(options)
     , Cuts(cuts)
-    , Gaps(EmptyRuns(index).Gaps())
+    , Gaps(FindGaps(index, frame, options))
   {
   }
 
@@ -249,7 +323,7 @@ public:
     this->Allocate();
     // The largest, which are solved one by one, tell how far they are themselves; threads share the others.
     const auto small = std::partition(this->Closed.begin(), this->Closed.end(),
-      [this](std::size_t gap) { return this->Gaps.Columns[gap] >= std::int64_t(MultigridSize); });
+      [this](std::size_t gap) { return this->SizeOf(gap) >= std::int64_t(MultigridSize); });
     const std::size_t large = std::size_t(small - this->Closed.begin());
     const double share = large == 0 ? 0.0 : large == this->Closed.size() ? 1.0 : 0.8;
     for (std::size_t n = 0; n < large; ++n)
@@ -269,20 +343,35 @@ public:
   }
 
 private:
+  // Gaps are numbered on, from those that are enclosed to those outside.
+  std::size_t NumberOfHoles() const { return this->Gaps.Enclosed.Columns.size(); }
+  bool IsOutside(std::size_t gap) const { return gap >= this->NumberOfHoles(); }
+  std::int64_t SizeOf(std::size_t gap) const
+  {
+    return this->IsOutside(gap) ? this->Gaps.Outside.Columns[gap - this->NumberOfHoles()]
+                                : this->Gaps.Enclosed.Columns[gap];
+  }
+
   /// Finds which gaps are to be closed, and makes room for their columns.
   void Allocate()
   {
-    this->Begin.assign(this->Gaps.Columns.size(), 0);
+    const std::size_t gaps = this->NumberOfHoles() + this->Gaps.Outside.Columns.size();
+    this->Begin.assign(gaps, 0);
     std::size_t size = 0;
-    for (std::size_t gap = 0; gap < this->Gaps.Columns.size(); ++gap)
+    for (std::size_t gap = 0; gap < gaps; ++gap)
     {
       this->Begin[gap] = size;
-      if (this->Gaps.Columns[gap] <= this->Options.LargestHoleSize)
+      if (gap == this->NumberOfHoles())
+      {
+        this->Result.FirstOutside = size;
+      }
+      if (this->IsOutside(gap) || this->SizeOf(gap) <= this->Options.LargestHoleSize)
       {
         this->Closed.push_back(gap);
-        size += std::size_t(this->Gaps.Columns[gap]);
+        size += std::size_t(this->SizeOf(gap));
       }
     }
+    this->Result.FirstOutside = this->Gaps.Outside.Columns.empty() ? size : this->Result.FirstOutside;
     this->Result.Column.resize(size);
     this->Result.Height.resize(size);
     this->Result.Nearest.resize(size, NoPoint);
@@ -293,8 +382,10 @@ private:
   std::vector<std::int64_t> Places(std::size_t gap) const
   {
     std::vector<std::int64_t> places;
-    places.reserve(std::size_t(this->Gaps.Columns[gap]));
-    for (const GapRun* run = this->Gaps.Runs.begin(gap); run != this->Gaps.Runs.end(gap); ++run)
+    places.reserve(std::size_t(this->SizeOf(gap)));
+    const ItemLists<GapRun>& runs = this->IsOutside(gap) ? this->Gaps.Outside.Runs : this->Gaps.Enclosed.Runs;
+    const std::size_t own = this->IsOutside(gap) ? gap - this->NumberOfHoles() : gap;
+    for (const GapRun* run = runs.begin(own); run != runs.end(own); ++run)
     {
       for (std::int64_t place = run->First; place <= run->Last; ++place)
       {
@@ -344,15 +435,16 @@ private:
   /// The result without the columns of parts that nothing known is linked to.
   FilledColumns WithoutOpenGaps()
   {
-    std::int64_t cutOff = 0;
+    bool isAnyCutOff = false;
     for (const std::size_t gap : this->Closed)
     {
       const auto begin = this->Result.Nearest.begin() + std::ptrdiff_t(this->Begin[gap]);
-      cutOff += std::count(begin, begin + this->Gaps.Columns[gap], NoPoint) > 0 ? 1 : 0;
+      const bool isCutOff = std::count(begin, begin + this->SizeOf(gap), NoPoint) > 0;
+      this->Result.FilledGaps += isCutOff || this->IsOutside(gap) ? 0 : 1;
+      isAnyCutOff = isAnyCutOff || isCutOff;
     }
-    this->Result.FilledGaps = std::int64_t(this->Closed.size()) - cutOff;
-    this->Result.OpenGaps = std::int64_t(this->Gaps.Columns.size()) - this->Result.FilledGaps;
-    if (cutOff > 0)
+    this->Result.OpenGaps = std::int64_t(this->NumberOfHoles()) - this->Result.FilledGaps;
+    if (isAnyCutOff)
     {
       this->DropCutOff();
     }
@@ -362,8 +454,10 @@ private:
   void DropCutOff()
   {
     std::size_t kept = 0;
+    const std::size_t firstOutside = this->Result.FirstOutside;
     for (std::size_t n = 0; n < this->Result.Nearest.size(); ++n)
     {
+      this->Result.FirstOutside = n == firstOutside ? kept : this->Result.FirstOutside;
       if (this->Result.Nearest[n] != NoPoint)
       {
         this->Result.Column[kept] = this->Result.Column[n];
@@ -376,6 +470,7 @@ private:
         ++kept;
       }
     }
+    this->Result.FirstOutside = std::min(this->Result.FirstOutside, kept);
     this->Result.Column.resize(kept);
     this->Result.Height.resize(kept);
     this->Result.Nearest.resize(kept);
@@ -391,7 +486,7 @@ private:
   const std::vector<PointValue>& Attributes;
   const HoleFillingOptions& Options;
   const LinkCuts* const Cuts;
-  const GapList Gaps;
+  const AllGaps Gaps;
   std::vector<std::size_t> Closed; // gaps
   std::vector<std::size_t> Begin; // of the columns of each gap in the result
   FilledColumns Result;
@@ -405,9 +500,25 @@ FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
 {
   CheckOptions(options);
   // Rings, and what stencils look at, are in it.
-  const ColumnIndex index(columns, options.RimWidth + SiteBox::Margin, options.RimWidth);
+  const bool isChosen = options.Method == FillMethod::Automatic;
+  const int rimWidth = isChosen ? WidestChosenRim : options.RimWidth;
+  // With what is outside nothing is far from what is known: all bands between stay as wide as they are.
+  const int outside = options.ExtrapolationDistance;
+  const ColumnIndex index(
+    columns, rimWidth + SiteBox::Margin + outside, outside > 0 ? ColumnIndex::AllBands : rimWidth);
   const RasterFrame frame = FindFrame(columns, index);
+  HoleFillingOptions chosen = options;
+  if (isChosen)
+  {
+    const PlateChoice choice = ChoosePlate(index, frame, heights, cuts);
+    chosen.Method = FillMethod::Plate;
+    chosen.RimSmoothing = choice.RimSmoothing;
+    chosen.RimWidth = choice.RimWidth;
+  }
   monitor.Progress(0.1);
-  return HoleFiller(index, frame, heights, attributes, options, cuts).Run(monitor.Step(0.1, 1.0));
+  FilledColumns filled = HoleFiller(index, frame, heights, attributes, chosen, cuts).Run(monitor.Step(0.1, 1.0));
+  filled.RimSmoothing = chosen.RimSmoothing;
+  filled.RimWidth = chosen.RimWidth;
+  return filled;
 }
 }

@@ -18,11 +18,13 @@
 
 #include "Common/LinkCuts.h"
 #include "Common/Monitor.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
 
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -30,23 +32,29 @@ namespace SeismicHorizons
 enum class FillMethod
 {
   Plate = 0,
-  Membrane = 1
+  Membrane = 1,
+  Automatic = 2 // a plate whose smoothing and rim are chosen by how rough the horizon is
 };
 
 struct HoleFillingOptions
 {
   /// Gaps of more columns stay open.
   std::int64_t LargestHoleSize = 2500;
-  FillMethod Method = FillMethod::Plate;
-  /// How much a plate may differ from the ring: the inverse of the strength of the springs that hold it to each known
-  /// column. 0 makes it go through them.
+  FillMethod Method = FillMethod::Automatic;
+  /// Of Plate. How much a plate may differ from the ring: the inverse of the strength of the springs that hold it to
+  /// each known column. 0 makes it go through them.
   double RimSmoothing = 1.0;
   /// How many columns wide the ring is.
   int RimWidth = 3;
+  /// Columns outside that are at most so many steps, each to one of eight neighbours, from a known one are filled, too.
+  int ExtrapolationDistance = 0;
+  /// Where these have to be: the columns of a survey; anywhere without any.
+  std::optional<PlaneBox> Survey = std::nullopt;
 };
 
 constexpr int LargestRimWidth = 64;
 constexpr double LargestRimSmoothing = 1e6;
+constexpr int LargestExtrapolationDistance = 10000;
 
 /// A number for each point that is filled by a membrane; places where it is not finite count as unknown.
 using PointValue = std::function<double(PointId)>;
@@ -60,13 +68,19 @@ struct FilledColumns
   std::vector<PointId> Nearest;
   /// The values of each attribute; nan where none is known on the rim.
   std::vector<std::vector<double>> Attribute;
-  std::int64_t FilledGaps = 0;
+  /// The entry that the columns outside begin with.
+  std::size_t FirstOutside = 0;
+  std::int64_t FilledGaps = 0; // those enclosed
   /// Gaps that are too large, or have a part that is cut off from all known columns.
   std::int64_t OpenGaps = 0;
+  /// Of the plates, as given or chosen.
+  double RimSmoothing = 0.0;
+  int RimWidth = 0;
 };
 
 /// `columns` and `heights` have an entry for each point, no two points in one column (InputError). New columns are in
-/// the order of their gaps, which rows from the least y meet, and in that of their rows within a gap. The result does
+/// the order of their gaps, which rows from the least y meet, and in that of their rows within a gap; those outside,
+/// whose groups are gaps of any size, come last. The result does
 /// not depend on the number of threads. Memory beyond the result: that of the index, about 600 bytes for each column of
 /// the largest gap, whatever its bounding box is, and up to 20 megabytes for each thread.
 FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,

@@ -42,7 +42,6 @@ public:
     {
       this->Number[this->Points[n]] = std::int32_t(n);
     }
-    this->IsKept.assign(this->Points.size(), 0);
     this->IsNode.assign(this->Points.size(), 0);
   }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: the gaps between points, for the radius; the search for the error of a number of triangles; and the
-// three methods one after the other.
+// In this order: the gaps between points, for the radius; the search for the error of a number of triangles; the points
+// that outlines keep beside slivers; and the three methods one after the other.
 
 #include "Surface.h"
 
@@ -11,12 +11,14 @@
 #include "Common/CountingSort.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace SeismicHorizons
@@ -107,9 +109,13 @@ constexpr double Power = 1.5; // the number of triangles is as the error to the 
 // How far a first guess goes beyond where that leads, as a factor of the error: it is to come out on the other side.
 constexpr double Beyond = 1.3;
 // As long as all errors come out on one side, the search goes on as the last two lead: by this factor at most, and each
-// time by the square of the one before; to the end when the numbers are as good as level.
+// time by the square of the one before; to the end when the numbers are as good as level there.
 constexpr double FarthestStep = 8.0;
 constexpr double LeastPower = 0.2;
+// Below this error, in lattice units, numbers are level as nearly all points are vertices; above, as outlines alone are
+// left, and then they rise faster towards smaller errors.
+constexpr double ErrorOfAllPoints = 0.1;
+constexpr double PowerOfOutlines = 0.75;
 // The search ends with so much of the number, or when its ends are so near to each other, as a factor. The error is
 // that of outlines alone, and a tenth of the number is some hundredths of it. Secants aim at the middle of what is
 // enough.
@@ -167,10 +173,15 @@ private:
   /// From the last of the errors, which are all on one side, to where the number should be on the other one.
   double GoBeyond(const Sample& before, const Sample& last)
   {
-    const double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
-    if (power < LeastPower)
+    double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
+    const bool isFine = last.Part > 0.0;
+    if (power < LeastPower && (isFine || last.Error < std::log(ErrorOfAllPoints)))
     {
-      return last.Part > 0.0 ? this->Largest : this->Least;
+      return isFine ? this->Largest : this->Least;
+    }
+    if (!isFine && last.Error > std::log(ErrorOfAllPoints))
+    {
+      power = std::max(power, PowerOfOutlines);
     }
     const double beyond = std::log(last.Part > 0.0 ? Beyond : 1.0 / Beyond);
     double step = last.Part / power + beyond;
@@ -224,6 +235,84 @@ double FindErrorForTriangles(std::size_t most, double first, double largest, con
 
 namespace
 {
+/// Of two places, the one that comes first row by row.
+bool IsBefore(const PlanePoint& a, const PlanePoint& b)
+{
+  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
+}
+
+/// The points that were dropped from loops, to be found by their places.
+class DroppedPlaces
+{
+public:
+  DroppedPlaces(PlanePoints columns, const Loops& before, const Loops& after)
+    : Columns(columns)
+  {
+    const std::vector<unsigned char> kept = after.MarkPoints(columns.size());
+    before.ForEachPoint(
+      [&](PointId point)
+      {
+        if (kept[std::size_t(point)] == 0)
+        {
+          this->Points.push_back(point);
+        }
+      });
+    std::sort(
+      this->Points.begin(), this->Points.end(), [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); });
+  }
+
+  /// The nearest to a place, or NoPoint when none is so near.
+  PointId FindNearest(const PlanePoint& place, std::int32_t reach) const
+  {
+    PointId nearest = NoPoint;
+    std::int64_t least = std::int64_t(reach) * reach;
+    for (std::int32_t y = place.Y - reach; y <= place.Y + reach; ++y)
+    {
+      auto point = std::lower_bound(this->Points.begin(), this->Points.end(), PlanePoint{ place.X - reach, y },
+        [this](PointId one, const PlanePoint& other) { return IsBefore(this->Columns[one], other); });
+      for (; point != this->Points.end() && !IsBefore({ place.X + reach, y }, this->Columns[*point]); ++point)
+      {
+        const std::int64_t distance = SquaredDistance(place, this->Columns[*point]);
+        if (distance < least || (distance == least && nearest == NoPoint))
+        {
+          least = distance;
+          nearest = *point;
+        }
+      }
+    }
+    return nearest;
+  }
+
+private:
+  const PlanePoints Columns;
+  std::vector<PointId> Points; // row by row
+};
+
+/// Where a sliver wants another corner: where its blunt corner is, on the side opposite to that; where it has none,
+/// half-way along the longer one of the other two sides.
+PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
+{
+  const auto opposite = [&](std::size_t n) { return SquaredDistance(corners[(n + 1) % 3], corners[(n + 2) % 3]); };
+  std::size_t corner = opposite(1) > opposite(0) ? 1 : 0;
+  corner = opposite(2) > opposite(corner) ? 2 : corner;
+  const PlanePoint& here = corners[corner];
+  const std::size_t next = (corner + 1) % 3;
+  const std::size_t last = (corner + 2) % 3;
+  if (-2 * ScalarProduct(here, corners[next], corners[last]) > std::min(opposite(next), opposite(last)))
+  {
+    return here;
+  }
+  const PlanePoint& end = corners[opposite(last) > opposite(next) ? next : last];
+  return { (here.X + end.X) / 2, (here.Y + end.Y) / 2 };
+}
+
+// What the first mesh brings back can leave slivers of its own.
+constexpr int SliverRounds = 2;
+// Larger angles, in degrees, meshes within an error do not keep inside either.
+constexpr double LargestKeptAngle = 10.0;
+// Beyond so many columns from an outline, its points do nothing for a sliver.
+constexpr double FarthestReach = 16.0;
+
 /// Runs the methods one after the other; a boundary is found again only when its holes change.
 class SurfaceMaker
 {
@@ -240,9 +329,10 @@ public:
     const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
     const double last = isByNumber ? 0.6 : 0.0; // the part of the work where the last run begins
     const double error = isByNumber ? this->FindError(monitor.Step(0.0, last)) : this->Options.MaximumError;
-    this->Simplify(error, monitor.Step(last, last + 0.4 * (1.0 - last)));
+    this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
+      this->KeepBesideSlivers(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
       this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
@@ -276,12 +366,67 @@ private:
 
   std::size_t CountTriangles(double error, const Monitor& monitor)
   {
-    DecimationOptions options = this->MakeDecimationOptions();
-    options.Effort = DecimationEffort::Fast;
-    options.MaximumError = error;
     return this->Result.Kept.empty()
       ? 0
-      : SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
+      : this->DecimateFast(error, this->Options.FitHeights, monitor).Triangles.size() / 3;
+  }
+
+  Decimation DecimateFast(double error, bool fitHeights, const Monitor& monitor)
+  {
+    DecimationOptions options = this->MakeDecimationOptions();
+    options.Effort = DecimationEffort::Fast;
+    options.FitHeights = fitHeights;
+    options.MaximumError = error;
+    return SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor);
+  }
+
+  /// A long side of an outline beside ground that takes many vertices leaves nothing but slivers between the two. Where
+  /// that is, a mesh of the fast effort tells: outlines keep the points next to its slivers, so that the best effort,
+  /// which gets rid of those inside, finds none that it has to leave.
+  void KeepBesideSlivers(const Monitor& monitor)
+  {
+    const double error = this->Result.Parameters.MaximumError;
+    const bool isAsked = this->Options.Effort == DecimationEffort::Best && this->Options.SmallestAngle > 0.0;
+    for (int round = 0; round < SliverRounds && isAsked && error > 0.0; ++round)
+    {
+      const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
+      const Decimation mesh = this->DecimateFast(error, false, step.Step(0.0, 0.8));
+      if (!this->KeepBesideSliversOf(mesh))
+      {
+        return;
+      }
+      this->Simplify(error, step.Step(0.8, 1.0));
+    }
+  }
+
+  /// False when that is no point more.
+  bool KeepBesideSliversOf(const Decimation& mesh)
+  {
+    if (mesh.NumberOfSlivers == 0)
+    {
+      return false;
+    }
+    const SurfaceParameters& parameters = this->Result.Parameters;
+    const double reach = std::min(parameters.OutlineTolerance, FarthestReach) + 2.0 * parameters.Radius;
+    const double sine = SineOfDegrees(std::min(this->Options.SmallestAngle, LargestKeptAngle));
+    const DroppedPlaces dropped(this->Columns(), this->Result.Boundary.Boundary, this->Outlines);
+    const std::size_t before = this->Result.BesideSlivers.size();
+    const std::vector<unsigned char> isOnLoop = mesh.Points.Boundary.MarkPoints(mesh.Points.Source.size());
+    for (auto vertex = mesh.Triangles.begin(); vertex != mesh.Triangles.end(); vertex += 3)
+    {
+      const auto place = [&](int corner) { return mesh.Points.Plane[std::size_t(vertex[corner])]; };
+      const std::array<PlanePoint, 3> corners = { place(0), place(1), place(2) };
+      if (SineOfSmallestAngle(corners[0], corners[1], corners[2]) < sine &&
+        std::any_of(vertex, vertex + 3, [&](PointId one) { return isOnLoop[std::size_t(one)] != 0; }))
+      {
+        const PointId nearest = dropped.FindNearest(PlaceToSplit(corners), std::int32_t(std::ceil(reach)));
+        if (nearest != NoPoint)
+        {
+          this->Result.BesideSlivers.push_back(nearest);
+        }
+      }
+    }
+    return this->Result.BesideSlivers.size() > before;
   }
 
   /// Finds the boundary with the holes that an error leaves open, and simplifies it for that error.
@@ -343,26 +488,28 @@ private:
     const auto simplify = [&](const Loops& loops)
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.EndsOfMouths();
+    options.Fixed.insert(options.Fixed.end(), this->Result.BesideSlivers.begin(), this->Result.BesideSlivers.end());
     options.Index = this->Result.Kept.AreAll() ? &*this->Index : nullptr;
     if (!HasSeams(this->Options.Seams))
     {
       return simplify(this->Result.Boundary.Boundary);
     }
-    SeamChains seams = SimplifySeams(this->Columns(), this->Height(), this->Result.Boundary.Boundary,
-      this->BoundaryParameters, parameters.DistanceThreshold);
-    for (const SeamPin& pin : seams.Pins)
+    if (!this->Seams) // once, as points are put onto their lines
     {
-      this->Height()[pin.Point] = pin.Height;
+      this->Seams = SimplifySeams(this->Columns(), this->Height(), this->Result.Boundary.Boundary,
+        this->BoundaryParameters, parameters.DistanceThreshold);
+      for (const SeamPin& pin : this->Seams->Pins)
+      {
+        this->Height()[pin.Point] = pin.Height;
+      }
     }
-    options.Fixed = std::move(seams.Kept);
+    const SeamChains& seams = *this->Seams;
+    options.Fixed.insert(options.Fixed.end(), seams.Kept.begin(), seams.Kept.end());
     BoundarySimplification simplified = simplify(seams.Boundary);
     simplified.Dropped.insert(simplified.Dropped.end(), seams.Dropped.begin(), seams.Dropped.end());
     std::sort(simplified.Dropped.begin(), simplified.Dropped.end(),
       [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
     simplified.Deviation = std::max(simplified.Deviation, seams.Deviation);
-    this->SeamHeightDeviation = seams.HeightDeviation;
-    this->Result.Pins = std::move(seams.Pins);
-    this->Result.OpenGaps = std::move(seams.OpenGaps);
     return simplified;
   }
 
@@ -425,7 +572,12 @@ private:
     this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
-    largest = std::max(largest, this->SeamHeightDeviation);
+    if (this->Seams)
+    {
+      largest = std::max(largest, this->Seams->HeightDeviation);
+      this->Result.Pins = std::move(this->Seams->Pins);
+      this->Result.OpenGaps = std::move(this->Seams->OpenGaps);
+    }
     std::vector<PointId>& target = this->Result.Mesh.Points.Target;
     for (const DroppedPoint& dropped : this->Dropped)
     {
@@ -444,6 +596,12 @@ private:
     options.MaximumNumberOfPoints = onLoops;
     const std::size_t least = SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
     const std::size_t most = this->Options.MaximumNumberOfTriangles;
+    if (least > most && !this->Result.BesideSlivers.empty()) // the number comes before angles
+    {
+      this->Result.BesideSlivers.clear();
+      this->Simplify(this->Result.Parameters.MaximumError, Monitor());
+      return this->FindNumberOfPoints(monitor);
+    }
     if (least > most)
     {
       throw TooFewTriangles(most, least);
@@ -461,7 +619,7 @@ private:
   std::vector<double> KeptHeight;
   DroppedPoints Dropped; // from the outlines of these
   Loops Outlines; // without them
-  double SeamHeightDeviation = 0.0;
+  std::optional<SeamChains> Seams; // of the boundary, where it has some
 };
 }
 
@@ -470,7 +628,8 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 {
   constexpr double Widest = 1 << 14; // no lattice has as many columns as its square
   const double narrow = std::ceil(std::min(2.0 * outlineTolerance, Widest));
-  const std::int64_t side = std::max(std::int64_t(2 * radius + 1), std::int64_t(narrow));
+  const std::int64_t span = 2 * std::int64_t(std::min(radius, LargestRadius)) + 1; // larger ones are refused
+  const std::int64_t side = std::max(span, std::int64_t(narrow));
   return side * side;
 }
 

@@ -86,6 +86,8 @@ struct Surface
   double OutlineDeviation = 0.0;
   double OutlineHeightDeviation = 0.0;
   std::int64_t NumberOutside = 0;
+  /// Points, numbered as the boundary does, that outlines kept only since there would be slivers next to them.
+  std::vector<PointId> BesideSlivers;
   /// The mesh; its reduction is that of the points that have a patch. Empty when there are none.
   Decimation Mesh;
   /// Of a part with seams: points that were put onto their lines, and those to the left of open gaps (SeamChains.h); as

@@ -173,6 +173,30 @@ void TestPriority()
   }
 }
 
+/// Of what was asked to be small, a fit leaves nothing larger than without it: the largest error, or the mean of all.
+void TestFitToPriority()
+{
+  Patches::Random random(31);
+  const Patches::Columns columns = Square(30);
+  double shrinks = 0.0;
+  for (int n = 0; n < 40; ++n)
+  {
+    const BoundedHorizon horizon =
+      TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, TestHorizons::MakeHeights(columns, random)));
+    const std::size_t most = horizon.Boundary.CountPoints(horizon.Plane.size()) + std::size_t(20 + random.Below(100));
+    DecimationOptions fitted = AtMost(most, true);
+    DecimationOptions plain = AtMost(most, false);
+    const double before = Decimate(horizon, plain).MeanError;
+    const double after = Decimate(horizon, fitted).MeanError;
+    CHECK(after <= before);
+    shrinks += after < 0.99 * before ? 1.0 : 0.0;
+    fitted.Priority = DecimationPriority::LargestError;
+    plain.Priority = DecimationPriority::LargestError;
+    CHECK(Decimate(horizon, fitted).LargestError <= Decimate(horizon, plain).LargestError + 1e-9);
+  }
+  CHECK(shrinks > 20.0);
+}
+
 /// No angle becomes smaller than asked for where all were larger before.
 void TestSmallestAngle()
 {
@@ -318,6 +342,7 @@ int TestDecimation(int, char*[])
   TestFitNoise();
   TestBest();
   TestPriority();
+  TestFitToPriority();
   TestSmallestAngle();
   TestThreads();
   TestErrors();

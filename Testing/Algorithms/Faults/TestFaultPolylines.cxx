@@ -52,6 +52,8 @@ void LiesOutside()
 {
   CHECK_EQUAL(CutAlong(Flat(), { { { -5.0, 9.0 }, { 20.0, 9.0 } } }).Size(), 0U);
   CHECK_EQUAL(CutAlong(Flat(), { { { -1e300, 1e300 }, { -1e300, -1e300 } } }).Size(), 0U);
+  // Which ends far away too, by a part of the way that is rounded to all of it.
+  CHECK_EQUAL(CutAlong(Flat(), { { { 1.0, 1e94 }, { 4.0, 5e25 } } }).Size(), 0U);
   // In, out and in again: two lines.
   const FaultLines twice = CutAlong(Flat(), { { { 2.5, 1.5 }, { 2.5, -9.0 }, { 3.5, -9.0 }, { 3.5, 1.5 } } });
   CHECK_EQUAL(twice.Size(), 2U);

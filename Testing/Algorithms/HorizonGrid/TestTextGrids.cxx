@@ -68,6 +68,9 @@ void Cps3IsRead()
   CHECK(IsTheSample(Read("! comment\n" + Replace(Cps3(), "FSXINC 50.0 25.0", "FSXINC 25.0 50.0"))));
   CHECK(IsTheSample(Read(Replace(Cps3(), "FSLIMI 1000.0 1100.0", "FSLIMI \"1000.0\" \"1100.0\""))));
   CHECK(IsTheSample(Read(Replace(Cps3(), "->top\n", ""))));
+  // The null value is the sixth word, whatever comes behind it, and 1e30 is none in any file.
+  CHECK(IsTheSample(Read(Replace(Cps3(), "FSASCI 0 1 COMPUTED 0 1.0E+30", "FSASCI 0 1 \"Computed\" 0 1E30 3"))));
+  CHECK(IsTheSample(Read(Replace(Cps3(), "COMPUTED 0 1.0E+30", "COMPUTED 0 -999.25"))));
 }
 
 void Cps3HeaderIsChecked()

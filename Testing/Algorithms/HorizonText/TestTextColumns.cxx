@@ -51,6 +51,17 @@ void TestNulls()
   CHECK_EQUAL(Table("1.5 2.5 -999.25\n4.5 2.5 -1\n"), std::string("x y z\n1.5 2.5 -999.25\n4.5 2.5 -1\n"));
 }
 
+/// Points of RMS whose coordinates are all 999 end a line of points; others with such a number are points.
+void TestEndsOfLines()
+{
+  CHECK_EQUAL(Table("1.5 2.5 3.5\n999.0 999.0 999.0\n4.5 2.5 3.75\n999 999 999\n"), XyzTable);
+  CHECK_EQUAL(
+    Table("1.5 999 999\n999 2.5 999\n999 999 3\n"), std::string("x y z\n1.5 999 999\n999 2.5 999\n999 999 3\n"));
+  const PickTable named = Read("x y z horizon\n1.5 2.5 3.5 Top\n999 999 999 Top\n4.5 2.5 3.75 Base\n");
+  CHECK_EQUAL(named.Size(), 2u);
+  CHECK(named.Horizon == std::vector<int>({ 0, 1 }));
+}
+
 /// Columns without names, by their values.
 void TestGuesses()
 {
@@ -137,6 +148,7 @@ int TestTextColumns(int, char*[])
   TestSeparators();
   TestNumbers();
   TestNulls();
+  TestEndsOfLines();
   TestGuesses();
   TestGuessedPlaces();
   TestNames();

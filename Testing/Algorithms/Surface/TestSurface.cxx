@@ -5,6 +5,7 @@
 // no more triangles than there may be.
 
 #include "Common/Parallel.h"
+#include "Common/Predicates.h"
 #include "SurfaceParts.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
@@ -71,10 +72,11 @@ std::size_t CountTriangles(const Surface& surface)
   return surface.Mesh.Triangles.size() / 3;
 }
 
-/// The three methods, one after the other, with the parameters of a surface; as a text, the mesh over the points that
-/// were given.
-std::string RunMethods(const Points& points, const SurfaceOptions& given, const SurfaceParameters& parameters)
+/// The three methods, one after the other, with the parameters of a surface and the points that its outlines keep; as a
+/// text, the mesh over the points that were given.
+std::string RunMethods(const Points& points, const SurfaceOptions& given, const Surface& surface)
 {
+  const SurfaceParameters& parameters = surface.Parameters;
   BoundaryOptions boundary;
   boundary.Radius = parameters.Radius;
   boundary.Growth = given.Growth;
@@ -86,6 +88,7 @@ std::string RunMethods(const Points& points, const SurfaceOptions& given, const 
   straight.Method = OutlineMethod::FewestPoints;
   straight.OutlineTolerance = parameters.OutlineTolerance;
   straight.DistanceThreshold = parameters.DistanceThreshold;
+  straight.Fixed = surface.BesideSlivers;
   const BoundarySimplification simplified =
     SimplifyBoundary(TestHorizons::OnColumns(horizon), horizon.Boundary, straight);
   DecimationOptions decimation;
@@ -145,7 +148,7 @@ void TestSameAsMethods()
     options.HoleBoundaries = n % 4 != 3;
     options.Effort = n % 7 < 3 ? DecimationEffort::Fast : DecimationEffort::Best;
     const Surface surface = MakeSurface(points, options);
-    CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface.Parameters));
+    CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface));
     CHECK_EQUAL(surface.Parameters.OutlineTolerance, surface.Parameters.MaximumError);
     CHECK_EQUAL(surface.Parameters.DistanceThreshold, surface.Parameters.MaximumError);
     CHECK_EQUAL(surface.Parameters.SmallestHoleSize,
@@ -167,7 +170,7 @@ void TestGivenParameters()
   CHECK_EQUAL(surface.Parameters.OutlineTolerance, 0.0);
   CHECK_EQUAL(surface.Parameters.DistanceThreshold, 0.25);
   CHECK_EQUAL(surface.Parameters.MaximumError, 1.0);
-  CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface.Parameters));
+  CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface));
   // With both tolerances there is no error to search for.
   options.MaximumNumberOfTriangles = 400;
   const Surface byNumber = MakeSurface(points, options);
@@ -201,6 +204,7 @@ void TestHoles()
   CHECK_EQUAL(ChooseSmallestHoleSize(1, 2.0), 16);
   CHECK_EQUAL(ChooseSmallestHoleSize(3, 2.0), 49);
   CHECK_EQUAL(ChooseSmallestHoleSize(1, 1e300), std::int64_t(1) << 28);
+  CHECK_EQUAL(ChooseSmallestHoleSize(std::numeric_limits<int>::max(), 0.0), ChooseSmallestHoleSize(LargestRadius, 0.0));
 }
 
 /// At most so many; just as many, but for one, where there are points enough.
@@ -215,6 +219,55 @@ void TestNumberOfTriangles()
     CHECK(CountTriangles(surface) <= most && CountTriangles(surface) + 1 >= most);
   }
   CHECK(MakeSurface(points, AtMost(1000000)).Mesh.LargestError < 1e-12);
+}
+
+/// The least angle of a mesh in plan, in degrees.
+double SmallestAngle(const Surface& surface)
+{
+  double sine = 1.0;
+  for (std::size_t first = 0; first < surface.Mesh.Triangles.size(); first += 3)
+  {
+    const auto corner = [&](std::size_t n)
+    { return surface.Mesh.Points.Plane[std::size_t(surface.Mesh.Triangles[first + n])]; };
+    sine = std::min(sine, SineOfSmallestAngle(corner(0), corner(1), corner(2)));
+  }
+  return std::asin(sine) * 45.0 / std::atan(1.0);
+}
+
+/// A level rim around ground that takes a vertex in every column: sides of outlines that are as long as the rim would
+/// leave nothing but slivers. They are kept only to get rid of those, and only as long as the number allows it.
+void TestBesideSlivers()
+{
+  const auto rough = [](const PlanePoint& column)
+  {
+    const bool isRim = column.X == 0 || column.X == 79 || column.Y == 0 || column.Y == 39;
+    return isRim ? 5.0 : 5.0 + 2.0 * ((column.X + column.Y) % 2) + (column.X * 7 + column.Y * 3) % 4;
+  };
+  const Points points = MakePoints(Rectangle(80, 40), rough);
+  SurfaceOptions options = Within(0.75);
+  options.SmallestAngle = 0.0;
+  const Surface before = MakeSurface(points, options);
+  CHECK(before.BesideSlivers.empty());
+  CHECK_EQUAL(before.Mesh.Points.Boundary.TotalLength(), 4u);
+  CHECK(SmallestAngle(before) < 2.0);
+  for (const double angle : { 2.0, 5.0 })
+  {
+    options.SmallestAngle = angle;
+    const Surface after = MakeSurface(points, options);
+    CHECK_EQUAL(after.Mesh.NumberOfSlivers, 0u);
+    CHECK(SmallestAngle(after) >= angle);
+    CHECK(after.Mesh.LargestError <= 0.75 + 1e-9);
+    CHECK_EQUAL(after.Mesh.Points.Boundary.TotalLength(), 4 + after.BesideSlivers.size());
+  }
+  options.Effort = DecimationEffort::Fast;
+  CHECK(MakeSurface(points, options).BesideSlivers.empty());
+  const auto plane = [](const PlanePoint& column) { return 1.0 + 0.5 * column.X; };
+  CHECK(MakeSurface(MakePoints(Rectangle(80, 40), plane), Within(0.75)).BesideSlivers.empty());
+  const Surface strip = MakeSurface(MakePoints(Rectangle(80, 2), plane), Within(0.75));
+  CHECK(strip.Mesh.NumberOfSlivers == 0 && CountTriangles(strip) < 10);
+  options = AtMost(CountTriangles(before) / 2);
+  CHECK(MakeSurface(points, options).Mesh.NumberOfSlivers < 10);
+  CHECK_EQUAL(CountTriangles(MakeSurface(points, AtMost(2))), 2u);
 }
 
 /// So many triangles as the coarsest outlines take are enough, and one less is refused, which names that number. So do
@@ -334,6 +387,7 @@ int TestSurface(int, char*[])
   TestGivenParameters();
   TestHoles();
   TestNumberOfTriangles();
+  TestBesideSlivers();
   TestNumberOnRandomPatches();
   TestPlaneAndFewPoints();
   TestSpecks();

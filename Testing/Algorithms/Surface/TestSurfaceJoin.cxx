@@ -231,6 +231,34 @@ void TestHoles()
   CHECK_EQUAL(JoinPicture(waist, { 4 }).Boundary.Size(), 2u);
 }
 
+/// Points that a seam drops count for the nearer one beside them that it keeps.
+void TestDroppedOnSeams()
+{
+  SurfaceParts::Points points;
+  for (const PlanePoint& column :
+    Patches::FromPicture({ "...########################", "...########################" }))
+  {
+    points.Columns.push_back(column);
+    points.Height.push_back(std::abs(column.X - 11.0)); // a fold, where the seam keeps a point
+  }
+  BoundaryOptions options;
+  options.HoleBoundaries = true;
+  options.Seams.Lower = 0;
+  const ExteriorBoundary boundary = FindExteriorBoundary(points.Columns, options);
+  const SeamChains seams = SimplifySeams(points.Columns, points.Height, boundary.Boundary, options, 0.25);
+  CHECK_EQUAL(seams.Kept.size(), 3u);
+  CHECK_EQUAL(seams.Dropped.size(), 21u);
+  const auto distance = [&](const DroppedPoint& one, PointId kept)
+  { return std::abs(points.Columns[std::size_t(one.Point)].X - points.Columns[std::size_t(kept)].X); };
+  for (const DroppedPoint& one : seams.Dropped)
+  {
+    for (const PointId kept : seams.Kept)
+    {
+      CHECK(distance(one, one.Target) <= distance(one, kept));
+    }
+  }
+}
+
 /// Patches are counted after they were joined.
 void TestSpecks()
 {
@@ -271,7 +299,8 @@ void TestSeamErrors()
   const auto refuse = [&](const std::string& message, void (*change)(SurfaceOptions&))
   {
     SurfaceOptions options;
-    options.Seams.Lower = 0;
+    options.HoleBoundaries = true;
+  options.Seams.Lower = 0;
     change(options);
     CHECK_THROWS_WITH(MakeSurface(points, options), message);
   };
@@ -339,6 +368,7 @@ int TestSurfaceJoin(int, char*[])
   TestOnePart();
   TestPictures();
   TestHoles();
+  TestDroppedOnSeams();
   TestSpecks();
   TestThreads();
   TestSeamErrors();

@@ -292,6 +292,13 @@ void TestRefusals()
   PickTable many = LineTable();
   many.Names.resize(32769);
   CHECK_THROWS_WITH(PlacePicks(many, {}), " picks of 32769 horizons, expected at most 32768");
+  PickTable stray = LineTable();
+  stray.Inline.push_back(4000100.0);
+  stray.Crossline.push_back(40020.0);
+  stray.Z.push_back(0.0);
+  CHECK_THROWS_WITH(PlacePicks(stray, {}),
+    "lattice of 20001 x 1000001 columns for 16 picks, expected at most 1000 columns "
+    "a pick; pick 16, in column (20000, 1000000), is the farthest from the others");
 }
 }
 

@@ -85,6 +85,12 @@ def outline_points(horizon):
     return lines.GetNumberOfConnectivityIds() - lines.GetNumberOfCells()
 
 
+def bends(outlined):
+    """How many points of outlines stay whatever the threshold: those where they turn, seen from above, and those that
+    they visit more than once. With a threshold that lets all others go, nearly these are left."""
+    return outline_points(straighten(outlined, 1e6).data)
+
+
 def triangles_only(data):
     """Without lines and attributes, for filters that would do something with them."""
     bare = vtkPolyData()

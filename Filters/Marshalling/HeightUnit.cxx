@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HeightUnit.h"
+
+#include "Common/PlaneGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+double WorldPerIndex(const Lattice& grid)
+{
+  const Eigen::Vector3d up(0.0, 0.0, 1.0);
+  return std::abs((grid.ToWorld(up) - grid.ToWorld(Eigen::Vector3d::Zero())).z());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& grid)
+{
+  if (unit == HeightUnit::World)
+  {
+    return 1.0 / WorldPerIndex(grid);
+  }
+  if (unit == HeightUnit::Diagonal)
+  {
+    const PlaneBox box(columns);
+    const auto ends = std::minmax_element(height.begin(), height.end());
+    const Eigen::Vector3d diagonal(
+      double(box.Greatest.X) - box.Least.X, double(box.Greatest.Y) - box.Least.Y, *ends.second - *ends.first);
+    return diagonal.norm();
+  }
+  return 1.0;
+}
+}
