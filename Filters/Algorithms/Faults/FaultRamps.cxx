@@ -1,0 +1,523 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+//  1. FindRises: means of as many columns as the widest ramp has, and their differences, along rows and along files.
+//  2. Peaks of these, row by row and file by file, that are steep enough; each is the middle of a ramp. A fault that
+//     runs aslant has peaks in both: those of the direction in which it is narrower count.
+//  3. Peaks of successive rows, or files, are joined, also over some that have none.
+
+#include "FaultRamps.h"
+
+#include "Common/FixedChunks.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr float Missing = std::numeric_limits<float>::quiet_NaN();
+
+/// The sizes of what is looked at, in columns.
+struct RampScale
+{
+  explicit RampScale(int largest)
+    : Mean(largest)
+    , Half((largest + 1) / 2)
+    , Shoulder(this->Mean + this->Half)
+    , Fewest(largest / 2 + 1)
+    , Reach(this->Shoulder + this->Mean)
+  {
+    assert(largest >= 2 && this->Reach < ColumnHeights::Margin);
+  }
+
+  const std::int64_t Mean; // of so many columns on each side
+  const std::int64_t Half; // distance at which a steep peak has fallen
+  const std::int64_t Shoulder; // distance at which a ramp is over
+  const int Fewest; // points of a mean
+  const std::int64_t Reach; // columns that a rise depends on
+};
+
+/// A mean height, and where the middle of its columns is.
+struct MeanHeight
+{
+  double Height = 0.0;
+  double Place = 0.0;
+  bool IsKnown = false;
+};
+
+/// How much higher one mean is than another, and how far apart they are.
+struct Rise
+{
+  double Height = 0.0;
+  double Distance = 0.0; // 0 where it is not known
+
+  double Slope() const { return this->Height / this->Distance; }
+};
+
+/// What is left of a rise when that of the dip at the shoulders is taken off.
+struct NetRise
+{
+  double Height = std::numeric_limits<double>::quiet_NaN();
+  double LeastOfSides = 0.0; // by the dip of one shoulder alone, with the sign of the height; 0 when signs differ
+};
+
+/// Rises along one row or file. Places are from -Reach on, which are outside, to Reach beyond the last.
+class RiseStrip
+{
+public:
+  RiseStrip(const RampScale& scale, std::int64_t length)
+    : Scale(scale)
+    , Values(length + 2 * scale.Reach, std::numeric_limits<double>::quiet_NaN())
+    , Means(this->Values.size() - scale.Mean + 1)
+  {
+  }
+
+  /// The height at a place, to be set before FindMeans.
+  double& operator[](std::int64_t place) { return this->Values[place + this->Scale.Reach]; }
+
+  void FindMeans()
+  {
+    for (std::size_t first = 0; first < this->Means.size(); ++first)
+    {
+      // Added up anew each time, so that it does not depend on what lies elsewhere.
+      double sum = 0.0;
+      std::int64_t places = 0;
+      int points = 0;
+      for (std::int64_t n = 0; n < this->Scale.Mean; ++n)
+      {
+        const double value = this->Values[first + n];
+        if (!std::isnan(value))
+        {
+          sum += value;
+          places += n;
+          ++points;
+        }
+      }
+      this->Means[first] = points < this->Scale.Fewest
+        ? MeanHeight{}
+        : MeanHeight{ sum / points, double(first) + double(places) / points, true };
+    }
+  }
+
+  /// Across the link from a place to the next one.
+  Rise At(std::int64_t place) const
+  {
+    const std::int64_t next = place + this->Scale.Reach + 1;
+    if (next < this->Scale.Mean || next >= std::int64_t(this->Means.size()))
+    {
+      return {};
+    }
+    const MeanHeight& after = this->Means[next];
+    const MeanHeight& before = this->Means[next - this->Scale.Mean];
+    return after.IsKnown && before.IsKnown ? Rise{ after.Height - before.Height, after.Place - before.Place } : Rise{};
+  }
+
+  /// Less the dip at a distance on both sides, or on the one where it is known.
+  NetRise Net(std::int64_t place, std::int64_t distance) const
+  {
+    const Rise rise = this->At(place);
+    const Rise before = this->At(place - distance);
+    const Rise after = this->At(place + distance);
+    if (rise.Distance == 0.0 || (before.Distance == 0.0 && after.Distance == 0.0))
+    {
+      return {};
+    }
+    const double overBefore =
+      rise.Height - rise.Distance * (before.Distance == 0.0 ? after : before).Slope();
+    const double overAfter = rise.Height - rise.Distance * (after.Distance == 0.0 ? before : after).Slope();
+    const double least = overBefore * overAfter <= 0.0 ? 0.0
+      : overBefore > 0.0                               ? std::min(overBefore, overAfter)
+                                                       : std::max(overBefore, overAfter);
+    return { 0.5 * (overBefore + overAfter), least };
+  }
+
+private:
+  const RampScale& Scale;
+  std::vector<double> Values;
+  std::vector<MeanHeight> Means; // from each place on
+};
+
+/// The raster along rows, or along files.
+struct Lanes
+{
+  const ColumnHeights& Heights;
+  LinkSide Side;
+
+  bool IsEast() const { return this->Side == LinkSide::East; }
+  std::int64_t Length() const
+  {
+    return this->IsEast() ? this->Heights.Raster().Width() : this->Heights.Raster().Height();
+  }
+  std::int64_t Number() const
+  {
+    return this->IsEast() ? this->Heights.Raster().Height() : this->Heights.Raster().Width();
+  }
+  std::int64_t Column(std::int64_t along, std::int64_t lane) const
+  {
+    return this->IsEast() ? lane * this->Heights.Raster().Width() + along
+                          : along * this->Heights.Raster().Width() + lane;
+  }
+  std::int64_t Link(std::int64_t along, std::int64_t lane) const
+  {
+    return LinkGrid::LinkOf(this->Column(along, lane), this->Side);
+  }
+};
+
+// Lanes that a thread takes at a time: of files so many that lie side by side in memory.
+constexpr std::int64_t LanesOfChunk = 16;
+
+//----------------------------------------------------------------------------------------------------------------------
+// 2. Peaks.
+
+/// Where a row or file passes the middle of a ramp, by link of the grid.
+struct RampPeak
+{
+  std::int64_t Along = 0; // of the grid
+  std::int64_t Lane = 0;
+  float Throw = 0.0F; // height beyond it less height before it, without the dip
+  bool IsStrong = false;
+  bool IsStep = false; // across one link for the most part
+};
+
+// Of the throw, what at least one link has where a fault is a step.
+constexpr double StepShare = 0.6;
+// Of the net rise, what the dip of either shoulder leaves at least, and what is lost half way to them.
+constexpr double LeastOfSides = 0.2;
+constexpr double LeastFall = 0.25;
+// How much less a rise may be than that along the other axis.
+constexpr double LeastOfOther = 0.85;
+
+class PeakSearch
+{
+public:
+  PeakSearch(const ColumnHeights& heights, const RampScale& scale, const RawVector<float>& rises,
+    const RawVector<float>& deviations, const RampLimits& limits)
+    : Heights(heights)
+    , Scale(scale)
+    , Rises(rises)
+    , Deviations(deviations)
+    , Limits(limits)
+  {
+  }
+
+  void FindInLane(const Lanes& lanes, std::int64_t lane, std::vector<RampPeak>& peaks) const
+  {
+    for (std::int64_t along = 0; along + 1 < lanes.Length(); ++along)
+    {
+      const float rise = this->Rises[lanes.Link(along, lane)];
+      if (double(std::abs(rise)) >= this->Limits.LeastRise && this->IsPeak(lanes, along, lane) &&
+        this->IsAcross(lanes, along, lane))
+      {
+        this->Append(lanes, along, lane, peaks);
+      }
+    }
+  }
+
+private:
+  bool IsPeak(const Lanes& lanes, std::int64_t along, std::int64_t lane) const
+  {
+    const float rise = this->Rises[lanes.Link(along, lane)];
+    const float sign = rise < 0.0F ? -1.0F : 1.0F;
+    const std::int64_t last = std::min(along + this->Scale.Half, lanes.Length() - 2);
+    for (std::int64_t other = std::max<std::int64_t>(0, along - this->Scale.Half); other <= last; ++other)
+    {
+      const float size = sign * this->Rises[lanes.Link(other, lane)];
+      if (size > sign * rise || (size == sign * rise && other < along))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether a fault is about as narrow along this axis as along the other one.
+  bool IsAcross(const Lanes& lanes, std::int64_t along, std::int64_t lane) const
+  {
+    const Lanes others{ lanes.Heights, lanes.IsEast() ? LinkSide::North : LinkSide::East };
+    double sum = 0.0;
+    int number = 0;
+    for (std::int64_t n = std::max<std::int64_t>(0, lane - 1); n <= std::min(lane, others.Length() - 1); ++n)
+    {
+      for (const std::int64_t place : { along, along + 1 })
+      {
+        const float rise = this->Rises[others.Link(n, place)];
+        if (!std::isnan(rise))
+        {
+          sum += double(rise);
+          ++number;
+        }
+      }
+    }
+    return number == 0 ||
+      double(std::abs(this->Rises[lanes.Link(along, lane)])) >= LeastOfOther * std::abs(sum) / number;
+  }
+
+  void Append(const Lanes& lanes, std::int64_t along, std::int64_t lane, std::vector<RampPeak>& peaks) const
+  {
+    if (std::isnan(this->Heights.At(lanes.Column(along, lane))) ||
+      std::isnan(this->Heights.At(lanes.Column(along + 1, lane))))
+    {
+      return; // a gap
+    }
+    const std::int64_t middle = this->Scale.Reach + this->Scale.Half;
+    RiseStrip strip(this->Scale, 2 * middle + 2);
+    for (std::int64_t n = 0; n < 2 * middle + 2; ++n)
+    {
+      const std::int64_t place = along - middle + n;
+      strip[n] = place < 0 || place >= lanes.Length() ? std::numeric_limits<double>::quiet_NaN()
+                                                      : this->Heights.At(lanes.Column(place, lane));
+    }
+    strip.FindMeans();
+    const NetRise net = strip.Net(middle, this->Scale.Shoulder);
+    const NetRise near = strip.Net(middle, this->Scale.Half);
+    const double fall = near.Height / net.Height; // nan counts as none
+    if (net.LeastOfSides / net.Height < LeastOfSides || !(fall >= LeastFall))
+    {
+      return;
+    }
+    // A step has fallen by 4/7; the wider a ramp, the less, and the more of its throw the means have lost.
+    const double lost = std::clamp(0.57 - fall, 0.0, 0.26);
+    RampPeak peak;
+    peak.Throw = float(net.Height * (1.0 + 2.2 * lost));
+    if (double(std::abs(peak.Throw)) < this->Limits.LeastThrow)
+    {
+      return;
+    }
+    peak.IsStrong = std::abs(net.Height) >= this->Limits.StrongRise &&
+      double(std::abs(peak.Throw)) >= this->Limits.StrongThrow;
+    std::int64_t place = along;
+    const double leastStep = std::max(this->Limits.LeastStep, StepShare * double(std::abs(peak.Throw)));
+    const float sign = peak.Throw < 0.0F ? -1.0F : 1.0F;
+    double largest = 0.0;
+    for (std::int64_t n = std::max<std::int64_t>(0, along - this->Scale.Half);
+         n <= std::min(along + this->Scale.Half, lanes.Length() - 2); ++n)
+    {
+      const double step = double(sign * this->Deviations[lanes.Link(n, lane)]);
+      if (step >= leastStep && step > largest)
+      {
+        largest = step;
+        place = n;
+        peak.IsStep = true;
+      }
+    }
+    peak.Along = lanes.IsEast() ? this->Heights.GridX(place) : this->Heights.GridY(place);
+    peak.Lane = lanes.IsEast() ? this->Heights.GridY(lane) : this->Heights.GridX(lane);
+    peaks.push_back(peak);
+  }
+
+  const ColumnHeights& Heights;
+  const RampScale& Scale;
+  const RawVector<float>& Rises;
+  const RawVector<float>& Deviations;
+  const RampLimits& Limits;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// 3. Joints.
+
+// A ramp is followed over so many lanes without a peak, less one.
+constexpr std::int64_t LargestHop = 3;
+// How many columns it may run aside from a lane to the next.
+constexpr std::int64_t LargestShift = 2;
+
+/// The grid along rows, or along files.
+struct GridLanes
+{
+  const LinkGrid& Grid;
+  LinkSide Side;
+
+  std::int64_t Link(std::int64_t along, std::int64_t lane) const
+  {
+    return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::East)
+                                        : this->Grid.LinkOf(lane, along, LinkSide::North);
+  }
+  /// From a lane to the next.
+  std::int64_t Across(std::int64_t along, std::int64_t lane) const
+  {
+    return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::North)
+                                        : this->Grid.LinkOf(lane, along, LinkSide::East);
+  }
+};
+
+/// The links between two peaks.
+void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<FaultCandidate>& joints)
+{
+  const std::int64_t hop = to.Lane - from.Lane;
+  std::int64_t along = from.Along;
+  for (std::int64_t lane = from.Lane + 1; lane <= to.Lane; ++lane)
+  {
+    const std::int64_t next = from.Along +
+      std::int64_t(std::floor(double((to.Along - from.Along) * (lane - from.Lane)) / double(hop) + 0.5));
+    for (std::int64_t column = std::min(along, next) + 1; column <= std::max(along, next); ++column)
+    {
+      joints.push_back({ lanes.Across(column, lane - 1), 0.0F, false });
+    }
+    if (lane < to.Lane)
+    {
+      joints.push_back({ lanes.Link(next, lane), 0.0F, false });
+    }
+    along = next;
+  }
+}
+
+/// Peaks are by lane, and along it.
+void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::vector<FaultCandidate>& joints)
+{
+  const auto byPlace = [](const RampPeak& a, const RampPeak& b)
+  { return a.Lane != b.Lane ? a.Lane < b.Lane : a.Along < b.Along; };
+  for (const RampPeak& peak : peaks)
+  {
+    for (std::int64_t hop = 1; hop <= LargestHop; ++hop)
+    {
+      RampPeak key;
+      key.Lane = peak.Lane + hop;
+      key.Along = peak.Along - LargestShift * hop;
+      const RampPeak* nearest = nullptr;
+      for (auto next = std::lower_bound(peaks.begin(), peaks.end(), key, byPlace);
+           next != peaks.end() && next->Lane == key.Lane && next->Along <= peak.Along + LargestShift * hop; ++next)
+      {
+        if ((next->Throw < 0.0F) == (peak.Throw < 0.0F) &&
+          (!nearest || std::abs(next->Along - peak.Along) < std::abs(nearest->Along - peak.Along)))
+        {
+          nearest = &*next;
+        }
+      }
+      if (nearest)
+      {
+        if (!peak.IsStep || !nearest->IsStep)
+        {
+          Join(lanes, peak, *nearest, joints);
+        }
+        break;
+      }
+    }
+  }
+}
+
+bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
+{
+  return a.Link < b.Link;
+}
+
+/// Those of columns beside a ramp that are small beside its throw.
+void ListBeside(const GridLanes& lanes, const RampPeak& peak, std::int64_t reach, std::vector<FaultCandidate>& beside)
+{
+  const bool isEast = lanes.Side == LinkSide::East;
+  const std::int64_t length = isEast ? lanes.Grid.Width() : lanes.Grid.Height();
+  const float least = float(StepShare) * std::abs(peak.Throw);
+  for (std::int64_t along = std::max<std::int64_t>(0, peak.Along - reach);
+       along <= std::min(peak.Along + reach, length - 1); ++along)
+  {
+    beside.push_back({ lanes.Link(along, peak.Lane), least, false });
+    beside.push_back({ lanes.Across(along, peak.Lane), least, false });
+    if (peak.Lane > 0)
+    {
+      beside.push_back({ lanes.Across(along, peak.Lane - 1), least, false });
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<float> FindRises(const ColumnHeights& heights, int largest, const Monitor& monitor)
+{
+  const RampScale scale(largest);
+  RawVector<float> rises;
+  rises.resize(heights.Raster().NumberOfLinks());
+  for (const LinkSide side : { LinkSide::East, LinkSide::North })
+  {
+    const Lanes lanes{ heights, side };
+    ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
+      [&](std::size_t, std::int64_t first, std::int64_t last)
+      {
+        std::vector<RiseStrip> strips(std::size_t(last - first), RiseStrip(scale, lanes.Length()));
+        for (std::int64_t along = 0; along < lanes.Length(); ++along)
+        {
+          for (std::int64_t lane = first; lane < last; ++lane)
+          {
+            strips[lane - first][along] = heights.At(lanes.Column(along, lane));
+          }
+        }
+        for (RiseStrip& strip : strips)
+        {
+          strip.FindMeans();
+        }
+        for (std::int64_t along = 0; along < lanes.Length(); ++along)
+        {
+          for (std::int64_t lane = first; lane < last; ++lane)
+          {
+            rises[lanes.Link(along, lane)] = along + 1 < lanes.Length()
+              ? float(strips[lane - first].Net(along, scale.Shoulder).Height)
+              : Missing;
+          }
+        }
+      });
+  }
+  return rises;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, const RawVector<float>& rises,
+  const RawVector<float>& deviations, const RampLimits& limits, std::vector<FaultCandidate> candidates,
+  const Monitor& monitor)
+{
+  const RampScale scale(largest);
+  std::vector<FaultCandidate> beside;
+  std::vector<FaultCandidate> added;
+  std::vector<FaultCandidate> joints;
+  for (const LinkSide side : { LinkSide::East, LinkSide::North })
+  {
+    const Lanes lanes{ heights, side };
+    const GridLanes gridLanes{ heights.Grid(), side };
+    const PeakSearch search(heights, scale, rises, deviations, limits);
+    std::vector<std::vector<RampPeak>> parts(CountChunks(lanes.Number(), LanesOfChunk));
+    ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
+      [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t lane = first; lane < last; ++lane)
+        {
+          search.FindInLane(lanes, lane, parts[chunk]);
+        }
+      });
+    std::vector<RampPeak> peaks;
+    for (const std::vector<RampPeak>& part : parts)
+    {
+      peaks.insert(peaks.end(), part.begin(), part.end());
+    }
+    JoinPeaks(gridLanes, peaks, joints);
+    for (const RampPeak& peak : peaks)
+    {
+      if (!peak.IsStep)
+      {
+        ListBeside(gridLanes, peak, scale.Half, beside);
+        added.push_back({ gridLanes.Link(peak.Along, peak.Lane), std::abs(peak.Throw), peak.IsStrong });
+      }
+    }
+  }
+  // Of several ramps beside a link the largest counts, and comes first.
+  std::sort(beside.begin(), beside.end(),
+    [](const FaultCandidate& a, const FaultCandidate& b)
+    { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                     [&beside](const FaultCandidate& candidate)
+                     {
+                       const auto place = std::lower_bound(beside.begin(), beside.end(), candidate, ByLink);
+                       return place != beside.end() && place->Link == candidate.Link && candidate.Size < place->Size;
+                     }),
+    candidates.end());
+  // In one place the candidate stays, then the ramp.
+  candidates.insert(candidates.end(), added.begin(), added.end());
+  candidates.insert(candidates.end(), joints.begin(), joints.end());
+  std::stable_sort(candidates.begin(), candidates.end(), ByLink);
+  candidates.erase(std::unique(candidates.begin(), candidates.end(),
+                     [](const FaultCandidate& a, const FaultCandidate& b) { return a.Link == b.Link; }),
+    candidates.end());
+  return candidates;
+}
+}
