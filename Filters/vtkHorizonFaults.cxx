@@ -53,7 +53,7 @@ vtkStandardNewMacro(vtkHorizonFaults);
 vtkHorizonFaults::vtkHorizonFaults()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -61,6 +61,7 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LineType: " << (this->LineType == Sticks ? "Sticks" : "Traces") << "\n";
+  os << indent << "ExtendSticks: " << (this->ExtendSticks ? "on" : "off") << "\n";
   os << indent << "Polygons: " << (this->Polygons == Blank ? "Blank" : this->Polygons == Cut ? "Cut" : "Leave") << "\n";
   os << indent << "Detect: " << (this->Detect ? "on" : "off") << "\n";
   os << indent << "SmallestThrow: " << this->SmallestThrow << "\n";
@@ -69,6 +70,8 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestExtent: " << this->SmallestExtent << "\n";
   os << indent << "SmallestBranch: " << this->SmallestBranch << "\n";
   os << indent << "LargestGap: " << this->LargestGap << "\n";
+  os << indent << "LargestRamp: " << this->LargestRamp << "\n";
+  os << indent << "JoinThroughHoles: " << (this->JoinThroughHoles ? "on" : "off") << "\n";
   os << indent << "MeasuredNoise: " << this->MeasuredNoise << "\n";
   os << indent << "NumberOfFaultLines: " << this->NumberOfFaultLines << "\n";
   os << indent << "NumberOfCutLinks: " << this->NumberOfCutLinks << "\n";
@@ -105,6 +108,8 @@ FaultDetectionOptions vtkHorizonFaults::MakeOptions() const
   options.SmallestExtent = this->SmallestExtent;
   options.SmallestBranch = this->SmallestBranch;
   options.LargestGap = this->LargestGap;
+  options.LargestRamp = this->LargestRamp;
+  options.JoinThroughHoles = this->JoinThroughHoles;
   return options;
 }
 
@@ -165,12 +170,22 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   std::vector<FaultPolyline> polylines;
   if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
   {
-    const std::vector<FaultStick> sticks = ReadPolylines(given, points.Grid);
-    this->NumberOfGivenLines = vtkIdType(sticks.size());
-    polylines =
-      this->LineType == Sticks ? FindTraces(ColumnHeights(points.Column, points.Height), sticks) : ToMap(sticks);
-    if (this->LineType == Traces)
+    const bool isFirst = this->NumberOfGivenLines == 0;
+    const std::vector<FaultStick> lines = ReadPolylines(given);
+    this->NumberOfGivenLines = vtkIdType(lines.size());
+    if (this->LineType == Sticks)
     {
+      std::vector<FaultSheet> sheets = MakeFaultSheets(lines, this->ExtendSticks);
+      if (isFirst) // surfaces are those of all horizons
+      {
+        WriteFaultSheets(sheets, outputs[2]);
+      }
+      ToLattice(sheets, points.Grid);
+      polylines = FindTraces(ColumnHeights(points.Column, points.Height), sheets);
+    }
+    else
+    {
+      polylines = ToMap(lines, points.Grid);
       this->UsePolygons(polylines, points, outputs);
     }
   }

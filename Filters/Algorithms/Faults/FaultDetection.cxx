@@ -26,6 +26,7 @@
 #include "Common/Parameters.h"
 #include "Common/RawVector.h"
 #include "FaultForest.h"
+#include "FaultJoins.h"
 #include "FaultRamps.h"
 
 #include <Eigen/Cholesky>
@@ -602,9 +603,10 @@ std::vector<FaultCandidate> AddGaps(
 class LinkMeter
 {
 public:
-  LinkMeter(const ColumnHeights& heights, const std::vector<GapStep>& gaps)
+  LinkMeter(const ColumnHeights& heights, const std::vector<GapStep>& gaps, const std::vector<LinkThrow>& ramps)
     : Heights(heights)
     , Gaps(gaps)
+    , Ramps(ramps)
   {
   }
 
@@ -618,12 +620,20 @@ public:
       cut.Throw = gap->Throw;
       cut.Middle = gap->Height;
     }
+    const auto ramp = std::lower_bound(this->Ramps.begin(), this->Ramps.end(), link,
+      [](const LinkThrow& step, std::int64_t place) { return step.Link < place; });
+    // A crack through a ramp keeps what is its own.
+    if (ramp != this->Ramps.end() && ramp->Link == link && !(std::abs(cut.Throw) > std::abs(ramp->Throw)))
+    {
+      cut.Throw = ramp->Throw;
+    }
     return cut;
   }
 
 private:
   const ColumnHeights& Heights;
   const std::vector<GapStep>& Gaps;
+  const std::vector<LinkThrow>& Ramps;
 };
 
 FaultLines TraceLines(const CornerGraph& graph, const LinkMeter& meter)
@@ -649,6 +659,7 @@ void CheckOptions(const FaultDetectionOptions& options)
   CheckAtLeast("smallest extent", options.SmallestExtent, 0, " columns");
   CheckAtLeast("smallest branch", options.SmallestBranch, 0, " links");
   CheckAtLeast("largest gap", options.LargestGap, 0, " columns");
+  CheckWithin("largest ramp", options.LargestRamp, 0, LargestLargestRamp, " columns");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -669,6 +680,7 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
     std::max(GapFactor * detection.Noise, 0.5 * options.SmallestThrow), monitor.Step(0.7, 0.8));
   std::vector<FaultCandidate> candidates =
     FindSteep(heights, deviations, detection.Low, detection.High, monitor.Step(0.8, 0.85));
+  std::vector<LinkThrow> ramps;
   if (options.LargestRamp > 1)
   {
     const RawVector<float> rises = FindRises(heights, options.LargestRamp, monitor.Step(0.85, 0.87));
@@ -680,7 +692,7 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
     limits.StrongThrow = options.SmallestThrow;
     limits.LeastStep = detection.Low;
     candidates = AddRamps(
-      heights, options.LargestRamp, rises, deviations, limits, std::move(candidates), monitor.Step(0.87, 0.9));
+      heights, options.LargestRamp, rises, deviations, limits, std::move(candidates), ramps, monitor.Step(0.87, 0.9));
   }
   candidates = AddGaps(grid, std::move(candidates), gaps, detection.High);
   if (candidates.size() > std::numeric_limits<std::int32_t>::max() / 4)
@@ -697,7 +709,11 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   CornerGraph graph(grid, std::move(candidates));
   monitor.Progress(0.95);
   KeepForest(graph, { options.SmallestExtent, options.SmallestBranch, FewestStrong });
-  detection.Lines = TraceLines(graph, LinkMeter(heights, gaps));
+  detection.Lines = TraceLines(graph, LinkMeter(heights, gaps, ramps));
+  if (options.JoinThroughHoles)
+  {
+    JoinThroughHoles(heights, detection.Lines);
+  }
   return detection;
 }
 }

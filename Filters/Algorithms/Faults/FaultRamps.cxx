@@ -187,6 +187,8 @@ struct RampPeak
 
 // Of the throw, what at least one link has where a fault is a step.
 constexpr double StepShare = 0.6;
+// Of such a step, what both links beside it have less than.
+constexpr double StepAlone = 0.5;
 // Of the net rise, what the dip of either shoulder leaves at least, and what is lost half way to them.
 constexpr double LeastOfSides = 0.2;
 constexpr double LeastFall = 0.25;
@@ -292,23 +294,42 @@ private:
     peak.IsStrong = std::abs(net.Height) >= this->Limits.StrongRise &&
       double(std::abs(peak.Throw)) >= this->Limits.StrongThrow;
     std::int64_t place = along;
-    const double leastStep = std::max(this->Limits.LeastStep, StepShare * double(std::abs(peak.Throw)));
+    const double least = StepShare * double(std::abs(peak.Throw));
     const float sign = peak.Throw < 0.0F ? -1.0F : 1.0F;
     double largest = 0.0;
-    for (std::int64_t n = std::max<std::int64_t>(0, along - this->Scale.Half);
-         n <= std::min(along + this->Scale.Half, lanes.Length() - 2); ++n)
+    double alone = 0.0; // the sum of steps across one link
+    for (std::int64_t n = along - this->Scale.Mean; n <= along + this->Scale.Mean; ++n)
     {
-      const double step = double(sign * this->Deviations[lanes.Link(n, lane)]);
-      if (step >= leastStep && step > largest)
+      const double step = this->StepAt(lanes, n, lane, sign);
+      if (step < this->Limits.LeastStep)
+      {
+        continue;
+      }
+      if (step >= least && step > largest && std::abs(n - along) <= this->Scale.Half)
       {
         largest = step;
         place = n;
         peak.IsStep = true;
       }
+      const double beside =
+        std::max(this->StepAt(lanes, n - 1, lane, sign), this->StepAt(lanes, n + 1, lane, sign));
+      alone += beside < StepAlone * step ? step : 0.0;
+    }
+    if (!peak.IsStep && alone >= least)
+    {
+      return; // several faults side by side
     }
     peak.Along = lanes.IsEast() ? this->Heights.GridX(place) : this->Heights.GridY(place);
     peak.Lane = lanes.IsEast() ? this->Heights.GridY(lane) : this->Heights.GridX(lane);
     peaks.push_back(peak);
+  }
+
+  /// Across a link; 0 where none is known.
+  double StepAt(const Lanes& lanes, std::int64_t along, std::int64_t lane, float sign) const
+  {
+    const bool isLink = along >= 0 && along + 1 < lanes.Length();
+    const double step = isLink ? double(sign * this->Deviations[lanes.Link(along, lane)]) : 0.0;
+    return std::isnan(step) ? 0.0 : step;
   }
 
   const ColumnHeights& Heights;
@@ -345,10 +366,11 @@ struct GridLanes
   }
 };
 
-/// The links between two peaks.
-void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<FaultCandidate>& joints)
+/// The links between two peaks, with the mean of their throws.
+void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<LinkThrow>& joints)
 {
   const std::int64_t hop = to.Lane - from.Lane;
+  const double mean = 0.5 * (double(from.Throw) + double(to.Throw));
   std::int64_t along = from.Along;
   for (std::int64_t lane = from.Lane + 1; lane <= to.Lane; ++lane)
   {
@@ -356,18 +378,19 @@ void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std:
       std::int64_t(std::floor(double((to.Along - from.Along) * (lane - from.Lane)) / double(hop) + 0.5));
     for (std::int64_t column = std::min(along, next) + 1; column <= std::max(along, next); ++column)
     {
-      joints.push_back({ lanes.Across(column, lane - 1), 0.0F, false });
+      // Where the ramp runs on, the next lane is before it where this one is beyond.
+      joints.push_back({ lanes.Across(column, lane - 1), next > along ? -mean : mean });
     }
     if (lane < to.Lane)
     {
-      joints.push_back({ lanes.Link(next, lane), 0.0F, false });
+      joints.push_back({ lanes.Link(next, lane), mean });
     }
     along = next;
   }
 }
 
 /// Peaks are by lane, and along it.
-void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::vector<FaultCandidate>& joints)
+void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::vector<LinkThrow>& joints)
 {
   const auto byPlace = [](const RampPeak& a, const RampPeak& b)
   { return a.Lane != b.Lane ? a.Lane < b.Lane : a.Along < b.Along; };
@@ -465,12 +488,12 @@ RawVector<float> FindRises(const ColumnHeights& heights, int largest, const Moni
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, const RawVector<float>& rises,
   const RawVector<float>& deviations, const RampLimits& limits, std::vector<FaultCandidate> candidates,
-  const Monitor& monitor)
+  std::vector<LinkThrow>& throws, const Monitor& monitor)
 {
   const RampScale scale(largest);
   std::vector<FaultCandidate> beside;
   std::vector<FaultCandidate> added;
-  std::vector<FaultCandidate> joints;
+  std::vector<LinkThrow> joints;
   for (const LinkSide side : { LinkSide::East, LinkSide::North })
   {
     const Lanes lanes{ heights, side };
@@ -496,7 +519,9 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
       if (!peak.IsStep)
       {
         ListBeside(gridLanes, peak, scale.Half, beside);
-        added.push_back({ gridLanes.Link(peak.Along, peak.Lane), std::abs(peak.Throw), peak.IsStrong });
+        const std::int64_t link = gridLanes.Link(peak.Along, peak.Lane);
+        added.push_back({ link, std::abs(peak.Throw), peak.IsStrong });
+        throws.push_back({ link, double(peak.Throw) });
       }
     }
   }
@@ -513,11 +538,17 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
     candidates.end());
   // In one place the candidate stays, then the ramp.
   candidates.insert(candidates.end(), added.begin(), added.end());
-  candidates.insert(candidates.end(), joints.begin(), joints.end());
+  for (const LinkThrow& joint : joints)
+  {
+    candidates.push_back({ joint.Link, 0.0F, false });
+  }
   std::stable_sort(candidates.begin(), candidates.end(), ByLink);
   candidates.erase(std::unique(candidates.begin(), candidates.end(),
                      [](const FaultCandidate& a, const FaultCandidate& b) { return a.Link == b.Link; }),
     candidates.end());
+  throws.insert(throws.end(), joints.begin(), joints.end());
+  std::stable_sort(
+    throws.begin(), throws.end(), [](const LinkThrow& a, const LinkThrow& b) { return a.Link < b.Link; });
   return candidates;
 }
 }

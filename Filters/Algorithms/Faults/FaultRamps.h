@@ -38,12 +38,20 @@ struct RampLimits
   double LeastStep = 0.0; // of a candidate
 };
 
+/// Height beyond a link less height before it, without the dip.
+struct LinkThrow
+{
+  std::int64_t Link = 0;
+  double Throw = 0.0;
+};
+
 /// Candidates with a link in the middle of each ramp, instead of those beside it, and with links that join these from
 /// row to row. Where most of a ramp is the step across one link, `deviations` of which are by link of the raster, that
-/// link stays as it is. Candidates are those of large deviations, by link; so is the result.
+/// link stays as it is. Candidates are those of large deviations, by link; so is the result. `throws` becomes those of
+/// ramps at their links, by link.
 std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, const RawVector<float>& rises,
   const RawVector<float>& deviations, const RampLimits& limits, std::vector<FaultCandidate> candidates,
-  const Monitor& monitor);
+  std::vector<LinkThrow>& throws, const Monitor& monitor);
 }
 
 #endif
