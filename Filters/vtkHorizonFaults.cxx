@@ -156,6 +156,7 @@ void vtkHorizonFaults::UsePolygons(std::vector<FaultPolyline>& polylines, Lattic
     this->DoesGivenLineCut = true;
     vtkNew<vtkPolyData> rest;
     CopyPoints(points.Horizon, outside, rest);
+    rest->GetFieldData()->PassData(points.Horizon->GetFieldData());
     points = ReadColumns(rest, outputs);
   }
 }

@@ -55,7 +55,9 @@ FaultScore ScoreHorizons(
       made.Throw = largest;
       made.Seed = FirstSeed + std::uint64_t(n) + 100 * std::uint64_t(largest);
       const FaultedHorizon horizon = MakeFaultedHorizon(made);
-      const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), options);
+      FaultDetectionOptions o2 = options; if (getenv("RAMP")) o2.LargestRamp = atoi(getenv("RAMP"));
+      const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), o2);
+      if (getenv("DUMP")) for (std::size_t l=0;l<found.Lines.Size();++l){ printf("line %zu seed %llu:",l,(unsigned long long)made.Seed); for(std::size_t k=found.Lines.Start(l);k<found.Lines.End(l);++k){auto&c=found.Lines[k]; printf(" %s(%d,%d)%.1f",c.Place.Side==LinkSide::East?"E":"N",c.Place.Column.X,c.Place.Column.Y,c.Throw);} printf("\n");}
       total.Add(ScoreFaults(horizon, found.Lines, int(std::ceil(0.5 * made.GapWidth)), reachOfAll));
     }
   }
@@ -319,6 +321,13 @@ void PrintHoleTable(int horizons, const Method& method)
 int main(int argc, char* argv[])
 {
   const int horizons = argc > 1 ? std::atoi(argv[1]) : 4;
+  if (argc > 2) { const Method method = ListMethods()[atoi(argv[3])]; const std::string w = argv[2];
+    if (w.find('n') != std::string::npos) PrintNoiseTable(horizons, method);
+    if (w.find('g') != std::string::npos) PrintGapTable(horizons, method);
+    if (w.find('r') != std::string::npos) PrintRampTable(horizons, method);
+    if (w.find('f') != std::string::npos) PrintFoldTable(horizons, method);
+    if (w.find('h') != std::string::npos) PrintHoleTable(horizons, method);
+    return 0; }
   PrintHead(horizons);
   for (const Method& method : ListMethods())
   {

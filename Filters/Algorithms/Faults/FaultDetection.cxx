@@ -691,6 +691,7 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
     limits.StrongRise = HighFactor * noise;
     limits.StrongThrow = options.SmallestThrow;
     limits.LeastStep = detection.Low;
+    limits.Forest = { options.SmallestExtent, options.SmallestBranch, FewestStrong };
     candidates = AddRamps(
       heights, options.LargestRamp, rises, deviations, limits, std::move(candidates), ramps, monitor.Step(0.87, 0.9));
   }

@@ -5,6 +5,7 @@
 //  2. Peaks of these, row by row and file by file, that are steep enough; each is the middle of a ramp. A fault that
 //     runs aslant has peaks in both: those of the direction in which it is narrower count.
 //  3. Peaks of successive rows, or files, are joined, also over some that have none.
+//  4. Lines of these that are long and, on the average, steep enough. A single peak may be noise on a fold.
 
 #include "FaultRamps.h"
 
@@ -181,6 +182,7 @@ struct RampPeak
   std::int64_t Along = 0; // of the grid
   std::int64_t Lane = 0;
   float Throw = 0.0F; // height beyond it less height before it, without the dip
+  float Fall = 0.0F; // what part of the rise is lost half way to the shoulders
   bool IsStrong = false;
   bool IsStep = false; // across one link for the most part
 };
@@ -276,6 +278,10 @@ private:
                                                       : this->Heights.At(lanes.Column(place, lane));
     }
     strip.FindMeans();
+    if (strip.At(middle - this->Scale.Half).Distance == 0.0 || strip.At(middle + this->Scale.Half).Distance == 0.0)
+    {
+      return; // at a rim every slope that grows or wanes has a peak
+    }
     const NetRise net = strip.Net(middle, this->Scale.Shoulder);
     const NetRise near = strip.Net(middle, this->Scale.Half);
     const double fall = near.Height / net.Height; // nan counts as none
@@ -287,6 +293,7 @@ private:
     const double lost = std::clamp(0.57 - fall, 0.0, 0.26);
     RampPeak peak;
     peak.Throw = float(net.Height * (1.0 + 2.2 * lost));
+    peak.Fall = float(fall);
     if (double(std::abs(peak.Throw)) < this->Limits.LeastThrow)
     {
       return;
@@ -423,28 +430,156 @@ void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::
   }
 }
 
+//----------------------------------------------------------------------------------------------------------------------
+// 4. Lines.
+
 bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
 {
   return a.Link < b.Link;
 }
 
-/// Those of columns beside a ramp that are small beside its throw.
-void ListBeside(const GridLanes& lanes, const RampPeak& peak, std::int64_t reach, std::vector<FaultCandidate>& beside)
+bool IsSameLink(const FaultCandidate& a, const FaultCandidate& b)
 {
-  const bool isEast = lanes.Side == LinkSide::East;
-  const std::int64_t length = isEast ? lanes.Grid.Width() : lanes.Grid.Height();
-  const float least = float(StepShare) * std::abs(peak.Throw);
-  for (std::int64_t along = std::max<std::int64_t>(0, peak.Along - reach);
-       along <= std::min(peak.Along + reach, length - 1); ++along)
+  return a.Link == b.Link;
+}
+
+// Of the rises along a line, what is lost half way to the shoulders on the average. Ramps as wide as the means lose
+// 0.43, steps 0.57, and folds 20 columns long and longer at most 0.35, mostly much less.
+constexpr double LeastMeanFall = 0.33;
+
+/// A link of a ramp: the middle of it in a lane, or one that joins such.
+struct RampLink
+{
+  std::int64_t Link = 0;
+  float Throw = 0.0F;
+  float Fall = 0.0F;
+  bool IsPeak = false;
+  bool IsStrong = false;
+};
+
+class RampLinks
+{
+public:
+  explicit RampLinks(const LinkGrid& grid)
+    : Grid(grid)
   {
-    beside.push_back({ lanes.Link(along, peak.Lane), least, false });
-    beside.push_back({ lanes.Across(along, peak.Lane), least, false });
-    if (peak.Lane > 0)
+  }
+
+  void Append(LinkSide side, const std::vector<RampPeak>& peaks)
+  {
+    const GridLanes lanes{ this->Grid, side };
+    std::vector<LinkThrow> joints;
+    JoinPeaks(lanes, peaks, joints);
+    for (const RampPeak& peak : peaks)
     {
-      beside.push_back({ lanes.Across(along, peak.Lane - 1), least, false });
+      if (!peak.IsStep)
+      {
+        this->Links.push_back({ lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong });
+      }
+    }
+    for (const LinkThrow& joint : joints)
+    {
+      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false });
     }
   }
-}
+
+  /// Drops all that is in no line that is long enough and steep on the average.
+  void KeepLines(const ForestLimits& limits)
+  {
+    // In one place peaks come before joints.
+    std::stable_sort(this->Links.begin(), this->Links.end(), [](const RampLink& a, const RampLink& b)
+      { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
+    this->Links.erase(std::unique(this->Links.begin(), this->Links.end(),
+                        [](const RampLink& a, const RampLink& b) { return a.Link == b.Link; }),
+      this->Links.end());
+    CornerGraph graph(this->Grid, this->Candidates());
+    KeepForest(graph, limits);
+    std::vector<RampLink> kept;
+    for (const std::vector<ForestStep>& line : ListLines(graph))
+    {
+      std::vector<RampLink> links;
+      double falls = 0.0;
+      int peaks = 0;
+      for (const ForestStep& step : line)
+      {
+        links.push_back(this->Links[std::size_t(step.Edge)]);
+        falls += double(links.back().Fall);
+        peaks += links.back().IsPeak ? 1 : 0;
+      }
+      if (falls >= LeastMeanFall * peaks)
+      {
+        kept.insert(kept.end(), links.begin(), links.end());
+      }
+    }
+    std::sort(kept.begin(), kept.end(), [](const RampLink& a, const RampLink& b) { return a.Link < b.Link; });
+    this->Links.swap(kept);
+  }
+
+  std::vector<FaultCandidate> Candidates() const
+  {
+    std::vector<FaultCandidate> candidates;
+    for (const RampLink& link : this->Links)
+    {
+      candidates.push_back({ link.Link, link.IsPeak ? std::abs(link.Throw) : 0.0F, link.IsStrong });
+    }
+    return candidates;
+  }
+
+  std::vector<LinkThrow> Throws() const
+  {
+    std::vector<LinkThrow> throws;
+    for (const RampLink& link : this->Links)
+    {
+      throws.push_back({ link.Link, double(link.Throw) });
+    }
+    return throws;
+  }
+
+  /// Links of columns beside ramps, with the size below which they are part of these. Of several the largest.
+  std::vector<FaultCandidate> ListBeside(std::int64_t reach) const
+  {
+    std::vector<FaultCandidate> beside;
+    for (const RampLink& ramp : this->Links)
+    {
+      if (ramp.IsPeak)
+      {
+        this->AppendBeside(ramp, reach, beside);
+      }
+    }
+    std::sort(beside.begin(), beside.end(), [](const FaultCandidate& a, const FaultCandidate& b)
+      { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
+    beside.erase(std::unique(beside.begin(), beside.end(), IsSameLink), beside.end());
+    return beside;
+  }
+
+private:
+  void AppendBeside(const RampLink& ramp, std::int64_t reach, std::vector<FaultCandidate>& beside) const
+  {
+    const LinkSide side = LinkGrid::SideOf(ramp.Link);
+    const GridLanes lanes{ this->Grid, side };
+    const bool isEast = side == LinkSide::East;
+    const std::int64_t column = LinkGrid::FirstColumn(ramp.Link);
+    const std::int64_t x = column % this->Grid.Width();
+    const std::int64_t y = column / this->Grid.Width();
+    const std::int64_t middle = isEast ? x : y;
+    const std::int64_t lane = isEast ? y : x;
+    const std::int64_t length = isEast ? this->Grid.Width() : this->Grid.Height();
+    const float least = float(StepShare) * std::abs(ramp.Throw);
+    for (std::int64_t along = std::max<std::int64_t>(0, middle - reach);
+         along <= std::min(middle + reach, length - 1); ++along)
+    {
+      beside.push_back({ lanes.Link(along, lane), least, false });
+      beside.push_back({ lanes.Across(along, lane), least, false });
+      if (lane > 0)
+      {
+        beside.push_back({ lanes.Across(along, lane - 1), least, false });
+      }
+    }
+  }
+
+  const LinkGrid& Grid;
+  std::vector<RampLink> Links;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -491,13 +626,10 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
   std::vector<LinkThrow>& throws, const Monitor& monitor)
 {
   const RampScale scale(largest);
-  std::vector<FaultCandidate> beside;
-  std::vector<FaultCandidate> added;
-  std::vector<LinkThrow> joints;
+  RampLinks ramps(heights.Grid());
   for (const LinkSide side : { LinkSide::East, LinkSide::North })
   {
     const Lanes lanes{ heights, side };
-    const GridLanes gridLanes{ heights.Grid(), side };
     const PeakSearch search(heights, scale, rises, deviations, limits);
     std::vector<std::vector<RampPeak>> parts(CountChunks(lanes.Number(), LanesOfChunk));
     ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
@@ -513,22 +645,12 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
     {
       peaks.insert(peaks.end(), part.begin(), part.end());
     }
-    JoinPeaks(gridLanes, peaks, joints);
-    for (const RampPeak& peak : peaks)
-    {
-      if (!peak.IsStep)
-      {
-        ListBeside(gridLanes, peak, scale.Half, beside);
-        const std::int64_t link = gridLanes.Link(peak.Along, peak.Lane);
-        added.push_back({ link, std::abs(peak.Throw), peak.IsStrong });
-        throws.push_back({ link, double(peak.Throw) });
-      }
-    }
+    ramps.Append(side, peaks);
   }
-  // Of several ramps beside a link the largest counts, and comes first.
-  std::sort(beside.begin(), beside.end(),
-    [](const FaultCandidate& a, const FaultCandidate& b)
-    { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
+  ForestLimits forest = limits.Forest;
+  forest.SmallestExtent = std::max(forest.SmallestExtent, 2 * largest);
+  ramps.KeepLines(forest);
+  const std::vector<FaultCandidate> beside = ramps.ListBeside(scale.Half);
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                      [&beside](const FaultCandidate& candidate)
                      {
@@ -536,19 +658,12 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
                        return place != beside.end() && place->Link == candidate.Link && candidate.Size < place->Size;
                      }),
     candidates.end());
-  // In one place the candidate stays, then the ramp.
+  // In one place the candidate stays.
+  const std::vector<FaultCandidate> added = ramps.Candidates();
   candidates.insert(candidates.end(), added.begin(), added.end());
-  for (const LinkThrow& joint : joints)
-  {
-    candidates.push_back({ joint.Link, 0.0F, false });
-  }
   std::stable_sort(candidates.begin(), candidates.end(), ByLink);
-  candidates.erase(std::unique(candidates.begin(), candidates.end(),
-                     [](const FaultCandidate& a, const FaultCandidate& b) { return a.Link == b.Link; }),
-    candidates.end());
-  throws.insert(throws.end(), joints.begin(), joints.end());
-  std::stable_sort(
-    throws.begin(), throws.end(), [](const LinkThrow& a, const LinkThrow& b) { return a.Link < b.Link; });
+  candidates.erase(std::unique(candidates.begin(), candidates.end(), IsSameLink), candidates.end());
+  throws = ramps.Throws();
   return candidates;
 }
 }

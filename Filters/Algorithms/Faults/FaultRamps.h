@@ -36,6 +36,7 @@ struct RampLimits
   double StrongRise = 0.0;
   double StrongThrow = 0.0;
   double LeastStep = 0.0; // of a candidate
+  ForestLimits Forest;
 };
 
 /// Height beyond a link less height before it, without the dip.
