@@ -289,6 +289,9 @@ void PrintHoleTable(int horizons, const Method& method)
           made.HoleSize = size;
           FaultedHorizon horizon = MakeFaultedHorizon(made);
           const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), method.Options);
+          if (getenv("DUMPH")) { printf("size %d throw %g seed %llu\nfound",size,largest,(unsigned long long)made.Seed); const int a=(made.Size-size)/2-3,b=(made.Size+size)/2+3;
+            for(std::size_t k=0;k<found.Lines.NumberOfLinks();++k){auto&c=found.Lines[k]; if(c.Place.Column.X>=a&&c.Place.Column.X<b&&c.Place.Column.Y>=a&&c.Place.Column.Y<b) printf(" %s(%d,%d)",c.Place.Side==LinkSide::East?"E":"N",c.Place.Column.X,c.Place.Column.Y);}
+            printf("\ntrue"); for (const TornLink& t : horizon.Torn) if(t.Column.X>=a&&t.Column.X<b&&t.Column.Y>=a&&t.Column.Y<b) printf(" %s(%d,%d)",t.IsNorth?"N":"E",t.Column.X,t.Column.Y); printf("\n"); }
           LinkCuts cuts(PlaneBox({ { 0, 0 }, { made.Size - 1, made.Size - 1 } }));
           plain.Add(horizon, whole, cuts);
           LinkCuts foundCuts = cuts;

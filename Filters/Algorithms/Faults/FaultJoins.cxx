@@ -27,7 +27,8 @@ constexpr double Step = 0.5; // columns
 /// Where a line ends at a hole, seen along it from its middle outwards.
 struct LineEnd
 {
-  MapPlace Place;
+  MapPlace Place; // in the middle of its last link
+  MapPlace Smooth; // the same without the stairs of links
   MapPlace Direction; // of length 1
   double LeftThrow = 0.0;
   double Height = 0.0;
@@ -95,25 +96,33 @@ private:
     LineEnd end;
     end.Place = MiddleOf(link(0));
     end.Height = link(0).Middle;
-    // The mean place of the links; its direction is that of the line without the stairs of single links.
+    // The line of regression through the links has neither the stairs of single ones nor their direction.
+    const double half = 0.5 * double(number - 1);
     MapPlace mean;
+    MapPlace slope; // for each link towards the end
+    double squares = 0.0;
     double sum = 0.0;
     int known = 0;
     for (std::size_t n = 0; n < number; ++n)
     {
       const MapPlace place = MiddleOf(link(n));
+      const double weight = half - double(n);
       mean.X += place.X / double(number);
       mean.Y += place.Y / double(number);
+      slope.X += weight * place.X;
+      slope.Y += weight * place.Y;
+      squares += weight * weight;
       const double left = link(n).LeftThrow();
       sum += std::isnan(left) ? 0.0 : left;
       known += std::isnan(left) ? 0 : 1;
     }
-    const double length = std::hypot(end.Place.X - mean.X, end.Place.Y - mean.Y);
+    const double length = std::hypot(slope.X, slope.Y);
     if (known == 0 || length == 0.0)
     {
       return;
     }
-    end.Direction = { (end.Place.X - mean.X) / length, (end.Place.Y - mean.Y) / length };
+    end.Direction = { slope.X / length, slope.Y / length };
+    end.Smooth = { mean.X + half * slope.X / squares, mean.Y + half * slope.Y / squares };
     end.LeftThrow = (isLast ? sum : -sum) / known;
     end.Reach = this->FindReach(end);
     if (end.Reach > 0.0)
@@ -207,15 +216,35 @@ private:
   const FaultLines& Lines;
 };
 
-/// From the corner beside one end to that beside the other.
+/// The cubic that leaves both ends in their directions.
+FaultPolyline Bend(const LineEnd& from, const LineEnd& to)
+{
+  const double length = std::hypot(to.Smooth.X - from.Smooth.X, to.Smooth.Y - from.Smooth.Y);
+  const int parts = std::max(1, int(std::ceil(length)));
+  FaultPolyline line = { from.Place };
+  for (int n = 1; n < parts; ++n)
+  {
+    const double t = double(n) / parts;
+    const double u = 1.0 - t;
+    const double first = u * u * (1.0 + 2.0 * t);
+    const double last = t * t * (1.0 + 2.0 * u);
+    const double out = u * u * t * length;
+    const double in = u * t * t * length;
+    line.push_back({ first * from.Smooth.X + last * to.Smooth.X + out * from.Direction.X + in * to.Direction.X,
+      first * from.Smooth.Y + last * to.Smooth.Y + out * from.Direction.Y + in * to.Direction.Y });
+  }
+  line.push_back(to.Place);
+  return line;
+}
+
 FaultLines Join(const ColumnHeights& heights, const LineEnd& from, const LineEnd& to)
 {
-  const FaultLines straight = CutAlong(heights, { { from.Place, to.Place } });
+  const FaultLines path = CutAlong(heights, { Bend(from, to) });
   FaultLines joined;
-  const double links = double(straight.NumberOfLinks());
-  for (std::size_t n = 0; n < straight.NumberOfLinks(); ++n)
+  const double links = double(path.NumberOfLinks());
+  for (std::size_t n = 0; n < path.NumberOfLinks(); ++n)
   {
-    CutLink cut = straight[n];
+    CutLink cut = path[n];
     if (std::isnan(cut.Throw))
     {
       const double part = (double(n) + 0.5) / links;
