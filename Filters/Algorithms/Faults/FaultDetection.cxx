@@ -253,19 +253,23 @@ double ClippedMean(const std::vector<float>& sizes, double largest)
 /// other one. It is each time another one (by the fraction of the golden ratio; Knuth, 6.4), as noise that returns
 /// every few columns, such as the footprint of a survey, would else be met in some of them alone. Values are counted
 /// from the first one on, so that the noise does not depend on what the raster leaves out.
-std::vector<float> SampleSizes(const RawVector<float>& deviations)
+std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side)
 {
   constexpr std::int64_t Enough = 1000000;
-  const auto missing =
-    std::count_if(deviations.begin(), deviations.end(), [](float deviation) { return std::isnan(deviation); });
-  const std::int64_t groupSize = std::max<std::int64_t>(1, (std::int64_t(deviations.size()) - missing) / Enough);
+  std::int64_t known = 0;
+  for (std::size_t n = std::size_t(side); n < deviations.size(); n += 2)
+  {
+    known += std::isnan(deviations[n]) ? 0 : 1;
+  }
+  const std::int64_t groupSize = std::max<std::int64_t>(1, known / Enough);
   std::vector<float> sizes;
-  sizes.reserve(std::size_t((std::int64_t(deviations.size()) - missing) / groupSize + 1));
+  sizes.reserve(std::size_t(known / groupSize + 1));
   std::uint64_t fraction = 0; // in units of 2^-64
   std::int64_t left = 0; // values of the group
   std::int64_t chosen = 0; // how many are left at the one that is taken
-  for (const float deviation : deviations)
+  for (std::size_t n = std::size_t(side); n < deviations.size(); n += 2)
   {
+    const float deviation = deviations[n];
     if (std::isnan(deviation))
     {
       continue;
@@ -289,9 +293,8 @@ std::vector<float> SampleSizes(const RawVector<float>& deviations)
 /// median of groups, which lies between the whole numbers, and the result at least what rounding does to differences.
 /// Of others, where the median is next to nothing, as in data that were smoothed or rounded, the mean of small sizes
 /// is used.
-double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
+double MeasureNoise(const ColumnHeights& heights, std::vector<float> sizes)
 {
-  std::vector<float> sizes = SampleSizes(deviations);
   const double floor = heights.AreWhole() ? WholeFloor : RealFloor;
   if (sizes.empty())
   {
@@ -307,24 +310,38 @@ double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviat
   return noise >= floor ? noise : std::max(floor, DeviationPerMean * ClippedMean(sizes, 4.0 * floor));
 }
 
-/// The same of rises, which means of many columns make: white noise leaves 0.46 of that of differences, but what rows
-/// have in common and folds leave more. Rounding leaves 0.19.
-double MeasureRiseNoise(const ColumnHeights& heights, const RawVector<float>& rises, double given)
+/// Of all, or of those along rows or along files alone where these are much rougher: heights that were interpolated
+/// between lines are smooth one way.
+double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
 {
-  constexpr double RisePerDifference = 0.46;
-  if (given > 0.0)
+  constexpr double Rougher = 1.5;
+  std::vector<float> east = SampleSizes(deviations, LinkSide::East);
+  std::vector<float> north = SampleSizes(deviations, LinkSide::North);
+  const double noiseEast = MeasureNoise(heights, east);
+  const double noiseNorth = MeasureNoise(heights, north);
+  if (std::max(noiseEast, noiseNorth) > Rougher * std::min(noiseEast, noiseNorth))
   {
-    return RisePerDifference * given;
+    return std::max(noiseEast, noiseNorth);
   }
-  std::vector<float> sizes = SampleSizes(rises);
-  const double floor = RisePerDifference * (heights.AreWhole() ? WholeFloor : RealFloor);
-  if (sizes.empty())
+  east.insert(east.end(), north.begin(), north.end());
+  return MeasureNoise(heights, std::move(east));
+}
+
+/// The same of rises, which means of many columns make: white noise leaves 0.46 of that of differences, but what rows
+/// have in common and folds leave more.
+double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGiven)
+{
+  const double ofWhite = 0.46 * noise;
+  std::vector<float> sizes = SampleSizes(rises, LinkSide::East);
+  const std::vector<float> north = SampleSizes(rises, LinkSide::North);
+  sizes.insert(sizes.end(), north.begin(), north.end());
+  if (isGiven || sizes.empty())
   {
-    return floor;
+    return ofWhite;
   }
   const auto middle = sizes.begin() + sizes.size() / 2;
   std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(floor, DeviationPerMedian * double(*middle));
+  return std::max(ofWhite, DeviationPerMedian * double(*middle));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -684,7 +701,7 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   if (options.LargestRamp > 1)
   {
     const RawVector<float> rises = FindRises(heights, options.LargestRamp, monitor.Step(0.85, 0.87));
-    const double noise = MeasureRiseNoise(heights, rises, options.Noise);
+    const double noise = MeasureRiseNoise(rises, detection.Noise, options.Noise > 0.0);
     RampLimits limits;
     limits.LeastRise = LowFactor * noise;
     limits.LeastThrow = 0.5 * options.SmallestThrow;

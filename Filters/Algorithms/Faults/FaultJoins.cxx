@@ -23,6 +23,8 @@ constexpr double LargestTurn = 0.4363;
 // One throw is at most so many times the other.
 constexpr double LargestRatio = 2.0;
 constexpr double Step = 0.5; // columns
+// Nothing is looked for beyond wider holes.
+constexpr double WidestHole = 1000.0; // columns
 
 /// Where a line ends at a hole, seen along it from its middle outwards.
 struct LineEnd
@@ -138,7 +140,7 @@ private:
     for (double distance = Step;; distance += Step)
     {
       const MapPlace place = Along(end, distance);
-      if (!this->IsInside(place) || (!isHole && distance > LargestDistance))
+      if (!this->IsInside(place) || distance > (isHole ? WidestHole : LargestDistance))
       {
         return 0.0;
       }
@@ -221,7 +223,11 @@ FaultPolyline Bend(const LineEnd& from, const LineEnd& to)
 {
   const double length = std::hypot(to.Smooth.X - from.Smooth.X, to.Smooth.Y - from.Smooth.Y);
   const int parts = std::max(1, int(std::ceil(length)));
-  FaultPolyline line = { from.Place };
+  // From just outside the last link, which is cut.
+  constexpr double outside = 1e-3;
+  const auto start = [](const LineEnd& end)
+  { return MapPlace{ end.Place.X + outside * end.Direction.X, end.Place.Y + outside * end.Direction.Y }; };
+  FaultPolyline line = { start(from) };
   for (int n = 1; n < parts; ++n)
   {
     const double t = double(n) / parts;
@@ -233,7 +239,7 @@ FaultPolyline Bend(const LineEnd& from, const LineEnd& to)
     line.push_back({ first * from.Smooth.X + last * to.Smooth.X + out * from.Direction.X + in * to.Direction.X,
       first * from.Smooth.Y + last * to.Smooth.Y + out * from.Direction.Y + in * to.Direction.Y });
   }
-  line.push_back(to.Place);
+  line.push_back(start(to));
   return line;
 }
 

@@ -445,7 +445,7 @@ bool IsSameLink(const FaultCandidate& a, const FaultCandidate& b)
 
 // Of the rises along a line, what is lost half way to the shoulders on the average. Ramps as wide as the means lose
 // 0.43, steps 0.57, and folds 20 columns long and longer at most 0.35, mostly much less.
-constexpr double LeastMeanFall = 0.33;
+constexpr double LeastMeanFall = 0.29;
 
 /// A link of a ramp: the middle of it in a lane, or one that joins such.
 struct RampLink
