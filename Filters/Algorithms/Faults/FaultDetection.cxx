@@ -319,9 +319,11 @@ double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviat
   std::vector<float> north = SampleSizes(deviations, LinkSide::North);
   const double noiseEast = MeasureNoise(heights, east);
   const double noiseNorth = MeasureNoise(heights, north);
-  if (std::max(noiseEast, noiseNorth) > Rougher * std::min(noiseEast, noiseNorth))
+  const double larger = std::max(noiseEast, noiseNorth);
+  // Rounding of a dip is not the same both ways.
+  if (larger > Rougher * std::min(noiseEast, noiseNorth) && (!heights.AreWhole() || larger > 2.0 * WholeFloor))
   {
-    return std::max(noiseEast, noiseNorth);
+    return larger;
   }
   east.insert(east.end(), north.begin(), north.end());
   return MeasureNoise(heights, std::move(east));

@@ -420,10 +420,7 @@ void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::
       }
       if (nearest)
       {
-        if (!peak.IsStep || !nearest->IsStep)
-        {
-          Join(lanes, peak, *nearest, joints);
-        }
+        Join(lanes, peak, *nearest, joints);
         break;
       }
     }
@@ -455,6 +452,7 @@ struct RampLink
   float Fall = 0.0F;
   bool IsPeak = false;
   bool IsStrong = false;
+  bool IsStep = false;
 };
 
 class RampLinks
@@ -472,14 +470,12 @@ public:
     JoinPeaks(lanes, peaks, joints);
     for (const RampPeak& peak : peaks)
     {
-      if (!peak.IsStep)
-      {
-        this->Links.push_back({ lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong });
-      }
+      this->Links.push_back(
+        { lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong, peak.IsStep });
     }
     for (const LinkThrow& joint : joints)
     {
-      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false });
+      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false, false });
     }
   }
 
@@ -541,7 +537,7 @@ public:
     std::vector<FaultCandidate> beside;
     for (const RampLink& ramp : this->Links)
     {
-      if (ramp.IsPeak)
+      if (ramp.IsPeak && !ramp.IsStep)
       {
         this->AppendBeside(ramp, reach, beside);
       }
