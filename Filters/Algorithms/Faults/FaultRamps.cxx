@@ -453,6 +453,7 @@ struct RampLink
   bool IsPeak = false;
   bool IsStrong = false;
   bool IsStep = false;
+  bool IsOfRamp = false; // whether most of its line are no steps
 };
 
 class RampLinks
@@ -471,11 +472,11 @@ public:
     for (const RampPeak& peak : peaks)
     {
       this->Links.push_back(
-        { lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong, peak.IsStep });
+        { lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong, peak.IsStep, false });
     }
     for (const LinkThrow& joint : joints)
     {
-      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false, false });
+      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false, false, false });
     }
   }
 
@@ -496,14 +497,20 @@ public:
       std::vector<RampLink> links;
       double falls = 0.0;
       int peaks = 0;
+      int steps = 0;
       for (const ForestStep& step : line)
       {
         links.push_back(this->Links[std::size_t(step.Edge)]);
         falls += double(links.back().Fall);
         peaks += links.back().IsPeak ? 1 : 0;
+        steps += links.back().IsStep ? 1 : 0;
       }
       if (falls >= LeastMeanFall * peaks)
       {
+        for (RampLink& link : links)
+        {
+          link.IsOfRamp = 2 * steps < peaks;
+        }
         kept.insert(kept.end(), links.begin(), links.end());
       }
     }
@@ -537,7 +544,7 @@ public:
     std::vector<FaultCandidate> beside;
     for (const RampLink& ramp : this->Links)
     {
-      if (ramp.IsPeak && !ramp.IsStep)
+      if (ramp.IsPeak && !ramp.IsStep && ramp.IsOfRamp)
       {
         this->AppendBeside(ramp, reach, beside);
       }
