@@ -212,6 +212,12 @@ def _add_preparation_options(group):
     group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
                        help="find faults that throw by T or more, and leave the mesh open there; 0 finds T by the noise; "
                        "height unit (default: no fault is cut)")
+    lines = group.add_mutually_exclusive_group()
+    lines.add_argument("--fault-lines", type=pathlib.Path, default=argparse.SUPPRESS, metavar="FILE",
+                       help="cut along the fault traces of a file, and leave out the points inside its fault polygons")
+    lines.add_argument("--fault-sticks", type=pathlib.Path, default=argparse.SUPPRESS, metavar="FILE",
+                       help="cut where the surfaces between the fault sticks of a file meet the horizon, and write these "
+                       "surfaces, too")
     group.add_argument("--height-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
                        help="the unit of --largest-error, --despike and --cut-faults: vertical indices, or that of z, such "
                        "as m or ms")
@@ -302,7 +308,7 @@ def _make_surface(options, boundary, simplified):
 
 def make_settings(options):
     """What the options mean for each stage."""
-    from seismichorizons.pipeline import Settings
+    from seismichorizons.pipeline import Settings, read_fault_lines
 
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
@@ -315,6 +321,11 @@ def make_settings(options):
     unit = options.height_unit
     settings.despiked = {"Threshold": options.despike, "ThresholdUnit": unit} if hasattr(options, "despike") else None
     settings.torn = {"SmallestThrow": options.cut_faults, "ThrowUnit": unit} if hasattr(options, "cut_faults") else None
+    for name, line_type in (("fault_lines", "Traces"), ("fault_sticks", "Sticks")):
+        if hasattr(options, name):
+            settings.torn = {"Detect": False} if settings.torn is None else settings.torn
+            settings.torn["LineType"] = line_type
+            settings.fault_lines = read_fault_lines(getattr(options, name), options.vertical_direction)
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,

@@ -171,13 +171,107 @@ void TestSticks()
   filter->SetLineTypeToSticks();
   filter->Update();
   CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
-  CHECK(filter->GetNumberOfCutLinks() >= 4 && filter->GetNumberOfCutLinks() <= 6); // ends lie on rows
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 6);
   vtkFieldData* const data = filter->GetPolyDataOutput()->GetFieldData();
   CHECK_EQUAL(data->GetArray("CutLinks")->GetComponent(0, 0), 4.0);
   sticks->GetCellData()->RemoveArray("FaultName"); // now all are of one fault
   sticks->Modified();
   filter->Update();
-  CHECK(filter->GetNumberOfCutLinks() >= 9 && filter->GetNumberOfCutLinks() <= 11);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 11);
+}
+
+vtkIdType Blanked(vtkHorizonFaults* filter)
+{
+  return vtkIdType(filter->GetPolyDataOutput()->GetFieldData()->GetArray("BlankedPoints")->GetTuple1(0));
+}
+
+/// Two polygons that overlap, a closed line, and a line that is not closed.
+void TestPolygons()
+{
+  const auto survey = HorizonFixtures::RotatedSurvey();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Line({ { 4.5, 4.5 }, { 8.5, 4.5 }, { 8.5, 9.5 }, { 4.5, 9.5 } }, survey, true));
+  blocks->SetBlock(1, Line({ { 6.5, 6.5 }, { 10.5, 6.5 }, { 10.5, 7.5 }, { 6.5, 7.5 } }, survey, true));
+  blocks->SetBlock(2, Line({ { 19.5, 3.5 }, { 22.5, 3.5 }, { 22.5, 5.5 }, { 19.5, 5.5 }, { 19.5, 3.5 } }, survey, false));
+  blocks->SetBlock(3, Line({ { 13.5, 12.5 }, { 13.5, 15.5 } }, survey, false));
+  const auto input = Horizon(Level, survey);
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(input);
+  filter->SetInputData(1, blocks);
+  filter->DetectOff();
+  filter->Update();
+  vtkPolyData* const output = filter->GetPolyDataOutput();
+  CHECK_EQUAL(Blanked(filter), 4 * 5 + 2 + 3 * 2);
+  CHECK_EQUAL(output->GetNumberOfPoints(), 30 * 25 - 28);
+  CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays() + 1);
+  const vtkIdType all = filter->GetNumberOfCutLinks();
+  CHECK_EQUAL(all, 2 * (4 + 5) + 2 * (4 + 1) + 2 * (3 + 2) + 3);
+  filter->SetPolygonsToCut();
+  filter->Update();
+  CHECK_EQUAL(output->GetNumberOfPoints(), 30 * 25);
+  CHECK(!output->GetFieldData()->HasArray("BlankedPoints"));
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), all);
+  filter->SetPolygonsToLeave();
+  filter->Update();
+  CHECK_EQUAL(output->GetNumberOfPoints(), 30 * 25);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 3);
+  // Between columns: nothing is inside, both sides cut.
+  filter->SetPolygonsToBlank();
+  filter->SetInputData(1, Line({ { 4.2, 4.5 }, { 4.8, 4.5 }, { 4.8, 9.5 }, { 4.2, 9.5 } }, survey, true));
+  filter->Update();
+  CHECK_EQUAL(Blanked(filter), 0);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 5);
+}
+
+/// Two sticks in the wrong order make triangles of their fault, once for all horizons.
+void TestSurfaces()
+{
+  const auto survey = HorizonFixtures::UnitSurvey();
+  auto sticks = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkStringArray> names;
+  names->SetName("FaultName");
+  for (const double j : { 2.0, 12.0, 7.0 })
+  {
+    cells->InsertNextCell(2);
+    for (const double k : { 0.0, 40.0 })
+    {
+      const double lattice[4] = { 4.4, j, k, 1.0 };
+      double world[4];
+      survey->MultiplyPoint(lattice, world);
+      cells->InsertCellPoint(points->InsertNextPoint(world));
+    }
+    names->InsertNextValue("F " + std::to_string(int(j)));
+  }
+  sticks->SetPoints(points);
+  sticks->SetLines(cells);
+  sticks->GetCellData()->AddArray(names);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Horizon(Level, survey));
+  blocks->SetBlock(1, Horizon(Level, survey));
+  vtkNew<vtkHorizonFaults> filter;
+  filter->SetInputData(blocks);
+  filter->SetInputData(1, sticks);
+  filter->DetectOff();
+  filter->SetLineTypeToSticks();
+  filter->Update();
+  const auto block = [&filter](unsigned int number)
+  {
+    auto* const surfaces = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(2));
+    return vtkPolyData::SafeDownCast(surfaces->GetBlock(number));
+  };
+  vtkPolyData* const surface = block(0);
+  CHECK_EQUAL(surface->GetNumberOfPolys(), 4);
+  CHECK_EQUAL(surface->GetNumberOfPoints(), 6);
+  auto* const fault = vtkStringArray::SafeDownCast(surface->GetCellData()->GetAbstractArray("FaultName"));
+  CHECK(fault && fault->GetValue(3) == "F");
+  CHECK_EQUAL(block(1)->GetNumberOfPolys(), 0);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 2 * 11);
+  filter->ExtendSticksOn(); // by five rows to either side
+  filter->Update();
+  CHECK_EQUAL(block(0)->GetNumberOfPolys(), 8);
+  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 2 * 18); // the horizon begins in row 0
 }
 
 /// The cuts of an earlier run are replaced, and the stages read what is written.
@@ -255,7 +349,12 @@ void TestErrors()
   filter->SetNoise(0.0);
   filter->SetInputData(1, Line({ { 1.0, 1.0 }, { std::nan(""), 2.0 } }, survey, false));
   CheckError(filter, "fault polyline 0 with a point at (nan, ");
+  filter->SetInputData(1, Line({ { -1.0, -1.0 }, { 40.0, -1.0 }, { 40.0, 40.0 }, { -1.0, 40.0 } }, survey, true));
+  CheckError(filter, "fault polygons around all 750 points, expected some outside");
   filter->RemoveFaultLines();
+  filter->SetLargestRamp(16);
+  CheckError(filter, "largest ramp 16, expected 0 to 15 columns");
+  filter->SetLargestRamp(7);
   const auto twice = Horizon(Torn, survey);
   twice->GetPoints()->SetPoint(1, twice->GetPoint(0));
   filter->SetInputData(twice);
@@ -366,13 +465,18 @@ void TestPrintSelf()
   filter->SetSmallestExtent(11);
   filter->SetSmallestBranch(7);
   filter->SetLargestGap(3);
+  filter->SetLargestRamp(5);
+  filter->JoinThroughHolesOff();
+  filter->ExtendSticksOn();
+  filter->SetPolygonsToCut();
   filter->DetectOff();
   filter->SetLineTypeToSticks();
   std::ostringstream text;
   filter->Print(text);
   for (const char* const line :
     { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "ThrowUnit: World", "SmallestExtent: 11",
-      "SmallestBranch: 7", "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
+      "SmallestBranch: 7", "LargestGap: 3", "LargestRamp: 5",
+      "JoinThroughHoles: off", "ExtendSticks: on", "Polygons: Cut", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -384,6 +488,8 @@ int TestHorizonFaults(int, char*[])
   TestOutputs();
   TestGivenLines();
   TestSticks();
+  TestPolygons();
+  TestSurfaces();
   TestInPipeline();
   TestSeveralHorizons();
   TestLinesBesideTheHorizon();

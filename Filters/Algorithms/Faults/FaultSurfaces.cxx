@@ -499,13 +499,25 @@ private:
     }
   }
 
+  /// Sticks are picked on rows, and what ends on a row would leave the link there whole: ends go on by half a column.
   void End()
   {
     if (this->Trace.size() > 1)
     {
+      const FaultPolyline ends = { Beyond(this->Trace[1], this->Trace[0]),
+        Beyond(this->Trace[this->Trace.size() - 2], this->Trace.back()) };
+      this->Trace.front() = ends[0];
+      this->Trace.back() = ends[1];
       this->Traces.push_back(this->Trace);
     }
     this->Trace.clear();
+  }
+
+  static MapPlace Beyond(const MapPlace& from, const MapPlace& to)
+  {
+    const double length = std::hypot(to.X - from.X, to.Y - from.Y);
+    const double part = length > 0.0 ? 0.5 / length : 0.0;
+    return { to.X + part * (to.X - from.X), to.Y + part * (to.Y - from.Y) };
   }
 
   const ColumnHeights& Heights;

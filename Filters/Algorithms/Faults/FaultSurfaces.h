@@ -66,7 +66,7 @@ private:
 std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, bool extend);
 
 /// The lines along which sheets, in columns and vertical indices, pass through the horizon, by places half a column
-/// apart; a line ends where the sheet or the horizon does. Over gaps in the horizon heights continue evenly down the
+/// apart; a line ends half a column beyond the end of the sheet or of the horizon. Over gaps in the horizon heights continue evenly down the
 /// fault.
 std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultSheet>& sheets);
 }
