@@ -55,9 +55,7 @@ FaultScore ScoreHorizons(
       made.Throw = largest;
       made.Seed = FirstSeed + std::uint64_t(n) + 100 * std::uint64_t(largest);
       const FaultedHorizon horizon = MakeFaultedHorizon(made);
-      FaultDetectionOptions o2 = options; if (getenv("RAMP")) o2.LargestRamp = atoi(getenv("RAMP"));
-      const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), o2);
-      if (getenv("DUMP")) for (std::size_t l=0;l<found.Lines.Size();++l){ printf("line %zu seed %llu:",l,(unsigned long long)made.Seed); for(std::size_t k=found.Lines.Start(l);k<found.Lines.End(l);++k){auto&c=found.Lines[k]; printf(" %s(%d,%d)%.1f",c.Place.Side==LinkSide::East?"E":"N",c.Place.Column.X,c.Place.Column.Y,c.Throw);} printf("\n");}
+      const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), options);
       total.Add(ScoreFaults(horizon, found.Lines, int(std::ceil(0.5 * made.GapWidth)), reachOfAll));
     }
   }
@@ -289,9 +287,6 @@ void PrintHoleTable(int horizons, const Method& method)
           made.HoleSize = size;
           FaultedHorizon horizon = MakeFaultedHorizon(made);
           const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), method.Options);
-          if (getenv("DUMPH")) { printf("size %d throw %g seed %llu\nfound",size,largest,(unsigned long long)made.Seed); const int a=(made.Size-size)/2-3,b=(made.Size+size)/2+3;
-            for(std::size_t k=0;k<found.Lines.NumberOfLinks();++k){auto&c=found.Lines[k]; if(c.Place.Column.X>=a&&c.Place.Column.X<b&&c.Place.Column.Y>=a&&c.Place.Column.Y<b) printf(" %s(%d,%d)",c.Place.Side==LinkSide::East?"E":"N",c.Place.Column.X,c.Place.Column.Y);}
-            printf("\ntrue"); for (const TornLink& t : horizon.Torn) if(t.Column.X>=a&&t.Column.X<b&&t.Column.Y>=a&&t.Column.Y<b) printf(" %s(%d,%d)",t.IsNorth?"N":"E",t.Column.X,t.Column.Y); printf("\n"); }
           LinkCuts cuts(PlaneBox({ { 0, 0 }, { made.Size - 1, made.Size - 1 } }));
           plain.Add(horizon, whole, cuts);
           LinkCuts foundCuts = cuts;
@@ -324,13 +319,6 @@ void PrintHoleTable(int horizons, const Method& method)
 int main(int argc, char* argv[])
 {
   const int horizons = argc > 1 ? std::atoi(argv[1]) : 4;
-  if (argc > 2) { const Method method = ListMethods()[atoi(argv[3])]; const std::string w = argv[2];
-    if (w.find('n') != std::string::npos) PrintNoiseTable(horizons, method);
-    if (w.find('g') != std::string::npos) PrintGapTable(horizons, method);
-    if (w.find('r') != std::string::npos) PrintRampTable(horizons, method);
-    if (w.find('f') != std::string::npos) PrintFoldTable(horizons, method);
-    if (w.find('h') != std::string::npos) PrintHoleTable(horizons, method);
-    return 0; }
   PrintHead(horizons);
   for (const Method& method : ListMethods())
   {
