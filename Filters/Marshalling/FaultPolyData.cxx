@@ -38,8 +38,7 @@ std::string WithoutLastWord(const std::string& text)
 }
 
 /// Appends the polylines of some cells, the first of which has the number `first` among those of the dataset.
-void AppendCells(
-  vtkPolyData* data, vtkCellArray* cells, vtkIdType first, std::vector<FaultStick>& polylines)
+void AppendCells(vtkPolyData* data, vtkCellArray* cells, vtkIdType first, std::vector<FaultStick>& polylines)
 {
   const bool arePolygons = cells == data->GetPolys();
   auto* const names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray(CellArray::FaultName));

@@ -146,9 +146,17 @@ class Result:
             raise HorizonError("%s: %s" % (self.source, error)) from None
 
 
-def read_fault_lines(path, vertical_direction):
-    """The lines of a file of another program. Raises HorizonError."""
-    return apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction))
+def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=None):
+    """Settings.torn and Settings.fault_lines for a throw from which on faults are detected, and a file of traces and
+    polygons or of sticks. Raises HorizonError."""
+    if throw is None and traces is None and sticks is None:
+        return None, None
+    torn = {"Detect": False} if throw is None else {"SmallestThrow": throw, "ThrowUnit": unit}
+    path = traces if sticks is None else sticks
+    if path is None:
+        return torn, None
+    torn["LineType"] = "Traces" if sticks is None else "Sticks"
+    return torn, apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction))
 
 
 def run(source, name, points, settings):

@@ -83,8 +83,7 @@ public:
         }
       }
     }
-    std::stable_sort(
-      pairs.begin(), pairs.end(), [](const EndPair& a, const EndPair& b) { return a.Turn < b.Turn; });
+    std::stable_sort(pairs.begin(), pairs.end(), [](const EndPair& a, const EndPair& b) { return a.Turn < b.Turn; });
     return pairs;
   }
 
@@ -225,8 +224,9 @@ FaultPolyline Bend(const LineEnd& from, const LineEnd& to)
   const int parts = std::max(1, int(std::ceil(length)));
   // From just outside the last link, which is cut.
   constexpr double outside = 1e-3;
-  const auto start = [](const LineEnd& end)
-  { return MapPlace{ end.Place.X + outside * end.Direction.X, end.Place.Y + outside * end.Direction.Y }; };
+  const auto start = [](const LineEnd& end) {
+    return MapPlace{ end.Place.X + outside * end.Direction.X, end.Place.Y + outside * end.Direction.Y };
+  };
   FaultPolyline line = { start(from) };
   for (int n = 1; n < parts; ++n)
   {

@@ -129,8 +129,7 @@ public:
     {
       return {};
     }
-    const double overBefore =
-      rise.Height - rise.Distance * (before.Distance == 0.0 ? after : before).Slope();
+    const double overBefore = rise.Height - rise.Distance * (before.Distance == 0.0 ? after : before).Slope();
     const double overAfter = rise.Height - rise.Distance * (after.Distance == 0.0 ? before : after).Slope();
     const double least = overBefore * overAfter <= 0.0 ? 0.0
       : overBefore > 0.0                               ? std::min(overBefore, overAfter)
@@ -298,37 +297,44 @@ private:
     {
       return;
     }
-    peak.IsStrong = std::abs(net.Height) >= this->Limits.StrongRise &&
-      double(std::abs(peak.Throw)) >= this->Limits.StrongThrow;
+    peak.IsStrong =
+      std::abs(net.Height) >= this->Limits.StrongRise && double(std::abs(peak.Throw)) >= this->Limits.StrongThrow;
     std::int64_t place = along;
-    const double least = StepShare * double(std::abs(peak.Throw));
-    const float sign = peak.Throw < 0.0F ? -1.0F : 1.0F;
-    double largest = 0.0;
-    double alone = 0.0; // the sum of steps across one link
-    for (std::int64_t n = along - this->Scale.Mean; n <= along + this->Scale.Mean; ++n)
-    {
-      const double step = this->StepAt(lanes, n, lane, sign);
-      if (step < this->Limits.LeastStep)
-      {
-        continue;
-      }
-      if (step >= least && step > largest && std::abs(n - along) <= this->Scale.Half)
-      {
-        largest = step;
-        place = n;
-        peak.IsStep = true;
-      }
-      const double beside =
-        std::max(this->StepAt(lanes, n - 1, lane, sign), this->StepAt(lanes, n + 1, lane, sign));
-      alone += beside < StepAlone * step ? step : 0.0;
-    }
-    if (!peak.IsStep && alone >= least)
+    if (!this->FindStep(lanes, lane, place, peak))
     {
       return; // several faults side by side
     }
     peak.Along = lanes.IsEast() ? this->Heights.GridX(place) : this->Heights.GridY(place);
     peak.Lane = lanes.IsEast() ? this->Heights.GridY(lane) : this->Heights.GridX(lane);
     peaks.push_back(peak);
+  }
+
+  /// Moves the place from the middle of a ramp to the link that most of the throw is across, if there is one. False
+  /// where most is across several links that do not lie side by side.
+  bool FindStep(const Lanes& lanes, std::int64_t lane, std::int64_t& place, RampPeak& peak) const
+  {
+    const std::int64_t middle = place;
+    const double least = StepShare * double(std::abs(peak.Throw));
+    const float sign = peak.Throw < 0.0F ? -1.0F : 1.0F;
+    double largest = 0.0;
+    double alone = 0.0; // the sum of steps across one link
+    for (std::int64_t n = middle - this->Scale.Mean; n <= middle + this->Scale.Mean; ++n)
+    {
+      const double step = this->StepAt(lanes, n, lane, sign);
+      if (step < this->Limits.LeastStep)
+      {
+        continue;
+      }
+      if (step >= least && step > largest && std::abs(n - middle) <= this->Scale.Half)
+      {
+        largest = step;
+        place = n;
+        peak.IsStep = true;
+      }
+      const double beside = std::max(this->StepAt(lanes, n - 1, lane, sign), this->StepAt(lanes, n + 1, lane, sign));
+      alone += beside < StepAlone * step ? step : 0.0;
+    }
+    return peak.IsStep || alone < least;
   }
 
   /// Across a link; 0 where none is known.
@@ -381,8 +387,8 @@ void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std:
   std::int64_t along = from.Along;
   for (std::int64_t lane = from.Lane + 1; lane <= to.Lane; ++lane)
   {
-    const std::int64_t next = from.Along +
-      std::int64_t(std::floor(double((to.Along - from.Along) * (lane - from.Lane)) / double(hop) + 0.5));
+    const std::int64_t next =
+      from.Along + std::int64_t(std::floor(double((to.Along - from.Along) * (lane - from.Lane)) / double(hop) + 0.5));
     for (std::int64_t column = std::min(along, next) + 1; column <= std::max(along, next); ++column)
     {
       // Where the ramp runs on, the next lane is before it where this one is beyond.
@@ -484,8 +490,8 @@ public:
   void KeepLines(const ForestLimits& limits)
   {
     // In one place peaks come before joints.
-    std::stable_sort(this->Links.begin(), this->Links.end(), [](const RampLink& a, const RampLink& b)
-      { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
+    std::stable_sort(this->Links.begin(), this->Links.end(),
+      [](const RampLink& a, const RampLink& b) { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
     this->Links.erase(std::unique(this->Links.begin(), this->Links.end(),
                         [](const RampLink& a, const RampLink& b) { return a.Link == b.Link; }),
       this->Links.end());
@@ -549,7 +555,8 @@ public:
         this->AppendBeside(ramp, reach, beside);
       }
     }
-    std::sort(beside.begin(), beside.end(), [](const FaultCandidate& a, const FaultCandidate& b)
+    std::sort(beside.begin(), beside.end(),
+      [](const FaultCandidate& a, const FaultCandidate& b)
       { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
     beside.erase(std::unique(beside.begin(), beside.end(), IsSameLink), beside.end());
     return beside;
@@ -568,8 +575,8 @@ private:
     const std::int64_t lane = isEast ? y : x;
     const std::int64_t length = isEast ? this->Grid.Width() : this->Grid.Height();
     const float least = float(StepShare) * std::abs(ramp.Throw);
-    for (std::int64_t along = std::max<std::int64_t>(0, middle - reach);
-         along <= std::min(middle + reach, length - 1); ++along)
+    for (std::int64_t along = std::max<std::int64_t>(0, middle - reach); along <= std::min(middle + reach, length - 1);
+         ++along)
     {
       beside.push_back({ lanes.Link(along, lane), least, false });
       beside.push_back({ lanes.Across(along, lane), least, false });
@@ -613,9 +620,8 @@ RawVector<float> FindRises(const ColumnHeights& heights, int largest, const Moni
         {
           for (std::int64_t lane = first; lane < last; ++lane)
           {
-            rises[lanes.Link(along, lane)] = along + 1 < lanes.Length()
-              ? float(strips[lane - first].Net(along, scale.Shoulder).Height)
-              : Missing;
+            rises[lanes.Link(along, lane)] =
+              along + 1 < lanes.Length() ? float(strips[lane - first].Net(along, scale.Shoulder).Height) : Missing;
           }
         }
       });

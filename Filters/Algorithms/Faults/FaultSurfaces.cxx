@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace SeismicHorizons
@@ -473,30 +472,29 @@ private:
     }
   }
 
-  /// The passage nearest to the last one.
+  /// A horizon that steps down a dipping fault without a gap is passed three times: on the upper side, at the step, and
+  /// on the lower side. So it is the one in the middle, or else the one nearest to the last.
   void Append(const std::vector<SpacePoint>& line, double jump)
   {
-    std::optional<MapPlace> nearest;
-    double least = 0.0;
-    for (const MapPlace& place : FindPassages(this->Heights, line))
+    const std::vector<MapPlace> passages = FindPassages(this->Heights, line);
+    const auto distance = [this](const MapPlace& place)
+    { return this->Trace.empty() ? 0.0 : std::hypot(place.X - this->Trace.back().X, place.Y - this->Trace.back().Y); };
+    if (passages.empty())
     {
-      const double distance = this->Trace.empty()
-        ? 0.0
-        : std::hypot(place.X - this->Trace.back().X, place.Y - this->Trace.back().Y);
-      if (!nearest || distance < least)
-      {
-        nearest = place;
-        least = distance;
-      }
+      this->End();
+      return;
     }
-    if (!nearest || least > jump)
+    MapPlace chosen = passages[passages.size() / 2];
+    if (passages.size() % 2 == 0 || distance(chosen) > jump)
+    {
+      chosen = *std::min_element(passages.begin(), passages.end(),
+        [&distance](const MapPlace& a, const MapPlace& b) { return distance(a) < distance(b); });
+    }
+    if (distance(chosen) > jump)
     {
       this->End();
     }
-    if (nearest)
-    {
-      this->Trace.push_back(*nearest);
-    }
+    this->Trace.push_back(chosen);
   }
 
   /// Sticks are picked on rows, and what ends on a row would leave the link there whole: ends go on by half a column.
@@ -536,8 +534,8 @@ std::vector<std::array<std::size_t, 3>> FaultSheet::ListTriangles() const
     for (std::size_t level = 0; level + 1 < this->Levels; ++level)
     {
       std::vector<std::size_t> corners;
-      for (const std::size_t place : { this->At(stick, level), this->At(stick + 1, level), this->At(stick + 1, level + 1),
-             this->At(stick, level + 1) })
+      for (const std::size_t place : { this->At(stick, level), this->At(stick + 1, level),
+             this->At(stick + 1, level + 1), this->At(stick, level + 1) })
       {
         if (this->Known[place])
         {

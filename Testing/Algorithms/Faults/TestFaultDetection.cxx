@@ -311,11 +311,14 @@ void JoinsThroughHoles()
   // Down on one side, up on the other; and 14 rows aside.
   const auto scissors = [&](int i, int j) { return i < 32 ? step(i, j) : 25.0 - step(i, j); };
   CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, scissors), options).Lines.NumberOfLinks(), 40U);
-  const auto shifted = [&](int i, int j) { return std::isnan(step(i, j)) ? Missing : j < (i < 32 ? 23 : 37) ? 5.0 : 20.0; };
+  const auto shifted = [&](int i, int j) {
+    return std::isnan(step(i, j)) ? Missing : j < (i < 32 ? 23 : 37) ? 5.0 : 20.0;
+  };
   CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, shifted), options).Lines.NumberOfLinks(), 40U);
   // A hole that is narrower than half of the way.
-  const auto narrow = [](int i, int j)
-  { return i >= 30 && i < 36 && j >= 10 && j < 50 ? Missing : j < 30 || (i > 20 && i < 46) ? 5.0 : 20.0; };
+  const auto narrow = [](int i, int j) {
+    return i >= 30 && i < 36 && j >= 10 && j < 50 ? Missing : j < 30 || (i > 20 && i < 46) ? 5.0 : 20.0;
+  };
   CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, narrow), options).Lines.NumberOfLinks() > 0U, true);
 }
 

@@ -136,10 +136,24 @@ void FollowsTheHorizonBetweenSticks()
   const auto traces = Trace(heights, { Stick(0.0, 0.0, 30.0), Stick(18.0, 0.0, 30.0) });
   if (CHECK_EQUAL(traces.size(), 1U))
   {
-    const auto farthest = std::max_element(traces.front().begin(), traces.front().end(),
-      [](const MapPlace& a, const MapPlace& b) { return a.X < b.X; });
+    const auto farthest = std::max_element(
+      traces.front().begin(), traces.front().end(), [](const MapPlace& a, const MapPlace& b) { return a.X < b.X; });
     CHECK(std::abs(farthest->X - (10.25 + 0.5 * 14.0)) < 0.1);
     CHECK(std::abs(farthest->Y - 9.0) < 0.6);
+  }
+}
+
+/// The fault passes the horizon on the upper side, at the step and on the lower side: it cuts at the step.
+void CutsAtTheStep()
+{
+  const auto heights = MakeHeights(30, 20, [](int i, int) { return i < 16 ? 8.0 : 16.0; });
+  const auto traces = Trace(heights, { Stick(0.0, 0.0, 30.0), Stick(9.0, 0.0, 30.0) });
+  if (CHECK_EQUAL(traces.size(), 1U))
+  {
+    for (const MapPlace& place : traces.front())
+    {
+      CHECK(place.X > 15.0 && place.X < 16.0);
+    }
   }
 }
 
@@ -156,7 +170,8 @@ void MakesTriangles()
   CHECK_EQUAL(sheets[0].ListTriangles().size(), 8U);
   // The short one goes on along the plane of the others.
   const SpacePoint continued = sheets[0][sheets[0].At(1, 2)];
-  CHECK(std::abs(continued.X - 20.25) < 1e-9 && std::abs(continued.Y - 4.0) < 1e-9 && std::abs(continued.Z - 20.0) < 1e-9);
+  CHECK(
+    std::abs(continued.X - 20.25) < 1e-9 && std::abs(continued.Y - 4.0) < 1e-9 && std::abs(continued.Z - 20.0) < 1e-9);
   // By as much as there is between the last two, on either side.
   const auto extended = MakeFaultSheets({ Stick(2.0, 0.0, 20.0), Stick(4.0, 0.0, 20.0), Stick(8.0, 0.0, 20.0) }, true);
   CHECK_EQUAL(extended[0].NumberOfSticks(), 5U);
@@ -202,6 +217,7 @@ int TestFaultSurfaces(int, char*[])
   EndsTraces();
   ContinuesShortSticks();
   FollowsTheHorizonBetweenSticks();
+  CutsAtTheStep();
   MakesTriangles();
   ComesFromFarAway();
   RefusesWhatIsNotFinite();
