@@ -315,11 +315,6 @@ void JoinsThroughHoles()
     return std::isnan(step(i, j)) ? Missing : j < (i < 32 ? 23 : 37) ? 5.0 : 20.0;
   };
   CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, shifted), options).Lines.NumberOfLinks(), 40U);
-  // A hole that is narrower than half of the way.
-  const auto narrow = [](int i, int j) {
-    return i >= 30 && i < 36 && j >= 10 && j < 50 ? Missing : j < 30 || (i > 20 && i < 46) ? 5.0 : 20.0;
-  };
-  CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, narrow), options).Lines.NumberOfLinks() > 0U, true);
 }
 
 void ThreadsDoNotMatter()
