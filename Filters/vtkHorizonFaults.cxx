@@ -169,11 +169,12 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const output = outputs[0];
   std::vector<FaultPolyline> polylines;
+  vtkIdType givenLines = 0;
   if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
   {
     const bool isFirst = this->NumberOfGivenLines == 0;
     const std::vector<FaultStick> lines = ReadPolylines(given);
-    this->NumberOfGivenLines = vtkIdType(lines.size());
+    givenLines = vtkIdType(lines.size());
     if (this->LineType == Sticks)
     {
       std::vector<FaultSheet> sheets = MakeFaultSheets(lines, this->ExtendSticks);
@@ -198,6 +199,7 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
   FaultLines lines = CutAlong(heights, polylines);
+  this->NumberOfGivenLines = givenLines;
   this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
   vtkNew<vtkFieldData> figures; // with what was found of the columns
   figures->ShallowCopy(output->GetFieldData());

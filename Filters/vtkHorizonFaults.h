@@ -174,7 +174,7 @@ public:
   /**
    * Faults are also found that bend the surface over at most this many columns instead of tearing it: where it was
    * smoothed, tracked across a fault, or interpolated between lines. They are cut in the middle. 0 finds none of these.
-   * Unit: columns. Range: 0 to 15. Default: 7.
+   * Unit: columns. Range: 0 to 10. Default: 7.
    */
   vtkSetMacro(LargestRamp, int);
   vtkGetMacro(LargestRamp, int);

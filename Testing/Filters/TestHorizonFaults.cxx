@@ -116,7 +116,7 @@ void TestErrors()
   CheckError(filter, "fault polygons around all 750 points, expected some outside");
   filter->RemoveFaultLines();
   filter->SetLargestRamp(16);
-  CheckError(filter, "largest ramp 16, expected 0 to 15 columns");
+  CheckError(filter, "largest ramp 16, expected 0 to 10 columns");
   filter->SetLargestRamp(7);
   const auto twice = Horizon(Torn, survey);
   twice->GetPoints()->SetPoint(1, twice->GetPoint(0));

@@ -44,12 +44,13 @@ struct RampScale
   const std::int64_t Reach; // columns that a rise depends on
 };
 
-/// A mean height, and where the middle of its columns is.
+/// A mean height, and where the middle of its columns is; nan where too few columns have points.
 struct MeanHeight
 {
-  double Height = 0.0;
+  double Height = std::numeric_limits<double>::quiet_NaN();
   double Place = 0.0;
-  bool IsKnown = false;
+
+  bool IsKnown() const { return !std::isnan(this->Height); }
 };
 
 /// How much higher one mean is than another, and how far apart they are.
@@ -102,7 +103,7 @@ public:
       }
       this->Means[first] = points < this->Scale.Fewest
         ? MeanHeight{}
-        : MeanHeight{ sum / points, double(first) + double(places) / points, true };
+        : MeanHeight{ sum / points, double(first) + double(places) / points };
     }
   }
 
@@ -116,7 +117,8 @@ public:
     }
     const MeanHeight& after = this->Means[next];
     const MeanHeight& before = this->Means[next - this->Scale.Mean];
-    return after.IsKnown && before.IsKnown ? Rise{ after.Height - before.Height, after.Place - before.Place } : Rise{};
+    return after.IsKnown() && before.IsKnown() ? Rise{ after.Height - before.Height, after.Place - before.Place }
+                                               : Rise{};
   }
 
   /// Less the dip at a distance on both sides, or on the one where it is known.
@@ -170,7 +172,7 @@ struct Lanes
 };
 
 // Lanes that a thread takes at a time: of files so many that lie side by side in memory.
-constexpr std::int64_t LanesOfChunk = 16;
+constexpr std::int64_t LanesOfChunk = 8;
 
 //----------------------------------------------------------------------------------------------------------------------
 // 2. Peaks.

@@ -23,7 +23,7 @@
 namespace SeismicHorizons
 {
 /// Ramps of more columns are not looked for.
-constexpr int LargestLargestRamp = 15;
+constexpr int LargestLargestRamp = 10;
 
 /// By link of the raster: the rise less that of the dip at the shoulders; nan where too few columns have points.
 /// `largest` is how many columns wide a ramp is at most, at least 2.

@@ -357,7 +357,7 @@ void RefusesBadInput()
   CHECK_THROWS_WITH(CheckOptions(options), "largest gap -3, expected at least 0 columns");
   options = {};
   options.LargestRamp = 16;
-  CHECK_THROWS_WITH(CheckOptions(options), "largest ramp 16, expected 0 to 15 columns");
+  CHECK_THROWS_WITH(CheckOptions(options), "largest ramp 16, expected 0 to 10 columns");
 }
 
 void StopsOnRequest()
