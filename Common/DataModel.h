@@ -96,6 +96,7 @@ constexpr const char* CutThrow = "CutThrow";
 constexpr const char* CutLine = "CutLine";
 constexpr const char* CutMouths = "CutMouths";
 constexpr const char* CrackLoops = "CrackLoops";
+constexpr const char* BlankedPoints = "BlankedPoints";
 constexpr const char* FaultNoise = "FaultNoise";
 constexpr const char* SmallestFaultThrow = "SmallestFaultThrow";
 constexpr const char* SeamRows = "SeamRows";

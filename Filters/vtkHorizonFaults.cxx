@@ -8,6 +8,7 @@
 #include "Despiking/Despiking.h"
 #include "Faults/FaultDetection.h"
 #include "Faults/FaultLines.h"
+#include "Faults/FaultPolygons.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/FaultPolyData.h"
 #include "Marshalling/HeightUnit.h"
@@ -16,6 +17,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -51,7 +53,7 @@ vtkStandardNewMacro(vtkHorizonFaults);
 vtkHorizonFaults::vtkHorizonFaults()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -59,6 +61,8 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LineType: " << (this->LineType == Sticks ? "Sticks" : "Traces") << "\n";
+  os << indent << "ExtendSticks: " << (this->ExtendSticks ? "on" : "off") << "\n";
+  os << indent << "Polygons: " << (this->Polygons == Blank ? "Blank" : this->Polygons == Cut ? "Cut" : "Leave") << "\n";
   os << indent << "Detect: " << (this->Detect ? "on" : "off") << "\n";
   os << indent << "SmallestThrow: " << this->SmallestThrow << "\n";
   os << indent << "Noise: " << this->Noise << "\n";
@@ -66,6 +70,8 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestExtent: " << this->SmallestExtent << "\n";
   os << indent << "SmallestBranch: " << this->SmallestBranch << "\n";
   os << indent << "LargestGap: " << this->LargestGap << "\n";
+  os << indent << "LargestRamp: " << this->LargestRamp << "\n";
+  os << indent << "JoinThroughHoles: " << (this->JoinThroughHoles ? "on" : "off") << "\n";
   os << indent << "MeasuredNoise: " << this->MeasuredNoise << "\n";
   os << indent << "NumberOfFaultLines: " << this->NumberOfFaultLines << "\n";
   os << indent << "NumberOfCutLinks: " << this->NumberOfCutLinks << "\n";
@@ -102,6 +108,8 @@ FaultDetectionOptions vtkHorizonFaults::MakeOptions() const
   options.SmallestExtent = this->SmallestExtent;
   options.SmallestBranch = this->SmallestBranch;
   options.LargestGap = this->LargestGap;
+  options.LargestRamp = this->LargestRamp;
+  options.JoinThroughHoles = this->JoinThroughHoles;
   return options;
 }
 
@@ -125,11 +133,64 @@ int vtkHorizonFaults::RequestData(
 }
 
 //------------------------------------------------------------------------------
+// Leaves points out of the horizon, or lines out of those that cut.
+void vtkHorizonFaults::UsePolygons(std::vector<FaultPolyline>& polylines, LatticePoints& points, const Outputs& outputs)
+{
+  if (this->Polygons == Leave)
+  {
+    polylines.erase(std::remove_if(polylines.begin(), polylines.end(), IsClosed), polylines.end());
+  }
+  if (this->Polygons != Blank)
+  {
+    return;
+  }
+  const KeptPoints outside = FindOutside(points.Column, polylines);
+  const std::size_t inside = points.Height.size() - outside.size();
+  AddValue<vtkIdTypeArray>(outputs[0]->GetFieldData(), FieldArray::BlankedPoints, vtkIdType(inside));
+  if (outside.empty())
+  {
+    throw InputError("fault polygons around all " + std::to_string(inside) + " points, expected some outside");
+  }
+  if (inside > 0)
+  {
+    this->DoesGivenLineCut = true;
+    vtkNew<vtkPolyData> rest;
+    CopyPoints(points.Horizon, outside, rest);
+    rest->GetFieldData()->PassData(points.Horizon->GetFieldData());
+    points = ReadColumns(rest, outputs);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   FaultDetectionOptions options = this->MakeOptions();
   CheckOptions(options);
-  const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
+  vtkPolyData* const output = outputs[0];
+  std::vector<FaultPolyline> polylines;
+  vtkIdType givenLines = 0;
+  if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
+  {
+    const bool isFirst = this->NumberOfGivenLines == 0;
+    const std::vector<FaultStick> lines = ReadPolylines(given);
+    givenLines = vtkIdType(lines.size());
+    if (this->LineType == Sticks)
+    {
+      std::vector<FaultSheet> sheets = MakeFaultSheets(lines, this->ExtendSticks);
+      if (isFirst) // surfaces are those of all horizons
+      {
+        WriteFaultSheets(sheets, outputs[2]);
+      }
+      ToLattice(sheets, points.Grid);
+      polylines = FindTraces(ColumnHeights(points.Column, points.Height), sheets);
+    }
+    else
+    {
+      polylines = ToMap(lines, points.Grid);
+      this->UsePolygons(polylines, points, outputs);
+    }
+  }
   const double indices =
     IndicesPerUnit(static_cast<HeightUnit>(this->ThrowUnit), points.Column, points.Height, points.Grid);
   options.Noise *= indices;
@@ -137,15 +198,9 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
     this->SmallestThrow > 0.0 ? this->SmallestThrow * indices : ThrowAboveNoise(points, options.Noise);
   const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
-  FaultLines lines;
-  if (vtkDataObject* const given = this->GetInputDataObject(LinesPort, 0))
-  {
-    const std::vector<FaultStick> polylines = ReadPolylines(given, points.Grid);
-    lines = CutAlong(heights, this->LineType == Sticks ? FindTraces(heights, polylines) : ToMap(polylines));
-    this->NumberOfGivenLines = vtkIdType(polylines.size());
-    this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
-  }
-  vtkPolyData* const output = outputs[0];
+  FaultLines lines = CutAlong(heights, polylines);
+  this->NumberOfGivenLines = givenLines;
+  this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
   vtkNew<vtkFieldData> figures; // with what was found of the columns
   figures->ShallowCopy(output->GetFieldData());
   output->ShallowCopy(points.Horizon);

@@ -5,11 +5,11 @@
  * @brief   detects faults in a horizon, or uses fault lines that you supply
  *
  * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1, which may
- * be left out: fault traces or polygons, as lines or polygons of vtkPolyData in world coordinates; only their places on
- * the map count.
+ * be left out: fault traces, polygons or sticks, as lines or polygons of vtkPolyData in world coordinates. Of traces and
+ * polygons only the places on the map count.
  *
- * Output 0: the horizon with all its points, arrays and cells. New field data, in place of such as there are; a link
- * joins two neighbouring columns of the lattice:
+ * Output 0: the horizon with all its points, arrays and cells, but without points inside fault polygons (Polygons). New
+ * field data, in place of such as there are; a link joins two neighbouring columns of the lattice:
  *  - CutLinks (3 int): i, j and side of each link that a fault cuts; side 0 is the link to column (i + 1, j), 1 that to
  *    (i, j + 1). By j, i and side, each once. Columns may be missing
  *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan where it is not known
@@ -17,24 +17,31 @@
  *  - FaultNoise (double, one value): standard deviation of height differences due to noise alone, in vertical indices
  *  - SmallestFaultThrow (double, one value): the smallest throw that a fault reaches somewhere, in vertical indices, as
  *    it was given or follows from the noise
+ *  - BlankedPoints (vtkIdType, one value): how many points inside polygons were left out, where lines are given
  * Later stages mesh each side of the cuts independently.
  *
  * Output 1: the fault lines as polylines, with the point data array Throw (double): how much larger the vertical index
  * is on the left of the line than on its right; lines run so that it is positive on the whole. Cell data: FaultLine
  * (int).
  *
+ * Output 2: with Sticks the surfaces of faults, as triangles between sticks that stand side by side; empty for all
+ * horizons but the first, as they are the same. Cell data: FaultName (string).
+ *
  * With Detect, a link may be cut where the height difference, less the median of those within three columns, is at
  * least the larger of 2.5 times the noise and half of SmallestThrow. Such links are joined where they meet, over gaps
  * of a link or two; groups with five links of the larger of 4 times the noise and SmallestThrow stay when they are long
  * enough. Of each group a tree is kept that has the largest differences, without short branches. Gaps of up to
  * LargestGap missing columns are cut in the middle when planes through the points on both sides are as far apart there.
- * Faults that bend by ramps of several columns show as bundles of lines, or are missed where no single step is large.
+ * Faults that bend the surface over up to LargestRamp columns are cut in the middle: where the mean height of as many
+ * columns beyond a link, less that of those before it, is at its largest, and falls within half of that width.
+ * Lines on both sides of a hole are joined when they are in line and their throws are alike (JoinThroughHoles).
  *
  * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box,
  * wide bands without points left out, and 16 per point beyond input and output.
  *
  * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range, a line with a point that is not finite. A warning where no given line passes the horizon.
+ * parameter out of its range, a line with a point that is not finite, polygons around all points. A warning where no
+ * given line passes the horizon.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonHoleFilling
  */
@@ -45,9 +52,13 @@
 #include "vtkHorizonAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <vector>
+
 namespace SeismicHorizons
 {
 struct FaultDetectionOptions;
+struct LatticePoints;
+struct MapPlace;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonFaults : public vtkHorizonAlgorithm
@@ -56,6 +67,36 @@ public:
   static vtkHorizonFaults* New();
   vtkTypeMacro(vtkHorizonFaults, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of Polygons.
+  enum PolygonUses
+  {
+    Blank = 0,
+    Cut = 1,
+    Leave = 2
+  };
+
+  ///@{
+  /**
+   * Whether the surfaces of Sticks go on at both ends by as much as there is between the last two sticks. Default: off.
+   */
+  vtkSetMacro(ExtendSticks, bool);
+  vtkGetMacro(ExtendSticks, bool);
+  vtkBooleanMacro(ExtendSticks, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What closed lines among Traces do: fault polygons, as mapping programs draw them around the gap of a fault. Blank:
+   * points inside, where values are made up, are left out, and links are cut where a polygon is too narrow for a gap.
+   * Cut: points inside stay, as islands. Leave: nothing. Default: Blank.
+   */
+  vtkSetClampMacro(Polygons, int, Blank, Leave);
+  vtkGetMacro(Polygons, int);
+  void SetPolygonsToBlank() { this->SetPolygons(Blank); }
+  void SetPolygonsToCut() { this->SetPolygons(Cut); }
+  void SetPolygonsToLeave() { this->SetPolygons(Leave); }
+  ///@}
 
   ///@{
   /**
@@ -129,6 +170,26 @@ public:
   vtkGetMacro(LargestGap, int);
   ///@}
 
+  ///@{
+  /**
+   * Faults are also found that bend the surface over at most this many columns instead of tearing it: where it was
+   * smoothed, tracked across a fault, or interpolated between lines. They are cut in the middle. 0 finds none of these.
+   * Unit: columns. Range: 0 to 10. Default: 7.
+   */
+  vtkSetMacro(LargestRamp, int);
+  vtkGetMacro(LargestRamp, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether two fault lines that end at a hole become one when each points to the end of the other, their throws are
+   * alike, and at least half of the columns between them are missing. Default: on.
+   */
+  vtkSetMacro(JoinThroughHoles, bool);
+  vtkGetMacro(JoinThroughHoles, bool);
+  vtkBooleanMacro(JoinThroughHoles, bool);
+  ///@}
+
   /**
    * Standard deviation of height differences due to noise alone, in vertical indices; the largest of all horizons of
    * the last update.
@@ -151,8 +212,8 @@ public:
   ///@{
   /**
    * What the fault lines are. Traces: they run along the horizon, seen from above, as fault traces and polygons do.
-   * Sticks: they run down faults; the trace of a fault goes through the points where its sticks, one after the other,
-   * pass through the horizon. Default: Traces.
+   * Sticks: they run down faults, in any order; the horizon is cut where it meets the surface between them, which is
+   * the third output. Default: Traces.
    *
    * Sticks of one fault agree in all words of the cell array FaultName but the last.
    */
@@ -188,8 +249,12 @@ private:
   void operator=(const vtkHorizonFaults&) = delete;
 
   SeismicHorizons::FaultDetectionOptions MakeOptions() const;
+  void UsePolygons(std::vector<std::vector<SeismicHorizons::MapPlace>>& polylines,
+    SeismicHorizons::LatticePoints& points, const Outputs& outputs);
 
   int LineType = Traces;
+  bool ExtendSticks = false;
+  int Polygons = Blank;
   bool Detect = true;
   double SmallestThrow = 0.0;
   double Noise = 0.0;
@@ -197,6 +262,8 @@ private:
   int SmallestExtent = 20;
   int SmallestBranch = 10;
   int LargestGap = 5;
+  int LargestRamp = 7;
+  bool JoinThroughHoles = true;
   double MeasuredNoise = 0.0;
   vtkIdType NumberOfFaultLines = 0;
   vtkIdType NumberOfCutLinks = 0;

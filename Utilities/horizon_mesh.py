@@ -212,15 +212,18 @@ def _add_preparation_options(group):
     group.add_argument("--cut-faults", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
                        help="find faults that throw by T or more, and leave the mesh open there; 0 finds T by the noise; "
                        "height unit (default: no fault is cut)")
+    lines = group.add_mutually_exclusive_group()
+    lines.add_argument("--fault-lines", type=pathlib.Path, default=argparse.SUPPRESS, metavar="FILE",
+                       help="cut along the fault traces of a file, and leave out what is inside its fault polygons")
+    lines.add_argument("--fault-sticks", type=pathlib.Path, default=argparse.SUPPRESS, metavar="FILE",
+                       help="cut where surfaces between the fault sticks of a file pass, and write these surfaces")
     group.add_argument("--height-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
                        help="the unit of --largest-error, --despike and --cut-faults: vertical indices, or that of z, such "
                        "as m or ms")
     group.add_argument("--close-faults", action="store_true",
-                       help="close the mesh at these faults by triangles from one side to the other, which have 1 in the "
-                       "array Fault")
+                       help="close the mesh at these faults by triangles, which have 1 in the array Fault")
     group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=argparse.SUPPRESS, metavar="N",
-                       help="fill holes of at most N columns with new points that go on smoothly from "
-                       "those around them (default: none)")
+                       help="fill holes of at most N columns with points that go on smoothly from their rims (default: none)")
 
 
 def _add_stage_options(group):
@@ -254,8 +257,7 @@ def _add_stage_options(group):
                        "threshold in height")
     group.add_argument("--bound-deviation", action="store_true",
                        help="keep every dropped outline point within the distance threshold of the new outline")
-    group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS,
-                       metavar="T",
+    group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=argparse.SUPPRESS, metavar="T",
                        help="an outline point closer than this to the line through its neighbours is dropped; "
                        "lattice units (default: 0.4; the error with --largest-error or --triangles)")
     group.add_argument("--cell-size", type=_number_at_least(int, 1), default=3, metavar="S",
@@ -275,9 +277,8 @@ def _add_stage_options(group):
 
 def _add_error_options(group):
     group.add_argument("--measure-error", action="store_true",
-                       help="measure how far each mesh is from the horizon at full resolution, both ways: adds columns "
-                       "to the table (in lattice units), the arrays Distance and VerticalDistance to the meshes, and "
-                       "writes all figures to a .csv file for each input")
+                       help="measure how far each mesh is from the horizon at full resolution, both ways: columns of the "
+                       "table (in lattice units), arrays of the meshes, and all figures as a .csv file for each input")
     group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
                        help="the unit of the arrays; the .csv file has both")
     group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N",
@@ -302,7 +303,7 @@ def _make_surface(options, boundary, simplified):
 
 def make_settings(options):
     """What the options mean for each stage."""
-    from seismichorizons.pipeline import Settings
+    from seismichorizons.pipeline import Settings, fault_settings
 
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
@@ -314,7 +315,8 @@ def make_settings(options):
         Polarity="polarity", Joining="joining", AmplitudePercentile="amplitude_percentile")}
     unit = options.height_unit
     settings.despiked = {"Threshold": options.despike, "ThresholdUnit": unit} if hasattr(options, "despike") else None
-    settings.torn = {"SmallestThrow": options.cut_faults, "ThrowUnit": unit} if hasattr(options, "cut_faults") else None
+    settings.torn, settings.fault_lines = fault_settings(unit, options.vertical_direction, **_given(
+        options, throw="cut_faults", traces="fault_lines", sticks="fault_sticks"))
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,

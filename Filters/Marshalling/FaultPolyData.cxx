@@ -21,6 +21,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -37,8 +38,7 @@ std::string WithoutLastWord(const std::string& text)
 }
 
 /// Appends the polylines of some cells, the first of which has the number `first` among those of the dataset.
-void AppendCells(
-  vtkPolyData* data, vtkCellArray* cells, vtkIdType first, const Lattice& grid, std::vector<FaultStick>& polylines)
+void AppendCells(vtkPolyData* data, vtkCellArray* cells, vtkIdType first, std::vector<FaultStick>& polylines)
 {
   const bool arePolygons = cells == data->GetPolys();
   auto* const names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray(CellArray::FaultName));
@@ -59,10 +59,9 @@ void AppendCells(
         throw InputError("point id " + std::to_string(points[n]) + " in fault polyline " +
           std::to_string(polylines.size()) + ", expected 0 to " + std::to_string(data->GetNumberOfPoints() - 1));
       }
-      Eigen::Vector3d world;
-      data->GetPoint(points[n], world.data());
-      const Eigen::Vector3d place = grid.ToLattice(world);
-      polyline.Places.push_back({ place.x(), place.y(), place.z() });
+      std::array<double, 3> place{};
+      data->GetPoint(points[n], place.data());
+      polyline.Places.push_back({ place[0], place[1], place[2] });
     }
     if (arePolygons && !polyline.Places.empty())
     {
@@ -76,7 +75,7 @@ void AppendCells(
   }
 }
 
-void AppendDataSet(vtkDataObject* object, const Lattice& grid, std::vector<FaultStick>& polylines)
+void AppendDataSet(vtkDataObject* object, std::vector<FaultStick>& polylines)
 {
   auto* const data = vtkPolyData::SafeDownCast(object);
   if (!data)
@@ -84,8 +83,8 @@ void AppendDataSet(vtkDataObject* object, const Lattice& grid, std::vector<Fault
     throw InputError(
       "fault polylines in a " + std::string(object->GetClassName()) + ", expected lines or polygons of a vtkPolyData");
   }
-  AppendCells(data, data->GetLines(), data->GetNumberOfVerts(), grid, polylines);
-  AppendCells(data, data->GetPolys(), data->GetNumberOfVerts() + data->GetNumberOfLines(), grid, polylines);
+  AppendCells(data, data->GetLines(), data->GetNumberOfVerts(), polylines);
+  AppendCells(data, data->GetPolys(), data->GetNumberOfVerts() + data->GetNumberOfLines(), polylines);
 }
 
 /// What takes the points of a polyline.
@@ -180,20 +179,20 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultStick> ReadPolylines(vtkDataObject* lines, const Lattice& grid)
+std::vector<FaultStick> ReadPolylines(vtkDataObject* lines)
 {
   std::vector<FaultStick> polylines;
   auto* const composite = vtkCompositeDataSet::SafeDownCast(lines);
   if (!composite)
   {
-    AppendDataSet(lines, grid, polylines);
+    AppendDataSet(lines, polylines);
     return polylines;
   }
   const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
   {
     const std::size_t first = polylines.size();
-    AppendDataSet(leaves->GetCurrentDataObject(), grid, polylines);
+    AppendDataSet(leaves->GetCurrentDataObject(), polylines);
     // Sticks of two datasets are of two faults.
     const std::string number = std::to_string(leaves->GetCurrentFlatIndex());
     std::for_each(polylines.begin() + std::ptrdiff_t(first), polylines.end(),
@@ -203,18 +202,62 @@ std::vector<FaultStick> ReadPolylines(vtkDataObject* lines, const Lattice& grid)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines)
+std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lattice& grid)
 {
   std::vector<FaultPolyline> polylines;
   for (const FaultStick& line : lines)
   {
     polylines.emplace_back();
-    for (const SpacePoint& place : line.Places)
+    for (const SpacePoint& world : line.Places)
     {
-      polylines.back().push_back({ place.X, place.Y });
+      const Eigen::Vector3d place = grid.ToLattice(Eigen::Vector3d(world.X, world.Y, world.Z));
+      polylines.back().push_back({ place.x(), place.y() });
     }
   }
   return polylines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& grid)
+{
+  for (FaultSheet& sheet : sheets)
+  {
+    for (std::size_t n = 0; n < sheet.NumberOfSticks() * sheet.NumberOfLevels(); ++n)
+    {
+      const Eigen::Vector3d place = grid.ToLattice(Eigen::Vector3d(sheet[n].X, sheet[n].Y, sheet[n].Z));
+      sheet[n] = { place.x(), place.y(), place.z() };
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkStringArray> names;
+  names->SetName(CellArray::FaultName);
+  for (const FaultSheet& sheet : sheets)
+  {
+    std::vector<vtkIdType> ids(sheet.NumberOfSticks() * sheet.NumberOfLevels(), -1);
+    for (const std::array<std::size_t, 3>& triangle : sheet.ListTriangles())
+    {
+      triangles->InsertNextCell(3);
+      for (const std::size_t place : triangle)
+      {
+        if (ids[place] < 0)
+        {
+          ids[place] = points->InsertNextPoint(sheet[place].X, sheet[place].Y, sheet[place].Z);
+        }
+        triangles->InsertCellPoint(ids[place]);
+      }
+      names->InsertNextValue(sheet.Name());
+    }
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  output->GetCellData()->AddArray(names);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

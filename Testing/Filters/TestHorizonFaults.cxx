@@ -1,70 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The filter around the detection of faults: what is in its outputs, lines that are given, errors. Which links are cut
-// is checked in TestFaultDetection and TestFaultPolylines.
+// The filter around the detection of faults: what is in its outputs, and errors. Which links are cut is checked in
+// TestFaultDetection and TestFaultPolylines.
 
-#include "HorizonFixtures.h"
-#include "Tools/Check.h"
+#include "FaultLineFixtures.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkHorizonFaults.h"
 #include "vtkHorizonHoleFilling.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkStringArray.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+using namespace FaultLineFixtures;
+
 namespace
 {
-using HorizonFixtures::Errors;
-
-/// A step of 7 downwards between the columns 14 and 15.
-double Torn(int i, int)
-{
-  return i < 15 ? 20.0 : 27.0;
-}
-
-double Level(int, int)
-{
-  return 20.0;
-}
-
-vtkSmartPointer<vtkPolyData> Horizon(double (*height)(int, int), vtkMatrix4x4* survey)
-{
-  return HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(30, 25), 7, survey, height);
-}
-
-/// A polyline through places in columns.
-vtkSmartPointer<vtkPolyData> Line(
-  const std::vector<std::array<double, 2>>& places, vtkMatrix4x4* survey, bool isPolygon)
-{
-  auto lines = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(int(places.size()));
-  for (const std::array<double, 2>& place : places)
-  {
-    const double lattice[4] = { place[0], place[1], -500.0, 1.0 };
-    double world[4];
-    survey->MultiplyPoint(lattice, world);
-    cells->InsertCellPoint(points->InsertNextPoint(world));
-  }
-  lines->SetPoints(points);
-  isPolygon ? lines->SetPolys(cells) : lines->SetLines(cells);
-  return lines;
-}
-
-vtkPolyData* Faults(vtkHorizonFaults* filter)
-{
-  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
-}
-
 void TestOutputs()
 {
   const auto survey = HorizonFixtures::RotatedSurvey();
@@ -111,75 +64,6 @@ void TestOutputs()
   CHECK_EQUAL(faults->GetCellData()->GetArray("FaultLine")->GetTuple1(0), 0.0);
 }
 
-void TestGivenLines()
-{
-  const auto survey = HorizonFixtures::RotatedSurvey();
-  vtkNew<vtkHorizonFaults> filter;
-  filter->SetInputData(Horizon(Torn, survey));
-  filter->SetInputData(1, Line({ { 4.5, -3.0 }, { 4.5, 9.5 } }, survey, false));
-  filter->DetectOff();
-  filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 10);
-  CHECK(!filter->GetPolyDataOutput()->GetFieldData()->HasArray("FaultNoise"));
-  filter->DetectOn(); // with what is found
-  filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 35);
-  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 2);
-  // A polygon is cut all around, a composite dataset gives all it has.
-  filter->DetectOff();
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Line({ { 4.5, 4.5 }, { 6.5, 4.5 }, { 6.5, 6.5 }, { 4.5, 6.5 } }, survey, true));
-  blocks->SetBlock(2, Line({ { 20.5, 10.5 }, { 20.5, 13.5 } }, survey, false));
-  filter->SetInputData(1, blocks);
-  filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 8 + 3);
-  filter->RemoveFaultLines();
-  filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
-  CHECK_EQUAL(Faults(filter)->GetNumberOfPoints(), 0);
-}
-
-/// Two sticks that pass through the horizon between the columns 4 and 5, in the rows 2 and 7, and one of another fault.
-void TestSticks()
-{
-  const auto survey = HorizonFixtures::RotatedSurvey();
-  auto sticks = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkStringArray> names;
-  names->SetName("FaultName");
-  for (const double j : { 2.0, 7.0, 12.0 })
-  {
-    cells->InsertNextCell(2);
-    for (const double k : { 0.0, 40.0 })
-    {
-      const double lattice[4] = { 4.4 + 0.1 * (k - 20.0) / 20.0, j, k, 1.0 };
-      double world[4];
-      survey->MultiplyPoint(lattice, world);
-      cells->InsertCellPoint(points->InsertNextPoint(world));
-    }
-    names->InsertNextValue(j > 10.0 ? "G 1" : "F " + std::to_string(int(j)));
-  }
-  sticks->SetPoints(points);
-  sticks->SetLines(cells);
-  sticks->GetCellData()->AddArray(names);
-  vtkNew<vtkHorizonFaults> filter;
-  filter->SetInputData(Horizon(Level, survey));
-  filter->SetInputData(1, sticks);
-  filter->DetectOff();
-  filter->SetLineTypeToSticks();
-  filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
-  CHECK(filter->GetNumberOfCutLinks() >= 4 && filter->GetNumberOfCutLinks() <= 6); // ends lie on rows
-  vtkFieldData* const data = filter->GetPolyDataOutput()->GetFieldData();
-  CHECK_EQUAL(data->GetArray("CutLinks")->GetComponent(0, 0), 4.0);
-  sticks->GetCellData()->RemoveArray("FaultName"); // now all are of one fault
-  sticks->Modified();
-  filter->Update();
-  CHECK(filter->GetNumberOfCutLinks() >= 9 && filter->GetNumberOfCutLinks() <= 11);
-}
-
 /// The cuts of an earlier run are replaced, and the stages read what is written.
 void TestInPipeline()
 {
@@ -215,33 +99,6 @@ void TestSeveralHorizons()
   CHECK_EQUAL(filter->GetNumberOfCutLinks(), 45);
 }
 
-void TestLinesBesideTheHorizon()
-{
-  const auto survey = HorizonFixtures::UnitSurvey();
-  vtkNew<vtkHorizonFaults> filter;
-  filter->SetInputData(Horizon(Level, survey));
-  filter->SetInputData(1, Line({ { 604321.0, 6079543.0 }, { 604400.0, 6079600.0 } }, survey, false));
-  const Errors warnings(filter, vtkCommand::WarningEvent);
-  filter->Update();
-  CHECK(warnings.FirstContains(
-    "none of 1 fault polylines passes between columns of a horizon, expected lines in the coordinates of its points"));
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
-  CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 750);
-}
-
-void CheckError(vtkHorizonFaults* filter, const std::string& message)
-{
-  const Errors errors(filter);
-  filter->Modified();
-  filter->Update();
-  CHECK_EQUAL(errors.Count(), 1U);
-  if (!CHECK(errors.FirstContains(message)))
-  {
-    std::cerr << errors.First() << '\n';
-  }
-  CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 0);
-}
-
 void TestErrors()
 {
   const auto survey = HorizonFixtures::UnitSurvey();
@@ -255,7 +112,12 @@ void TestErrors()
   filter->SetNoise(0.0);
   filter->SetInputData(1, Line({ { 1.0, 1.0 }, { std::nan(""), 2.0 } }, survey, false));
   CheckError(filter, "fault polyline 0 with a point at (nan, ");
+  filter->SetInputData(1, Line({ { -1.0, -1.0 }, { 40.0, -1.0 }, { 40.0, 40.0 }, { -1.0, 40.0 } }, survey, true));
+  CheckError(filter, "fault polygons around all 750 points, expected some outside");
   filter->RemoveFaultLines();
+  filter->SetLargestRamp(16);
+  CheckError(filter, "largest ramp 16, expected 0 to 10 columns");
+  filter->SetLargestRamp(7);
   const auto twice = Horizon(Torn, survey);
   twice->GetPoints()->SetPoint(1, twice->GetPoint(0));
   filter->SetInputData(twice);
@@ -265,63 +127,6 @@ void TestErrors()
   filter->Update();
   CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 1);
   CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
-}
-
-/// Lines of a million places: far away, to and fro across the horizon, and in circles over it.
-void TestEndlessLines()
-{
-  const auto survey = HorizonFixtures::UnitSurvey();
-  constexpr int size = 1000000;
-  const auto makeLine = [&survey](auto&& placeOf)
-  {
-    std::vector<std::array<double, 2>> places;
-    for (int n = 0; n < size; ++n)
-    {
-      places.push_back(placeOf(n));
-    }
-    return Line(places, survey, false);
-  };
-  vtkNew<vtkHorizonFaults> filter;
-  filter->SetInputData(Horizon(Level, survey));
-  filter->DetectOff();
-  for (const bool areSticks : { false, true })
-  {
-    areSticks ? filter->SetLineTypeToSticks() : filter->SetLineTypeToTraces();
-    filter->SetInputData(1, makeLine([](int n) { return std::array<double, 2>{ n % 2 == 0 ? -1e9 : 1e9, 40.0 + n }; }));
-    filter->Update();
-    CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
-    filter->SetInputData(1,
-      makeLine(
-        [](int n) {
-          return std::array<double, 2>{ 9.5 + 0.2 * std::sin(0.01 * n), 9.5 + 0.2 * std::cos(n) };
-        }));
-    filter->Update();
-    CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0); // within one block
-  }
-  filter->SetLineTypeToTraces();
-  filter->SetInputData(1,
-    makeLine(
-      [](int n) {
-        return std::array<double, 2>{ n % 2 == 0 ? -1e9 : 1e9, 24.0 * n / size };
-      }));
-  CheckError(filter, "links of a horizon of 750 columns, expected at most 1000000");
-}
-
-void TestCellsWithoutPoints()
-{
-  const auto survey = HorizonFixtures::UnitSurvey();
-  vtkNew<vtkHorizonFaults> filter;
-  filter->SetInputData(Horizon(Torn, survey));
-  const auto lines = Line({ { 1.0, 1.0 }, { 9.0, 2.0 } }, survey, false);
-  lines->GetLines()->InsertNextCell({ 0, 2 });
-  filter->SetInputData(1, lines);
-  CheckError(filter, "point id 2 in fault polyline 1, expected 0 to 1");
-  lines->SetPoints(nullptr);
-  CheckError(filter, "point id 0 in fault polyline 0, expected 0 to -1");
-  vtkNew<vtkPolyData> empty;
-  filter->SetInputData(1, empty);
-  filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1); // that is found
 }
 
 /// A vertical index is 4 long: a step of 7 is one of 28. Of no throw, that of eight times the noise, here of rounding.
@@ -366,13 +171,18 @@ void TestPrintSelf()
   filter->SetSmallestExtent(11);
   filter->SetSmallestBranch(7);
   filter->SetLargestGap(3);
+  filter->SetLargestRamp(5);
+  filter->JoinThroughHolesOff();
+  filter->ExtendSticksOn();
+  filter->SetPolygonsToCut();
   filter->DetectOff();
   filter->SetLineTypeToSticks();
   std::ostringstream text;
   filter->Print(text);
   for (const char* const line :
     { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "ThrowUnit: World", "SmallestExtent: 11",
-      "SmallestBranch: 7", "LargestGap: 3", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
+      "SmallestBranch: 7", "LargestGap: 3", "LargestRamp: 5", "JoinThroughHoles: off", "ExtendSticks: on",
+      "Polygons: Cut", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -382,14 +192,9 @@ void TestPrintSelf()
 int TestHorizonFaults(int, char*[])
 {
   TestOutputs();
-  TestGivenLines();
-  TestSticks();
   TestInPipeline();
   TestSeveralHorizons();
-  TestLinesBesideTheHorizon();
   TestErrors();
-  TestEndlessLines();
-  TestCellsWithoutPoints();
   TestThrowUnit();
   TestPrintSelf();
   return Check::Result();

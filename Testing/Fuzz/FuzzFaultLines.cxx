@@ -8,6 +8,7 @@
 
 #include "FaultLines/FaultLineFile.h"
 #include "Faults/FaultLines.h"
+#include "Faults/FaultSurfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,7 @@ void CutHorizon(const FaultLineFile& file)
     }
   }
   CheckCuts(CutAlong(horizon, traces), width, length);
-  CheckCuts(CutAlong(horizon, FindTraces(horizon, sticks)), width, length);
+  CheckCuts(CutAlong(horizon, FindTraces(horizon, MakeFaultSheets(sticks, true))), width, length);
 }
 }
 

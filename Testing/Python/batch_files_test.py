@@ -48,6 +48,34 @@ class FilesTest(unittest.TestCase):
         shutil.copy(SAMPLE, path)
         return path
 
+    def write(self, name, lines):
+        path = self.folder / name
+        path.write_text("".join(line + "\n" for line in lines), encoding="utf-8")
+        return path
+
+    def test_faults_from_files(self):
+        """Polygons leave their inside out; sticks cut, and their surface is a result."""
+        picks = self.write("top.dat", ("%d %d 1000" % (25 * i, 25 * j) for j in range(40) for i in range(40)))
+        corners = ((260, 260), (410, 260), (410, 410), (260, 410), (260, 260))
+        polygon = self.write("faults.pol", [*("%g %g 1000" % corner for corner in corners), "999.0 999.0 999.0"])
+        sticks = self.write("sticks.dat", ("%g %g %g F %d" % (462, 25 * j, z, j)
+                                           for j in (39, 0, 20, 10, 30) for z in (800, 1200)))
+        areas = []
+        for option, path in ((None, None), ("--fault-lines", polygon), ("--fault-sticks", sticks)):
+            code, messages, printed = self.run_program(
+                picks, "--largest-error", "0.5", "--json", *([] if option is None else [option, path]))
+            self.assertEqual((code, messages), (0, []))
+            mesh = json.loads(printed)["files"][0]["horizons"][0]
+            areas.append((mesh["patches"], mesh["triangles"]))
+        self.assertEqual(files(self.output), ["top.vtp", "top_faults.vtp"])
+        self.assertEqual(areas[0], (1, 2))
+        self.assertEqual(areas[1][0], 1)
+        self.assertGreater(areas[1][1], 2)  # around the hole
+        self.assertEqual(areas[2], (2, 4))
+        code, messages, _ = self.run_program(picks, "--fault-lines", self.folder / "none.pol")
+        self.assertEqual(code, 1)
+        self.assertRegex(messages[0], "error: .*none.pol")
+
     def test_name_in_latin_1(self):
         """An error of that file alone, also in a report and in JSON."""
         good, report = self.copy("good.vsm"), self.folder / "report.html"

@@ -72,6 +72,16 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual((stages[0][1].GetThreshold(), stages[1][1].GetSmallestThrow()), (2.5, 3.0))
         self.assertFalse(settings.can_cut())
 
+    def test_fault_files(self):
+        """Alone nothing is detected, with --cut-faults both are done."""
+        line_file = str(pathlib.Path(__file__).resolve().parents[1] / "Fuzz/Corpus/FuzzFaultLines/irap.pol")
+        for options, detects, sticks in ((["--fault-lines", line_file], False, False),
+                                         (["--fault-sticks", line_file, "--cut-faults", "3"], True, True)):
+            settings = self.settings(*options)
+            faults = dict(settings.make_stages())["torn"]
+            self.assertEqual((faults.GetDetect(), faults.GetLineType() == faults.Sticks), (detects, sticks))
+            self.assertGreater(settings.fault_lines.GetNumberOfLines(), 0)
+
     def test_height_unit(self):
         """That of all heights that are given."""
         for unit in ("Lattice", "World"):

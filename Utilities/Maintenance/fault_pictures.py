@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the pictures of the page on faults: a faulted horizon with the lines found, and its meshes without and with cuts,
-which are closed in the second one.
+which are closed in the second one; in the third one, horizons that are cut by the surface between fault sticks.
 
     fault_pictures.py FOLDER
 
@@ -14,6 +14,10 @@ import sys
 import tempfile
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from seismichorizons import pictures
 from seismichorizons.pipeline import read_first, surface
@@ -56,6 +60,72 @@ def draw_closed(cut, within):
     pictures.write(pictures.draw([row], panel_size=CLOSED_SIZE), pathlib.Path(sys.argv[1]) / "ClosedFaults.png")
 
 
+def fault_x(y, depth):
+    """Where a bent fault is that dips to larger x."""
+    return 48.0 + 0.3 * y + 6.0 * np.sin(y / 16.0) + 0.45 * depth
+
+
+def make_sticks():
+    """Sticks on each eleventh row, in no order; one ends short."""
+    rows = np.random.default_rng(3).permutation(np.arange(-2, SIZE[1] + 10, 11))
+    points, lines = vtkPoints(), vtkCellArray()
+    for row in rows:
+        lines.InsertNextCell(3)
+        for depth in (-6.0, 20.0, 34.0 if row == 53 else 62.0):
+            lines.InsertCellPoint(points.InsertNextPoint(fault_x(row, depth), row, -depth))
+    sticks = vtkPolyData()
+    sticks.SetPoints(points)
+    sticks.SetLines(lines)
+    return sticks
+
+
+def draw_surfaces():
+    """Two horizons, the surface of a fault between its sticks, and both together."""
+    sticks, together, faults = make_sticks(), vtkAppendPolyData(), make("vtkHorizonFaults")
+    faults.SetInputDataObject(1, sticks)
+    faults.DetectOff()
+    faults.SetLineTypeToSticks()
+    x, y = np.meshgrid(np.arange(SIZE[0], dtype=float), np.arange(SIZE[1], dtype=float))
+    for depth in (10.0, 40.0):
+        fold = 3.0 * np.sin(x / 26.0) + 2.0 * np.cos((x + 2.0 * y) / 45.0)
+        z = -(depth + fold + 9.0 * (x > fault_x(y, depth + fold + 4.5)))
+        source = make("vtkHorizonFromPoints", VerticalDirection="Up")
+        cloud = vtkPolyData()
+        places = vtkPoints()
+        places.SetData(numpy_to_vtk(np.stack([x, y, z], -1).reshape(-1, 3), deep=True))
+        cloud.SetPoints(places)
+        source.SetInputDataObject(0, cloud)
+        update(source)
+        faults.SetInputDataObject(0, source.GetOutputDataObject(0))
+        update(faults)
+        mesh, _ = surface(faults.GetOutputDataObject(0).GetPartition(0, 0), largest_error=LARGEST_ERROR / 3.0)
+        together.AddInputData(with_fault(mesh, 0))
+    sheet = vtkPolyData()
+    sheet.DeepCopy(faults.GetOutputDataObject(2).GetPartition(0, 0))
+    lines = vtkPolyData()
+    lines.SetPoints(sticks.GetPoints())
+    lines.SetLines(sticks.GetLines())
+    throws = numpy_to_vtk(np.ones(sticks.GetNumberOfPoints()), deep=True)
+    throws.SetName("Throw")
+    lines.GetPointData().AddArray(throws)
+    together.AddInputData(with_fault(sheet, 1))
+    together.Update()
+    row = [pictures.Panel("Sticks", "%d, in no order" % sticks.GetNumberOfLines(), lines, pictures.FAULTS, together.GetOutput()),
+           pictures.Panel("Their surface", "cuts two horizons", together.GetOutput(), pictures.MESH)]
+    pictures.write(pictures.draw([row], panel_size=CLOSED_SIZE), pathlib.Path(sys.argv[1]) / "FaultSurfaces.png")
+
+
+def with_fault(mesh, value):
+    """The triangles alone, all of which are of a fault, or none."""
+    triangles = vtkPolyData()
+    triangles.SetPoints(mesh.GetPoints())
+    triangles.SetPolys(mesh.GetPolys())
+    marks = numpy_to_vtk(np.full(mesh.GetNumberOfPolys(), value, dtype=np.uint8), deep=True)
+    marks.SetName("Fault")
+    triangles.GetCellData().AddArray(marks)
+    return triangles
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "faulted.vsm"
@@ -74,6 +144,7 @@ def main():
            pictures.Panel("Cut", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH)]
     pictures.write(pictures.draw([row], panel_size=PANEL_SIZE), pathlib.Path(sys.argv[1]) / "Faults.png")
     draw_closed(cut, within)
+    draw_surfaces()
 
 
 if __name__ == "__main__":

@@ -188,10 +188,12 @@ class _Names:
                        for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
+        has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
+        self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats] if has_surfaces else []
 
     def check(self, folder):
         """Files there will be replaced, folders can not be. Raises HorizonError."""
-        for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures]:
+        for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults]:
             if len(os.fsencode(name)) > LONGEST_NAME:
                 raise HorizonError("%s... can not be written: a name of %d bytes, and %d are the most" % (
                     name[:40], len(os.fsencode(name)), LONGEST_NAME))
@@ -223,6 +225,8 @@ def _write_mesh(result, names, folder, record):
 def _write(results, names, folder):
     """Returns what there is to print about it."""
     lines = []
+    for name in names.faults:
+        writing.write_mesh(results[0].data["fault surfaces"], folder / name, "Faults")
     for name in names.figures:
         writing.write_figures(results, folder / name)
     for name in names.pictures:

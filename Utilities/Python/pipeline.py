@@ -43,7 +43,7 @@ CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
 class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
     defaults. None leaves a stage out. `despiked`, `torn` and `filled` are those of despiking, faults and hole filling,
-    which come first. With `surface` (see surface_properties) one stage takes the place of all others.
+    which come first; `fault_lines` are those that faults are given by. With `surface` (see surface_properties) one stage takes the place of all others.
     `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
     meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
@@ -53,6 +53,7 @@ class Settings:
     reader: dict = field(default_factory=dict)
     despiked: Optional[dict] = None
     torn: Optional[dict] = None
+    fault_lines: Optional[vtkPolyData] = None
     filled: Optional[dict] = None
     boundary: dict = field(default_factory=dict)
     simplified: dict = field(default_factory=dict)
@@ -134,8 +135,8 @@ class Result:
         self.warnings = []
 
     def release(self):
-        """Gives all data back but the mesh."""
-        self.data = {"mesh": self.data["mesh"]}
+        """Gives all data back but the mesh, and what is the same for all horizons."""
+        self.data = {name: self.data[name] for name in ("mesh", "fault surfaces") if name in self.data}
 
     def run_stage(self, stage, algorithm):
         try:
@@ -145,16 +146,32 @@ class Result:
             raise HorizonError("%s: %s" % (self.source, error)) from None
 
 
+def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=None):
+    """Settings.torn and Settings.fault_lines for a throw from which on faults are detected, and a file of traces and
+    polygons or of sticks. Raises HorizonError."""
+    if throw is None and traces is None and sticks is None:
+        return None, None
+    torn = {"Detect": False} if throw is None else {"SmallestThrow": throw, "ThrowUnit": unit}
+    path = traces if sticks is None else sticks
+    if path is None:
+        return torn, None
+    torn["LineType"] = "Traces" if sticks is None else "Sticks"
+    return torn, apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction))
+
+
 def run(source, name, points, settings):
     """Runs all stages on the points of a horizon. Raises HorizonError."""
     result = Result(source, name, points)
     data = points
     for stage, algorithm in settings.make_stages():
         algorithm.SetInputDataObject(0, data)
+        if stage == "torn" and settings.fault_lines is not None:
+            algorithm.SetInputDataObject(1, settings.fault_lines)
         result.run_stage(stage, algorithm)
         data = result.data[stage] = algorithm.GetOutputDataObject(0)
         if stage == "torn":
             result.data["faults"] = algorithm.GetOutputDataObject(1)
+            result.data["fault surfaces"] = algorithm.GetOutputDataObject(2)
         elif settings.surface is not None and stage == "mesh":
             result.data["boundary"] = algorithm.GetOutputDataObject(1)
     result.loops = count_loops(result.data["boundary"])

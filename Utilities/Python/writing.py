@@ -83,7 +83,9 @@ def _rounding_warnings(mesh):
     places = numpy_support.vtk_to_numpy(mesh.GetPoints().GetData())
     off = float(abs(places - places.astype("float32")).max(initial=0.0))
     matrix = mesh.GetFieldData().GetArray("LatticeToWorld")
-    step = min(math.hypot(matrix.GetComponent(0, column), matrix.GetComponent(0, 4 + column)) for column in (0, 1))
+    # Surfaces of faults have no columns: metres count.
+    step = 1.0 if matrix is None else min(
+        math.hypot(matrix.GetComponent(0, column), matrix.GetComponent(0, 4 + column)) for column in (0, 1))
     if off <= LARGEST_ROUNDING * step:
         return []
     return ["coordinates are rounded to single precision, by up to %.2g; other formats keep them" % off]

@@ -27,7 +27,7 @@ namespace SeismicHorizons
 class ColumnHeights
 {
 public:
-  static constexpr std::int64_t Margin = 8;
+  static constexpr std::int64_t Margin = 26;
 
   /// Takes the column of each point. Throws InputError on no point, on a height that is not finite, and on two points
   /// in one column.

@@ -26,6 +26,8 @@
 #include "Common/Parameters.h"
 #include "Common/RawVector.h"
 #include "FaultForest.h"
+#include "FaultJoins.h"
+#include "FaultRamps.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -251,19 +253,23 @@ double ClippedMean(const std::vector<float>& sizes, double largest)
 /// other one. It is each time another one (by the fraction of the golden ratio; Knuth, 6.4), as noise that returns
 /// every few columns, such as the footprint of a survey, would else be met in some of them alone. Values are counted
 /// from the first one on, so that the noise does not depend on what the raster leaves out.
-std::vector<float> SampleSizes(const RawVector<float>& deviations)
+std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side)
 {
   constexpr std::int64_t Enough = 1000000;
-  const auto missing =
-    std::count_if(deviations.begin(), deviations.end(), [](float deviation) { return std::isnan(deviation); });
-  const std::int64_t groupSize = std::max<std::int64_t>(1, (std::int64_t(deviations.size()) - missing) / Enough);
+  std::int64_t known = 0;
+  for (std::size_t n = std::size_t(side); n < deviations.size(); n += 2)
+  {
+    known += std::isnan(deviations[n]) ? 0 : 1;
+  }
+  const std::int64_t groupSize = std::max<std::int64_t>(1, known / Enough);
   std::vector<float> sizes;
-  sizes.reserve(std::size_t((std::int64_t(deviations.size()) - missing) / groupSize + 1));
+  sizes.reserve(std::size_t(known / groupSize + 1));
   std::uint64_t fraction = 0; // in units of 2^-64
   std::int64_t left = 0; // values of the group
   std::int64_t chosen = 0; // how many are left at the one that is taken
-  for (const float deviation : deviations)
+  for (std::size_t n = std::size_t(side); n < deviations.size(); n += 2)
   {
+    const float deviation = deviations[n];
     if (std::isnan(deviation))
     {
       continue;
@@ -287,9 +293,8 @@ std::vector<float> SampleSizes(const RawVector<float>& deviations)
 /// median of groups, which lies between the whole numbers, and the result at least what rounding does to differences.
 /// Of others, where the median is next to nothing, as in data that were smoothed or rounded, the mean of small sizes
 /// is used.
-double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
+double MeasureNoise(const ColumnHeights& heights, std::vector<float> sizes)
 {
-  std::vector<float> sizes = SampleSizes(deviations);
   const double floor = heights.AreWhole() ? WholeFloor : RealFloor;
   if (sizes.empty())
   {
@@ -303,6 +308,42 @@ double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviat
   }
   const double noise = DeviationPerMedian * double(*middle);
   return noise >= floor ? noise : std::max(floor, DeviationPerMean * ClippedMean(sizes, 4.0 * floor));
+}
+
+/// Of all, or of those along rows or along files alone where these are much rougher: heights that were interpolated
+/// between lines are smooth one way.
+double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
+{
+  constexpr double Rougher = 1.5;
+  std::vector<float> east = SampleSizes(deviations, LinkSide::East);
+  std::vector<float> north = SampleSizes(deviations, LinkSide::North);
+  const double noiseEast = MeasureNoise(heights, east);
+  const double noiseNorth = MeasureNoise(heights, north);
+  const double larger = std::max(noiseEast, noiseNorth);
+  // Rounding of a dip is not the same both ways.
+  if (larger > Rougher * std::min(noiseEast, noiseNorth) && (!heights.AreWhole() || larger > 2.0 * WholeFloor))
+  {
+    return larger;
+  }
+  east.insert(east.end(), north.begin(), north.end());
+  return MeasureNoise(heights, std::move(east));
+}
+
+/// The same of rises, which means of many columns make: white noise leaves 0.46 of that of differences, but what rows
+/// have in common and folds leave more.
+double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGiven)
+{
+  const double ofWhite = 0.46 * noise;
+  std::vector<float> sizes = SampleSizes(rises, LinkSide::East);
+  const std::vector<float> north = SampleSizes(rises, LinkSide::North);
+  sizes.insert(sizes.end(), north.begin(), north.end());
+  if (isGiven || sizes.empty())
+  {
+    return ofWhite;
+  }
+  const auto middle = sizes.begin() + sizes.size() / 2;
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return std::max(ofWhite, DeviationPerMedian * double(*middle));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -581,9 +622,10 @@ std::vector<FaultCandidate> AddGaps(
 class LinkMeter
 {
 public:
-  LinkMeter(const ColumnHeights& heights, const std::vector<GapStep>& gaps)
+  LinkMeter(const ColumnHeights& heights, const std::vector<GapStep>& gaps, const std::vector<LinkThrow>& ramps)
     : Heights(heights)
     , Gaps(gaps)
+    , Ramps(ramps)
   {
   }
 
@@ -597,12 +639,20 @@ public:
       cut.Throw = gap->Throw;
       cut.Middle = gap->Height;
     }
+    const auto ramp = std::lower_bound(this->Ramps.begin(), this->Ramps.end(), link,
+      [](const LinkThrow& step, std::int64_t place) { return step.Link < place; });
+    // A crack through a ramp keeps what is its own.
+    if (ramp != this->Ramps.end() && ramp->Link == link && !(std::abs(cut.Throw) > std::abs(ramp->Throw)))
+    {
+      cut.Throw = ramp->Throw;
+    }
     return cut;
   }
 
 private:
   const ColumnHeights& Heights;
   const std::vector<GapStep>& Gaps;
+  const std::vector<LinkThrow>& Ramps;
 };
 
 FaultLines TraceLines(const CornerGraph& graph, const LinkMeter& meter)
@@ -628,6 +678,7 @@ void CheckOptions(const FaultDetectionOptions& options)
   CheckAtLeast("smallest extent", options.SmallestExtent, 0, " columns");
   CheckAtLeast("smallest branch", options.SmallestBranch, 0, " links");
   CheckAtLeast("largest gap", options.LargestGap, 0, " columns");
+  CheckWithin("largest ramp", options.LargestRamp, 0, LargestLargestRamp, " columns");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -647,7 +698,22 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   const std::vector<GapStep> gaps = FindGapSteps(heights, options.LargestGap,
     std::max(GapFactor * detection.Noise, 0.5 * options.SmallestThrow), monitor.Step(0.7, 0.8));
   std::vector<FaultCandidate> candidates =
-    FindSteep(heights, deviations, detection.Low, detection.High, monitor.Step(0.8, 0.9));
+    FindSteep(heights, deviations, detection.Low, detection.High, monitor.Step(0.8, 0.85));
+  std::vector<LinkThrow> ramps;
+  if (options.LargestRamp > 1)
+  {
+    const RawVector<float> rises = FindRises(heights, options.LargestRamp, monitor.Step(0.85, 0.87));
+    const double noise = MeasureRiseNoise(rises, detection.Noise, options.Noise > 0.0);
+    RampLimits limits;
+    limits.LeastRise = LowFactor * noise;
+    limits.LeastThrow = 0.5 * options.SmallestThrow;
+    limits.StrongRise = HighFactor * noise;
+    limits.StrongThrow = options.SmallestThrow;
+    limits.LeastStep = detection.Low;
+    limits.Forest = { options.SmallestExtent, options.SmallestBranch, FewestStrong };
+    candidates = AddRamps(
+      heights, options.LargestRamp, rises, deviations, limits, std::move(candidates), ramps, monitor.Step(0.87, 0.9));
+  }
   candidates = AddGaps(grid, std::move(candidates), gaps, detection.High);
   if (candidates.size() > std::numeric_limits<std::int32_t>::max() / 4)
   {
@@ -663,7 +729,11 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   CornerGraph graph(grid, std::move(candidates));
   monitor.Progress(0.95);
   KeepForest(graph, { options.SmallestExtent, options.SmallestBranch, FewestStrong });
-  detection.Lines = TraceLines(graph, LinkMeter(heights, gaps));
+  detection.Lines = TraceLines(graph, LinkMeter(heights, gaps, ramps));
+  if (options.JoinThroughHoles)
+  {
+    JoinThroughHoles(heights, detection.Lines);
+  }
   return detection;
 }
 }

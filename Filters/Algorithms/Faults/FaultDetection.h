@@ -30,6 +30,8 @@ struct FaultDetectionOptions
   int SmallestExtent = 20; // columns along i or j that a group spans
   int SmallestBranch = 10; // links
   int LargestGap = 5; // missing columns
+  int LargestRamp = 7; // columns over which a fault bends the surface; 0 or 1 looks for steps alone
+  bool JoinThroughHoles = true; // lines on both sides of a hole
 };
 
 /// Throws InputError on a throw or a noise that is negative or not finite, and on sizes below 0.

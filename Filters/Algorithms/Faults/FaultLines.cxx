@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lines that are given become chains of cut links in two steps:
-//
-//  1. Sticks become traces (FindTraces): samples half a column apart along each stick tell where it passes from above
-//     the horizon to below it; such places of successive sticks are joined.
-//  2. Traces and polygons become cuts (CutAlong): a walk over the blocks of two by two columns that a line crosses,
-//     each named by its least column. From a block to the next it cuts the link between them.
+// Traces and polygons become chains of cut links (CutAlong) by a walk over the blocks of two by two columns that a line
+// crosses, each named by its least column. From a block to the next it cuts the link between them. Lines down a fault
+// pass through the horizon (FindPassages) between samples half a column apart, one above it and the next below.
 //
 // Given lines may lie anywhere, and the time they take must not depend on where: each segment is clipped to the
 // neighbourhood of the box first. Differences of coordinates are counted with by halves, as the difference of two
@@ -22,7 +19,6 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <tuple>
 
@@ -130,9 +126,9 @@ struct NearSegment
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// From sticks to traces.
+// Passages.
 
-/// Looks along sticks for the place where they pass from one side of a horizon to the other.
+/// Looks along lines for the places where they pass from one side of a horizon to the other.
 class StickProbe
 {
 public:
@@ -141,8 +137,9 @@ public:
   {
   }
 
-  std::optional<MapPlace> FindPassage(const std::vector<SpacePoint>& places) const
+  std::vector<MapPlace> FindPassages(const std::vector<SpacePoint>& places) const
   {
+    std::vector<MapPlace> passages;
     Sample last;
     for (std::size_t n = 1; n < places.size(); ++n)
     {
@@ -170,12 +167,12 @@ public:
         }
         if (!std::isnan(last.Above) && (last.Above < 0.0) != (next.Above < 0.0))
         {
-          return this->Passage(last, next);
+          passages.push_back(this->Passage(last, next));
         }
         last = next;
       }
     }
-    return std::nullopt;
+    return passages;
   }
 
 private:
@@ -367,43 +364,18 @@ std::vector<LinkOfLine> SortLinks(const FaultLines& lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultStick>& sticks)
+void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick)
 {
-  for (std::size_t stick = 0; stick < sticks.size(); ++stick)
+  for (const SpacePoint& place : places)
   {
-    for (const SpacePoint& place : sticks[stick].Places)
-    {
-      RequireFinite("fault stick", stick, { place.X, place.Y, place.Z }, "columns and vertical indices");
-    }
+    RequireFinite("fault stick", stick, { place.X, place.Y, place.Z }, "world coordinates");
   }
-  const StickProbe probe(heights);
-  std::vector<FaultPolyline> traces;
-  FaultPolyline trace;
-  const auto endTrace = [&traces, &trace]()
-  {
-    if (trace.size() > 1)
-    {
-      traces.push_back(trace);
-    }
-    trace.clear();
-  };
-  for (std::size_t stick = 0; stick < sticks.size(); ++stick)
-  {
-    if (stick > 0 && sticks[stick].Fault != sticks[stick - 1].Fault)
-    {
-      endTrace();
-    }
-    if (const std::optional<MapPlace> place = probe.FindPassage(sticks[stick].Places))
-    {
-      trace.push_back(*place);
-    }
-    else
-    {
-      endTrace();
-    }
-  }
-  endTrace();
-  return traces;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<MapPlace> FindPassages(const ColumnHeights& heights, const std::vector<SpacePoint>& line)
+{
+  return StickProbe(heights).FindPassages(line);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -83,17 +83,19 @@ using FaultPolyline = std::vector<MapPlace>;
 /// cut far more links than there are. Linear in the number of places and of links that are cut.
 FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines);
 
-/// A line down a fault surface; the sticks of a fault stand side by side.
+/// A line down a fault surface.
 struct FaultStick
 {
-  std::vector<SpacePoint> Places; // in columns and vertical indices
+  std::vector<SpacePoint> Places;
   std::string Fault; // what sticks of one fault have in common
 };
 
-/// A polyline through the places where successive sticks of one fault pass through the horizon; a stick that does not
-/// ends it. Over gaps in the horizon heights continue evenly along the stick. Throws InputError on a place that is not
-/// finite.
-std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultStick>& sticks);
+/// Throws InputError on a place of a stick that is not finite, with the number of the stick.
+void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick);
+
+/// Where a line in columns and vertical indices passes from above the horizon to below it, or back, in its direction. Over
+/// gaps in the horizon heights continue evenly along the line.
+std::vector<MapPlace> FindPassages(const ColumnHeights& heights, const std::vector<SpacePoint>& line);
 }
 
 #endif

@@ -196,6 +196,7 @@ std::string CutsOfParts(const FaultedHorizon& part, const PlanePoint& second, in
   const ColumnHeights horizon(columns, heights);
   FaultDetectionOptions options;
   options.LargestGap = largestGap;
+  options.JoinThroughHoles = false; // from part to part
   const FaultDetection found = DetectFaults(horizon, options);
   FaultLines lines = found.Lines;
   CHECK(AreChains(lines));
@@ -241,6 +242,81 @@ void PartsFarApartAreFound()
   CHECK_EQUAL(same.Lines[3].Throw, found.Lines[3].Throw);
 }
 
+/// Ramps of 2 to 7 columns, and picks on each fifth row with straight lines between.
+void FindsRamps()
+{
+  for (const int width : { 2, 3, 5, 7, 0 })
+  {
+    FaultScore score;
+    FaultGeneratorOptions options;
+    options.RampWidth = width;
+    options.PickSpacing = width == 0 ? 5 : 1;
+    for (const double largest : { 9.0, 12.0, 20.0 })
+    {
+      options.Throw = largest;
+      options.Seed = 500 + std::uint64_t(largest);
+      const FaultedHorizon horizon = MakeFaultedHorizon(options);
+      const FaultDetection found = Detect(horizon);
+      CHECK(AreChains(found.Lines));
+      score.Add(ScoreFaults(horizon, found.Lines, 0, 2));
+      // Each fault is a line or a few, with its own throw instead of that of a link.
+      CHECK(found.Lines.Size() <= 8U);
+      double sum = 0.0;
+      for (std::size_t n = 0; n < found.Lines.NumberOfLinks(); ++n)
+      {
+        sum += std::abs(found.Lines[n].Throw);
+      }
+      // Picks that lie aslant to a fault make it wider than means are.
+      CHECK(std::abs(sum / double(found.Lines.NumberOfLinks()) / largest - 1.0) < (width == 0 ? 0.35 : 0.2));
+    }
+    CHECK(score.FoundPercent(3) >= 95.0);
+    CHECK(score.FalsePerThousand() < 0.2);
+  }
+}
+
+void FoldsAreNoRamps()
+{
+  for (const double fold : { 0.5, 1.0, 2.0 })
+  {
+    for (const double noise : { 0.0, 0.3, 1.0 })
+    {
+      FaultGeneratorOptions options;
+      options.NumberOfFaults = 0;
+      options.Fold = fold;
+      options.Noise = noise;
+      options.Dip = 2.0;
+      CHECK_EQUAL(Detect(MakeFaultedHorizon(options)).Lines.NumberOfLinks(), 0U);
+    }
+  }
+}
+
+/// Lines on both sides of a hole become one, unless their throws differ or they are not in line.
+void JoinsThroughHoles()
+{
+  const auto step = [](int i, int j) { return i >= 20 && i < 44 && j >= 10 && j < 50 ? Missing : j < 30 ? 5.0 : 20.0; };
+  FaultDetectionOptions options;
+  const FaultDetection joined = DetectFaults(MakeHeights(64, 60, step), options);
+  CHECK_EQUAL(joined.Lines.NumberOfLinks(), 64U);
+  std::size_t known = 0;
+  for (std::size_t n = 0; n < joined.Lines.NumberOfLinks(); ++n)
+  {
+    CHECK_EQUAL(joined.Lines[n].Place.Column.Y, 29);
+    known += std::abs(joined.Lines[n].Throw - 15.0) < 1e-9 && std::abs(joined.Lines[n].Middle - 12.5) < 1e-9 ? 1 : 0;
+  }
+  CHECK_EQUAL(known, 64U);
+  CHECK(AreChains(joined.Lines));
+  options.JoinThroughHoles = false;
+  CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, step), options).Lines.NumberOfLinks(), 40U);
+  options.JoinThroughHoles = true;
+  // Down on one side, up on the other; and 14 rows aside.
+  const auto scissors = [&](int i, int j) { return i < 32 ? step(i, j) : 25.0 - step(i, j); };
+  CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, scissors), options).Lines.NumberOfLinks(), 40U);
+  const auto shifted = [&](int i, int j) {
+    return std::isnan(step(i, j)) ? Missing : j < (i < 32 ? 23 : 37) ? 5.0 : 20.0;
+  };
+  CHECK_EQUAL(DetectFaults(MakeHeights(64, 60, shifted), options).Lines.NumberOfLinks(), 40U);
+}
+
 void ThreadsDoNotMatter()
 {
   FaultGeneratorOptions options;
@@ -279,6 +355,9 @@ void RefusesBadInput()
   options = {};
   options.LargestGap = -3;
   CHECK_THROWS_WITH(CheckOptions(options), "largest gap -3, expected at least 0 columns");
+  options = {};
+  options.LargestRamp = 16;
+  CHECK_THROWS_WITH(CheckOptions(options), "largest ramp 16, expected 0 to 10 columns");
 }
 
 void StopsOnRequest()
@@ -308,6 +387,9 @@ int TestFaultDetection(int, char*[])
   BridgesGaps();
   SmallHorizonsHaveNoFaults();
   PartsFarApartAreFound();
+  FindsRamps();
+  FoldsAreNoRamps();
+  JoinsThroughHoles();
   ThreadsDoNotMatter();
   RefusesBadInput();
   StopsOnRequest();

@@ -1,0 +1,680 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+//  1. FindRises: means of as many columns as the widest ramp has, and their differences, along rows and along files.
+//  2. Peaks of these, row by row and file by file, that are steep enough; each is the middle of a ramp. A fault that
+//     runs aslant has peaks in both: those of the direction in which it is narrower count.
+//  3. Peaks of successive rows, or files, are joined, also over some that have none.
+//  4. Lines of these that are long and, on the average, steep enough. A single peak may be noise on a fold.
+
+#include "FaultRamps.h"
+
+#include "Common/FixedChunks.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr float Missing = std::numeric_limits<float>::quiet_NaN();
+
+/// The sizes of what is looked at, in columns.
+struct RampScale
+{
+  explicit RampScale(int largest)
+    : Mean(largest)
+    , Half((largest + 1) / 2)
+    , Shoulder(this->Mean + this->Half)
+    , Fewest(largest / 2 + 1)
+    , Reach(this->Shoulder + this->Mean)
+  {
+    assert(largest >= 2 && this->Reach < ColumnHeights::Margin);
+  }
+
+  const std::int64_t Mean; // of so many columns on each side
+  const std::int64_t Half; // distance at which a steep peak has fallen
+  const std::int64_t Shoulder; // distance at which a ramp is over
+  const int Fewest; // points of a mean
+  const std::int64_t Reach; // columns that a rise depends on
+};
+
+/// A mean height, and where the middle of its columns is; nan where too few columns have points.
+struct MeanHeight
+{
+  double Height = std::numeric_limits<double>::quiet_NaN();
+  double Place = 0.0;
+
+  bool IsKnown() const { return !std::isnan(this->Height); }
+};
+
+/// How much higher one mean is than another, and how far apart they are.
+struct Rise
+{
+  double Height = 0.0;
+  double Distance = 0.0; // 0 where it is not known
+
+  double Slope() const { return this->Height / this->Distance; }
+};
+
+/// What is left of a rise when that of the dip at the shoulders is taken off.
+struct NetRise
+{
+  double Height = std::numeric_limits<double>::quiet_NaN();
+  double LeastOfSides = 0.0; // by the dip of one shoulder alone, with the sign of the height; 0 when signs differ
+};
+
+/// Rises along one row or file. Places are from -Reach on, which are outside, to Reach beyond the last.
+class RiseStrip
+{
+public:
+  RiseStrip(const RampScale& scale, std::int64_t length)
+    : Scale(scale)
+    , Values(length + 2 * scale.Reach, std::numeric_limits<double>::quiet_NaN())
+    , Means(this->Values.size() - scale.Mean + 1)
+  {
+  }
+
+  /// The height at a place, to be set before FindMeans.
+  double& operator[](std::int64_t place) { return this->Values[place + this->Scale.Reach]; }
+
+  void FindMeans()
+  {
+    for (std::size_t first = 0; first < this->Means.size(); ++first)
+    {
+      // Added up anew each time, so that it does not depend on what lies elsewhere.
+      double sum = 0.0;
+      std::int64_t places = 0;
+      int points = 0;
+      for (std::int64_t n = 0; n < this->Scale.Mean; ++n)
+      {
+        const double value = this->Values[first + n];
+        if (!std::isnan(value))
+        {
+          sum += value;
+          places += n;
+          ++points;
+        }
+      }
+      this->Means[first] = points < this->Scale.Fewest
+        ? MeanHeight{}
+        : MeanHeight{ sum / points, double(first) + double(places) / points };
+    }
+  }
+
+  /// Across the link from a place to the next one.
+  Rise At(std::int64_t place) const
+  {
+    const std::int64_t next = place + this->Scale.Reach + 1;
+    if (next < this->Scale.Mean || next >= std::int64_t(this->Means.size()))
+    {
+      return {};
+    }
+    const MeanHeight& after = this->Means[next];
+    const MeanHeight& before = this->Means[next - this->Scale.Mean];
+    return after.IsKnown() && before.IsKnown() ? Rise{ after.Height - before.Height, after.Place - before.Place }
+                                               : Rise{};
+  }
+
+  /// Less the dip at a distance on both sides, or on the one where it is known.
+  NetRise Net(std::int64_t place, std::int64_t distance) const
+  {
+    const Rise rise = this->At(place);
+    const Rise before = this->At(place - distance);
+    const Rise after = this->At(place + distance);
+    if (rise.Distance == 0.0 || (before.Distance == 0.0 && after.Distance == 0.0))
+    {
+      return {};
+    }
+    const double overBefore = rise.Height - rise.Distance * (before.Distance == 0.0 ? after : before).Slope();
+    const double overAfter = rise.Height - rise.Distance * (after.Distance == 0.0 ? before : after).Slope();
+    const double least = overBefore * overAfter <= 0.0 ? 0.0
+      : overBefore > 0.0                               ? std::min(overBefore, overAfter)
+                                                       : std::max(overBefore, overAfter);
+    return { 0.5 * (overBefore + overAfter), least };
+  }
+
+private:
+  const RampScale& Scale;
+  std::vector<double> Values;
+  std::vector<MeanHeight> Means; // from each place on
+};
+
+/// The raster along rows, or along files.
+struct Lanes
+{
+  const ColumnHeights& Heights;
+  LinkSide Side;
+
+  bool IsEast() const { return this->Side == LinkSide::East; }
+  std::int64_t Length() const
+  {
+    return this->IsEast() ? this->Heights.Raster().Width() : this->Heights.Raster().Height();
+  }
+  std::int64_t Number() const
+  {
+    return this->IsEast() ? this->Heights.Raster().Height() : this->Heights.Raster().Width();
+  }
+  std::int64_t Column(std::int64_t along, std::int64_t lane) const
+  {
+    return this->IsEast() ? lane * this->Heights.Raster().Width() + along
+                          : along * this->Heights.Raster().Width() + lane;
+  }
+  std::int64_t Link(std::int64_t along, std::int64_t lane) const
+  {
+    return LinkGrid::LinkOf(this->Column(along, lane), this->Side);
+  }
+};
+
+// Lanes that a thread takes at a time: of files so many that lie side by side in memory.
+constexpr std::int64_t LanesOfChunk = 8;
+
+//----------------------------------------------------------------------------------------------------------------------
+// 2. Peaks.
+
+/// Where a row or file passes the middle of a ramp, by link of the grid.
+struct RampPeak
+{
+  std::int64_t Along = 0; // of the grid
+  std::int64_t Lane = 0;
+  float Throw = 0.0F; // height beyond it less height before it, without the dip
+  float Fall = 0.0F; // what part of the rise is lost half way to the shoulders
+  bool IsStrong = false;
+  bool IsStep = false; // across one link for the most part
+};
+
+// Of the throw, what at least one link has where a fault is a step.
+constexpr double StepShare = 0.6;
+// Of such a step, what both links beside it have less than.
+constexpr double StepAlone = 0.5;
+// Of the net rise, what the dip of either shoulder leaves at least, and what is lost half way to them.
+constexpr double LeastOfSides = 0.2;
+constexpr double LeastFall = 0.25;
+// How much less a rise may be than that along the other axis.
+constexpr double LeastOfOther = 0.85;
+
+class PeakSearch
+{
+public:
+  PeakSearch(const ColumnHeights& heights, const RampScale& scale, const RawVector<float>& rises,
+    const RawVector<float>& deviations, const RampLimits& limits)
+    : Heights(heights)
+    , Scale(scale)
+    , Rises(rises)
+    , Deviations(deviations)
+    , Limits(limits)
+  {
+  }
+
+  void FindInLane(const Lanes& lanes, std::int64_t lane, std::vector<RampPeak>& peaks) const
+  {
+    for (std::int64_t along = 0; along + 1 < lanes.Length(); ++along)
+    {
+      const float rise = this->Rises[lanes.Link(along, lane)];
+      if (double(std::abs(rise)) >= this->Limits.LeastRise && this->IsPeak(lanes, along, lane) &&
+        this->IsAcross(lanes, along, lane))
+      {
+        this->Append(lanes, along, lane, peaks);
+      }
+    }
+  }
+
+private:
+  bool IsPeak(const Lanes& lanes, std::int64_t along, std::int64_t lane) const
+  {
+    const float rise = this->Rises[lanes.Link(along, lane)];
+    const float sign = rise < 0.0F ? -1.0F : 1.0F;
+    const std::int64_t last = std::min(along + this->Scale.Half, lanes.Length() - 2);
+    for (std::int64_t other = std::max<std::int64_t>(0, along - this->Scale.Half); other <= last; ++other)
+    {
+      const float size = sign * this->Rises[lanes.Link(other, lane)];
+      if (size > sign * rise || (size == sign * rise && other < along))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether a fault is about as narrow along this axis as along the other one.
+  bool IsAcross(const Lanes& lanes, std::int64_t along, std::int64_t lane) const
+  {
+    const Lanes others{ lanes.Heights, lanes.IsEast() ? LinkSide::North : LinkSide::East };
+    double sum = 0.0;
+    int number = 0;
+    for (std::int64_t n = std::max<std::int64_t>(0, lane - 1); n <= std::min(lane, others.Length() - 1); ++n)
+    {
+      for (const std::int64_t place : { along, along + 1 })
+      {
+        const float rise = this->Rises[others.Link(n, place)];
+        if (!std::isnan(rise))
+        {
+          sum += double(rise);
+          ++number;
+        }
+      }
+    }
+    return number == 0 ||
+      double(std::abs(this->Rises[lanes.Link(along, lane)])) >= LeastOfOther * std::abs(sum) / number;
+  }
+
+  void Append(const Lanes& lanes, std::int64_t along, std::int64_t lane, std::vector<RampPeak>& peaks) const
+  {
+    if (std::isnan(this->Heights.At(lanes.Column(along, lane))) ||
+      std::isnan(this->Heights.At(lanes.Column(along + 1, lane))))
+    {
+      return; // a gap
+    }
+    const std::int64_t middle = this->Scale.Reach + this->Scale.Half;
+    RiseStrip strip(this->Scale, 2 * middle + 2);
+    for (std::int64_t n = 0; n < 2 * middle + 2; ++n)
+    {
+      const std::int64_t place = along - middle + n;
+      strip[n] = place < 0 || place >= lanes.Length() ? std::numeric_limits<double>::quiet_NaN()
+                                                      : this->Heights.At(lanes.Column(place, lane));
+    }
+    strip.FindMeans();
+    if (strip.At(middle - this->Scale.Half).Distance == 0.0 || strip.At(middle + this->Scale.Half).Distance == 0.0)
+    {
+      return; // at a rim every slope that grows or wanes has a peak
+    }
+    const NetRise net = strip.Net(middle, this->Scale.Shoulder);
+    const NetRise near = strip.Net(middle, this->Scale.Half);
+    const double fall = near.Height / net.Height; // nan counts as none
+    if (net.LeastOfSides / net.Height < LeastOfSides || !(fall >= LeastFall))
+    {
+      return;
+    }
+    // A step has fallen by 4/7; the wider a ramp, the less, and the more of its throw the means have lost.
+    const double lost = std::clamp(0.57 - fall, 0.0, 0.26);
+    RampPeak peak;
+    peak.Throw = float(net.Height * (1.0 + 2.2 * lost));
+    peak.Fall = float(fall);
+    if (double(std::abs(peak.Throw)) < this->Limits.LeastThrow)
+    {
+      return;
+    }
+    peak.IsStrong =
+      std::abs(net.Height) >= this->Limits.StrongRise && double(std::abs(peak.Throw)) >= this->Limits.StrongThrow;
+    std::int64_t place = along;
+    if (!this->FindStep(lanes, lane, place, peak))
+    {
+      return; // several faults side by side
+    }
+    peak.Along = lanes.IsEast() ? this->Heights.GridX(place) : this->Heights.GridY(place);
+    peak.Lane = lanes.IsEast() ? this->Heights.GridY(lane) : this->Heights.GridX(lane);
+    peaks.push_back(peak);
+  }
+
+  /// Moves the place from the middle of a ramp to the link that most of the throw is across, if there is one. False
+  /// where most is across several links that do not lie side by side.
+  bool FindStep(const Lanes& lanes, std::int64_t lane, std::int64_t& place, RampPeak& peak) const
+  {
+    const std::int64_t middle = place;
+    const double least = StepShare * double(std::abs(peak.Throw));
+    const float sign = peak.Throw < 0.0F ? -1.0F : 1.0F;
+    double largest = 0.0;
+    double alone = 0.0; // the sum of steps across one link
+    for (std::int64_t n = middle - this->Scale.Mean; n <= middle + this->Scale.Mean; ++n)
+    {
+      const double step = this->StepAt(lanes, n, lane, sign);
+      if (step < this->Limits.LeastStep)
+      {
+        continue;
+      }
+      if (step >= least && step > largest && std::abs(n - middle) <= this->Scale.Half)
+      {
+        largest = step;
+        place = n;
+        peak.IsStep = true;
+      }
+      const double beside = std::max(this->StepAt(lanes, n - 1, lane, sign), this->StepAt(lanes, n + 1, lane, sign));
+      alone += beside < StepAlone * step ? step : 0.0;
+    }
+    return peak.IsStep || alone < least;
+  }
+
+  /// Across a link; 0 where none is known.
+  double StepAt(const Lanes& lanes, std::int64_t along, std::int64_t lane, float sign) const
+  {
+    const bool isLink = along >= 0 && along + 1 < lanes.Length();
+    const double step = isLink ? double(sign * this->Deviations[lanes.Link(along, lane)]) : 0.0;
+    return std::isnan(step) ? 0.0 : step;
+  }
+
+  const ColumnHeights& Heights;
+  const RampScale& Scale;
+  const RawVector<float>& Rises;
+  const RawVector<float>& Deviations;
+  const RampLimits& Limits;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// 3. Joints.
+
+// A ramp is followed over so many lanes without a peak, less one.
+constexpr std::int64_t LargestHop = 3;
+// How many columns it may run aside from a lane to the next.
+constexpr std::int64_t LargestShift = 2;
+
+/// The grid along rows, or along files.
+struct GridLanes
+{
+  const LinkGrid& Grid;
+  LinkSide Side;
+
+  std::int64_t Link(std::int64_t along, std::int64_t lane) const
+  {
+    return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::East)
+                                        : this->Grid.LinkOf(lane, along, LinkSide::North);
+  }
+  /// From a lane to the next.
+  std::int64_t Across(std::int64_t along, std::int64_t lane) const
+  {
+    return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::North)
+                                        : this->Grid.LinkOf(lane, along, LinkSide::East);
+  }
+};
+
+/// The links between two peaks, with the mean of their throws.
+void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<LinkThrow>& joints)
+{
+  const std::int64_t hop = to.Lane - from.Lane;
+  const double mean = 0.5 * (double(from.Throw) + double(to.Throw));
+  std::int64_t along = from.Along;
+  for (std::int64_t lane = from.Lane + 1; lane <= to.Lane; ++lane)
+  {
+    const std::int64_t next =
+      from.Along + std::int64_t(std::floor(double((to.Along - from.Along) * (lane - from.Lane)) / double(hop) + 0.5));
+    for (std::int64_t column = std::min(along, next) + 1; column <= std::max(along, next); ++column)
+    {
+      // Where the ramp runs on, the next lane is before it where this one is beyond.
+      joints.push_back({ lanes.Across(column, lane - 1), next > along ? -mean : mean });
+    }
+    if (lane < to.Lane)
+    {
+      joints.push_back({ lanes.Link(next, lane), mean });
+    }
+    along = next;
+  }
+}
+
+/// Peaks are by lane, and along it.
+void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::vector<LinkThrow>& joints)
+{
+  const auto byPlace = [](const RampPeak& a, const RampPeak& b)
+  { return a.Lane != b.Lane ? a.Lane < b.Lane : a.Along < b.Along; };
+  for (const RampPeak& peak : peaks)
+  {
+    for (std::int64_t hop = 1; hop <= LargestHop; ++hop)
+    {
+      RampPeak key;
+      key.Lane = peak.Lane + hop;
+      key.Along = peak.Along - LargestShift * hop;
+      const RampPeak* nearest = nullptr;
+      for (auto next = std::lower_bound(peaks.begin(), peaks.end(), key, byPlace);
+           next != peaks.end() && next->Lane == key.Lane && next->Along <= peak.Along + LargestShift * hop; ++next)
+      {
+        if ((next->Throw < 0.0F) == (peak.Throw < 0.0F) &&
+          (!nearest || std::abs(next->Along - peak.Along) < std::abs(nearest->Along - peak.Along)))
+        {
+          nearest = &*next;
+        }
+      }
+      if (nearest)
+      {
+        Join(lanes, peak, *nearest, joints);
+        break;
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// 4. Lines.
+
+bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
+{
+  return a.Link < b.Link;
+}
+
+bool IsSameLink(const FaultCandidate& a, const FaultCandidate& b)
+{
+  return a.Link == b.Link;
+}
+
+// Of the rises along a line, what is lost half way to the shoulders on the average. Ramps as wide as the means lose
+// 0.43, steps 0.57, and folds 20 columns long and longer at most 0.35, mostly much less.
+constexpr double LeastMeanFall = 0.29;
+
+/// A link of a ramp: the middle of it in a lane, or one that joins such.
+struct RampLink
+{
+  std::int64_t Link = 0;
+  float Throw = 0.0F;
+  float Fall = 0.0F;
+  bool IsPeak = false;
+  bool IsStrong = false;
+  bool IsStep = false;
+  bool IsOfRamp = false; // whether most of its line are no steps
+};
+
+class RampLinks
+{
+public:
+  explicit RampLinks(const LinkGrid& grid)
+    : Grid(grid)
+  {
+  }
+
+  void Append(LinkSide side, const std::vector<RampPeak>& peaks)
+  {
+    const GridLanes lanes{ this->Grid, side };
+    std::vector<LinkThrow> joints;
+    JoinPeaks(lanes, peaks, joints);
+    for (const RampPeak& peak : peaks)
+    {
+      this->Links.push_back(
+        { lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong, peak.IsStep, false });
+    }
+    for (const LinkThrow& joint : joints)
+    {
+      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false, false, false });
+    }
+  }
+
+  /// Drops all that is in no line that is long enough and steep on the average.
+  void KeepLines(const ForestLimits& limits)
+  {
+    // In one place peaks come before joints.
+    std::stable_sort(this->Links.begin(), this->Links.end(),
+      [](const RampLink& a, const RampLink& b) { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
+    this->Links.erase(std::unique(this->Links.begin(), this->Links.end(),
+                        [](const RampLink& a, const RampLink& b) { return a.Link == b.Link; }),
+      this->Links.end());
+    CornerGraph graph(this->Grid, this->Candidates());
+    KeepForest(graph, limits);
+    std::vector<RampLink> kept;
+    for (const std::vector<ForestStep>& line : ListLines(graph))
+    {
+      std::vector<RampLink> links;
+      double falls = 0.0;
+      int peaks = 0;
+      int steps = 0;
+      for (const ForestStep& step : line)
+      {
+        links.push_back(this->Links[std::size_t(step.Edge)]);
+        falls += double(links.back().Fall);
+        peaks += links.back().IsPeak ? 1 : 0;
+        steps += links.back().IsStep ? 1 : 0;
+      }
+      if (falls >= LeastMeanFall * peaks)
+      {
+        for (RampLink& link : links)
+        {
+          link.IsOfRamp = 2 * steps < peaks;
+        }
+        kept.insert(kept.end(), links.begin(), links.end());
+      }
+    }
+    std::sort(kept.begin(), kept.end(), [](const RampLink& a, const RampLink& b) { return a.Link < b.Link; });
+    this->Links.swap(kept);
+  }
+
+  std::vector<FaultCandidate> Candidates() const
+  {
+    std::vector<FaultCandidate> candidates;
+    for (const RampLink& link : this->Links)
+    {
+      candidates.push_back({ link.Link, link.IsPeak ? std::abs(link.Throw) : 0.0F, link.IsStrong });
+    }
+    return candidates;
+  }
+
+  std::vector<LinkThrow> Throws() const
+  {
+    std::vector<LinkThrow> throws;
+    for (const RampLink& link : this->Links)
+    {
+      throws.push_back({ link.Link, double(link.Throw) });
+    }
+    return throws;
+  }
+
+  /// Links of columns beside ramps, with the size below which they are part of these. Of several the largest.
+  std::vector<FaultCandidate> ListBeside(std::int64_t reach) const
+  {
+    std::vector<FaultCandidate> beside;
+    for (const RampLink& ramp : this->Links)
+    {
+      if (ramp.IsPeak && !ramp.IsStep && ramp.IsOfRamp)
+      {
+        this->AppendBeside(ramp, reach, beside);
+      }
+    }
+    std::sort(beside.begin(), beside.end(),
+      [](const FaultCandidate& a, const FaultCandidate& b)
+      { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
+    beside.erase(std::unique(beside.begin(), beside.end(), IsSameLink), beside.end());
+    return beside;
+  }
+
+private:
+  void AppendBeside(const RampLink& ramp, std::int64_t reach, std::vector<FaultCandidate>& beside) const
+  {
+    const LinkSide side = LinkGrid::SideOf(ramp.Link);
+    const GridLanes lanes{ this->Grid, side };
+    const bool isEast = side == LinkSide::East;
+    const std::int64_t column = LinkGrid::FirstColumn(ramp.Link);
+    const std::int64_t x = column % this->Grid.Width();
+    const std::int64_t y = column / this->Grid.Width();
+    const std::int64_t middle = isEast ? x : y;
+    const std::int64_t lane = isEast ? y : x;
+    const std::int64_t length = isEast ? this->Grid.Width() : this->Grid.Height();
+    const float least = float(StepShare) * std::abs(ramp.Throw);
+    for (std::int64_t along = std::max<std::int64_t>(0, middle - reach); along <= std::min(middle + reach, length - 1);
+         ++along)
+    {
+      beside.push_back({ lanes.Link(along, lane), least, false });
+      beside.push_back({ lanes.Across(along, lane), least, false });
+      if (lane > 0)
+      {
+        beside.push_back({ lanes.Across(along, lane - 1), least, false });
+      }
+    }
+  }
+
+  const LinkGrid& Grid;
+  std::vector<RampLink> Links;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<float> FindRises(const ColumnHeights& heights, int largest, const Monitor& monitor)
+{
+  const RampScale scale(largest);
+  RawVector<float> rises;
+  rises.resize(heights.Raster().NumberOfLinks());
+  for (const LinkSide side : { LinkSide::East, LinkSide::North })
+  {
+    const Lanes lanes{ heights, side };
+    ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
+      [&](std::size_t, std::int64_t first, std::int64_t last)
+      {
+        std::vector<RiseStrip> strips(std::size_t(last - first), RiseStrip(scale, lanes.Length()));
+        for (std::int64_t along = 0; along < lanes.Length(); ++along)
+        {
+          for (std::int64_t lane = first; lane < last; ++lane)
+          {
+            strips[lane - first][along] = heights.At(lanes.Column(along, lane));
+          }
+        }
+        for (RiseStrip& strip : strips)
+        {
+          strip.FindMeans();
+        }
+        for (std::int64_t along = 0; along < lanes.Length(); ++along)
+        {
+          for (std::int64_t lane = first; lane < last; ++lane)
+          {
+            rises[lanes.Link(along, lane)] =
+              along + 1 < lanes.Length() ? float(strips[lane - first].Net(along, scale.Shoulder).Height) : Missing;
+          }
+        }
+      });
+  }
+  return rises;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, const RawVector<float>& rises,
+  const RawVector<float>& deviations, const RampLimits& limits, std::vector<FaultCandidate> candidates,
+  std::vector<LinkThrow>& throws, const Monitor& monitor)
+{
+  const RampScale scale(largest);
+  RampLinks ramps(heights.Grid());
+  for (const LinkSide side : { LinkSide::East, LinkSide::North })
+  {
+    const Lanes lanes{ heights, side };
+    const PeakSearch search(heights, scale, rises, deviations, limits);
+    std::vector<std::vector<RampPeak>> parts(CountChunks(lanes.Number(), LanesOfChunk));
+    ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
+      [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t lane = first; lane < last; ++lane)
+        {
+          search.FindInLane(lanes, lane, parts[chunk]);
+        }
+      });
+    std::vector<RampPeak> peaks;
+    for (const std::vector<RampPeak>& part : parts)
+    {
+      peaks.insert(peaks.end(), part.begin(), part.end());
+    }
+    ramps.Append(side, peaks);
+  }
+  ForestLimits forest = limits.Forest;
+  forest.SmallestExtent = std::max(forest.SmallestExtent, 2 * largest);
+  ramps.KeepLines(forest);
+  const std::vector<FaultCandidate> beside = ramps.ListBeside(scale.Half);
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                     [&beside](const FaultCandidate& candidate)
+                     {
+                       const auto place = std::lower_bound(beside.begin(), beside.end(), candidate, ByLink);
+                       return place != beside.end() && place->Link == candidate.Link && candidate.Size < place->Size;
+                     }),
+    candidates.end());
+  // In one place the candidate stays.
+  const std::vector<FaultCandidate> added = ramps.Candidates();
+  candidates.insert(candidates.end(), added.begin(), added.end());
+  std::stable_sort(candidates.begin(), candidates.end(), ByLink);
+  candidates.erase(std::unique(candidates.begin(), candidates.end(), IsSameLink), candidates.end());
+  throws = ramps.Throws();
+  return candidates;
+}
+}

@@ -1,0 +1,614 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+//  1. Sticks of one fault, by name.
+//  2. StickOrder: the way along the fault, from the nearest to the nearest, then without crossings.
+//  3. SheetBuilder: levels, the places of each stick at these, ends that are too short, and the extension.
+//  4. Traces: lines down the sheet half a column apart, each followed to where it passes through the horizon.
+
+#include "FaultSurfaces.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+using Place = Eigen::Vector3d;
+
+/// A stick between two levels. Its places are relative and at most of size 1, so that no difference is infinite.
+class LevelStick
+{
+public:
+  std::vector<Place> Places;
+  std::vector<double> Level; // of each place
+  std::vector<SpacePoint> Given; // the same as given
+
+  Place Across() const { return this->Places.back() - this->Places.front(); }
+
+  /// Levels along a direction; from the first place up.
+  void Measure(const Place& direction)
+  {
+    if (this->Across().dot(direction) < 0.0)
+    {
+      std::reverse(this->Places.begin(), this->Places.end());
+      std::reverse(this->Given.begin(), this->Given.end());
+    }
+    this->Level.clear();
+    for (const Place& place : this->Places)
+    {
+      this->Level.push_back(place.dot(direction));
+    }
+    this->Top = *std::min_element(this->Level.begin(), this->Level.end());
+    this->Bottom = *std::max_element(this->Level.begin(), this->Level.end());
+  }
+
+  double Least() const { return this->Top; }
+  double Greatest() const { return this->Bottom; }
+
+  /// Where the stick reaches a level first, or where it is nearest to it.
+  SpacePoint At(double level) const
+  {
+    const auto [segment, part] = this->Find(level);
+    const SpacePoint& a = this->Given[segment];
+    const SpacePoint& b = this->Given[std::min(segment + 1, this->Given.size() - 1)];
+    return { Between(a.X, b.X, part), Between(a.Y, b.Y, part), Between(a.Z, b.Z, part) };
+  }
+
+  Place RelativeAt(double level) const
+  {
+    const auto [segment, part] = this->Find(level);
+    const Place& next = this->Places[std::min(segment + 1, this->Places.size() - 1)];
+    return this->Places[segment] + part * (next - this->Places[segment]);
+  }
+
+  /// By halves, as the difference may be infinite.
+  static double Between(double from, double to, double part)
+  {
+    const double half = 0.5 * to - 0.5 * from;
+    return from + part * half + part * half;
+  }
+
+private:
+  std::pair<std::size_t, double> Find(double level) const
+  {
+    const double wanted = std::clamp(level, this->Top, this->Bottom);
+    for (std::size_t n = 0; n + 1 < this->Level.size(); ++n)
+    {
+      const double from = this->Level[n];
+      const double to = this->Level[n + 1];
+      if (wanted >= std::min(from, to) && wanted <= std::max(from, to))
+      {
+        return { n, to == from ? 0.0 : (wanted - from) / (to - from) };
+      }
+    }
+    return { 0, 0.0 };
+  }
+
+  double Top = 0.0;
+  double Bottom = 0.0;
+};
+
+/// At the level in the middle of what both have, or from end to end.
+double Distance(const LevelStick& a, const LevelStick& b)
+{
+  const double least = std::max(a.Least(), b.Least());
+  const double greatest = std::min(a.Greatest(), b.Greatest());
+  const double middle = 0.5 * (least + greatest);
+  return (a.RelativeAt(middle) - b.RelativeAt(middle)).norm();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// 2. Along the fault.
+
+class StickOrder
+{
+public:
+  explicit StickOrder(std::vector<LevelStick>& sticks)
+    : Sticks(sticks)
+  {
+  }
+
+  void Sort() const
+  {
+    std::vector<std::size_t> asGiven(this->Sticks.size());
+    for (std::size_t n = 0; n < asGiven.size(); ++n)
+    {
+      asGiven[n] = n;
+    }
+    std::vector<std::size_t> order = this->Nearest();
+    this->Uncross(order);
+    this->Uncross(asGiven);
+    if (!(this->Length(order) < this->Length(asGiven)))
+    {
+      order = asGiven;
+    }
+    std::vector<LevelStick> sorted;
+    for (const std::size_t n : order)
+    {
+      sorted.push_back(std::move(this->Sticks[n]));
+    }
+    this->Sticks.swap(sorted);
+  }
+
+private:
+  // Reversing parts costs the square of their number.
+  static constexpr std::size_t MostToUncross = 1000;
+  static constexpr int MostRounds = 20;
+
+  double Way(const std::vector<std::size_t>& order, std::size_t from, std::size_t to) const
+  {
+    return to >= order.size() ? 0.0 : Distance(this->Sticks[order[from]], this->Sticks[order[to]]);
+  }
+
+  double Length(const std::vector<std::size_t>& order) const
+  {
+    double sum = 0.0;
+    for (std::size_t n = 0; n + 1 < order.size(); ++n)
+    {
+      sum += this->Way(order, n, n + 1);
+    }
+    return sum;
+  }
+
+  /// From the stick that is farthest from the first.
+  std::vector<std::size_t> Nearest() const
+  {
+    std::vector<std::size_t> rest(this->Sticks.size());
+    std::size_t last = 0;
+    double farthest = -1.0;
+    for (std::size_t n = 0; n < rest.size(); ++n)
+    {
+      rest[n] = n;
+      const double distance = Distance(this->Sticks[0], this->Sticks[n]);
+      if (distance > farthest)
+      {
+        farthest = distance;
+        last = n;
+      }
+    }
+    std::vector<std::size_t> order;
+    for (;;)
+    {
+      order.push_back(rest[last]);
+      rest.erase(rest.begin() + std::ptrdiff_t(last));
+      if (rest.empty())
+      {
+        return order;
+      }
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t n = 0; n < rest.size(); ++n)
+      {
+        const double distance = Distance(this->Sticks[order.back()], this->Sticks[rest[n]]);
+        if (distance < nearest)
+        {
+          nearest = distance;
+          last = n;
+        }
+      }
+      last = std::min(last, rest.size() - 1);
+    }
+  }
+
+  /// Reverses parts of the way as long as that makes it shorter.
+  void Uncross(std::vector<std::size_t>& order) const
+  {
+    if (order.size() > MostToUncross)
+    {
+      return;
+    }
+    bool isShorter = true;
+    for (int round = 0; isShorter && round < MostRounds; ++round)
+    {
+      isShorter = false;
+      for (std::size_t first = 0; first + 1 < order.size(); ++first)
+      {
+        for (std::size_t last = first + 1; last < order.size(); ++last)
+        {
+          const double now = (first > 0 ? this->Way(order, first - 1, first) : 0.0) + this->Way(order, last, last + 1);
+          const double then = (first > 0 ? this->Way(order, first - 1, last) : 0.0) + this->Way(order, first, last + 1);
+          if (then < now * (1.0 - 1e-9))
+          {
+            std::reverse(order.begin() + std::ptrdiff_t(first), order.begin() + std::ptrdiff_t(last) + 1);
+            isShorter = true;
+          }
+        }
+      }
+    }
+  }
+
+  std::vector<LevelStick>& Sticks;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// 3. Sheets.
+
+// How far apart levels are, in parts of the sheet.
+constexpr double LevelStep = 0.01;
+
+std::vector<double> ListLevels(const std::vector<LevelStick>& sticks)
+{
+  std::vector<double> all;
+  for (const LevelStick& stick : sticks)
+  {
+    all.insert(all.end(), stick.Level.begin(), stick.Level.end());
+  }
+  std::sort(all.begin(), all.end());
+  const double step = LevelStep * (all.back() - all.front());
+  std::vector<double> levels;
+  for (const double level : all)
+  {
+    if (levels.empty() || level > levels.back() + step)
+    {
+      levels.push_back(level);
+    }
+  }
+  if (levels.size() > 1)
+  {
+    levels.back() = all.back();
+  }
+  return levels;
+}
+
+SpacePoint Continue(const SpacePoint& from, const SpacePoint& beyond)
+{
+  return { beyond.X + (beyond.X - from.X), beyond.Y + (beyond.Y - from.Y), beyond.Z + (beyond.Z - from.Z) };
+}
+
+/// A single stick that does not reach a level as those on both sides do continues as these: as far off the line between
+/// them as it is at its end.
+void ContinueShortSticks(const std::vector<LevelStick>& sticks, const std::vector<double>& levels, FaultSheet& sheet)
+{
+  for (std::size_t stick = 1; stick + 1 < sticks.size(); ++stick)
+  {
+    for (std::size_t level = 0; level < levels.size(); ++level)
+    {
+      const std::size_t before = sheet.At(stick - 1, level);
+      const std::size_t after = sheet.At(stick + 1, level);
+      const auto reaches = [&](const LevelStick& other)
+      { return levels[level] >= other.Least() && levels[level] <= other.Greatest(); };
+      if (sheet.IsKnown(sheet.At(stick, level)) || !reaches(sticks[stick - 1]) || !reaches(sticks[stick + 1]))
+      {
+        continue;
+      }
+      const double end = std::clamp(levels[level], sticks[stick].Least(), sticks[stick].Greatest());
+      const SpacePoint atEnd = sticks[stick].At(end);
+      const SpacePoint beforeEnd = sticks[stick - 1].At(end);
+      const SpacePoint afterEnd = sticks[stick + 1].At(end);
+      const double toBefore = Distance(sticks[stick], sticks[stick - 1]);
+      const double toAfter = Distance(sticks[stick], sticks[stick + 1]);
+      const double part = toBefore + toAfter > 0.0 ? toBefore / (toBefore + toAfter) : 0.5;
+      const auto continued = [part](double from, double to, double fromEnd, double toEnd, double place)
+      { return place + (LevelStick::Between(from, to, part) - LevelStick::Between(fromEnd, toEnd, part)); };
+      sheet.Set(sheet.At(stick, level),
+        { continued(sheet[before].X, sheet[after].X, beforeEnd.X, afterEnd.X, atEnd.X),
+          continued(sheet[before].Y, sheet[after].Y, beforeEnd.Y, afterEnd.Y, atEnd.Y),
+          continued(sheet[before].Z, sheet[after].Z, beforeEnd.Z, afterEnd.Z, atEnd.Z) });
+    }
+  }
+}
+
+FaultSheet BuildSheet(const std::string& fault, const std::vector<LevelStick>& sticks, bool extend)
+{
+  const std::vector<double> levels = ListLevels(sticks);
+  const double reach = LevelStep * (levels.back() - levels.front());
+  FaultSheet sheet(fault, sticks.size(), levels.size());
+  for (std::size_t stick = 0; stick < sticks.size(); ++stick)
+  {
+    for (std::size_t level = 0; level < levels.size(); ++level)
+    {
+      if (levels[level] >= sticks[stick].Least() - reach && levels[level] <= sticks[stick].Greatest() + reach)
+      {
+        sheet.Set(sheet.At(stick, level), sticks[stick].At(levels[level]));
+      }
+    }
+  }
+  ContinueShortSticks(sticks, levels, sheet);
+  if (!extend)
+  {
+    return sheet;
+  }
+  FaultSheet extended(fault, sticks.size() + 2, levels.size());
+  const std::size_t last = sticks.size() - 1;
+  for (std::size_t level = 0; level < levels.size(); ++level)
+  {
+    for (std::size_t stick = 0; stick <= last; ++stick)
+    {
+      if (sheet.IsKnown(sheet.At(stick, level)))
+      {
+        extended.Set(extended.At(stick + 1, level), sheet[sheet.At(stick, level)]);
+      }
+    }
+    for (const auto& [from, to, beyond] : { std::array<std::size_t, 3>{ 1, 0, 0 }, { last - 1, last, last + 2 } })
+    {
+      const std::size_t a = sheet.At(from, level);
+      const std::size_t b = sheet.At(to, level);
+      if (sheet.IsKnown(a) && sheet.IsKnown(b))
+      {
+        const SpacePoint place = Continue(sheet[a], sheet[b]);
+        if (std::isfinite(place.X) && std::isfinite(place.Y) && std::isfinite(place.Z))
+        {
+          extended.Set(extended.At(beyond, level), place);
+        }
+      }
+    }
+  }
+  return extended;
+}
+
+/// Of one fault, with directions along which all run about the same way.
+void Prepare(std::vector<LevelStick>& sticks)
+{
+  Place origin(sticks[0].Given[0].X, sticks[0].Given[0].Y, sticks[0].Given[0].Z);
+  double largest = origin.cwiseAbs().maxCoeff();
+  for (const LevelStick& stick : sticks)
+  {
+    for (const SpacePoint& place : stick.Given)
+    {
+      largest = std::max({ largest, std::abs(place.X), std::abs(place.Y), std::abs(place.Z) });
+    }
+  }
+  const double scale = largest > 0.0 ? 1.0 / largest : 1.0;
+  const LevelStick* longest = nullptr;
+  for (LevelStick& stick : sticks)
+  {
+    for (const SpacePoint& place : stick.Given)
+    {
+      stick.Places.push_back(Place(place.X, place.Y, place.Z) * scale - origin * scale);
+    }
+    longest = !longest || stick.Across().norm() > longest->Across().norm() ? &stick : longest;
+  }
+  const Place guide = longest->Across();
+  Place direction = Place::Zero();
+  for (const LevelStick& stick : sticks)
+  {
+    const Place across = stick.Across();
+    direction += across.dot(guide) < 0.0 ? -across : across;
+  }
+  const double length = direction.norm();
+  direction = length > 0.0 ? Place(direction / length) : Place::UnitZ();
+  for (LevelStick& stick : sticks)
+  {
+    stick.Measure(direction);
+  }
+}
+
+/// Where the way from a stick to the next is this many times the median, sticks without a name are of two faults.
+constexpr double LargestWay = 5.0;
+
+std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks)
+{
+  std::vector<double> ways;
+  for (std::size_t n = 0; n + 1 < sticks.size(); ++n)
+  {
+    ways.push_back(Distance(sticks[n], sticks[n + 1]));
+  }
+  std::vector<double> sorted = ways;
+  std::sort(sorted.begin(), sorted.end());
+  const double largest = LargestWay * sorted[sorted.size() / 2];
+  std::vector<std::vector<LevelStick>> parts(1);
+  for (std::size_t n = 0; n < sticks.size(); ++n)
+  {
+    if (n > 0 && ways[n - 1] > largest)
+    {
+      parts.emplace_back();
+    }
+    parts.back().push_back(std::move(sticks[n]));
+  }
+  return parts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// 4. Traces.
+
+/// The lines from one stick of a sheet to the next.
+class SheetTracer
+{
+public:
+  SheetTracer(const ColumnHeights& heights, const FaultSheet& sheet, std::vector<FaultPolyline>& traces)
+    : Heights(heights)
+    , Sheet(sheet)
+    , Traces(traces)
+  {
+  }
+
+  void Follow()
+  {
+    for (std::size_t stick = 0; stick + 1 < this->Sheet.NumberOfSticks(); ++stick)
+    {
+      this->FollowStrip(stick);
+    }
+    this->End();
+  }
+
+private:
+  static constexpr double LinesPerColumn = 2.0;
+  // Neighbouring lines pass through the horizon in places that are not farther apart, in columns.
+  static constexpr double LargestJump = 8.0;
+
+  void FollowStrip(std::size_t stick)
+  {
+    std::vector<std::array<std::size_t, 2>> rungs;
+    double width = 0.0;
+    const LinkGrid& grid = this->Heights.Grid();
+    for (std::size_t level = 0; level < this->Sheet.NumberOfLevels(); ++level)
+    {
+      const std::size_t a = this->Sheet.At(stick, level);
+      const std::size_t b = this->Sheet.At(stick + 1, level);
+      if (this->Sheet.IsKnown(a) && this->Sheet.IsKnown(b))
+      {
+        rungs.push_back({ a, b });
+        width = std::max(width, std::hypot(this->Sheet[b].X - this->Sheet[a].X, this->Sheet[b].Y - this->Sheet[a].Y));
+      }
+    }
+    if (rungs.size() < 2)
+    {
+      this->End();
+      return;
+    }
+    // What is farther apart than the horizon is large passes it somewhere far away, or hardly at all.
+    const double most = 4.0 * double(grid.Width() + grid.Height());
+    const auto lines = std::int64_t(std::ceil(std::clamp(LinesPerColumn * width, 1.0, most)));
+    const double jump = LargestJump + 2.0 * width / double(lines);
+    std::vector<SpacePoint> line(rungs.size());
+    for (std::int64_t n = this->Trace.empty() ? 0 : 1; n <= lines; ++n)
+    {
+      const double part = double(n) / double(lines);
+      for (std::size_t rung = 0; rung < rungs.size(); ++rung)
+      {
+        const SpacePoint& a = this->Sheet[rungs[rung][0]];
+        const SpacePoint& b = this->Sheet[rungs[rung][1]];
+        line[rung] = { LevelStick::Between(a.X, b.X, part), LevelStick::Between(a.Y, b.Y, part),
+          LevelStick::Between(a.Z, b.Z, part) };
+      }
+      this->Append(line, jump);
+    }
+  }
+
+  /// A horizon that steps down a dipping fault without a gap is passed three times: on the upper side, at the step, and
+  /// on the lower side. So it is the one in the middle, or else the one nearest to the last.
+  void Append(const std::vector<SpacePoint>& line, double jump)
+  {
+    const std::vector<MapPlace> passages = FindPassages(this->Heights, line);
+    const auto distance = [this](const MapPlace& place)
+    { return this->Trace.empty() ? 0.0 : std::hypot(place.X - this->Trace.back().X, place.Y - this->Trace.back().Y); };
+    if (passages.empty())
+    {
+      this->End();
+      return;
+    }
+    MapPlace chosen = passages[passages.size() / 2];
+    if (passages.size() % 2 == 0 || distance(chosen) > jump)
+    {
+      chosen = *std::min_element(passages.begin(), passages.end(),
+        [&distance](const MapPlace& a, const MapPlace& b) { return distance(a) < distance(b); });
+    }
+    if (distance(chosen) > jump)
+    {
+      this->End();
+    }
+    this->Trace.push_back(chosen);
+  }
+
+  /// Sticks are picked on rows, and what ends on a row would leave the link there whole: ends go on by half a column.
+  void End()
+  {
+    if (this->Trace.size() > 1)
+    {
+      const FaultPolyline ends = { Beyond(this->Trace[1], this->Trace[0]),
+        Beyond(this->Trace[this->Trace.size() - 2], this->Trace.back()) };
+      this->Trace.front() = ends[0];
+      this->Trace.back() = ends[1];
+      this->Traces.push_back(this->Trace);
+    }
+    this->Trace.clear();
+  }
+
+  static MapPlace Beyond(const MapPlace& from, const MapPlace& to)
+  {
+    const double length = std::hypot(to.X - from.X, to.Y - from.Y);
+    const double part = length > 0.0 ? 0.5 / length : 0.0;
+    return { to.X + part * (to.X - from.X), to.Y + part * (to.Y - from.Y) };
+  }
+
+  const ColumnHeights& Heights;
+  const FaultSheet& Sheet;
+  std::vector<FaultPolyline>& Traces;
+  FaultPolyline Trace;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::array<std::size_t, 3>> FaultSheet::ListTriangles() const
+{
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (std::size_t stick = 0; stick + 1 < this->Sticks; ++stick)
+  {
+    for (std::size_t level = 0; level + 1 < this->Levels; ++level)
+    {
+      std::vector<std::size_t> corners;
+      for (const std::size_t place : { this->At(stick, level), this->At(stick + 1, level),
+             this->At(stick + 1, level + 1), this->At(stick, level + 1) })
+      {
+        if (this->Known[place])
+        {
+          corners.push_back(place);
+        }
+      }
+      for (std::size_t n = 2; n < corners.size(); ++n)
+      {
+        triangles.push_back({ corners[0], corners[n - 1], corners[n] });
+      }
+    }
+  }
+  return triangles;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, bool extend)
+{
+  std::vector<std::pair<std::string, std::vector<LevelStick>>> faults;
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t n = 0; n < sticks.size(); ++n)
+  {
+    RequireFinite(sticks[n].Places, n);
+    if (sticks[n].Places.size() < 2)
+    {
+      continue;
+    }
+    const auto place = numbers.emplace(sticks[n].Fault, faults.size());
+    if (place.second)
+    {
+      faults.push_back({ sticks[n].Fault, {} });
+    }
+    LevelStick stick;
+    stick.Given = sticks[n].Places;
+    faults[place.first->second].second.push_back(std::move(stick));
+  }
+  std::vector<FaultSheet> sheets;
+  for (auto& [name, ofFault] : faults)
+  {
+    if (ofFault.size() < 2)
+    {
+      continue;
+    }
+    Prepare(ofFault);
+    StickOrder(ofFault).Sort();
+    std::vector<std::vector<LevelStick>> parts(1);
+    if (name.empty())
+    {
+      parts = SplitAtJumps(std::move(ofFault));
+    }
+    else
+    {
+      parts[0] = std::move(ofFault);
+    }
+    for (const std::vector<LevelStick>& part : parts)
+    {
+      if (part.size() > 1)
+      {
+        sheets.push_back(BuildSheet(name, part, extend));
+      }
+    }
+  }
+  return sheets;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultSheet>& sheets)
+{
+  std::vector<FaultPolyline> traces;
+  for (const FaultSheet& sheet : sheets)
+  {
+    SheetTracer(heights, sheet, traces).Follow();
+  }
+  return traces;
+}
+}
