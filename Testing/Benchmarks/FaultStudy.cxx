@@ -8,13 +8,16 @@
 
 #include "Common/LinkCuts.h"
 #include "Faults/FaultDetection.h"
+#include "Faults/FaultSurfaces.h"
 #include "Generator/FaultGenerator.h"
 #include "HoleFilling/HoleFilling.h"
 #include "Tools/FaultScore.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -158,8 +161,7 @@ void PrintGapTable(int horizons, const Method& method)
   }
 }
 
-// How far from a fault that bends the surface a link that was found may be.
-constexpr int RampReach = 2;
+constexpr int RampReach = 2; // how far from a fault that bends the surface a link that was found may be
 
 void PrintRampTable(int horizons, const Method& method)
 {
@@ -264,6 +266,61 @@ std::vector<TornLink> TornInHole(const FaultedHorizon& horizon, const FaultGener
   return torn;
 }
 
+/// Straight down through each `spacing`th of the links that a fault tears, in no order. The one in the middle may end short.
+std::vector<FaultStick> MakeSticks(const FaultedHorizon& horizon, std::size_t spacing, bool endsShort)
+{
+  constexpr double Top = -1000.0;
+  constexpr double Bottom = 1000.0;
+  std::vector<FaultStick> sticks;
+  // In the order along the fault, which is about straight, first.
+  std::vector<SpacePoint> places;
+  for (const TornLink& link : horizon.Torn)
+  {
+    places.push_back({ link.Column.X + (link.IsNorth ? 0.0 : 0.5), link.Column.Y + (link.IsNorth ? 0.5 : 0.0), 0.0 });
+  }
+  const auto ends = std::minmax_element(
+    places.begin(), places.end(), [](const SpacePoint& a, const SpacePoint& b) { return a.X < b.X; });
+  const bool isAlongX = ends.second->X - ends.first->X > 100.0;
+  std::sort(places.begin(), places.end(),
+    [isAlongX](const SpacePoint& a, const SpacePoint& b) { return isAlongX ? a.X < b.X : a.Y < b.Y; });
+  for (std::size_t n = 0; n < places.size(); n += spacing)
+  {
+    const bool isShort = endsShort && n == places.size() / spacing / 2 * spacing;
+    const double bottom = isShort ? Top + 1.0 : Bottom;
+    sticks.push_back({ { { places[n].X, places[n].Y, Top }, { places[n].X, places[n].Y, bottom } }, "F" });
+  }
+  sticks.push_back(
+    { { { places.back().X, places.back().Y, Top }, { places.back().X, places.back().Y, Bottom } }, "F" });
+  std::mt19937 random(7);
+  std::shuffle(sticks.begin(), sticks.end(), random);
+  return sticks;
+}
+
+void PrintStickTable(int horizons)
+{
+  std::printf("| a stick for each | all sticks | one ends short |\n| --- | --- | --- |\n");
+  for (const std::size_t spacing : { 5, 20, 60 })
+  {
+    std::printf("| %d links |", int(spacing));
+    for (const bool endsShort : { false, true })
+    {
+      FaultScore total;
+      for (int n = 0; n < horizons; ++n)
+      {
+        FaultGeneratorOptions made;
+        made.NumberOfFaults = 1;
+        made.Seed = FirstSeed + std::uint64_t(n);
+        const FaultedHorizon horizon = MakeFaultedHorizon(made);
+        const ColumnHeights heights(horizon.Columns, horizon.Height);
+        const auto sheets = MakeFaultSheets(MakeSticks(horizon, spacing, endsShort), false);
+        total.Add(ScoreFaults(horizon, CutAlong(heights, FindTraces(heights, sheets)), 0, RampReach));
+      }
+      std::printf(" %.0f, %.2f |", total.FoundPercent(3), total.FalsePerThousand());
+    }
+    std::printf("\n");
+  }
+}
+
 void PrintHoleTable(int horizons, const Method& method)
 {
   std::printf("| hole | noise | found | error without cuts | with those found | with all |\n"
@@ -328,11 +385,18 @@ int main(int argc, char* argv[])
     PrintGapTable(horizons, method);
     std::printf("\nFaults that bend the surface, dip 0.5, whole heights; within two columns:\n\n");
     PrintRampTable(horizons, method);
-    std::printf("\nFolds without faults, by their height in parts of that of the dip; false links for 1,000 columns:\n\n");
+    std::printf(
+      "\nFolds without faults, by their height in parts of that of the dip; false links for 1,000 columns:\n\n");
     PrintFoldTable(horizons, method);
-    std::printf("\nA fault with a throw of 8 and more through a hole: %% of its links there found within two columns, false\n"
-                "links for 1,000 columns, and root mean square errors of the filled heights:\n\n");
+    std::printf(
+      "\nA fault with a throw of 8 and more through a hole: %% of its links there found within two columns, false\n"
+      "links for 1,000 columns, and root mean square errors of the filled heights:\n\n");
     PrintHoleTable(horizons, method);
   }
+  std::printf(
+    "\n## Sticks\n\n"
+    "A fault from side to side, given by sticks in no order, with a noise of 0.3: %% of its links cut within two\n"
+    "columns, and links for 1,000 columns that are cut elsewhere.\n\n");
+  PrintStickTable(horizons);
   return EXIT_SUCCESS;
 }
