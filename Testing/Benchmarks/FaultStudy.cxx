@@ -25,8 +25,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-// Horizons that no constant was chosen by have seeds from here on.
-constexpr std::uint64_t FirstSeed = 1000;
+constexpr std::uint64_t FirstSeed = 1000; // no constant was chosen by horizons with seeds from here on
 
 const std::vector<double> Throws = { 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0 };
 
@@ -272,8 +271,7 @@ std::vector<FaultStick> MakeSticks(const FaultedHorizon& horizon, std::size_t sp
   constexpr double Top = -1000.0;
   constexpr double Bottom = 1000.0;
   std::vector<FaultStick> sticks;
-  // In the order along the fault, which is about straight, first.
-  std::vector<SpacePoint> places;
+  std::vector<SpacePoint> places; // in the order along the fault, which is about straight
   for (const TornLink& link : horizon.Torn)
   {
     places.push_back({ link.Column.X + (link.IsNorth ? 0.0 : 0.5), link.Column.Y + (link.IsNorth ? 0.5 : 0.0), 0.0 });
