@@ -71,8 +71,11 @@ BoundedHorizon KeepPatches(const Patches::Columns& columns, const std::vector<do
     }
   }
   const BoundedHorizon horizon = MakeHorizon(keptColumns, keptHeights, options);
-  Require(horizon.Boundary.Size() == boundary.Boundary.Size() &&
-      horizon.Boundary.TotalLength() == boundary.Boundary.TotalLength(),
+  // Hops that a cut bars keep others away, so that the other side of a crack matters, be it a patch that is dropped.
+  const bool canMatter = options.Cuts && options.Radius > 1;
+  Require(canMatter ||
+      (horizon.Boundary.Size() == boundary.Boundary.Size() &&
+        horizon.Boundary.TotalLength() == boundary.Boundary.TotalLength()),
     "boundary: dropped patches matter");
   return horizon;
 }
