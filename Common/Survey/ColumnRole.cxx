@@ -3,10 +3,11 @@
 
 #include "ColumnRole.h"
 
+#include "Common/Errors.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <string>
 
 namespace SeismicHorizons
 {
@@ -18,7 +19,7 @@ struct KnownName
   ColumnRole Role;
 };
 
-constexpr std::array<KnownName, 60> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
+constexpr std::array<KnownName, 64> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
   { "east", ColumnRole::X }, { "eastings", ColumnRole::X }, { "utmx", ColumnRole::X }, { "xutm", ColumnRole::X },
   { "xcoord", ColumnRole::X }, { "xcoordinate", ColumnRole::X }, { "coordx", ColumnRole::X }, { "cdpx", ColumnRole::X },
   { "xworld", ColumnRole::X }, { "worldx", ColumnRole::X }, { "xutme", ColumnRole::X }, { "y", ColumnRole::Y },
@@ -35,7 +36,25 @@ constexpr std::array<KnownName, 60> KnownNames = { { { "x", ColumnRole::X }, { "
   { "crosslineno", ColumnRole::Crossline }, { "crosslinenumber", ColumnRole::Crossline },
   { "xln", ColumnRole::Crossline }, { "crl", ColumnRole::Crossline }, { "trace", ColumnRole::Crossline },
   { "column", ColumnRole::Crossline }, { "columninteger", ColumnRole::Crossline }, { "rowinteger", ColumnRole::Inline },
-  { "name", ColumnRole::HorizonName }, { "horizon", ColumnRole::HorizonName } } };
+  { "name", ColumnRole::HorizonName }, { "horizon", ColumnRole::HorizonName }, { "rechtswert", ColumnRole::X },
+  { "hochwert", ColumnRole::Y }, { "ffid", ColumnRole::Inline }, { "cdp", ColumnRole::Crossline } } };
+
+using Words = std::vector<std::string>;
+
+/// What makes a name that of an attribute, whatever else is in it: "Thickness (depth)", "Time gradient".
+constexpr std::array<std::string_view, 34> AttributeWords = { "thickness", "thick", "isochore", "isopach", "isochron",
+  "error", "std", "stdev", "sigma", "uncertainty", "dip", "azimuth", "amplitude", "amp", "rms", "diff", "difference",
+  "delta", "residual", "velocity", "vel", "gradient", "date", "md", "objectid", "fid", "oid", "confidence", "quality",
+  "index", "count", "shift", "offset", "curvature" };
+constexpr std::array<std::string_view, 5> InlineWords = { "inline", "iline", "il", "iln", "inl" };
+constexpr std::array<std::string_view, 5> CrosslineWords = { "crossline", "xline", "xl", "xln", "crl" };
+constexpr std::array<std::string_view, 10> ZWords = { "z", "twt", "owt", "tvd", "tvdss", "depth", "time", "elevation",
+  "elev", "msl" };
+constexpr std::array<std::string_view, 12> HorizonWords = { "horizon", "hor", "hrz", "formation", "surface", "surf",
+  "marker", "strat", "unit", "event", "interp", "layer" };
+// Beside "x" or "y".
+constexpr std::array<std::string_view, 14> PlaceWords = { "x", "y", "point", "coord", "coordinate", "cdp", "utm", "world",
+  "map", "loc", "location", "pos", "position", "m" };
 
 /// Letters and digits of a name, in small letters, without what is in brackets: units mostly.
 std::string Essence(std::string_view name)
@@ -49,6 +68,62 @@ std::string Essence(std::string_view name)
     }
   }
   return essence;
+}
+
+/// Letters and digits of a name that stand together, in small letters, without what is in brackets.
+Words SplitName(std::string_view name)
+{
+  Words words(1);
+  for (const char c : name.substr(0, name.find_first_of("([{", 1)))
+  {
+    if (std::isalnum(static_cast<unsigned char>(c)))
+    {
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    else if (!words.back().empty())
+    {
+      words.emplace_back();
+    }
+  }
+  return words;
+}
+
+template <typename List>
+bool IsIn(const List& list, std::string_view word)
+{
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+template <typename List>
+bool HasWordOf(const List& list, const Words& words)
+{
+  return std::any_of(words.begin(), words.end(), [&list](const std::string& word) { return IsIn(list, word); });
+}
+
+ColumnRole RoleOfWords(const Words& words)
+{
+  if (HasWordOf(AttributeWords, words))
+  {
+    return ColumnRole::Attribute;
+  }
+  if (HasWordOf(CrosslineWords, words))
+  {
+    return ColumnRole::Crossline;
+  }
+  if (HasWordOf(InlineWords, words))
+  {
+    return ColumnRole::Inline;
+  }
+  const bool isPlace = std::all_of(
+    words.begin(), words.end(), [](const std::string& word) { return word.empty() || IsIn(PlaceWords, word); });
+  const bool hasX = IsIn(words, "x");
+  if (isPlace && hasX != IsIn(words, "y"))
+  {
+    return hasX ? ColumnRole::X : ColumnRole::Y;
+  }
+  return HasWordOf(ZWords, words) ? ColumnRole::Z
+    : HasWordOf(HorizonWords, words) ? ColumnRole::HorizonName
+                                     : ColumnRole::Attribute;
 }
 }
 
@@ -86,6 +161,31 @@ ColumnRole RoleOfName(std::string_view name)
   const std::string essence = Essence(name);
   const auto found = std::find_if(
     KnownNames.begin(), KnownNames.end(), [&essence](const KnownName& known) { return known.Name == essence; });
-  return found == KnownNames.end() ? ColumnRole::Attribute : found->Role;
+  return found == KnownNames.end() ? RoleOfWords(SplitName(name)) : found->Role;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsNeverZ(std::string_view name)
+{
+  return HasWordOf(AttributeWords, SplitName(name));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t ChooseZ(const std::vector<std::string>& names, const char* remedy)
+{
+  const auto plain =
+    std::find_if(names.begin(), names.end(), [](const std::string& name) { return Essence(name) == "z"; });
+  if (plain != names.end())
+  {
+    return std::size_t(plain - names.begin());
+  }
+  for (const std::string& name : names)
+  {
+    if (Essence(name) != Essence(names.front()))
+    {
+      throw InputError(names.front() + " and " + name + " that both could be Z, expected one of them: set " + remedy);
+    }
+  }
+  return 0;
 }
 }

@@ -4,7 +4,10 @@
 #ifndef SeismicHorizonsColumnRole_h
 #define SeismicHorizonsColumnRole_h
 
+#include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -25,8 +28,16 @@ enum class ColumnRole
 const char* RoleWord(ColumnRole role);
 
 /// The role of a column by its name, as programs write it over a column: that of "Easting (m)" is X, of "IL" Inline, of
-/// "Depth" Z, of "-" Ignored, and of anything else Attribute.
+/// "Depth" Z, of "-" Ignored. Otherwise its words tell: "HORIZON_TWT" is Z, "POINT_X" X, "Formation" the name of a
+/// horizon, "THICKNESS_TWT" an attribute as is anything else.
 ColumnRole RoleOfName(std::string_view name);
+
+/// Whether a name is that of some attribute for certain, such as a thickness or an amplitude.
+bool IsNeverZ(std::string_view name);
+
+/// Which of some names that mean Z it is: the one that is just that. Throws InputError, which says what to set, where
+/// there is none and they differ.
+std::size_t ChooseZ(const std::vector<std::string>& names, const char* remedy);
 }
 
 #endif

@@ -16,8 +16,10 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -91,6 +93,21 @@ private:
   std::vector<vtkIdType> Kept;
 };
 
+/// Texts, or whole numbers: others are heights of a surface or an attribute.
+bool CanName(vtkAbstractArray* array)
+{
+  auto* const numbers = vtkDataArray::SafeDownCast(array);
+  constexpr vtkIdType enough = 100;
+  for (vtkIdType n = 0; numbers && n < std::min(enough, numbers->GetNumberOfTuples()); ++n)
+  {
+    if (numbers->GetComponent(n, 0) != std::round(numbers->GetComponent(n, 0)))
+    {
+      return false;
+    }
+  }
+  return !numbers || numbers->GetNumberOfComponents() == 1;
+}
+
 /// Fills a table with picks, array by array.
 class TableMaker
 {
@@ -133,6 +150,7 @@ private:
       }
       this->Arrays[role] = array;
     }
+    std::vector<std::string> zNames;
     for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
     {
       vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(n);
@@ -140,10 +158,21 @@ private:
       const bool isPlace = role == ColumnRole::X || role == ColumnRole::Y || role == ColumnRole::Z;
       const bool isNumber = vtkDataArray::SafeDownCast(array) && array->GetNumberOfComponents() == 1;
       if (role != ColumnRole::Attribute && role != ColumnRole::Ignored &&
-        (isNumber || role == ColumnRole::HorizonName) && !(isPlace && this->Source.Points()))
+        (role == ColumnRole::HorizonName ? CanName(array) : isNumber) && !(isPlace && this->Source.Points()))
       {
         this->Arrays.emplace(role, array);
+        if (role == ColumnRole::Z)
+        {
+          zNames.emplace_back(array->GetName());
+        }
       }
+    }
+    const bool isChosen = std::any_of(
+      this->Choice.begin(), this->Choice.end(), [](const auto& chosen) { return chosen.first == ColumnRole::Z; });
+    if (zNames.size() > 1 && !isChosen)
+    {
+      this->Arrays[ColumnRole::Z] =
+        this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
     }
   }
 

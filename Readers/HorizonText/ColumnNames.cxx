@@ -34,6 +34,26 @@ void NumberDoubles(std::vector<TextColumn>& columns)
   }
 }
 
+/// Of several columns whose names mean z, others become attributes.
+void KeepOneZ(std::vector<TextColumn>& columns)
+{
+  std::vector<std::string> names;
+  std::vector<TextColumn*> candidates;
+  for (TextColumn& column : columns)
+  {
+    if (column.Role == ColumnRole::Z)
+    {
+      names.push_back(column.Name);
+      candidates.push_back(&column);
+    }
+  }
+  const std::size_t chosen = names.size() > 1 ? ChooseZ(names, "Columns") : 0;
+  for (std::size_t n = 0; n < candidates.size(); ++n)
+  {
+    candidates[n]->Role = n == chosen ? ColumnRole::Z : ColumnRole::Attribute;
+  }
+}
+
 bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
 {
   return std::any_of(columns.begin(), columns.end(), [role](const TextColumn& column) { return column.Role == role; });
@@ -77,6 +97,7 @@ std::string_view UnitOfName(std::string_view name)
 //----------------------------------------------------------------------------------------------------------------------
 void SettleRoles(std::vector<TextColumn>& columns)
 {
+  KeepOneZ(columns);
   std::set<ColumnRole> roles;
   for (TextColumn& column : columns)
   {
@@ -86,8 +107,8 @@ void SettleRoles(std::vector<TextColumn>& columns)
       column.Role = ColumnRole::Attribute;
     }
   }
-  const auto attribute = std::find_if(
-    columns.begin(), columns.end(), [](const TextColumn& column) { return column.Role == ColumnRole::Attribute; });
+  const auto attribute = std::find_if(columns.begin(), columns.end(),
+    [](const TextColumn& column) { return column.Role == ColumnRole::Attribute && !IsNeverZ(column.Name); });
   if (!Has(columns, ColumnRole::Z) && attribute != columns.end())
   {
     attribute->Role = ColumnRole::Z;

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 namespace SeismicHorizons
 {
@@ -24,6 +25,8 @@ constexpr double LargestLineNumber = 99999.0;
 constexpr double LeastCoordinate = 1e4;
 // How far places may be off those that line numbers give, as a part of a step: they are rounded, but to less than that.
 constexpr double LargestMisfit = 0.1;
+// The same as a part of the extent of the sample, where that is more.
+constexpr double LargestPartOff = 0.02;
 
 using Fields = std::vector<std::string_view>;
 
@@ -131,9 +134,55 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
   return values;
 }
 
-/// Whether two columns hold places that belong to the line numbers in two others: an affine map leads from those to
-/// these. Where the lines have too few numbers to tell, coordinates are taken for what they mostly are: large.
-bool ArePlacesOfLines(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
+/// The first column of text that is left out has the names of horizons, where no other one has.
+void NameByText(std::vector<TextColumn>& columns, const TextLines& sample, const TextLayout& layout)
+{
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    if (columns[column].Role == ColumnRole::HorizonName)
+    {
+      return;
+    }
+  }
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    if (columns[column].Role == ColumnRole::Ignored && LookAt(sample, layout, column).AreText)
+    {
+      columns[column] = { ColumnRole::HorizonName, "Name" };
+      return;
+    }
+  }
+}
+
+/// The largest size of the numbers in a column.
+double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t column)
+{
+  double largest = 0.0;
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, layout.Separator);
+    double value = 0.0;
+    if (column < fields.size() && ReadNumber(fields[column], value) == NumberKind::Finite &&
+      !layout.Nulls.IsNullNumber(value))
+    {
+      largest = std::max(largest, std::abs(value));
+    }
+  }
+  return largest;
+}
+
+/// How two columns belong to two others.
+struct PairFit
+{
+  bool AreTelling = false; // enough lines, not all on one inline
+  bool AreAffine = false; // an affine map leads from the first pair to the second
+  bool AreLarger = false; // steps of the second pair are longer than those of the first
+  bool AreCoordinates = true; // all numbers of the second pair are as large as coordinates mostly are
+};
+
+/// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
+/// Where lines are of three dimensions anything but a place has no such map.
+PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
 {
   struct Pair
   {
@@ -141,39 +190,72 @@ bool ArePlacesOfLines(const TextLines& sample, const TextLayout& layout, std::si
   };
   std::vector<Pair> pairs;
   PlaneFit fit;
+  PairFit result;
+  Eigen::Vector2d extent = Eigen::Vector2d::Zero();
   for (const std::string_view line : sample)
   {
     const Fields fields = Split(line, layout.Separator);
     std::array<double, 4> values = {};
     for (const std::size_t n : { 0, 1, 2, 3 })
     {
-      const std::size_t column = n < 2 ? lines + n : places + n - 2;
+      const std::size_t column = n < 2 ? from + n : to + n - 2;
       if (column >= fields.size() || ReadNumber(fields[column], values[n]) != NumberKind::Finite)
       {
-        return false;
+        return {};
       }
     }
     pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
     fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
+    extent = extent.cwiseMax((pairs.back().Place - pairs.front().Place).cwiseAbs());
+    result.AreCoordinates = result.AreCoordinates && pairs.back().Place.cwiseAbs().minCoeff() > LeastCoordinate;
   }
   const std::optional<PlaneMap> map = fit.Solve();
   constexpr std::size_t fewest = 4; // three make a map whatever they are
-  const bool isTelling = map && pairs.size() >= fewest;
-  if (isTelling && AreParallel(map->Steps.col(0), map->Steps.col(1)))
+  result.AreTelling = map && pairs.size() >= fewest;
+  // As with a plane z and a constant attribute, steps may be parallel.
+  if (!result.AreTelling || AreParallel(map->Steps.col(0), map->Steps.col(1)))
   {
-    return false; // as with a plane z and a constant attribute
+    return result;
   }
-  return std::all_of(pairs.begin(), pairs.end(),
+  const double step = map->Steps.colwise().norm().minCoeff();
+  const double most = std::max(LargestMisfit * step, LargestPartOff * extent.minCoeff());
+  result.AreLarger = std::abs(map->Steps.determinant()) >= 1.0;
+  result.AreAffine = std::all_of(pairs.begin(), pairs.end(),
     [&](const Pair& pair)
     {
-      if (!isTelling)
-      {
-        return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate;
-      }
       const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
-      const double step = map->Steps.colwise().norm().minCoeff();
-      return (pair.Place - pairs.front().Place - expected).norm() <= LargestMisfit * step;
+      return (pair.Place - pairs.front().Place - expected).norm() <= most;
     });
+  return result;
+}
+
+/// Whether columns hold line numbers and the places that belong to them, in this order. Where the lines have too few
+/// numbers to tell, coordinates are taken for what they mostly are: large.
+bool AreLinesAndPlaces(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
+{
+  const PairFit fit = FitPairs(sample, layout, lines, places);
+  if (fit.AreTelling)
+  {
+    return fit.AreAffine && fit.AreLarger;
+  }
+  return fit.AreCoordinates && LookAt(sample, layout, lines).AreLines && LookAt(sample, layout, lines + 1).AreLines;
+}
+
+/// What neither reading explains is refused: coordinates would become z.
+void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::vector<TextColumn>& columns)
+{
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    if (columns[column].Role == ColumnRole::Z && LargestOf(sample, layout, column) > LargestLineNumber)
+    {
+      std::ostringstream text;
+      text.precision(12);
+      text << "column " << column + 1 << " with numbers up to " << LargestOf(sample, layout, column)
+           << ", expected Z of at most " << LargestLineNumber
+           << ": name the columns in Columns, such as Inline, Crossline, X, Y, Z";
+      throw InputError(text.str());
+    }
+  }
 }
 
 /// Columns without names, by their values: a name first where it is text; x y il xl, il xl x y, il xl or x y; z, and
@@ -191,7 +273,7 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
   const auto areLines = [&](std::size_t column)
   { return LookAt(sample, layout, first + column).AreLines && LookAt(sample, layout, first + column + 1).AreLines; };
   const auto areBoth = [&](std::size_t lines, std::size_t places)
-  { return count >= first + 5 && areLines(lines) && ArePlacesOfLines(sample, layout, first + lines, first + places); };
+  { return count >= first + 5 && AreLinesAndPlaces(sample, layout, first + lines, first + places); };
   using Role = ColumnRole;
   std::vector<Role> roles = { Role::X, Role::Y, Role::Z };
   if (areBoth(0, 2))
@@ -213,6 +295,8 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
     columns.push_back({ isText ? Role::Ignored : role,
       role == Role::Attribute ? "Attribute " + std::to_string(column - roles.size() + 1) : RoleWord(role) });
   }
+  NameByText(columns, sample, layout);
+  RefuseLargeZ(sample, layout, columns);
   return columns;
 }
 
