@@ -53,8 +53,8 @@ constexpr std::array<std::string_view, 10> ZWords = { "z", "twt", "owt", "tvd", 
 constexpr std::array<std::string_view, 12> HorizonWords = { "horizon", "hor", "hrz", "formation", "surface", "surf",
   "marker", "strat", "unit", "event", "interp", "layer" };
 // Beside "x" or "y".
-constexpr std::array<std::string_view, 14> PlaceWords = { "x", "y", "point", "coord", "coordinate", "cdp", "utm", "world",
-  "map", "loc", "location", "pos", "position", "m" };
+constexpr std::array<std::string_view, 14> PlaceWords = { "x", "y", "point", "coord", "coordinate", "cdp", "utm",
+  "world", "map", "loc", "location", "pos", "position", "m" };
 
 /// Letters and digits of a name, in small letters, without what is in brackets: units mostly.
 std::string Essence(std::string_view name)
@@ -121,7 +121,7 @@ ColumnRole RoleOfWords(const Words& words)
   {
     return hasX ? ColumnRole::X : ColumnRole::Y;
   }
-  return HasWordOf(ZWords, words) ? ColumnRole::Z
+  return HasWordOf(ZWords, words)    ? ColumnRole::Z
     : HasWordOf(HorizonWords, words) ? ColumnRole::HorizonName
                                      : ColumnRole::Attribute;
 }

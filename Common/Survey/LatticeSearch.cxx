@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -24,7 +26,11 @@ namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr std::int64_t WindowSize = 1 << 14; // points
-constexpr double FirstReach = 8.0; // columns
+constexpr double FirstReach = 2.0; // columns
+// Up to here steps that are right are only made more exact; fewer points cannot tell that they are wrong.
+constexpr double TellingReach = 8.0;
+// Places that are rounded to more than this part of a step.
+constexpr double CoarseRounding = 0.05;
 constexpr double LastReach = MostColumnsPerSide + 1.0; // columns
 // A window with fewer places is of picks over each other, as of many horizons, or of nulls that all are at (0, 0).
 constexpr std::size_t FewestPlaces = 64;
@@ -115,6 +121,10 @@ PlaneMap Grow(const PlaneCloud& points, PlaneMap map, const Monitor& monitor)
   for (double reach = FirstReach;; reach *= 2.0)
   {
     Numbered near = NumberPoints(points, map, reach, monitor);
+    if (near.Spread() > LargestSpread && reach < TellingReach)
+    {
+      continue;
+    }
     if (near.Spread() > LargestSpread)
     {
       map = DivideSteps(points, map, reach, near.Spread(), monitor);
@@ -184,6 +194,51 @@ Eigen::Vector2d Mean(const std::vector<Eigen::Vector2d>& points)
   return sum / double(points.size());
 }
 
+double ShortestStep(const Eigen::Matrix2d& steps)
+{
+  return steps.colwise().norm().minCoeff();
+}
+
+/// The part of the points that have another one a step further.
+double PartFollowed(const PlaneCloud& points, const Eigen::Vector2d& step, double unit)
+{
+  const auto cell = [unit](const Eigen::Vector2d& place)
+  { return std::make_pair(std::llround(place.x() / unit), std::llround(place.y() / unit)); };
+  std::set<std::pair<long long, long long>> cells;
+  for (std::int64_t point = 0; point < std::min(points.Size(), WindowSize); ++point)
+  {
+    cells.insert(cell(points[point]));
+  }
+  std::size_t followed = 0;
+  for (std::int64_t point = 0; point < std::min(points.Size(), WindowSize); ++point)
+  {
+    followed += cells.count(cell(points[point] + step));
+  }
+  return double(followed) / double(std::min(points.Size(), WindowSize));
+}
+
+/// The lattice that is found from places as they are, if it is exact: rounded places may be on it all the same. But all
+/// are on one with steps of the unit that they are rounded to, which has to be rather full.
+template <typename Find>
+std::optional<PlaneMap> FindExactly(const PlaneCloud& points, double unit, Find&& find)
+{
+  constexpr double exact = 0.02; // columns
+  constexpr double fewestUnits = 2.5; // of a step
+  constexpr double rather = 0.5;
+  try
+  {
+    const PlaneMap map = find();
+    const double spread = NumberPoints(points, map, LastReach, Monitor()).Spread();
+    const bool isFull = ShortestStep(map.Steps) >= fewestUnits * unit ||
+      std::max(PartFollowed(points, map.Steps.col(0), unit), PartFollowed(points, map.Steps.col(1), unit)) >= rather;
+    return spread <= exact && isFull ? std::optional<PlaneMap>(map) : std::nullopt;
+  }
+  catch (const InputError&)
+  {
+    return std::nullopt;
+  }
+}
+
 /// The point of a window that is nearest to its mean.
 Eigen::Vector2d MiddlePoint(const std::vector<Eigen::Vector2d>& window)
 {
@@ -206,11 +261,27 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
   {
     window = CrowdedWindow(DistinctPlaces(points).Cloud(), WindowSize, monitor.Step(0.2, 0.3));
   }
-  PlaneMap map;
-  map.Steps = FindShortSteps(window);
+  const Eigen::Matrix2d shortSteps = FindShortSteps(window);
+  const double unit = FindRounding(x, y);
   // All sums are made around a point of the window, which is column (0, 0).
   points.Middle += MiddlePoint(window);
-  map = Turn(Grow(points, map, monitor.Step(0.3, 1.0)));
+  const auto grow = [&](const Eigen::Matrix2d& steps)
+  {
+    PlaneMap first;
+    first.Steps = steps;
+    return Turn(Grow(points, first, monitor.Step(0.3, 1.0)));
+  };
+  std::optional<PlaneMap> found;
+  if (unit <= CoarseRounding * ShortestStep(shortSteps))
+  {
+    found = grow(shortSteps);
+  }
+  else
+  {
+    found = FindExactly(points, unit, [&]() { return grow(shortSteps); });
+    found = found ? found : grow(FindRoundedSteps(window, unit));
+  }
+  PlaneMap map = *found;
   map.Origin += points.Middle;
   return map;
 }

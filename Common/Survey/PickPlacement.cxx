@@ -8,6 +8,7 @@
 #include "Common/FixedChunks.h"
 #include "Common/Lattice.h"
 #include "LineLattice.h"
+#include "ShortSteps.h"
 #include "SurveyMap.h"
 
 #include <Eigen/LU>
@@ -103,6 +104,15 @@ ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double to
         range.Add(index, columns.Distance(pick, index), tolerance);
       }
     });
+}
+
+/// The tolerance, or what rounding moves places by, where that is more: half a unit along both axes.
+double ToleranceOf(const PickTable& picks, const SurveyLattice& lattice, double given)
+{
+  constexpr double most = 0.49;
+  const double rounded = picks.HasPlaces() ? FindRounding(picks.X, picks.Y) : 0.0;
+  const Eigen::Vector2d farthest = lattice.Steps().inverse().cwiseAbs() * Eigen::Vector2d::Constant(0.51 * rounded);
+  return std::max(given, std::min(most, farthest.maxCoeff()));
 }
 
 void CheckNumber(std::size_t horizons, std::int64_t picks, const char* text)
@@ -235,8 +245,9 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
   const ColumnFinder finder(picks, lattice);
-  const ColumnRange range = FindRange(finder, size, options.Tolerance, monitor.Step(0.5, 0.6));
-  CheckRange(range, size, lattice, options.Tolerance);
+  const double tolerance = ToleranceOf(picks, lattice, options.Tolerance);
+  const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
+  CheckRange(range, size, lattice, tolerance);
   CheckSpread(finder, range, std::size_t(size));
   SurveyHorizons placed;
   placed.Survey = picks.Survey;

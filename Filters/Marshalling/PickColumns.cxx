@@ -171,8 +171,7 @@ private:
       this->Choice.begin(), this->Choice.end(), [](const auto& chosen) { return chosen.first == ColumnRole::Z; });
     if (zNames.size() > 1 && !isChosen)
     {
-      this->Arrays[ColumnRole::Z] =
-        this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
+      this->Arrays[ColumnRole::Z] = this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
     }
   }
 
