@@ -11,7 +11,7 @@ namespace SeismicHorizons
 bool IsEndMark(std::string_view line)
 {
   const std::string_view word = Trim(line);
-  return word == "EOB" || word == "EOD" || word == "EOF";
+  return word == "EOB" || word == "EOD" || word == "EOF" || word == "\x1a";
 }
 
 //----------------------------------------------------------------------------------------------------------------------

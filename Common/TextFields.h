@@ -15,7 +15,7 @@
 
 namespace SeismicHorizons
 {
-/// Whether a line is one that some programs end a file with: EOB, EOD or EOF.
+/// Whether a line is one that some programs end a file with: EOB, EOD, EOF, or the control character of DOS.
 bool IsEndMark(std::string_view line);
 
 /// Whether a line has nothing for the reader: blanks alone, or a comment behind # or !.

@@ -272,7 +272,7 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
     return Turn(Grow(points, first, monitor.Step(0.3, 1.0)));
   };
   std::optional<PlaneMap> found;
-  if (unit <= CoarseRounding * ShortestStep(shortSteps))
+  if (window.size() < FewestPlaces || unit <= CoarseRounding * ShortestStep(shortSteps))
   {
     found = grow(shortSteps);
   }

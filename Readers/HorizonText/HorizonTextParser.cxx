@@ -247,6 +247,14 @@ std::string ReadBeginning(std::istream& stream)
   const bool isWhole = stream.eof();
   stream.clear();
   stream.seekg(0);
+  if (StartsWith(text, "\xff\xfe") || StartsWith(text, "\xfe\xff"))
+  {
+    throw InputError("text in UTF-16, expected UTF-8 or ASCII: save it as that");
+  }
+  if (text.find('\n') == std::string::npos && text.find('\r') != std::string::npos)
+  {
+    throw InputError("lines that end with carriage returns alone, expected line feeds: convert them, as with mac2unix");
+  }
   const std::size_t zero = text.find('\0');
   if (zero != std::string::npos)
   {

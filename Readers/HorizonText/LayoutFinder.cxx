@@ -23,6 +23,7 @@ constexpr std::size_t MostSampleLines = 100;
 // Whole numbers up to here may be line numbers; coordinates of surveys are larger.
 constexpr double LargestLineNumber = 99999.0;
 constexpr double LeastCoordinate = 1e4;
+constexpr double LargestPlace = 1e9; // on Earth, in any unit of length; beyond are no places, but whatever z may be
 // How far places may be off those that line numbers give, as a part of a step: they are rounded, but to less than that.
 constexpr double LargestMisfit = 0.1;
 // The same as a part of the extent of the sample, where that is more.
@@ -201,7 +202,8 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
       const std::size_t column = n < 2 ? from + n : to + n - 2;
       if (column >= fields.size() || ReadNumber(fields[column], values[n]) != NumberKind::Finite)
       {
-        return {};
+        result.AreCoordinates = false;
+        return result;
       }
     }
     pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
@@ -246,12 +248,12 @@ void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::
 {
   for (std::size_t column = 0; column < columns.size(); ++column)
   {
-    if (columns[column].Role == ColumnRole::Z && LargestOf(sample, layout, column) > LargestLineNumber)
+    const double largest = columns[column].Role == ColumnRole::Z ? LargestOf(sample, layout, column) : 0.0;
+    if (largest > LargestLineNumber && largest < LargestPlace)
     {
       std::ostringstream text;
       text.precision(12);
-      text << "column " << column + 1 << " with numbers up to " << LargestOf(sample, layout, column)
-           << ", expected Z of at most " << LargestLineNumber
+      text << "column " << column + 1 << " with numbers up to " << largest << ", expected Z of at most " << LargestLineNumber
            << ": name the columns in Columns, such as Inline, Crossline, X, Y, Z";
       throw InputError(text.str());
     }
@@ -298,6 +300,34 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
   NameByText(columns, sample, layout);
   RefuseLargeZ(sample, layout, columns);
   return columns;
+}
+
+/// Fields such as "604123,25", at least three in each line, and no decimal point.
+bool HaveDecimalCommas(const TextLines& sample)
+{
+  const auto isDecimal = [](std::string_view field)
+  {
+    const std::size_t comma = field.find(',');
+    return comma != std::string_view::npos && comma > 0 && field.find(',', comma + 1) == std::string_view::npos &&
+      comma + 1 < field.size() && IsDigit(field[comma - 1]) &&
+      std::all_of(field.begin() + std::ptrdiff_t(comma) + 1, field.end(), IsDigit) &&
+      IsNumber(field.substr(0, comma));
+  };
+  for (const FieldSeparator separator : { FieldSeparator::Semicolon, FieldSeparator::Tab, FieldSeparator::Blanks })
+  {
+    constexpr std::ptrdiff_t fewest = 3;
+    if (std::all_of(sample.begin(), sample.end(),
+          [&](std::string_view line)
+          {
+            const Fields fields = Split(line, separator);
+            return line.find('.') == std::string_view::npos &&
+              std::count_if(fields.begin(), fields.end(), isDecimal) >= fewest;
+          }))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 [[noreturn]] void RefuseCount(const TextLayout& layout, std::size_t fields)
@@ -428,6 +458,10 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   if (sample.empty())
   {
     throw InputError("no picks after " + std::to_string(layout.HeaderLines) + " lines, expected lines of numbers");
+  }
+  if (HaveDecimalCommas(sample))
+  {
+    throw ErrorAt(layout.HeaderLines + 1, "numbers with decimal commas, expected decimal points: replace the commas");
   }
   const bool isFixed = options.Columns.empty() && FindFixedLayout(layout, sample);
   if (!isFixed)

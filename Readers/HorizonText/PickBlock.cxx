@@ -61,7 +61,7 @@ public:
 private:
   void ParseLine(std::string_view line)
   {
-    if (IsSkipped(line))
+    if (IsSkipped(line) || (!this->Layout.NamesLine.empty() && Trim(line) == this->Layout.NamesLine))
     {
       return;
     }

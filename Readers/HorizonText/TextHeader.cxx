@@ -17,7 +17,19 @@ namespace
 {
 bool IsComment(std::string_view line)
 {
-  return !line.empty() && (line[0] == '#' || line[0] == '!' || line[0] == '@');
+  return !line.empty() && std::string_view("#!@%*").find(line[0]) != std::string_view::npos;
+}
+
+std::size_t CountFields(std::string_view line, FieldSeparator separator)
+{
+  FieldCursor fields(line, separator);
+  std::string_view field;
+  std::size_t count = 0;
+  while (fields.Next(field))
+  {
+    ++count;
+  }
+  return count;
 }
 
 /// Takes the lines of a header one after the other.
@@ -247,10 +259,12 @@ private:
     {
       return;
     }
-    if (this->Line < this->Lines.size() && this->IsLineOfNames(Trim(this->Lines[this->Line])))
+    if (!this->FindNamesBelowTitle() && this->Line < this->Lines.size() &&
+      this->IsLineOfNames(Trim(this->Lines[this->Line])))
     {
       this->Names = Trim(this->Lines[this->Line]);
       this->Layout.HasLineOfNames = true;
+      this->Layout.NamesLine = std::string(this->Names);
       this->Layout.HeaderLines = std::int64_t(this->NextPick());
     }
     FieldCursor fields(this->Names, SeparatorOfNames(this->Names));
@@ -259,6 +273,68 @@ private:
     {
       this->AddColumn(field);
     }
+  }
+
+  /// Names with lines of text above them, or between them and the picks: titles, units, dashes. They say where picks are,
+  /// and are as many as the picks have fields; else the text is no header that is known.
+  bool FindNamesBelowTitle()
+  {
+    constexpr std::size_t mostLines = 50;
+    std::size_t pick = this->Line;
+    const std::size_t end = std::min(this->Lines.size(), this->Line + mostLines);
+    while (pick < end && !IsPick(this->Lines[pick]))
+    {
+      ++pick;
+    }
+    for (std::size_t line = this->Line; pick < end && line < pick; ++line)
+    {
+      const std::string_view names = Trim(this->Lines[line]);
+      const FieldSeparator separator = SeparatorOfNames(names);
+      if (!HasNumber(names) && CountFields(names, separator) == CountFields(this->Lines[pick], separator) &&
+        SayPlaces(names, separator))
+      {
+        this->Names = names;
+        this->Layout.HasLineOfNames = true;
+        this->Layout.NamesLine = std::string(names);
+        this->Layout.HeaderLines = std::int64_t(pick);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static bool SayPlaces(std::string_view names, FieldSeparator separator)
+  {
+    std::vector<ColumnRole> roles;
+    FieldCursor fields(names, separator);
+    std::string_view field;
+    while (fields.Next(field))
+    {
+      roles.push_back(ColumnOfName(Trim(field)).Role);
+    }
+    const auto has = [&roles](ColumnRole role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); };
+    return (has(ColumnRole::X) && has(ColumnRole::Y)) || (has(ColumnRole::Inline) && has(ColumnRole::Crossline));
+  }
+
+  /// Mostly numbers, and at least two.
+  static bool IsPick(std::string_view line)
+  {
+    for (const FieldSeparator separator : { FieldSeparator::Colons, FieldSeparator::Comma, FieldSeparator::Semicolon })
+    {
+      FieldCursor fields(line, separator);
+      std::string_view field;
+      std::size_t numbers = 0;
+      std::size_t others = 0;
+      while (fields.Next(field))
+      {
+        (IsNumber(Trim(field)) ? numbers : others) += 1;
+      }
+      if (numbers >= 2 && numbers >= others)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Names may have blanks in them where anything else separates them.

@@ -42,6 +42,7 @@ struct TextLayout
   FieldSeparator Separator = FieldSeparator::Blanks;
   std::vector<TextColumn> Columns;
   bool HasLineOfNames = false; // a line of words, which is no comment, stands right above the picks
+  std::string NamesLine; // that line; where it comes again, as in files that were put together, it is left out
   bool IsGuessed = false; // the columns are known by their values alone
   std::int64_t HeaderLines = 0; // before the first pick
   std::int64_t Picks = -1; // how many a file says it has; -1 where it says nothing

@@ -77,8 +77,8 @@ void TestGuesses()
     std::string("il xl x y z\nTop: 7 8 500000.5 6000000.5 3.5\nBase B: 7 9 500025.5 6000000.5 4.5\n"));
   CHECK_EQUAL(Table("7 8 3.5 0.5 0.25\n7 9 4.5 0.75 0.25\n8 8 1.5 0.5 0.5\n"),
     std::string("il xl z Attribute 1 Attribute 2\n7 8 3.5 0.5 0.25\n7 9 4.5 0.75 0.25\n8 8 1.5 0.5 0.5\n"));
-  // Text in another column than the first is left out.
-  CHECK_EQUAL(Table("7 8 3.5 a\n7 9 4.5 b\n"), std::string("il xl z\n7 8 3.5\n7 9 4.5\n"));
+  // The first column of text has the names.
+  CHECK_EQUAL(Table("7 8 3.5 Top x\n7 9 4.5 Base y\n"), std::string("il xl z\nTop: 7 8 3.5\nBase: 7 9 4.5\n"));
 }
 
 /// Small coordinates behind line numbers are told from z and attributes by the map between them, which needs more than
