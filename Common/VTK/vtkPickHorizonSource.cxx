@@ -5,6 +5,7 @@
 
 #include "Common/FileErrors.h"
 #include "Common/Monitor.h"
+#include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/PickPlacement.h"
 
 #include "vtkHorizonFileSeries.h"
@@ -122,7 +123,12 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
   PickTable picks = this->ReadPicks(monitor.Step(0.0, 0.6));
   const auto place = [&]() { return PlacePicks(std::move(picks), this->MakeOptions(), monitor.Step(0.6, 1.0)); };
   FileSeries* const files = this->GetFiles();
-  return files ? PrefixFileErrors(files->GetCurrent(), place) : place();
+  SurveyHorizons placed = files ? PrefixFileErrors(files->GetCurrent(), place) : place();
+  for (const std::string& doubt : FindDoubts(placed))
+  {
+    vtkWarningMacro(<< this->ErrorPrefix() << doubt);
+  }
+  return placed;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -43,6 +43,57 @@ void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& m
   }
 }
 
+/// How many bytes a character takes that begins with this one in UTF-8; 0 where none does.
+std::size_t SizeOfCharacter(unsigned char first)
+{
+  return first < 0x80U ? 1 : first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : first < 0xF5U ? 4 : 0;
+}
+
+bool IsUtf8(std::string_view text)
+{
+  for (std::size_t n = 0; n < text.size();)
+  {
+    const std::size_t size = SizeOfCharacter(static_cast<unsigned char>(text[n]));
+    if (size == 0 || n + size > text.size())
+    {
+      return false;
+    }
+    for (std::size_t next = n + 1; next < n + size; ++next)
+    {
+      if ((static_cast<unsigned char>(text[next]) & 0xC0U) != 0x80U)
+      {
+        return false;
+      }
+    }
+    n += size;
+  }
+  return true;
+}
+
+/// Names in an encoding of single bytes are taken for Latin-1: which one it is, files do not say.
+std::string ToUtf8(const std::string& text)
+{
+  if (IsUtf8(text))
+  {
+    return text;
+  }
+  std::string result;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80U)
+    {
+      result += c;
+    }
+    else
+    {
+      result += static_cast<char>(0xC0U | byte >> 6U);
+      result += static_cast<char>(0x80U | (byte & 0x3FU));
+    }
+  }
+  return result;
+}
+
 /// Puts blocks of picks together, in their order.
 class PickCollector
 {
@@ -162,7 +213,7 @@ void PickCollector::AddNames(const PickBlock& block)
     const auto [place, isNew] = this->Numbers.emplace(name, int(this->Table.Names.size()));
     if (isNew)
     {
-      this->Table.Names.push_back(name);
+      this->Table.Names.push_back(ToUtf8(name));
     }
     numbers.push_back(place->second);
   }

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ColumnGuess.h"
+
+#include "Common/Lattice.h"
+#include "Common/LineErrors.h"
+#include "Common/Survey/PlaneFit.h"
+#include "Common/TextFields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Whole numbers up to here may be line numbers; coordinates of surveys are larger.
+constexpr double LargestLineNumber = 99999.0;
+constexpr double LeastCoordinate = 1e4;
+constexpr double LargestPlace = 1e9; // on Earth, in any unit of length; beyond are no places, but whatever z may be
+// How far places may be off those that line numbers give, as a part of a step: they are rounded, but to less than that.
+constexpr double LargestMisfit = 0.1;
+// The same as a part of the extent of the sample, where that is more.
+constexpr double LargestPartOff = 0.02;
+
+/// Whether a line has so many fields. The last one may be empty behind a separator at the end.
+bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
+{
+  std::size_t fields = 0;
+  FieldCursor cursor(line, separator);
+  for (std::string_view field; cursor.Next(field);)
+  {
+    ++fields;
+  }
+  return fields == count || (fields + 1 == count && cursor.EndsInSeparator());
+}
+
+/// The first column of text that is left out has the names of horizons, where no other one has.
+void NameByText(std::vector<TextColumn>& columns, const TextLines& sample, const TextLayout& layout)
+{
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    if (columns[column].Role == ColumnRole::HorizonName)
+    {
+      return;
+    }
+  }
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    if (columns[column].Role == ColumnRole::Ignored && LookAt(sample, layout, column).AreText)
+    {
+      columns[column] = { ColumnRole::HorizonName, "Name" };
+      return;
+    }
+  }
+}
+
+/// The largest size of the numbers in a column.
+double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t column)
+{
+  double largest = 0.0;
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, layout.Separator);
+    double value = 0.0;
+    if (column < fields.size() && ReadNumber(fields[column], value) == NumberKind::Finite &&
+      !layout.Nulls.IsNullNumber(value))
+    {
+      largest = std::max(largest, std::abs(value));
+    }
+  }
+  return largest;
+}
+
+/// How two columns belong to two others.
+struct PairFit
+{
+  bool AreTelling = false; // enough lines, not all on one inline
+  bool AreAffine = false; // an affine map leads from the first pair to the second
+  bool AreLarger = false; // steps of the second pair are longer than those of the first
+  bool AreCoordinates = true; // all numbers of the second pair are as large as coordinates mostly are
+};
+
+/// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
+/// Where lines are of three dimensions anything but a place has no such map.
+PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+{
+  struct Pair
+  {
+    Eigen::Vector2d Index, Place;
+  };
+  std::vector<Pair> pairs;
+  PlaneFit fit;
+  PairFit result;
+  Eigen::Vector2d extent = Eigen::Vector2d::Zero();
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, layout.Separator);
+    std::array<double, 4> values = {};
+    for (const std::size_t n : { 0, 1, 2, 3 })
+    {
+      const std::size_t column = n < 2 ? from + n : to + n - 2;
+      if (column >= fields.size() || ReadNumber(fields[column], values[n]) != NumberKind::Finite)
+      {
+        result.AreCoordinates = false;
+        return result;
+      }
+    }
+    pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
+    fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
+    extent = extent.cwiseMax((pairs.back().Place - pairs.front().Place).cwiseAbs());
+    result.AreCoordinates = result.AreCoordinates && pairs.back().Place.cwiseAbs().minCoeff() > LeastCoordinate;
+  }
+  const std::optional<PlaneMap> map = fit.Solve();
+  constexpr std::size_t fewest = 4; // three make a map whatever they are
+  result.AreTelling = map && pairs.size() >= fewest;
+  // As with a plane z and a constant attribute, steps may be parallel.
+  if (!result.AreTelling || AreParallel(map->Steps.col(0), map->Steps.col(1)))
+  {
+    return result;
+  }
+  const double step = map->Steps.colwise().norm().minCoeff();
+  const double most = std::max(LargestMisfit * step, LargestPartOff * extent.minCoeff());
+  result.AreLarger = std::abs(map->Steps.determinant()) >= 1.0;
+  result.AreAffine = std::all_of(pairs.begin(), pairs.end(),
+    [&](const Pair& pair)
+    {
+      const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
+      return (pair.Place - pairs.front().Place - expected).norm() <= most;
+    });
+  return result;
+}
+
+/// Whether columns hold line numbers and the places that belong to them, in this order. Where the lines have too few
+/// numbers to tell, coordinates are taken for what they mostly are: large.
+bool AreLinesAndPlaces(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
+{
+  const PairFit fit = FitPairs(sample, layout, lines, places);
+  if (fit.AreTelling)
+  {
+    return fit.AreAffine && fit.AreLarger;
+  }
+  return fit.AreCoordinates && LookAt(sample, layout, lines).AreLines && LookAt(sample, layout, lines + 1).AreLines;
+}
+
+/// What neither reading explains is refused: coordinates would become z.
+void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::vector<TextColumn>& columns)
+{
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    const double largest = columns[column].Role == ColumnRole::Z ? LargestOf(sample, layout, column) : 0.0;
+    if (largest > LargestLineNumber && largest < LargestPlace)
+    {
+      std::ostringstream text;
+      text.precision(12);
+      text << "column " << column + 1 << " with numbers up to " << largest << ", expected Z of at most "
+           << LargestLineNumber << ": name the columns in Columns, such as Inline, Crossline, X, Y, Z";
+      throw InputError(text.str());
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Fields Split(std::string_view line, FieldSeparator separator)
+{
+  Fields fields;
+  FieldCursor cursor(line, separator);
+  std::string_view field;
+  while (cursor.Next(field))
+  {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count)
+{
+  return std::all_of(sample.begin(), sample.end(),
+    [separator, count](std::string_view line) { return HasFields(line, separator, count); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t CountFields(const TextLines& sample, FieldSeparator separator)
+{
+  const std::size_t fields = Split(sample.front(), separator).size();
+  const bool hasMore = HasFields(sample.front(), separator, fields + 1) &&
+    std::any_of(sample.begin(), sample.end(),
+      [separator, fields](std::string_view line) { return Split(line, separator).size() == fields + 1; });
+  return hasMore ? fields + 1 : fields;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size_t column)
+{
+  ColumnValues values;
+  bool hasNumbers = false;
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, layout.Separator);
+    double value = 0.0;
+    if (column >= fields.size())
+    {
+      continue; // reading the line will say so
+    }
+    const bool isNumber = ReadNumber(fields[column], value) != NumberKind::NotANumber;
+    hasNumbers = hasNumbers || isNumber;
+    values.AreText = values.AreText || !(isNumber || layout.Nulls.IsNullText(fields[column]));
+    values.AreLines =
+      values.AreLines && isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber;
+  }
+  values.AreText = values.AreText && !hasNumbers; // else reading the line of the text will say so
+  return values;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& layout)
+{
+  const std::size_t count = CountFields(sample, layout.Separator);
+  std::vector<TextColumn> columns;
+  std::size_t first = 0;
+  if (count > 0 && LookAt(sample, layout, 0).AreText)
+  {
+    columns.push_back({ ColumnRole::HorizonName, "Name" });
+    first = 1;
+  }
+  const auto areLines = [&](std::size_t column)
+  { return LookAt(sample, layout, first + column).AreLines && LookAt(sample, layout, first + column + 1).AreLines; };
+  const auto areBoth = [&](std::size_t lines, std::size_t places)
+  { return count >= first + 5 && AreLinesAndPlaces(sample, layout, first + lines, first + places); };
+  using Role = ColumnRole;
+  std::vector<Role> roles = { Role::X, Role::Y, Role::Z };
+  if (areBoth(0, 2))
+  {
+    roles = { Role::Inline, Role::Crossline, Role::X, Role::Y, Role::Z };
+  }
+  else if (areBoth(2, 0))
+  {
+    roles = { Role::X, Role::Y, Role::Inline, Role::Crossline, Role::Z };
+  }
+  else if (areLines(0))
+  {
+    roles = { Role::Inline, Role::Crossline, Role::Z };
+  }
+  for (std::size_t column = 0; first + column < count; ++column)
+  {
+    const Role role = column < roles.size() ? roles[column] : Role::Attribute;
+    const bool isText = LookAt(sample, layout, first + column).AreText;
+    columns.push_back({ isText ? Role::Ignored : role,
+      role == Role::Attribute ? "Attribute " + std::to_string(column - roles.size() + 1) : RoleWord(role) });
+  }
+  NameByText(columns, sample, layout);
+  RefuseLargeZ(sample, layout, columns);
+  return columns;
+}
+}
