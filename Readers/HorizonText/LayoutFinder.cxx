@@ -155,13 +155,6 @@ bool IsLatticeSize(const TextLines& sample)
       });
 }
 
-/// Whether columns say where picks are.
-bool HavePlaces(const TextLayout& layout)
-{
-  return (layout.Find(ColumnRole::X) >= 0 && layout.Find(ColumnRole::Y) >= 0) ||
-    (layout.Find(ColumnRole::Inline) >= 0 && layout.Find(ColumnRole::Crossline) >= 0);
-}
-
 /// Layouts of which the first line behind the header tells all. False where it does not.
 bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 {
@@ -217,7 +210,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   {
     layout.Separator = FindSeparator(sample);
     const bool hasNames =
-      !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && HavePlaces(layout)));
+      !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && layout.HasPlaces()));
     if (!options.Columns.empty())
     {
       layout.Columns = ParseColumnList(options.Columns);
@@ -227,7 +220,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
     {
       layout.Columns.clear(); // they are not those of these picks
     }
-    if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !HavePlaces(layout)))
+    if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !layout.HasPlaces()))
     {
       layout.Columns = GuessColumns(sample, layout);
       layout.IsGuessed = true;

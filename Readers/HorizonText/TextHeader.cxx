@@ -3,6 +3,7 @@
 
 #include "TextHeader.h"
 
+#include "ColumnGuess.h"
 #include "ColumnNames.h"
 #include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
@@ -18,18 +19,6 @@ namespace
 bool IsComment(std::string_view line)
 {
   return !line.empty() && std::string_view("#!@%*").find(line[0]) != std::string_view::npos;
-}
-
-std::size_t CountFields(std::string_view line, FieldSeparator separator)
-{
-  FieldCursor fields(line, separator);
-  std::string_view field;
-  std::size_t count = 0;
-  while (fields.Next(field))
-  {
-    ++count;
-  }
-  return count;
 }
 
 /// Takes the lines of a header one after the other.
@@ -290,7 +279,7 @@ private:
     {
       const std::string_view names = Trim(this->Lines[line]);
       const FieldSeparator separator = SeparatorOfNames(names);
-      if (!HasNumber(names) && CountFields(names, separator) == CountFields(this->Lines[pick], separator) &&
+      if (!HasNumber(names) && Split(names, separator).size() == Split(this->Lines[pick], separator).size() &&
         SayPlaces(names, separator))
       {
         this->Names = names;
@@ -305,15 +294,14 @@ private:
 
   static bool SayPlaces(std::string_view names, FieldSeparator separator)
   {
-    std::vector<ColumnRole> roles;
+    TextLayout layout;
     FieldCursor fields(names, separator);
     std::string_view field;
     while (fields.Next(field))
     {
-      roles.push_back(ColumnOfName(Trim(field)).Role);
+      layout.Columns.push_back(ColumnOfName(Trim(field)));
     }
-    const auto has = [&roles](ColumnRole role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); };
-    return (has(ColumnRole::X) && has(ColumnRole::Y)) || (has(ColumnRole::Inline) && has(ColumnRole::Crossline));
+    return layout.HasPlaces();
   }
 
   /// Mostly numbers, and at least two.

@@ -53,6 +53,13 @@ struct TextLayout
   /// The number of the column with a role, or -1.
   int Find(ColumnRole role) const;
 
+  /// Whether columns say where picks are.
+  bool HasPlaces() const
+  {
+    return (this->Find(ColumnRole::X) >= 0 && this->Find(ColumnRole::Y) >= 0) ||
+      (this->Find(ColumnRole::Inline) >= 0 && this->Find(ColumnRole::Crossline) >= 0);
+  }
+
   /// Whether picks come with the names of their horizons.
   bool HasNames() const { return this->Kind == TextKind::Iesx || this->Find(ColumnRole::HorizonName) >= 0; }
 
