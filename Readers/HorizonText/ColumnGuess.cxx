@@ -126,7 +126,7 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
   }
   const double step = map->Steps.colwise().norm().minCoeff();
   const double most = std::max(LargestMisfit * step, LargestPartOff * extent.minCoeff());
-  result.AreLarger = std::abs(map->Steps.determinant()) >= 1.0;
+  result.AreLarger = std::abs(map->Steps.determinant()) >= 0.999; // rounded
   result.AreAffine = std::all_of(pairs.begin(), pairs.end(),
     [&](const Pair& pair)
     {
