@@ -77,8 +77,7 @@ class LimitsTest(unittest.TestCase):
 
         def pick(columns):
             places = ((0, 0), (1, 0), (0, 1), (1, 1), (columns - 1, 0))
-            lines = ["%d %d %d %d 5" % (x, y, x, y) for x, y in places]
-            read("vtkHorizonTextReader", "far.dat", ["Inline Crossline X Y Z", *lines])
+            read("vtkHorizonTextReader", "far.dat", ["Inline Crossline Z", *("%d %d 5" % place for place in places)])
 
         with self.assertRaisesRegex(HorizonError, r"expected less than 2\^28 along a side"):
             pick(1 << 28)
