@@ -13,7 +13,7 @@
 
 namespace SeismicHorizons
 {
-/// Warnings: more than a hundredth of picks in columns that have another one, as where several horizons have no names;
+/// Warnings: picks that were left out, by their numbers; more than a hundredth of picks in columns that have another one, as where several horizons have no names;
 /// and a usual number for no value, such as -999, as z far from all others of its horizon.
 std::vector<std::string> FindDoubts(const SurveyHorizons& horizons);
 }

@@ -9,6 +9,7 @@
 #include "Common/Lattice.h"
 #include "LineLattice.h"
 #include "ShortSteps.h"
+#include "StrayPicks.h"
 #include "SurveyMap.h"
 
 #include <Eigen/LU>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -131,7 +133,8 @@ void CheckRange(const ColumnRange& range, std::int64_t picks, const SurveyLattic
     std::ostringstream text;
     text << range.OffLattice << " of " << picks << " picks off the lattice with the steps "
          << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest by "
-         << range.LargestDistance << " columns; expected at most LatticeTolerance, " << tolerance;
+         << range.LargestDistance << " columns; expected at most LatticeTolerance, " << tolerance
+         << ", or StrayPicks that are left out";
     throw InputError(text.str());
   }
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
@@ -183,6 +186,46 @@ void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, std::size
          << ", in column " << ToText(finder.Index(farthest) - range.First) << ", is the farthest from the others";
     throw InputError(text.str());
   }
+}
+
+/// Leaves strays out, again and again as those that are left tell more exactly where the lattice is. Returns their
+/// numbers among all.
+std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
+{
+  constexpr int mostRounds = 20;
+  const std::size_t mostStrays = picks.Size() / 10;
+  std::vector<std::size_t> numbers(picks.Size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  std::vector<std::size_t> all;
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    monitor.Progress(double(round) / mostRounds);
+    const SurveyLattice lattice = FindSurveyMap(picks, options, Monitor());
+    const ColumnFinder finder(picks, lattice);
+    std::vector<PickPlace> places;
+    for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+    {
+      const Eigen::Vector2d index = finder.Index(pick);
+      places.push_back({ index, finder.Distance(pick, index) });
+    }
+    const std::vector<std::size_t> strays = FindStrays(places, ToleranceOf(picks, lattice, options.Tolerance));
+    if (strays.empty() || all.size() + strays.size() > mostStrays)
+    {
+      break; // what is left is judged as without this choice
+    }
+    std::vector<std::size_t> left;
+    auto next = strays.begin();
+    for (std::size_t n = 0; n < numbers.size(); ++n)
+    {
+      const bool isStray = next != strays.end() && *next == n;
+      next += isStray ? 1 : 0;
+      (isStray ? all : left).push_back(numbers[n]);
+    }
+    numbers.swap(left);
+    picks = WithoutPicks(std::move(picks), strays);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 /// The lattice that begins at the first column of the picks, and ends at the last one.
@@ -237,19 +280,24 @@ void Free(std::vector<double>& values)
 SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor)
 {
   CheckPlacement(options);
-  const auto size = std::int64_t(picks.Size());
+  auto size = std::int64_t(picks.Size());
   if (size == 0 || size > std::numeric_limits<std::int32_t>::max())
   {
     throw InputError(std::to_string(size) + " picks, expected at least 1 and less than 2^31");
   }
   CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
+  SurveyHorizons placed;
+  if (options.LeaveOutStrays)
+  {
+    placed.Strays = LeaveOutStrays(picks, options, monitor.Step(0.0, 0.4));
+    size = std::int64_t(picks.Size());
+  }
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
   const ColumnFinder finder(picks, lattice);
   const double tolerance = ToleranceOf(picks, lattice, options.Tolerance);
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, size, lattice, tolerance);
   CheckSpread(finder, range, std::size_t(size));
-  SurveyHorizons placed;
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;

@@ -38,6 +38,7 @@ struct PlacementOptions
   Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX(); // along i to the next column
   Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY();
   double Tolerance = 0.1; // how far picks may be off their columns, in columns; above 0, below 0.5
+  bool LeaveOutStrays = false; // picks off the lattice or far from all others, up to a tenth; else these are an error
   DuplicatePolicy Policy = DuplicatePolicy::StrongestAmplitude;
   VerticalDirection Direction = VerticalDirection::Down; // where z grows to: says what is topmost
 };

@@ -53,6 +53,7 @@ PlacementOptions vtkPickHorizonSource::MakeOptions()
   options.ColumnStep = Eigen::Vector2d(this->ColumnStep);
   options.RowStep = Eigen::Vector2d(this->RowStep);
   options.Tolerance = this->LatticeTolerance;
+  options.LeaveOutStrays = this->StrayPicks == LeaveOut;
   options.Policy = static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy);
   using Direction = SeismicHorizons::VerticalDirection;
   options.Direction = this->GetVerticalDirection() == Up ? Direction::Up : Direction::Down;
@@ -145,5 +146,6 @@ void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColumnStep: " << ToText(Eigen::Vector2d(this->ColumnStep)) << '\n';
   os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';
   os << indent << "LatticeTolerance: " << this->LatticeTolerance << '\n';
+  os << indent << "StrayPicks: " << (this->StrayPicks == LeaveOut ? "LeaveOut" : "Stop") << '\n';
   os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
 }

@@ -126,6 +126,24 @@ public:
   vtkGetMacro(LatticeTolerance, double);
   ///@}
 
+  /// Values of StrayPicks.
+  enum StrayChoice
+  {
+    Stop = 0,
+    LeaveOut = 1
+  };
+
+  ///@{
+  /**
+   * What to do about picks that are off the lattice, or far from all others. Stop: an error. LeaveOut: up to a tenth of
+   * all picks are left out, with a warning that names them by their numbers. Default: Stop.
+   */
+  vtkSetClampMacro(StrayPicks, int, Stop, LeaveOut);
+  vtkGetMacro(StrayPicks, int);
+  void SetStrayPicksToStop() { this->SetStrayPicks(Stop); }
+  void SetStrayPicksToLeaveOut() { this->SetStrayPicks(LeaveOut); }
+  ///@}
+
   /// Values of DuplicatePolicy.
   enum DuplicateChoice
   {
@@ -189,6 +207,7 @@ private:
   double ColumnStep[2] = { 1.0, 0.0 };
   double RowStep[2] = { 0.0, 1.0 };
   double LatticeTolerance = 0.1;
+  int StrayPicks = Stop;
   int DuplicatePolicy = StrongestAmplitude;
 
   struct SheetList;

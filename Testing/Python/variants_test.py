@@ -15,7 +15,7 @@ import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 
-import seismichorizons as sh
+from seismichorizons.stage import make
 
 FOLDER = pathlib.Path(sys.argv.pop(1)).resolve()
 INLINE, CROSSLINE = np.mgrid[1000:1040, 2000:2050]
@@ -118,12 +118,11 @@ class VariantsTest(unittest.TestCase):
         shutil.rmtree(FOLDER, ignore_errors=True)
         FOLDER.mkdir(parents=True)
 
-    def read(self, name, content):
+    def read(self, name, content, **properties):
         """The horizons by their names, the reader, and its errors and warnings."""
         path = FOLDER / (name + ".dat")
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        reader = sh.vtkHorizonTextReader()
-        reader.SetFileName(str(path))
+        reader = make("vtkHorizonTextReader", FileName=str(path), **properties)
         told = {"ErrorEvent": [], "WarningEvent": []}
         for event, messages in told.items():
             @calldata_type(VTK_STRING)
@@ -161,6 +160,21 @@ class VariantsTest(unittest.TestCase):
                 self.assertIn(message, errors[0])
         _, _, errors, _ = self.read("utf_16", XYZ.encode("utf-16"))
         self.assertIn("text in UTF-16, expected UTF-8", errors[0])
+
+    def test_strays(self):
+        """Left out on request; more than a tenth is too much."""
+        for name, text, _ in REFUSED[:3]:
+            with self.subTest(name):
+                horizons, _, errors, warnings = self.read(name, text, StrayPicks="LeaveOut")
+                self.assertEqual((errors, [h.GetNumberOfPoints() for h in horizons.values()]), ([], [2000]))
+                self.assertIn("1 stray picks left out: 2001", warnings[0])
+        five = FIVE.splitlines(True)
+        five[700] = "1014 2000 99.5 7.5 1500\n"  # one wrong place moves the map of all
+        horizons, _, errors, warnings = self.read("wrong_place", "".join(five), StrayPicks="LeaveOut")
+        self.assertEqual((errors, horizons["wrong_place"].GetNumberOfPoints()), ([], 1999))
+        self.assertIn("1 stray picks left out: 701", warnings[0])
+        _, _, errors, _ = self.read("noise", dict((n, t) for n, t, _ in REFUSED)["noise"], StrayPicks="LeaveOut")
+        self.assertIn("expected at most LatticeTolerance", errors[0])
 
     def test_doubted(self):
         for name, text, message in DOUBTED:

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsStrayPicks_h
+#define SeismicHorizonsStrayPicks_h
+
+#include "PickTable.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// The column of a pick, and how far the pick is from it, in columns.
+struct PickPlace
+{
+  Eigen::Vector2d Column;
+  double Distance = 0.0;
+};
+
+/// Picks that are off their columns, or far from all others, by their numbers. Strays move the lattice, so that others
+/// seem off as well: only those at least half as far off as the farthest count.
+std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double tolerance);
+
+/// The picks without some, which are by their numbers.
+PickTable WithoutPicks(PickTable picks, const std::vector<std::size_t>& dropped);
+}
+
+#endif
