@@ -11,6 +11,7 @@
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
 #include "Common/Survey/LatticeFrame.h"
+#include "Common/TextFields.h"
 #include "Common/TextWords.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
@@ -35,12 +36,32 @@
 #include <istream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace
 {
 using namespace SeismicHorizons;
+
+/// Whether the next line has three numbers, as picks of whole numbers have, of which the first line is one as well. Lines
+/// of this format have none, or a multiple of five.
+bool IsNextOfThree(std::istream& stream)
+{
+  std::array<char, 256> text{};
+  stream.getline(text.data(), text.size());
+  FieldCursor fields(std::string_view(text.data()), FieldSeparator::Blanks);
+  std::string_view field;
+  std::size_t numbers = 0;
+  for (double value = 0.0; fields.Next(field); ++numbers)
+  {
+    if (ReadNumber(field, value) != NumberKind::Finite)
+    {
+      return false;
+    }
+  }
+  return numbers == 3;
+}
 
 /// Whether a name ends in .vsm or .vsm.gz, in letters of either case.
 bool HasOwnExtension(const std::string& name)
@@ -107,7 +128,7 @@ int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
       [](std::istream& stream)
       {
         ReadSparseMatrixHeader(stream);
-        return true;
+        return !IsNextOfThree(stream);
       });
 }
 

@@ -15,6 +15,7 @@ import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 
+from seismichorizons.reading import find_reader
 from seismichorizons.stage import make
 
 FOLDER = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -151,6 +152,13 @@ class VariantsTest(unittest.TestCase):
                     bounds = horizon.GetBounds()
                     self.assertAlmostEqual(-bounds[5], Z.min() + 100.0 * number, delta=0.51)
                     self.assertAlmostEqual(-bounds[4], Z.max() + 100.0 * number, delta=0.51)
+
+    def test_recognised(self):
+        """Whole numbers in the first line are also the header of sparse voxel files."""
+        for name, text, _ in READ:
+            path = FOLDER / (name + ".txt")
+            path.write_text(text)
+            self.assertEqual(find_reader(path), "vtkHorizonTextReader", name)
 
     def test_refused(self):
         for name, text, message in REFUSED:

@@ -24,6 +24,9 @@ void CanReadFileLooksAtTheHeader()
   CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\nwhatever").c_str()) == 1);
   CHECK(reader->CanReadFile(WriteFile("header.txt", "\xEF\xBB\xBF 2 2 10").c_str()) == 1);
   CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10 4\n").c_str()) == 0);
+  // Picks in whole metres and milliseconds, and by whole line numbers.
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "600000 6000000 1500\n600025 6000000 1501\n").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "100 200 1500\r\n100 201 1501.5\r\n").c_str()) == 0);
   CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2\n").c_str()) == 0);
   CHECK(reader->CanReadFile(WriteFile("header.txt", "").c_str()) == 0);
   CHECK(reader->CanReadFile(Folder.c_str()) == 0);
