@@ -53,6 +53,19 @@ class FilesTest(unittest.TestCase):
         path.write_text("".join(line + "\n" for line in lines), encoding="utf-8")
         return path
 
+    def test_horizon_without_triangles(self):
+        """Left out with a warning in every format, the rest is done."""
+        picks = self.write("two.csv", ["X,Y,Z,Name", *("%d,%d,%d,Good" % (25 * i, 25 * j, 1000 + i) for j in range(9)
+                                                       for i in range(9)), *("%d,0,900,Thin" % (25 * i) for i in range(9))])
+        for form in ("vtp", "ts", "ply"):
+            for options in ((), ("--largest-error", "1", "--leave-out-invalid")):
+                code, messages, _ = self.run_program(picks, "--formats", form, *options)
+                self.assertEqual((code, len(messages)), (0, 1), messages)
+                self.assertRegex(messages[0], "warning: two.csv: Thin is left out: no triangles between 9 points")
+        self.assertEqual(files(self.output), ["two_Good.ply", "two_Good.ts", "two_Good.vtp"])
+        code, messages, _ = self.run_program(self.write("line.txt", ("1 %d 0.5" % i for i in range(3))))
+        self.assertEqual((code, messages[1]), (1, "error: line.txt: all horizons are left out"))
+
     def test_faults_from_files(self):
         """Polygons leave their inside out; sticks cut, and their surface is a result."""
         picks = self.write("top.dat", ("%d %d 1000" % (25 * i, 25 * j) for j in range(40) for i in range(40)))

@@ -343,8 +343,6 @@ class BatchTest(unittest.TestCase):
         self.assertIn("its format leaves no choice of Elevation", self.refused(picks, "--elevation", "RealZ"))
         self.assertIn("its format leaves no choice of Columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
         self.assertIn("Origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))
-        line = self.write_picks("line.txt", "1 1 0.5\n1 2 0.5\n1 3 0.5\n")
-        self.assertIn("error: line.ts: line: no triangles", self.refused("--no-pictures", "--formats", "ts", "--", line))
         noise = self.write_picks("noise.txt", "a b\n")
         self.assertIn("noise.txt: ", self.refused(noise))
 

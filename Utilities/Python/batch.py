@@ -168,7 +168,10 @@ def _run_stages(label, supply, settings, record, names, folder):
         del points
         for warning in result.warnings:
             record.warn("%s: %s" % (label, warning))
-        if result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
+        if result.data["mesh"].GetNumberOfPoints() and not result.data["mesh"].GetNumberOfPolys():
+            record.warn("%s: %s is left out: no triangles between %d points, expected some that are not on one line" % (
+                label, name, result.number_of_points))
+        elif result.data["mesh"].GetNumberOfPoints() or not settings.leave_out_invalid:
             _write_mesh(result, names, folder, record)
             record.add_horizon(result, supply, names.meshes[name])
             results.append(result)
