@@ -152,16 +152,23 @@ const char* RoleWord(ColumnRole role)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+ColumnRole RoleOfExactName(std::string_view name)
+{
+  const std::string essence = Essence(name);
+  const auto found = std::find_if(
+    KnownNames.begin(), KnownNames.end(), [&essence](const KnownName& known) { return known.Name == essence; });
+  return found == KnownNames.end() ? ColumnRole::Attribute : found->Role;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 ColumnRole RoleOfName(std::string_view name)
 {
   if (name == "-")
   {
     return ColumnRole::Ignored;
   }
-  const std::string essence = Essence(name);
-  const auto found = std::find_if(
-    KnownNames.begin(), KnownNames.end(), [&essence](const KnownName& known) { return known.Name == essence; });
-  return found == KnownNames.end() ? RoleOfWords(SplitName(name)) : found->Role;
+  const ColumnRole exact = RoleOfExactName(name);
+  return exact == ColumnRole::Attribute ? RoleOfWords(SplitName(name)) : exact;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

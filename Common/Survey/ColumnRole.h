@@ -32,6 +32,9 @@ const char* RoleWord(ColumnRole role);
 /// horizon, "THICKNESS_TWT" an attribute as is anything else.
 ColumnRole RoleOfName(std::string_view name);
 
+/// The same by names that leave no doubt; Attribute where words alone would tell.
+ColumnRole RoleOfExactName(std::string_view name);
+
 /// Whether a name is that of some attribute for certain, such as a thickness or an amplitude.
 bool IsNeverZ(std::string_view name);
 

@@ -13,7 +13,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<double, 8> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0 };
+constexpr std::array<double, 14> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0, -99.0,
+  -32767.0, 99999.0, -99999.0, 999999.0, -999999.0 };
 
 /// The first usual number for no value that is farther from all other z than these are from each other.
 std::string FindNull(const LatticeHorizon& horizon)
@@ -35,7 +36,7 @@ std::string FindNull(const LatticeHorizon& horizon)
       greatest = z == null ? greatest : std::max(greatest, z);
     }
     const double range = greatest - least;
-    if (count > 0 && range > 0.0 && (null < least - range || null > greatest + range))
+    if (count > 0 && range >= 0.0 && (null < least - range || null > greatest + range))
     {
       std::ostringstream text;
       text << count << " of " << horizon.RealZ.size() << " picks with z " << null << ", far from all others, " << least

@@ -6,12 +6,14 @@
 #include "Common/Lattice.h"
 #include "Common/LineErrors.h"
 #include "Common/Survey/PlaneFit.h"
+#include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -25,6 +27,9 @@ constexpr double LeastCoordinate = 1e4;
 constexpr double LargestPlace = 1e9; // on Earth, in any unit of length; beyond are no places, but whatever z may be
 // How far places may be off those that line numbers give, as a part of a step: they are rounded, but to less than that.
 constexpr double LargestMisfit = 0.1;
+// Places that are wrong in part, bent or noisy follow lines as roughly as this.
+constexpr double RoughlyOff = 0.15;
+constexpr double LeastSine = 0.3;
 // The same as a part of the extent of the sample, where that is more.
 constexpr double LargestPartOff = 0.02;
 
@@ -52,7 +57,8 @@ void NameByText(std::vector<TextColumn>& columns, const TextLines& sample, const
   }
   for (std::size_t column = 0; column < columns.size(); ++column)
   {
-    if (columns[column].Role == ColumnRole::Ignored && LookAt(sample, layout, column).AreText)
+    const ColumnValues values = LookAt(sample, layout, column);
+    if (columns[column].Role == ColumnRole::Ignored && values.AreText && values.AreNames && !values.AreAllDifferent)
     {
       columns[column] = { ColumnRole::HorizonName, "Name" };
       return;
@@ -82,6 +88,7 @@ struct PairFit
 {
   bool AreTelling = false; // enough lines, not all on one inline
   bool AreAffine = false; // an affine map leads from the first pair to the second
+  bool AreMostlyAffine = false; // of most, roughly: what is wrong with others nobody can tell
   bool AreLarger = false; // steps of the second pair are longer than those of the first
   bool AreCoordinates = true; // all numbers of the second pair are as large as coordinates mostly are
 };
@@ -127,13 +134,28 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
   const double step = map->Steps.colwise().norm().minCoeff();
   const double most = std::max(LargestMisfit * step, LargestPartOff * extent.minCoeff());
   result.AreLarger = std::abs(map->Steps.determinant()) >= 0.999; // rounded
-  result.AreAffine = std::all_of(pairs.begin(), pairs.end(),
-    [&](const Pair& pair)
-    {
-      const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
-      return (pair.Place - pairs.front().Place - expected).norm() <= most;
-    });
+  std::vector<double> off;
+  for (const Pair& pair : pairs)
+  {
+    const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
+    off.push_back((pair.Place - pairs.front().Place - expected).norm());
+  }
+  std::sort(off.begin(), off.end());
+  result.AreAffine = off.back() <= most;
+  // Steps of a slope and of what goes with it are nearly parallel.
+  const double sine = std::abs(map->Steps.determinant()) / (map->Steps.col(0).norm() * map->Steps.col(1).norm());
+  result.AreMostlyAffine = sine > LeastSine && off[pairs.size() * 3 / 4] <= RoughlyOff * extent.minCoeff();
   return result;
+}
+
+/// Line numbers whose places are partly wrong, bent or noisy are neither reading.
+[[noreturn]] void RefuseDoubt(std::size_t lines, std::size_t places)
+{
+  throw InputError("columns " + std::to_string(lines + 1) + " and " + std::to_string(lines + 2) +
+    " that look like line numbers, and columns " + std::to_string(places + 1) + " and " + std::to_string(places + 2) +
+    " that may be their places but do not follow them, expected places that do or other numbers: name the columns in "
+    "Columns, such as Inline, "
+    "Crossline, X, Y, Z");
 }
 
 /// Whether columns hold line numbers and the places that belong to them, in this order. Where the lines have too few
@@ -143,6 +165,11 @@ bool AreLinesAndPlaces(const TextLines& sample, const TextLayout& layout, std::s
   const PairFit fit = FitPairs(sample, layout, lines, places);
   if (fit.AreTelling)
   {
+    const bool areLines = LookAt(sample, layout, lines).AreLines && LookAt(sample, layout, lines + 1).AreLines;
+    if (!fit.AreAffine && ((fit.AreMostlyAffine && fit.AreLarger) || (fit.AreCoordinates && areLines)))
+    {
+      RefuseDoubt(lines, places);
+    }
     return fit.AreAffine && fit.AreLarger;
   }
   return fit.AreCoordinates && LookAt(sample, layout, lines).AreLines && LookAt(sample, layout, lines + 1).AreLines;
@@ -201,6 +228,9 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
 {
   ColumnValues values;
   bool hasNumbers = false;
+  bool areWhole = true;
+  bool areUnits = true;
+  std::set<std::string_view> different;
   for (const std::string_view line : sample)
   {
     const Fields fields = Split(line, layout.Separator);
@@ -211,11 +241,18 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
     }
     const bool isNumber = ReadNumber(fields[column], value) != NumberKind::NotANumber;
     hasNumbers = hasNumbers || isNumber;
+    areWhole = areWhole && (!isNumber || value == std::round(value));
+    const std::string unit = ShortUnit(fields[column]);
+    areUnits = areUnits && (unit == "m" || unit == "ft" || unit == "ms" || unit == "s");
+    different.insert(fields[column]);
     values.AreText = values.AreText || !(isNumber || layout.Nulls.IsNullText(fields[column]));
     values.AreLines =
       values.AreLines && isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber;
   }
   values.AreText = values.AreText && !hasNumbers; // else reading the line of the text will say so
+  constexpr std::size_t few = 20;
+  values.AreNames = !areUnits && areWhole && (!hasNumbers || different.size() <= few);
+  values.AreAllDifferent = sample.size() > few && different.size() == sample.size();
   return values;
 }
 
@@ -227,7 +264,8 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
   std::size_t first = 0;
   if (count > 0 && LookAt(sample, layout, 0).AreText)
   {
-    columns.push_back({ ColumnRole::HorizonName, "Name" });
+    const bool areIds = LookAt(sample, layout, 0).AreAllDifferent;
+    columns.push_back({ areIds ? ColumnRole::Ignored : ColumnRole::HorizonName, areIds ? "-" : "Name" });
     first = 1;
   }
   const auto areLines = [&](std::size_t column)

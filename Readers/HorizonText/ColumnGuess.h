@@ -29,6 +29,8 @@ std::size_t CountFields(const TextLines& sample, FieldSeparator separator);
 struct ColumnValues
 {
   bool AreText = false; // none of them is a number, and some are not null
+  bool AreNames = false; // texts that are no units, or a few whole numbers
+  bool AreAllDifferent = false; // as ids of picks are
   bool AreLines = true; // whole, and as small as line numbers are
 };
 

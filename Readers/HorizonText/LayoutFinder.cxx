@@ -91,7 +91,12 @@ bool LeaveOutText(TextLayout& layout, const TextLines& sample)
   for (std::size_t column = 0; column < layout.Columns.size(); ++column)
   {
     ColumnRole& role = layout.Columns[column].Role;
-    if (role == ColumnRole::HorizonName || role == ColumnRole::Ignored || !LookAt(sample, layout, column).AreText)
+    const ColumnValues values = LookAt(sample, layout, column);
+    if (role == ColumnRole::HorizonName && RoleOfExactName(layout.Columns[column].Name) != role && !values.AreNames)
+    {
+      role = values.AreText ? ColumnRole::Ignored : ColumnRole::Attribute; // "Event", but the heights of one
+    }
+    if (role == ColumnRole::HorizonName || role == ColumnRole::Ignored || !values.AreText)
     {
       continue;
     }

@@ -90,6 +90,22 @@ READ = [
     ("petrel", PETREL + rows('%.2f %.2f %.2f "Top"', X, Y, Z) + rows('%.2f %.2f %.2f "Base"', X, Y, Z + 100.0),
      "X, Y, Z, Name")]
 
+# Small coordinates, below line numbers.
+LOCAL = (X - 584000.0, Y - 6049000.0)
+
+
+def local(x, y):
+    return rows("%d %d %.2f %.2f %.2f", INLINE, CROSSLINE, x, y, Z)
+
+
+READ += [
+    ("local", local(*LOCAL), LINES), ("heights_of_an_event", "X Y Z EVENT\n" + rows("%.2f %.2f %.2f %.3f", X, Y, Z, Z / 3.0),
+                                      "X, Y, Z, EVENT"),
+    ("surface_of_heights", "X Y SURFACE\n" + XYZ, PLACES),
+    ("ids", rows("P%d %.2f %.2f %.2f", np.arange(X.size), X, Y, Z), "-, X, Y, Z"),
+    ("ids_last", rows("%.2f %.2f %.2f P%d", X, Y, Z, np.arange(X.size)), "X, Y, Z, -"),
+    ("unit_of_each", "X,Y,Z,Unit\n" + rows("%.2f,%.2f,%.2f,m", X, Y, Z), "X, Y, Z, -")]
+
 # Name, text, and what the error says.
 REFUSED = [
     ("stray", XYZ + "1.0 1.0 5.0\n", "columns a pick; pick 2001"),
@@ -98,8 +114,15 @@ REFUSED = [
     ("noise", rows("%d %d %.2f %.2f %.2f", INLINE, CROSSLINE, X + RANDOM.normal(0, 2, X.shape), Y, Z),
      "expected at most LatticeTolerance"),
     ("two_surveys", FIVE + rows("%d %d %.2f %.2f %.2f", INLINE, CROSSLINE, X + 50000.0, Y + 3000.0, Z),
+     "that may be their places but do not follow them"),
+    ("place_as_z", rows("%.2f %.2f %.2f", X - 600000.0, Y - 6070000.0, X),
      "expected Z of at most 99999: name the columns in Columns"),
     ("rounded_places_3", rows("%.0f %.0f %.2f", *place(3.125, 3.125), Z), "points without a lattice"),
+    ("local_noise", local(LOCAL[0] + RANDOM.normal(0, 40, X.shape), LOCAL[1] + RANDOM.normal(0, 40, X.shape)),
+     "that may be their places but do not follow them"),
+    ("local_bent", local(LOCAL[0] + (LOCAL[1] - 30000.0) ** 2 / 250.0, LOCAL[1]), "that may be their places but do not follow them"),
+    ("local_wrong_place", "".join([*local(*LOCAL).splitlines(True)[:420], "1014 2000 99.5 7.5 1500\n",
+                                   *local(*LOCAL).splitlines(True)[420:]]), "that may be their places but do not follow them"),
     ("two_z", "X Y TWT DEPTH\n" + rows("%.2f %.2f %.2f 7", X, Y, Z), "TWT and DEPTH that both could be Z"),
     ("no_z", "X Y THICKNESS\n" + XYZ, "expected Z, and X and Y"),
     ("decimal_commas", XYZ.replace(".", ","), "decimal commas, expected decimal points"),
@@ -110,6 +133,7 @@ REFUSED = [
 DOUBTED = [
     *[("null_%d" % value, with_null(value), "16 of 2000 picks with z %d, far from all others" % value)
       for value in (-999, -9999, -32768, 0, 9999)],
+    ("null_flat", rows("%.2f %.2f %d", X, Y, np.where(CROSSLINE < 2005, 0, 1500)), "200 of 2000 picks with z 0, far from"),
     ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0), "2000 of 4000 picks dropped, as there is another one")]
 
 
