@@ -360,7 +360,7 @@ class BatchTest(unittest.TestCase):
             self.assertTrue(path.is_file())
             return []
 
-        path = write("two.vsm", TWO_HORIZONS)
+        path = write("two.vsm", b"5 4 9\n" + b"3 1 1 0.5 4.0 6 2 1 0.5 8.0\n" * 20)
         with mock.patch.object(writing, "write_mesh", fail_at_the_second):
             self.assertEqual(self.run_batch([path])[:2], (1, ["error: disk full"]))
         self.assertEqual(list(self.output.iterdir()), [])
