@@ -87,25 +87,24 @@ double RoundStep(double step)
   return rounded * power;
 }
 
-double SuitableStep(const std::vector<LatticeHorizon>& horizons)
+double SuitableStep(const LatticeHorizon* horizons, std::size_t count)
 {
   std::size_t points = 0;
-  for (const LatticeHorizon& horizon : horizons)
+  for (std::size_t n = 0; n < count; ++n)
   {
-    points += horizon.RealZ.size();
+    points += horizons[n].RealZ.size();
   }
   DifferenceList differences(2 * points);
-  for (const LatticeHorizon& horizon : horizons)
+  for (std::size_t n = 0; n < count; ++n)
   {
-    differences.Add(horizon);
+    differences.Add(horizons[n]);
   }
   const double median = differences.Median();
   return median > 0.0 && std::isfinite(median) ? RoundStep(median) : 1.0;
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-VerticalSampling FindVerticalSampling(const std::vector<LatticeHorizon>& horizons, double step, const Monitor& monitor)
+/// Of some horizons together.
+VerticalSampling FindSampling(const LatticeHorizon* horizons, std::size_t count, double step)
 {
   if (!(step >= 0.0 && std::isfinite(step)))
   {
@@ -113,19 +112,18 @@ VerticalSampling FindVerticalSampling(const std::vector<LatticeHorizon>& horizon
     text << "VerticalStep " << step << ", expected a positive number, or 0 for one that suits the data";
     throw InputError(text.str());
   }
-  monitor.Progress(0.0);
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  for (const LatticeHorizon& horizon : horizons)
+  for (std::size_t n = 0; n < count; ++n)
   {
-    for (const double z : horizon.RealZ)
+    for (const double z : horizons[n].RealZ)
     {
       least = std::min(least, z);
       most = std::max(most, z);
     }
   }
   VerticalSampling sampling;
-  sampling.Step = step > 0.0 ? step : SuitableStep(horizons);
+  sampling.Step = step > 0.0 ? step : SuitableStep(horizons, count);
   if (!(least <= most))
   {
     return sampling;
@@ -141,5 +139,24 @@ VerticalSampling FindVerticalSampling(const std::vector<LatticeHorizon>& horizon
   }
   sampling.Indices = int(indices);
   return sampling;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<VerticalSampling> FindVerticalSamplings(
+  const std::vector<LatticeHorizon>& horizons, double step, const Monitor& monitor)
+{
+  monitor.Progress(0.0);
+  if (step != 0.0)
+  {
+    return std::vector<VerticalSampling>(horizons.size(), FindSampling(horizons.data(), horizons.size(), step));
+  }
+  std::vector<VerticalSampling> samplings;
+  for (const LatticeHorizon& horizon : horizons)
+  {
+    samplings.push_back(FindSampling(&horizon, 1, step));
+    monitor.Progress(double(samplings.size()) / double(horizons.size()));
+  }
+  return samplings;
 }
 }

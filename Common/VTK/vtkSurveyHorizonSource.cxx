@@ -36,7 +36,7 @@ bool AreNegative(const std::vector<LatticeHorizon>& horizons)
       { return std::all_of(horizon.RealZ.begin(), horizon.RealZ.end(), [](double z) { return z < 0.0; }); });
 }
 
-std::string Describe(const LatticeFrame& frame)
+std::string Describe(const LatticeFrame& frame, const std::vector<VerticalSampling>& samplings)
 {
   const SurveyLattice& lattice = frame.Lattice;
   std::ostringstream text;
@@ -51,9 +51,20 @@ std::string Describe(const LatticeFrame& frame)
   text.precision(3);
   text << "\npoints at most " << *frame.LatticeDeviation << " of a step off their columns";
   text.precision(10);
-  text << "\nvertical index 0 at " << frame.Sampling.First << ", steps of " << frame.Sampling.Step << " "
-       << (frame.Survey.VerticalUnit.empty() ? "(unit unknown)" : frame.Survey.VerticalUnit) << " to "
-       << (frame.Direction == VerticalDirection::Down ? "smaller" : "larger") << " world z";
+  if (samplings.empty())
+  {
+    return text.str();
+  }
+  const auto [least, most] = std::minmax_element(samplings.begin(), samplings.end(),
+    [](const VerticalSampling& one, const VerticalSampling& other) { return one.Step < other.Step; });
+  text << "\nvertical indices in steps of " << least->Step;
+  if (most->Step > least->Step)
+  {
+    text << " to " << most->Step;
+  }
+  text << " " << (frame.Survey.VerticalUnit.empty() ? "(unit unknown)" : frame.Survey.VerticalUnit) << " to "
+       << (frame.Direction == VerticalDirection::Down ? "smaller" : "larger") << " world z"
+       << (most->Step > least->Step ? ", as suits each horizon" : "");
   return text.str();
 }
 }
@@ -74,7 +85,7 @@ vtkSurveyHorizonSource::~vtkSurveyHorizonSource()
 void vtkSurveyHorizonSource::CheckParameters()
 {
   this->Superclass::CheckParameters();
-  FindVerticalSampling({}, this->VerticalStep);
+  FindVerticalSamplings({}, this->VerticalStep);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -90,7 +101,8 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   Override(frame.Survey.CoordinateSystem, this->CoordinateSystem);
   frame.Lattice = survey.Lattice;
   frame.LatticeDeviation = survey.LargestDistance;
-  frame.Sampling = FindVerticalSampling(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
+  const std::vector<VerticalSampling> samplings =
+    FindVerticalSamplings(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
   using Direction = SeismicHorizons::VerticalDirection;
   frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
   if (frame.Direction == Direction::Down && AreNegative(survey.Horizons))
@@ -102,11 +114,12 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
+    frame.Sampling = samplings[number];
     horizons.push_back(MakeHorizonPoints(std::move(survey.Horizons[number]), frame));
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   const std::string format = this->DescribeFormat();
-  this->Description = format + (format.empty() ? "" : "\n") + Describe(frame);
+  this->Description = format + (format.empty() ? "" : "\n") + Describe(frame, samplings);
   return horizons;
 }
 

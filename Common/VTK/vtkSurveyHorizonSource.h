@@ -8,7 +8,8 @@
  * work on. World x and y are those of the column, world z is z with the sign of VerticalDirection.
  *
  * The thresholds of the stages are in lattice units, of which the vertical step is one, so that z becomes vertical
- * indices, too: index 0 is the multiple of VerticalStep at the least z of all horizons, or just below.
+ * indices, too: index 0 is the multiple of the step at the least z, or just below; with VerticalStep 0 each horizon has a
+ * step and an index 0 of its own, else all have the same.
  *
  * Point data, one component each:
  * - SurfaceId (int): the number of the horizon, from 1
@@ -49,11 +50,11 @@ public:
   ///@{
   /**
    * The length of a vertical index, in which the stages count errors and thresholds. 0: one that suits the data, the
-   * rounded median of the differences in z between neighbouring columns. See "Vertical indices" in
+   * rounded median of the differences in z between neighbouring columns, for each horizon by itself. See "Vertical indices" in
    * HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
    *
-   * The median is of the differences that are not 0, over all horizons together, selected or not, rounded to the
-   * nearest of 1, 2 and 5 times a power of ten; 1 where there are none.
+   * The median is of the differences that are not 0, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where
+   * there are none.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);

@@ -241,7 +241,7 @@ void DescriptionTellsWhatWasFound()
   const std::string description = reader->GetDescription();
   for (const char* text : { "plain text, separated by commas: Name, X, Y, Inline, Crossline, Z, Amplitude\n",
          "2 x 3 columns from (501250, 6000200) in steps of (", "crosslines from 8 in steps of 2, inlines from 100 in",
-         "points at most ", "vertical index 0 at 10, steps of 2 (unit unknown) to smaller world z" })
+         "points at most ", "vertical indices in steps of 1 to 2 (unit unknown) to smaller world z, as suits each" })
   {
     if (!CHECK(description.find(text) != std::string::npos))
     {

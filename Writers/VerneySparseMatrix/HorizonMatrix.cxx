@@ -112,6 +112,13 @@ SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::array<double, 2> ReadVerticalScale(vtkPolyData* horizon)
+{
+  const Eigen::Matrix4d map = ReadLatticeMap(horizon);
+  return { map(2, 3), map(2, 2) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::optional<int> ReadSurfaceId(vtkPolyData* horizon)
 {
   vtkDataArray* const ids = FindArray(horizon, PointArray::SurfaceId);

@@ -6,6 +6,7 @@
 
 #include "VerneySparseMatrix/SparseMatrixParser.h"
 
+#include <array>
 #include <optional>
 
 class vtkPolyData;
@@ -14,6 +15,9 @@ namespace SeismicHorizons
 {
 /// The cells of the lattice of a horizon.
 SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon);
+
+/// World z of vertical index 0, and from each to the next.
+std::array<double, 2> ReadVerticalScale(vtkPolyData* horizon);
 
 /// The surface ID of a horizon by its points, which all have to have the same; none without such an array.
 std::optional<int> ReadSurfaceId(vtkPolyData* horizon);

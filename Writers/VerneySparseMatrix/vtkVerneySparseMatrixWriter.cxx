@@ -14,6 +14,7 @@
 
 #include <optional>
 #include <set>
+#include <sstream>
 
 using namespace SeismicHorizons;
 
@@ -53,6 +54,16 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
         const SparseMatrixSize size = ReadMatrixSize(horizon.Data);
         CountColumns(size[0], size[1], horizon.Data->GetNumberOfPoints());
         matrix.Size = given.empty() ? size : matrix.Size;
+        const std::array<double, 2> scale = ReadVerticalScale(horizon.Data);
+        const std::array<double, 2> first = ReadVerticalScale(horizons.front().Data);
+        if (scale != first)
+        {
+          std::ostringstream text;
+          text << "vertical indices from " << scale[0] << " in steps of " << scale[1] << ", expected from " << first[0]
+               << " in steps of " << first[1] << " as in " << horizons.front().Name
+               << "; with VerticalStep, readers give all horizons the same";
+          throw InputError(text.str());
+        }
         if (size != matrix.Size)
         {
           throw InputError("a lattice of " + ToText(size) + " cells, expected " + ToText(matrix.Size) + " as in " +

@@ -7,7 +7,7 @@
  * Takes horizons whose points stand on whole columns of their lattice: as a reader gives them, as Threshold or Clip
  * leave parts of them, or with their exterior boundary. Points that were merged stand on no column any more, and are
  * refused. The lattice is that of the field data LatticeDimensions and LatticeToWorld; all horizons have to have as
- * many cells. Where it lies in the world is not part of the format.
+ * many cells, and the same vertical indices. Where it lies in the world is not part of the format.
  *
  * Each point becomes a voxel, by the point arrays that the reader gives:
  * - SurfaceId, the same at all points of a horizon and different in each; a horizon without it gets the least positive
