@@ -11,8 +11,11 @@ import re
 import sys
 import unittest
 
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
 import seismichorizons as sh
-from seismichorizons import pipeline, stage, writing
+from seismichorizons import options, pipeline, stage, writing
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 
@@ -24,14 +27,24 @@ def load_program():
     return program
 
 
+def horizon_in(unit):
+    """One without points, whose z have a unit."""
+    horizon = vtkPolyData()
+    name = vtkStringArray()
+    name.SetName("VerticalUnit")
+    name.InsertNextValue(unit)
+    horizon.GetFieldData().AddArray(name)
+    return horizon
+
+
 class OptionsTest(unittest.TestCase):
     def settings(self, *arguments):
         program = load_program()
-        return program.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
+        return options.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
 
     def test_defaults(self):
-        """Without options every property has the default of its class."""
-        settings = self.settings("--elaborate", "--measure-error")
+        """Without options every property has the default of its class, and the largest error is what is recommended."""
+        settings = self.settings("--stages", "--elaborate", "--measure-error")
         classes = {"reader": "vtkVerneySparseMatrixReader", "error": "vtkHorizonSurfaceDistance", **pipeline.STAGES}
         for name, class_name in classes.items():
             properties = getattr(settings, name)
@@ -41,16 +54,27 @@ class OptionsTest(unittest.TestCase):
                 self.assertEqual(*values, "%s of %s" % (key, class_name))
         self.assertIsNone(settings.horizons)
         self.assertEqual(load_program().FORMATS, writing.FORMATS)
+        usual = self.settings()
+        self.assertEqual(usual.surface["MaximumError"], stage.make("vtkHorizonSurface").GetMaximumError())
+
+    def test_reader(self):
+        reader = self.settings("--corners", *map(str, range(12)), "--vertical-unit", "ms", "--stray-picks", "LeaveOut").reader
+        self.assertEqual(reader["LatticeSource"], "CornerPoints")
+        self.assertEqual([reader[name] for name in ("FirstCorner", "SecondCorner", "ThirdCorner")],
+                         [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]])
+        self.assertEqual((reader["VerticalUnit"], reader["StrayPicks"]), ("ms", "LeaveOut"))
+        text = stage.make("vtkHorizonTextReader", **{name: value for name, value in reader.items() if name != "StrayPicks"})
+        self.assertEqual(text.GetSecondCorner(), (4, 5, 6, 7))
 
     def test_left_out(self):
-        settings = self.settings("--skip-rough", "--horizons", "3", "1")
+        settings = self.settings("--stages", "--skip-rough", "--horizons", "3", "1")
         self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))
         self.assertEqual(settings.horizons, ["3", "1"])
-        self.assertIsNotNone(self.settings().rough)
+        self.assertIsNotNone(self.settings("--stages").rough)
         self.assertFalse(self.settings().leave_out_invalid)
 
     def test_given(self):
-        settings = self.settings("--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
+        settings = self.settings("--stages", "--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
                                  "--elaborate-cell-size", "6", "--representative", "NearestPoint")
         self.assertEqual((settings.boundary["Radius"], settings.boundary["GrowthStrategy"]), (2, "Distance"))
         for _, algorithm in self.settings("--leave-out-invalid").make_stages():
@@ -60,7 +84,7 @@ class OptionsTest(unittest.TestCase):
 
     def test_fill_holes(self):
         self.assertIsNone(self.settings().filled)
-        for target in ((), ("--largest-error", "1")):
+        for target in (("--stages",), ("--largest-error", "1")):
             name, filling = self.settings("--fill-holes", "40", *target).make_stages()[0]
             self.assertEqual((name, filling.GetLargestHoleSize()), ("filled", 40))
 
@@ -75,25 +99,32 @@ class OptionsTest(unittest.TestCase):
     def test_fault_files(self):
         """Alone nothing is detected, with --cut-faults both are done."""
         line_file = str(pathlib.Path(__file__).resolve().parents[1] / "Fuzz/Corpus/FuzzFaultLines/irap.pol")
-        for options, detects, sticks in ((["--fault-lines", line_file], False, False),
+        for words, detects, sticks in ((["--fault-lines", line_file], False, False),
                                          (["--fault-sticks", line_file, "--cut-faults", "3"], True, True)):
-            settings = self.settings(*options)
+            settings = self.settings(*words)
             faults = dict(settings.make_stages())["torn"]
             self.assertEqual((faults.GetDetect(), faults.GetLineType() == faults.Sticks), (detects, sticks))
             self.assertGreater(settings.fault_lines.GetNumberOfLines(), 0)
 
-    def test_height_unit(self):
-        """That of all heights that are given."""
-        for unit in ("Lattice", "World"):
-            stages = dict(self.settings("--cut-faults", "30", "--despike", "0", "--largest-error", "2", "--height-unit",
-                                        unit).make_stages())
+    def test_height_units(self):
+        """Heights without a unit are vertical indices; others come in the unit of the horizon."""
+        heights = ("--cut-faults", "30%s", "--despike", "0%s", "--largest-error", "2%s")
+        for unit, known, scale in (("", "ms", 1.0), ("ms", "ms", 1.0), ("ms", "s", 0.001), ("s", "ms", 1000.0), ("m", "", 1.0),
+                                   ("ft", "m", 0.3048), ("m", "ft", 1.0 / 0.3048)):
+            settings = self.settings(*(word % unit if "%" in word else word for word in heights))
+            stages = dict(settings.in_unit_of(horizon_in(known)).make_stages())
             found = (stages["despiked"].GetThresholdUnit(), stages["torn"].GetThrowUnit(), stages["mesh"].GetErrorUnit())
-            self.assertEqual(found, (unit == "World",) * 3)
-            self.assertEqual((stages["despiked"].GetThreshold(), stages["torn"].GetSmallestThrow()), (0.0, 30.0))
+            self.assertEqual(found, (bool(unit),) * 3)
+            self.assertEqual(stages["torn"].GetSmallestThrow(), 30.0 * scale)
+            self.assertEqual((stages["despiked"].GetThreshold(), stages["mesh"].GetMaximumError()), (0.0, 2.0 * scale))
+        for unit, expected in (("m", "m or ft"), ("ms", "ms or s"), ("km", "a number without unit")):
+            said = "ms" if unit == "m" else "ft"
+            with self.assertRaisesRegex(stage.HorizonError, "2%s for z in %s, expected %s" % (said, unit, expected)):
+                self.settings("--largest-error", "2" + said).in_unit_of(horizon_in(unit))
 
     def test_close_faults(self):
         """The stage that makes the mesh closes it."""
-        for target in ((), ("--largest-error", "1")):
+        for target in (("--stages",), ("--largest-error", "1")):
             for close in (False, True):
                 settings = self.settings("--cut-faults", "3", *target, *(["--close-faults"] if close else []))
                 name, mesher = settings.make_stages()[-1]
@@ -115,7 +146,7 @@ class OptionsTest(unittest.TestCase):
             self.assertFalse(getattr(surface, "GetAutomatic" + key)())
         self.assertEqual((surface.GetMinimumPatchSize(), surface.GetGrowthStrategy()), (9, surface.Distance))
         self.assertEqual(surface.GetInvalidHorizons(), sh.vtkHorizonStage.LeaveOut)
-        self.assertIsNone(self.settings("--radius", "2").surface)
+        self.assertIsNone(self.settings("--stages", "--radius", "2").surface)
 
     def test_triangles(self):
         (_, surface), = self.settings("--triangles", "5000").make_stages()
@@ -124,7 +155,7 @@ class OptionsTest(unittest.TestCase):
         self.assertTrue(surface.GetAutomaticRadius())
 
     def test_fewest_outline_points(self):
-        settings = self.settings("--fewest-outline-points", "--outline-tolerance", "0.5")
+        settings = self.settings("--stages", "--fewest-outline-points", "--outline-tolerance", "0.5")
         self.assertEqual(settings.simplified["Method"], "FewestPoints")
         self.assertEqual(settings.simplified["OutlineTolerance"], 0.5)
         straight = dict(settings.make_stages())["simplified"]
@@ -137,9 +168,9 @@ class OptionsTest(unittest.TestCase):
         read_me = (root / "README.md").read_text(encoding="utf-8")
         pages = [read_me, *(path.read_text(encoding="utf-8") for path in (root / "Documentation").glob("*.md"))]
         lines = [line for page in pages for line in page.splitlines() if "horizon_mesh.py" in line]
-        options = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
-        self.assertIn("--measure-error", options)
-        for word in {*options, "--leave-out-invalid", "--triangles"}:
+        named = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
+        self.assertIn("--measure-error", named)
+        for word in {*named, "--leave-out-invalid", "--triangles"}:
             self.assertIn(word, help_text)
         for word in ("x_horizon_1.vtp", "x_error.csv", "a_x.png", "b_x.png", "130", "143", "--leave-out-invalid"):
             self.assertTrue(word in help_text and word in read_me, word)

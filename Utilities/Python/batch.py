@@ -16,6 +16,8 @@ import tempfile
 import time
 
 from . import figures, interrupt, pipeline, reading, tables, writing
+from .found import Found
+from .found import written as written_line
 from .memory import Budget
 from .parts import Windows
 from .stage import HorizonError
@@ -30,30 +32,29 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True):
     """Does all files, and those of folders. What is wrong with one goes to the record (record.Record), and the others are
     done all the same. Raises HorizonError or OSError when none can be done."""
     record.begin(settings)
-    files = find_files(inputs)
+    files = find_files(inputs, record)
     labels = make_labels(files)
-    if with_pictures:
-        check_display()
     with _workspace(output_folder) as workspace:
-        for path, label in zip(files, labels):
+        for path, label, stem in zip(files, labels, make_stems(labels)):
             record.begin_file(path, label)
             try:
-                lines = process(path, label, workspace, settings, with_pictures, record)
+                lines = process(path, label, stem, workspace, settings, with_pictures, record)
                 if prints:
                     print_lines(lines)
             except (HorizonError, OSError) as error:
                 record.fail_file(error)
 
 
-def find_files(inputs):
-    """The files among the inputs, and those in the folders among them that a reader knows. Raises HorizonError or
-    OSError."""
+def find_files(inputs, record):
+    """The files among the inputs, and those in the folders among them that a reader knows. A folder without any goes to
+    the record. Raises HorizonError or OSError."""
     files = []
     for path in inputs:
         if os.path.isdir(path):  # false where a name is too long; its reader tells that
             found = sorted(file for file in path.iterdir() if file.is_file() and reading.find_reader(file))
             if not found:
-                raise HorizonError("%s: there is no file of horizons in this folder" % path)
+                record.begin_file(path, path)
+                record.fail_file("%s: there is no file of horizons in this folder" % path)
             files.extend(found)
         else:
             files.append(path)
@@ -70,8 +71,8 @@ def make_labels(files):
     while True:
         before, labels = labels, [pathlib.PurePath(*place[-length:]) for place, length in zip(places, lengths)]
         users = collections.defaultdict(list)
-        for number, label in enumerate(labels):
-            users[_stem(label)].append(number)
+        for number, stem in enumerate(make_stems(labels)):
+            users[stem].append(number)
         twins = [numbers for numbers in users.values() if len(numbers) > 1]
         if not twins:
             return labels
@@ -84,11 +85,19 @@ def make_labels(files):
             lengths[number] += 1
 
 
-def _stem(label):
-    """What the names of results start with: `a_x` for `a/x.vsm` and for `a/x.vsm.gz`."""
+def make_stems(labels):
+    """What the names of results start with: `a_x` for `a/x.vsm` and for `a/x.vsm.gz`; `x_dat` and `x_map` for files that
+    differ in nothing else."""
+    short = [_without_extension(label) for label in labels]
+    users = collections.Counter(short)
+    return ["_".join(stem.parts) + (label.name[len(stem.name):].replace(".", "_") if users[stem] > 1 else "")
+            for label, stem in zip(labels, short)]
+
+
+def _without_extension(label):
     if label.suffix.lower() == ".gz":
         label = label.with_suffix("")
-    return "_".join(label.with_suffix("").parts)
+    return label.with_suffix("")
 
 
 @contextlib.contextmanager
@@ -139,32 +148,43 @@ def _remove_abandoned(output_folder):
                     shutil.rmtree(folder, ignore_errors=True)
 
 
-def process(path, label, workspace, settings, with_pictures, record):
+def process(path, label, stem, workspace, settings, with_pictures, record):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns what
     there is to print. Raises HorizonError or OSError."""
     supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), **settings.reader)
-    names = _Names(_stem(label), supply.names, settings, with_pictures)
+    _require_scale(label, supply, settings)
+    names = _Names(stem, supply.names, settings, with_pictures)
     names.check(workspace.parent)
+    found = Found()
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
-        results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder))
+        results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
         lines = _write(results, names, pathlib.Path(folder))
         interrupt.check()
         written = sorted(os.listdir(folder))
         for name in written:
             os.replace(os.path.join(folder, name), workspace.parent / name)
     record.end_file(supply, written)
-    return ["%s: read in %.2f s" % (label, supply.seconds), *("  " + line for line in tables.table(results)), *lines]
+    lines = [*found.lines(supply.origin, settings), *tables.table(results), *lines, written_line(written, workspace.parent)]
+    return ["%s: read in %.2f s" % (label, supply.seconds), *(("  " + line).rstrip() for line in lines)]
 
 
-def _run_stages(label, supply, settings, record, names, folder):
+def _require_scale(label, supply, settings):
+    """Raises HorizonError where heights have a unit, and nothing says how long a vertical index is."""
+    if settings.said_unit() and reading.counts_indices(supply.origin["format"], settings.reader):
+        raise HorizonError("%s: an error or threshold in %s, and z in vertical indices, expected --vertical-step with the "
+                           "length of one" % (label, settings.said_unit()))
+
+
+def _run_stages(label, supply, settings, record, names, folder, found):
     """The results of all horizons but those left out, which are written at once. Where horizons are not in memory all at
-    once, only their meshes are kept."""
+    once, only their meshes are kept. What was found in the file is added up."""
     results = []
     for name, points in supply:
         if isinstance(points, Windows):
             result = pipeline.run_windows(label, points, settings)
         else:
             result = pipeline.run(label, name, points, settings)
+        found.add(result.data.get("points", result.data["mesh"]))
         del points
         for warning in result.warnings:
             record.warn("%s: %s" % (label, warning))
@@ -192,7 +212,8 @@ class _Names:
         self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
         has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
-        self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats] if has_surfaces else []
+        self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
+                       if form in writing.MESH_FORMATS] if has_surfaces else []
 
     def check(self, folder):
         """Files there will be replaced, folders can not be. Raises HorizonError."""
@@ -221,7 +242,7 @@ def _mesh_stems(stem, names):
 
 def _write_mesh(result, names, folder, record):
     for name in names.meshes[result.name]:
-        for warning in writing.write_mesh(result.data["mesh"], folder / name, result.name):
+        for warning in writing.write(result, folder / name):
             record.warn("%s: %s" % (name, warning))
 
 
@@ -237,7 +258,7 @@ def _write(results, names, folder):
         from . import overview
 
         if len(results) > overview.MOST_ROWS:
-            lines.append("  the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results)))
+            lines.append("the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results)))
         overview.write(results, folder / name)
     return lines
 
@@ -252,15 +273,23 @@ def print_lines(lines):
         raise HorizonError("the table can not be printed: %s" % error.strerror) from None
 
 
-def check_display():
-    """Raises HorizonError where there is no X server: VTK ends the program then, better to say so before any work."""
+def has_display():
+    """Whether pictures can be drawn: where there is no X server, VTK ends the program, but for one that needs none."""
     library = ctypes.util.find_library("X11") or "libX11.so.6"
     try:
         x11 = ctypes.CDLL(library)
     except OSError:
-        return
+        return _draws_without_display()
     x11.XOpenDisplay.restype = ctypes.c_void_p
     display = x11.XOpenDisplay(None)
     if not display:
-        raise HorizonError("pictures need an X server; start one with Utilities/with-xvfb.sh, or use --no-pictures")
+        return _draws_without_display()
     x11.XCloseDisplay(ctypes.c_void_p(display))
+    return True
+
+
+def _draws_without_display():
+    from vtkmodules import vtkRenderingOpenGL2  # noqa: F401: makes windows
+    from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+    return not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow")

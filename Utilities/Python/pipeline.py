@@ -12,12 +12,12 @@ Or straight from points to a mesh, with the parameters that were chosen:
 """
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Optional
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import parts
+from . import heights, parts, writing
 from .parts import SURFACE
 from .reading import read, read_first  # noqa: F401: the first step of a pipeline
 from .stage import HorizonError, apply, make, update
@@ -47,7 +47,7 @@ class Settings:
     `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
     meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
-    left; horizons are read as many at a time as fit. With `error_if_whole` the error of a horizon that is larger than memory,
+    left; horizons are read as many at a time as fit. Heights may have units (heights.Height). With `error_if_whole` the error of a horizon that is larger than memory,
     which can not be measured, is not asked for."""
 
     reader: dict = field(default_factory=dict)
@@ -79,8 +79,23 @@ class Settings:
     def can_cut(self):
         """Whether a horizon that is larger than memory can be meshed in windows."""
         by_error = self.surface is not None and self.surface.get("Target") != "NumberOfTriangles"
-        can_go_without = self.error is None or self.error_if_whole
+        can_go_without = (self.error is None or self.error_if_whole) and not writing.POINT_FORMATS.keys() & set(self.formats)
         return by_error and can_go_without and all(getattr(self, name) is None for name in PREPARATIONS)
+
+    def said_unit(self):
+        """That of the heights, empty where they have none."""
+        return next((value.unit for properties in (self.despiked, self.torn, self.surface) if properties
+                     for value in properties.values() if getattr(value, "unit", "")), "")
+
+    def plain_error(self):
+        """The largest error in vertical indices; None where it is in another unit, or not what was asked for."""
+        error = self.surface and self.surface.get("MaximumError")
+        return None if error is None or getattr(error, "unit", "") else error
+
+    def in_unit_of(self, horizon):
+        """The same with heights in the unit of z of a horizon. Raises HorizonError."""
+        return replace(self, **{name: heights.in_unit_of(getattr(self, name), horizon)
+                                for name in ("despiked", "torn", "surface") if getattr(self, name) is not None})
 
     def make(self, class_name, properties):
         """A stage, or the measure."""
@@ -162,6 +177,10 @@ def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=Non
 def run(source, name, points, settings):
     """Runs all stages on the points of a horizon. Raises HorizonError."""
     result = Result(source, name, points)
+    try:
+        settings = settings.in_unit_of(points)
+    except HorizonError as error:
+        raise HorizonError("%s: %s: %s" % (source, name, error)) from None
     data = points
     for stage, algorithm in settings.make_stages():
         algorithm.SetInputDataObject(0, data)

@@ -9,23 +9,33 @@
 import os
 import pathlib
 
-from . import cubes
+from . import cubes, geotiff
 from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
+LOOKED_AT = 4096  # bytes of the beginning of a file that no reader knows
+SPARSE = "sparse voxels"
 # With what they read, in the order they are asked.
 READERS = {
-    "vtkVerneySparseMatrixReader": "sparse voxels",
+    "vtkVerneySparseMatrixReader": SPARSE,
     "vtkHorizonGridReader": "grid",
     cubes.READER: "seismic cube",
+    geotiff.SOURCE: "GeoTIFF",
     "vtkHorizonTextReader": "text"}
 # Says what is wrong with a file that none of them knows.
 LAST_READER = "vtkHorizonTextReader"
 
 
+def counts_indices(form, properties):
+    """Whether the z of a format, read with some properties, are vertical indices, of which nothing tells how long one is."""
+    return form == SPARSE and not {"VerticalStep", "Elevation"} & set(properties)
+
+
 def find_reader(path):
     """The name of the class that reads a file, by what is in it. None when there is none."""
-    return next((name for name in READERS if make(name).CanReadFile(os.fsencode(path))), None)
+    if geotiff.is_one(path):
+        return geotiff.SOURCE
+    return next((name for name in READERS if name != geotiff.SOURCE and make(name).CanReadFile(os.fsencode(path))), None)
 
 
 def require_text(path):
@@ -41,15 +51,31 @@ def open_file(path, **properties):
     such property."""
     require_text(path)
     name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else LAST_READER)
+    if name == LAST_READER:
+        _require_readable(path)
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
-    reader = make(name, FileName=str(path))
+    reader = geotiff.open_file(pathlib.Path(path)) if name == geotiff.SOURCE else make(name, FileName=str(path))
     properties = _with_lattice(reader, properties)
     for name in properties:
         if not hasattr(reader, "Set" + name):
             raise HorizonError("%s: its format leaves no choice of %s" % (path, name))
     configure(reader, **properties)
     return reader
+
+
+def _require_readable(path):
+    """Raises HorizonError on what is no text, and on surfaces: the text reader would miss numbers in them."""
+    try:
+        with open(path, "rb") as file:
+            beginning = file.read(LOOKED_AT)
+    except OSError:
+        return  # its reader tells that
+    if beginning.startswith(b"GOCAD"):
+        raise HorizonError("%s: a surface of triangles or lines of GOCAD, expected points of horizons, a grid or a cube; "
+                           "--fault-lines and --fault-sticks take its lines" % path)
+    if b"\0" in beginning.rstrip(b"\0") or beginning.startswith((b"%PDF", b"PK\3\4")):
+        raise HorizonError("%s: not a format that is known, expected points of horizons, a grid or a cube" % path)
 
 
 def _with_lattice(reader, properties):
@@ -80,8 +106,9 @@ def describe(source):
     """What there is to say of a file that was opened: the kind of its format, what the reader has found as lines, and how
     many horizons it has."""
     reader = source.GetInputAlgorithm() if cubes.is_extraction(source) else source
-    return {"format": READERS[reader.GetClassName()],
-            "description": reader.GetDescription().splitlines() if hasattr(reader, "GetDescription") else [],
+    form = READERS[reader.GetClassName()]
+    lines = reader.GetDescription().splitlines() if hasattr(reader, "GetDescription") else []
+    return {"format": form, "description": [form, *lines] if reader.GetClassName() == geotiff.SOURCE else lines,
             "horizons_in_file": source.GetNumberOfHorizons()}
 
 
@@ -99,6 +126,8 @@ def read_source(source, path, horizons=None):
              if source.GetHorizonStatus(name)]
     if not found:
         raise HorizonError("%s: there is no point to work on" % path)
+    if source.GetClassName() == geotiff.SOURCE:  # whose horizon has no name but that of its file
+        found = [(path.stem, points) for _, points in found]
     return found, seconds
 
 

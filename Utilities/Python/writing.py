@@ -14,12 +14,27 @@ from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPo
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
+from . import geotiff
 from .stage import HorizonError, make, update
 
 
 # How far coordinates of a mesh may be off in single precision, as a part of a column step, without a word.
 LARGEST_ROUNDING = 0.01
-FORMATS = ("vtp", "ts", "stl", "ply", "obj")
+MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
+GRID_FORMATS = ("irap", "gri", "zmap", "tif")  # of meshes, by the columns that they cover
+POINT_FORMATS = {"dat": "vtkHorizonTextWriter", "vsm": "vtkVerneySparseMatrixWriter"}
+FORMATS = (*MESH_FORMATS, *GRID_FORMATS, *POINT_FORMATS)
+
+
+def write(result, path):
+    """Writes a result (pipeline.Result) in the format of the extension of its file: its mesh, or the points that the mesh
+    was made of. Returns warnings. Raises HorizonError."""
+    form = path.suffix[1:]
+    if form not in POINT_FORMATS:
+        return write_mesh(result.data["mesh"], path, result.name)
+    points = next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
+    _run(make(POINT_FORMATS[form]), _named(points, result.name), path)
+    return []
 
 
 def write_mesh(mesh, path, name):
@@ -28,7 +43,16 @@ def write_mesh(mesh, path, name):
     if form == "vtp":
         write_vtp(mesh, path)
         return []
-    writer = _make_writer(form, name, mesh)
+    if form == "tif":
+        return geotiff.write(mesh, path)
+    writer, data = _make_writer(form, name, mesh)
+    _run(writer, data, path)
+    return _rounding_warnings(mesh) if form == "ply" else []
+
+
+def _run(writer, data, path):
+    """Writes a file. Raises HorizonError."""
+    writer.SetInputDataObject(0, data)
     writer.SetFileName(str(path))
     try:
         update(writer, "%s: writing" % path.name)
@@ -37,7 +61,6 @@ def write_mesh(mesh, path, name):
     if writer.GetErrorCode():
         reason = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
         raise HorizonError("%s can not be written: %s" % (path.name, reason))
-    return _rounding_warnings(mesh) if form == "ply" else []
 
 
 def write_vtp(mesh, path):
@@ -52,11 +75,10 @@ def write_vtp(mesh, path):
 
 
 def _make_writer(form, name, mesh):
-    """A writer of a format with its input. Raises HorizonError."""
-    if form == "ts":
-        writer = make("vtkGOCADTSurfWriter")
-        writer.SetInputDataObject(0, _named(mesh, name))
-        return writer
+    """A writer of a format, and its input. Raises HorizonError."""
+    own = {"ts": "vtkGOCADTSurfWriter", "dxf": "vtkHorizonDXFWriter"}
+    if form in own or form in GRID_FORMATS:
+        return make(own.get(form, "vtkHorizonGridWriter")), _named(mesh, name)
     # Loads libraries that are not needed otherwise.
     from vtkmodules import vtkIOGeometry, vtkIOPLY
 
@@ -66,8 +88,7 @@ def _make_writer(form, name, mesh):
     triangles = vtkPolyData()
     triangles.SetPoints(mesh.GetPoints())
     triangles.SetPolys(mesh.GetPolys())
-    writer.SetInputDataObject(0, triangles)
-    return writer
+    return writer, triangles
 
 
 def _named(mesh, name):

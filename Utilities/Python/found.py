@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a file was taken for, in a few lines, so that a wrong guess is seen: columns, lattice, heights, what was left out."""
+
+import math
+
+from . import figures, reading
+
+MOST_NAMES = 4  # of files that are written
+
+
+class Found:
+    """Of one file, whose horizons come one after the other."""
+
+    def __init__(self):
+        self._surveys = []
+        self._bounds = []
+
+    def add(self, horizon):
+        """A horizon as it was read, or the mesh of one that is larger than memory."""
+        self._surveys.append(figures.survey(horizon))
+        self._bounds.append(horizon.GetBounds()[4:6])
+
+    def lines(self, origin, settings):
+        """`origin` is what reading.describe says of the file."""
+        what = origin["description"][:1] or [origin["format"]]
+        return [*what, *self._lattice(), self._heights(origin["format"], settings)]
+
+    def _lattice(self):
+        survey = self._surveys[0]
+        lattice = survey["lattice"]
+        if not lattice:
+            return []
+        steps = lattice["column_step"][:2], lattice["row_step"][:2]
+        lines = "crosslines and inlines" if survey["line_numbers"] else "columns and rows"
+        return ["%d x %d %s, %.7g x %.7g apart, the first axis %.4g degrees from north" % (
+            *lattice["columns"][:2], lines, *(math.hypot(*step) for step in steps),
+            math.degrees(math.atan2(*steps[0])) % 360.0)]
+
+    def _heights(self, form, settings):
+        """The range of z as in the file, and what a vertical index is."""
+        survey = self._surveys[0]
+        down = survey["vertical_direction"] == "down"
+        least, most = min(b[0] for b in self._bounds), max(b[1] for b in self._bounds)
+        if down:
+            least, most = -most, -least
+        unit = survey["vertical_unit"] or settings.said_unit() or (
+            "vertical indices" if reading.counts_indices(form, settings.reader) else "(unit unknown)")
+        steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
+        words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")]
+        if steps:
+            words.append("vertical step %s" % _range(steps))
+            error = settings.plain_error()
+            if error is not None:
+                words.append("error %g = %s" % (error, _range([error * step for step in steps])))
+        left_out = [(sum(s[key] or 0 for s in self._surveys), what) for key, what in
+                    (("dropped_duplicates", "duplicates"), ("dropped_nulls", "without z"))]
+        words += ["%d %s left out" % pair for pair in left_out if pair[0]]
+        return "; ".join(words)
+
+
+def _range(values):
+    least, most = values[0], values[-1]
+    return "%.6g" % least if least == most else "%.6g to %.6g" % (least, most)
+
+
+def written(names, folder):
+    """A line with the names of the results."""
+    shown = names if len(names) <= MOST_NAMES else [*names[:MOST_NAMES], "..."]
+    return "%d file%s in %s: %s" % (len(names), "" if len(names) == 1 else "s", folder, ", ".join(shown))

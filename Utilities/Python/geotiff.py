@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Horizons from and to GeoTIFF, by GDAL where it is installed: a value in the middle of each cell, on a lattice that may
+be turned."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .stage import HorizonError, make, update
+
+SOURCE = "vtkHorizonFromPoints"
+BEGINNINGS = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
+NULL = 1e30
+
+
+def _load(path):
+    """GDAL, with exceptions. Raises HorizonError."""
+    try:
+        from osgeo import gdal, osr
+    except ImportError:
+        raise HorizonError("%s: GeoTIFF is read and written by GDAL for Python, expected that it is installed, as by the "
+                           "package python3-gdal" % path.name) from None
+    gdal.UseExceptions()
+    osr.UseExceptions()
+    return gdal, osr
+
+
+def is_one(path):
+    """Whether a file begins as TIFF does."""
+    try:
+        with open(path, "rb") as file:
+            return file.read(4) in BEGINNINGS
+    except OSError:
+        return False
+
+
+def open_file(path):
+    """The source of the one horizon of a file: its first band. Raises HorizonError."""
+    gdal, osr = _load(path)
+    try:
+        file = gdal.Open(str(path))
+        x, dx, rx, y, dy, ry = file.GetGeoTransform(can_return_null=True) or (None,) * 6
+        values, null = file.GetRasterBand(1).ReadAsArray().astype(float), file.GetRasterBand(1).GetNoDataValue()
+        system = file.GetSpatialRef()
+    except RuntimeError as error:
+        raise HorizonError("%s: GDAL does not read it: %s" % (path.name, error)) from None
+    if x is None:
+        raise HorizonError("%s: a picture without places, expected a GeoTIFF with a transform" % path.name)
+    if file.RasterCount != 1 or values.ndim != 2:
+        raise HorizonError("%s: %d bands, expected one of heights" % (path.name, file.RasterCount))
+    is_value = np.isfinite(values) & (True if null is None else values != null)
+    j, i = np.nonzero(is_value)
+    if not len(i):
+        raise HorizonError("%s: there is no point to work on" % path)
+    places = np.column_stack((x + (i + 0.5) * dx + (j + 0.5) * rx, y + (i + 0.5) * dy + (j + 0.5) * ry, values[is_value]))
+    points = vtkPolyData()
+    points.SetPoints(vtkPoints())
+    points.GetPoints().SetData(numpy_to_vtk(places, deep=True))
+    source = make(SOURCE, LatticeSource="OriginAndSteps", Origin=places[0, :2], ColumnStep=(dx, dy), RowStep=(rx, ry))
+    source.SetInputDataObject(points)
+    if system is not None:
+        authority = system.GetAuthorityCode(None)
+        source.SetCoordinateSystem("EPSG:%s" % authority if authority else system.GetName())
+    return source
+
+
+def write(mesh, path):
+    """Writes the heights of a mesh, on the columns that it covers, as in the file that its horizon comes from. Returns
+    warnings. Raises HorizonError."""
+    gdal, osr = _load(path)
+    grid = path.with_suffix(".irap")
+    writer = make("vtkHorizonGridWriter", FileName=str(grid))
+    writer.SetInputDataObject(0, mesh)
+    update(writer, "%s: sampling" % path.name)
+    reader = make("vtkHorizonGridReader", FileName=str(grid), VerticalDirection="Up")
+    update(reader)
+    grid.unlink()
+    points = reader.GetOutputDataObject(0).GetPartition(0, 0)
+    data = points.GetFieldData()
+    step_x, row_x, _, x, step_y, row_y, _, y = vtk_to_numpy(data.GetArray("LatticeToWorld")).ravel()[:8]
+    columns, rows = (int(n) for n in vtk_to_numpy(data.GetArray("LatticeDimensions")).ravel()[:2])
+    values = np.full((rows, columns), NULL)
+    column = vtk_to_numpy(points.GetPointData().GetArray("Column"))
+    values[column[:, 1], column[:, 0]] = vtk_to_numpy(points.GetPoints().GetData())[:, 2]
+    try:
+        file = gdal.GetDriverByName("GTiff").Create(str(path), columns, rows, 1, gdal.GDT_Float64, ["COMPRESS=DEFLATE"])
+        # The lattice has the middle of its first cell, a transform its corner.
+        file.SetGeoTransform((x - (step_x + row_x) / 2.0, step_x, row_x, y - (step_y + row_y) / 2.0, step_y, row_y))
+        file.GetRasterBand(1).SetNoDataValue(NULL)
+        file.GetRasterBand(1).WriteArray(values)
+        warnings = _set_system(file, mesh, osr)
+        file.FlushCache()
+        del file
+    except RuntimeError as error:
+        raise HorizonError("%s can not be written: %s" % (path.name, error)) from None
+    return warnings
+
+
+def _set_system(file, mesh, osr):
+    """Returns warnings."""
+    name = mesh.GetFieldData().GetAbstractArray("CoordinateSystem")
+    if name is None or not name.GetNumberOfValues():
+        return ["no coordinate system; --coordinate-system says which, as EPSG:23031"]
+    system = osr.SpatialReference()
+    try:
+        system.SetFromUserInput(name.GetValue(0))
+        file.SetSpatialRef(system)
+    except RuntimeError:
+        return ["the coordinate system %s is none that GDAL knows; --coordinate-system says which, as EPSG:23031" %
+                name.GetValue(0)]
+    return []

@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Heights that are given in a unit, for horizons whose z may be in another one: numbers with an attribute `unit`."""
+
+from .stage import HorizonError
+
+# What units measure, and the size of each.
+UNITS = {"ms": ("time", 0.001), "s": ("time", 1.0), "m": ("length", 1.0), "ft": ("length", 0.3048)}
+
+
+def unit_of(horizon):
+    """The unit of z, by the field data; empty where it is not known."""
+    data = horizon.GetFieldData().GetAbstractArray("VerticalUnit")
+    return data.GetValue(0) if data is not None and data.GetNumberOfValues() else ""
+
+
+def in_unit_of(properties, horizon):
+    """Properties with heights in the unit of z of a horizon. One whose unit is not known is taken to be in theirs. Raises
+    HorizonError."""
+    return {name: _convert(value, unit_of(horizon)) if getattr(value, "unit", "") else value
+            for name, value in properties.items()}
+
+
+def _convert(height, unit):
+    if unit in ("", height.unit):
+        return float(height)
+    measure, size = UNITS.get(unit, (None, None))
+    own_measure, own_size = UNITS[height.unit]
+    if measure != own_measure:
+        raise HorizonError("%s for z in %s, expected %s (--vertical-unit says what z is in)" % (
+            height, unit, " or ".join(name for name in UNITS if UNITS[name][0] == measure) or "a number without unit"))
+    return height * own_size / size

@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the options of the program horizon_mesh.py mean for the reader and for each stage."""
+
+from .pipeline import CHOSEN, Settings, fault_settings, surface_properties
+
+BEST_ERROR = 0.75  # of a vertical index: what suits horizons of whole voxels
+# Properties of readers by the names of their options.
+OF_READERS = {
+    "VerticalStep": "vertical_step", "VerticalUnit": "vertical_unit", "CoordinateSystem": "coordinate_system",
+    "Elevation": "elevation", "DuplicatePolicy": "duplicate_policy", "Columns": "columns", "NullValues": "null_values",
+    "HeaderLines": "header_lines", "StrayPicks": "stray_picks", "LatticeTolerance": "lattice_tolerance", "Origin": "origin",
+    "ColumnStep": "column_step", "RowStep": "row_step", "LargestNumber": "surfaces", "SmallestSize": "smallest_surface",
+    "InlineRange": "inlines", "CrosslineRange": "crosslines", "Polarity": "polarity", "Joining": "joining",
+    "AmplitudePercentile": "amplitude_percentile"}
+CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
+
+
+def given(options, **names):
+    """The values of options that were given, by the names of their properties; all others have the defaults of their
+    classes."""
+    return {key: getattr(options, name) for key, name in names.items() if hasattr(options, name)}
+
+
+def _unit(height):
+    return "World" if height.unit else "Lattice"
+
+
+def _reader(options):
+    properties = {"VerticalDirection": options.vertical_direction, **given(options, **OF_READERS)}
+    if hasattr(options, "corners"):
+        corners = options.corners
+        properties.update(LatticeSource="CornerPoints",
+                          **{name: corners[4 * n:4 * n + 4] for n, name in enumerate(CORNERS)})
+    return properties
+
+
+def _surface(options, boundary, simplified):
+    """What one number means: that, and what was given beside it. None for the stages of the thesis."""
+    if options.stages:
+        return None
+    target = given(options, largest_error="largest_error", triangles="triangles")
+    if not target:
+        target = {"largest_error": BEST_ERROR}
+    error = target.get("largest_error")
+    unit = {"ErrorUnit": "World"} if getattr(error, "unit", "") else {}
+    named = {**boundary, **simplified}
+    names = (*CHOSEN, "GrowthStrategy", "MinimumPatchSize")
+    return surface_properties(**target, **unit, **{name: named[name] for name in names if name in named})
+
+
+def make_settings(options):
+    """What the options mean for each stage."""
+    settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
+    settings.formats = options.formats
+    settings.memory = options.memory
+    settings.reader = _reader(options)
+    if hasattr(options, "despike"):
+        settings.despiked = {"Threshold": options.despike, "ThresholdUnit": _unit(options.despike)}
+    throw = getattr(options, "cut_faults", None)
+    settings.torn, settings.fault_lines = fault_settings(
+        throw and _unit(throw), options.vertical_direction, throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
+    settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
+    settings.boundary = {
+        "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
+        **given(options, Radius="radius", SmallestHoleSize="smallest_hole_size", HoleBoundaries="hole_boundaries")}
+    settings.simplified = {
+        **({"Method": "FewestPoints"} if hasattr(options, "fewest_outline_points") else {}),
+        **given(options, BoundDeviation="bound_deviation", OutlineTolerance="outline_tolerance",
+                 DistanceThreshold="distance_threshold")}
+    settings.rough = None if hasattr(options, "skip_rough") else given(
+        options, CellSize="cell_size", Representative="representative")
+    settings.elaborate = None if not hasattr(options, "elaborate") else given(
+        options, CellSize="elaborate_cell_size", FlatnessThreshold="flatness_threshold", Representative="representative")
+    settings.surface = _surface(options, settings.boundary, settings.simplified)
+    if options.close_faults:
+        (settings.mesh if settings.surface is None else settings.surface)["CloseFaults"] = True
+    settings.error_if_whole = hasattr(options, "report") and not options.measure_error
+    settings.error = None if not options.measure_error and not settings.error_if_whole else {
+        "DistanceUnit": options.distance_unit, "SamplesPerPoint": options.samples_per_point}
+    return settings
