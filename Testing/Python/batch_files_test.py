@@ -6,6 +6,7 @@ Arguments: program, folder of the data, work folder, then the interpreter.
 """
 
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -14,6 +15,11 @@ import subprocess
 import sys
 import time
 import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from seismichorizons import reading
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
@@ -65,6 +71,86 @@ class FilesTest(unittest.TestCase):
         self.assertEqual(files(self.output), ["two_Good.ply", "two_Good.ts", "two_Good.vtp"])
         code, messages, _ = self.run_program(self.write("line.txt", ("1 %d 0.5" % i for i in range(3))))
         self.assertEqual((code, messages[1]), (1, "error: line.txt: all horizons are left out"))
+
+    def write_turned(self):
+        """A dome on a lattice turned by 30 degrees, in steps of 25 and 12.5, with a pick that is twice there and nulls."""
+        def line(i, j, z):
+            x, y = 25.0 * i, 12.5 * j
+            c, s = math.cos(math.radians(30.0)), math.sin(math.radians(30.0))
+            return "%d,%d,%.4f,%.4f,%.3f" % (1000 + i, 500 + j, 460000.0 + c * x - s * y, 6000000.0 + s * x + c * y, z)
+
+        return self.write("dome.csv", [
+            "Crossline,Inline,X,Y,TWT [ms]", *(line(i, j, 1200.0 + 0.2 * (i - 10) ** 2 + 0.1 * (j - 8) ** 2)
+                                               for j in range(16) for i in range(20) if (i, j) not in ((0, 0), (9, 9))),
+            line(5, 5, 1300.0), line(0, 0, -999.25), line(9, 9, -999.25)])
+
+    def test_what_was_found(self):
+        """A wrong guess would be seen; the error of each horizon is that of the horizon alone."""
+        code, messages, told = self.run_program(self.write_turned())
+        self.assertEqual((code, messages), (0, []))
+        for words in ("plain text, separated by commas: Crossline, Inline, X, Y, Z", "20 x 16 crosslines and inlines, 25 x 12.5 "
+                      "apart, the first axis 60 degrees from north", "z 1200 to 1226.1 ms, growing down; vertical step",
+                      "; 1 duplicates left out; 2 without z left out", "1 file in %s: dome.vtp" % self.output):
+            self.assertIn(words, told)
+        self.assertLess(max(map(len, told.splitlines())), 200)
+        several = self.write("several.csv", [
+            "X,Y,Z,Name", *("%d,%d,%.3f,Fine" % (25 * i, 25 * j, 1000 + 0.01 * i * j) for j in range(20) for i in range(20)),
+            *("%d,%d,%.3f,Coarse" % (25 * i, 25 * j, 2000 + 3.0 * i * (j % 7)) for j in range(20) for i in range(20))])
+        meshes = {}
+        for names in (["Fine"], ["Coarse"], ["Fine", "Coarse"]):
+            told = self.run_program("--json", "--horizons", *names, "--", several)[2]
+            for horizon in json.loads(told)["files"][0]["horizons"]:
+                meshes.setdefault(horizon["name"], []).append((horizon["triangles"], horizon["vertical_error"]))
+        for name, (alone, beside) in meshes.items():
+            self.assertEqual(alone, beside, name)
+
+    def test_units(self):
+        """Heights in a unit need z in one of the same kind, or of none."""
+        dome = self.write_turned()
+        triangles = [json.loads(self.run_program("--json", "--largest-error", error, dome)[2])["files"][0]["horizons"][0]
+                     ["triangles"] for error in ("2ms", "0.002 s", "0.02ms")]
+        self.assertEqual(triangles[0], triangles[1])
+        self.assertGreater(triangles[2], 2 * triangles[0])
+        for arguments, text in (
+                (("--largest-error", "2m", dome), "2m for z in ms, expected ms or s (--vertical-unit says what z is in)"),
+                (("--despike", "1ms", SAMPLE), "in ms, and z in vertical indices, expected --vertical-step with"),
+                (("--largest-error", "2 km", dome), "invalid number >= 0, or one with a unit")):
+            code, messages, _ = self.run_program(*arguments)
+            self.assertEqual((code, len(messages)), (1, 1), messages)
+            self.assertIn(text, messages[0])
+        code, messages, told = self.run_program("--largest-error", "2m", "--vertical-unit", "m", dome)
+        self.assertEqual((code, messages), (0, []))
+        self.assertIn("1226.1 m, growing", told)
+        code, messages, _ = self.run_program("--largest-error", "2ms", "--vertical-step", "4", SAMPLE)
+        self.assertEqual((code, messages), (0, []))
+
+    def test_back_to_points(self):
+        """Grids and picks of a mesh have the places of the picks, to the error; sparse files have their columns."""
+        dome = self.write_turned()
+        self.run_program("--largest-error", "0.01ms", "--formats", "irap", "dat", "vsm", "--", dome)
+        (_, picks), = reading.read(dome)[0]
+        expected = vtk_to_numpy(picks.GetPoints().GetData())
+        for name, most in (("dome.irap", 0.02), ("dome.dat", 1e-4)):
+            (_, points), = reading.read(self.output / name)[0]
+            found = vtk_to_numpy(points.GetPoints().GetData())
+            distances = np.linalg.norm(found[:, None, :] - expected[None, :, :], axis=2).min(axis=0)
+            self.assertLess(distances.max(), most, name)
+        (_, voxels), = reading.read(self.output / "dome.vsm")[0]
+        self.assertEqual(voxels.GetNumberOfPoints(), picks.GetNumberOfPoints())
+
+    def test_other_files(self):
+        """What is no file of horizons is told as what it is; a folder without any stops nothing."""
+        empty = self.folder / "empty"
+        empty.mkdir()
+        for name, content, text in (
+                ("a.pdf", b"%PDF-1.4\n1 2 3\n", "not a format that is known"), ("a.bin", bytes(range(256)), "not a format"),
+                ("a.ts", b"GOCAD TSurf 1\nHEADER {\n}\n", "a.ts: lines or triangles of GOCAD, expected points")):
+            (self.folder / name).write_bytes(content)
+            code, messages, _ = self.run_program(self.folder / name, empty, SAMPLE, "--horizons", "1")
+            self.assertEqual((code, len(messages)), (1, 2), messages)
+            self.assertIn("empty: there is no file of horizons in this folder", messages[0])
+            self.assertIn(text, messages[1])
+            self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
 
     def test_faults_from_files(self):
         """Polygons leave their inside out; sticks cut, and their surface is a result."""
@@ -131,8 +217,8 @@ class FilesTest(unittest.TestCase):
         """The next run takes away what is left, but nothing of a run that still goes on."""
         large = self.folder / "large.vsm"
         large.write_bytes(b"1000 1000 9\n" + b"3 1 1 0.5 4.0\n" * 1000000)
-        with subprocess.Popen(self.command(large, "--skip-rough")) as process:
-            while not files(self.output):
+        with subprocess.Popen(self.command(large, "--stages", "--skip-rough")) as process:
+            while not files(self.output) and process.poll() is None:
                 time.sleep(0.01)
             workspace = self.output / files(self.output)[0]
             os.utime(workspace, (0, 0))  # not made this moment

@@ -122,10 +122,8 @@ class BatchTest(unittest.TestCase):
             self.assertLessEqual(mesh.GetFieldData().GetArray("LargestError").GetValue(0), float(error) + 1e-9)
             row = printed_row(done, "1")
             self.assertEqual(int(row[1]), mesh_checks.counts(mesh).sum())
-            self.assertIn("error %s = %s" % (error, error), done.stdout)
             self.assertLessEqual(max(float(row[7]), float(row[8])), float(error))
-            # Outlines move sideways, too.
-            self.assertLess(float(row[10]), 1.5 * float(error))
+            self.assertLess(float(row[10]), 1.5 * float(error))  # outlines move sideways, too
             triangles.append(mesh.GetNumberOfPolys())
         self.assertGreater(triangles[0], 2 * triangles[1])
         self.succeed(SAMPLE, "--no-pictures", "--horizons", "1")  # 0.75 is the default

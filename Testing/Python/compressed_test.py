@@ -142,8 +142,8 @@ class CompressedFiles(unittest.TestCase):
         self.assertEqual(messages, [])
         self.assertEqual(sorted(path.name for path in (folder / "output").iterdir()), ["a_horizon_1.vtp", "picks.vtp"])
         self.assertTrue(printed.getvalue().startswith("a.vsm.gz: read in "), printed.getvalue())
-        with self.assertRaisesRegex(HorizonError, "would write the same results"):
-            batch.make_labels([folder / "a.vsm", folder / "a.vsm.gz"])
+        labels = batch.make_labels([folder / "a.vsm", folder / "a.vsm.gz"])
+        self.assertEqual(batch.make_stems(labels), ["a_vsm", "a_vsm_gz"])
 
 
 if __name__ == "__main__":

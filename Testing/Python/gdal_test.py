@@ -12,7 +12,7 @@ import numpy as np
 from vtkmodules.util import numpy_support
 
 import seismichorizons as sh
-from seismichorizons import reading
+from seismichorizons import reading, writing
 
 FOLDER = pathlib.Path(sys.argv[1])
 # Formats of GDAL that we read, with the extension of their files and how exact their numbers are.
@@ -76,6 +76,31 @@ def main():
         difference = abs(found - expected).max(axis=0)
         assert (difference <= [1e-6, 1e-6, precision]).all(), "%s: %s off" % (name, difference)
         print("%s: %d points, at most %g off" % (name, len(found), difference[2]))
+    check_geotiff()
+
+
+def check_geotiff():
+    """On a turned lattice: GDAL's program finds the values where the picks are, and we read them back there."""
+    try:
+        from osgeo import gdal  # noqa: F401
+    except ImportError:
+        print("GeoTIFF: left out, GDAL for Python is not installed")
+        return
+    turn = np.array([[0.8, -0.6], [0.6, 0.8]])
+    columns = [(i, j) for j in range(9) for i in range(12) if (i, j) != (4, 4)]
+    picks = np.array([(*turn @ (25.0 * i, 50.0 * j) + (460000.0, 5930000.0), 1500.0 + 3.0 * i + 2.0 * j) for i, j in columns])
+    (FOLDER / "turned.xyz").write_text("".join("%.3f %.3f %.3f\n" % tuple(pick) for pick in picks), encoding="ascii")
+    (name, horizon), = reading.read(FOLDER / "turned.xyz", CoordinateSystem="EPSG:23031")[0]
+    assert writing.write_mesh(horizon, FOLDER / "turned.tif", name) == []
+    there = "".join("%.6f %.6f\n" % tuple(pick[:2]) for pick in picks)
+    asked = subprocess.run(["gdallocationinfo", "-valonly", "-geoloc", str(FOLDER / "turned.tif")], input=there,
+                           capture_output=True, text=True, timeout=60, check=True)
+    assert np.allclose([float(line) for line in asked.stdout.split()], picks[:, 2], atol=1e-9, rtol=0.0), asked.stdout
+    ((name, again),), _ = reading.read(FOLDER / "turned.tif")
+    assert name == "turned"
+    assert again.GetFieldData().GetAbstractArray("CoordinateSystem").GetValue(0) == "EPSG:23031"
+    assert np.allclose(places(again), places(horizon), atol=1e-6, rtol=0.0)
+    print("GeoTIFF: %d points" % again.GetNumberOfPoints())
 
 
 main()

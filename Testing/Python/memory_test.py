@@ -234,7 +234,7 @@ class BatchTest(unittest.TestCase):
         expected = self.run_batch(self.three)[2]
         same = [files[name] == expected[name] for name in sorted(files)]
         self.assertEqual(same, [size <= points for size in sizes])
-        self.assertEqual(printed.count("\n"), 6)
+        self.assertEqual(printed.count("\n"), 10)
 
     def test_errors(self):
         size, = self.sizes(self.one)

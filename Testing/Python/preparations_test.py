@@ -3,7 +3,6 @@
 """What the pipeline does before all stages: spikes, faults, holes. Argument: a folder for files."""
 
 import pathlib
-import re
 import sys
 import unittest
 
@@ -84,10 +83,10 @@ class PreparationsTest(unittest.TestCase):
         self.assertEqual(overview.panels(gaping)[-1].caption, "%d triangles" % surface)
         self.assertEqual(overview.panels(result)[-1].caption, "%d triangles, %d fault triangles" % (surface, closed))
         self.assertNotIn("fault triangles", tables.table([gaping])[0])
-        heads, _, *rows = [re.split(r"\s{2,}", line.strip()) for line in tables.table([gaping, result])]
-        self.assertEqual({len(row) for row in rows}, {len(heads)})
-        self.assertEqual([row[heads.index("triangles")] for row in rows], 2 * [str(surface)])
-        self.assertEqual([row[heads.index("fault triangles")] for row in rows], ["0", str(closed)])
+        self.assertIn("fault triangles", " ".join(tables.table([gaping, result])))
+        rows = [tables.row(one, True) for one in (gaping, result)]
+        self.assertEqual([row["triangles"] for row in rows], 2 * [str(surface)])
+        self.assertEqual([row["fault triangles"] for row in rows], ["0", str(closed)])
 
     def check_encoded(self, mesh, closed):
         """In a page they come last: only they span the throw."""

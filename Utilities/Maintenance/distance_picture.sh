@@ -18,8 +18,8 @@ export PYTHONPATH
 
 "$build/bin/generate_horizons" --size 260 200 70 --horizons 1 --holes 3 --islands 0 --dropouts 0.005 \
   --squareness 0.6 "$folder/survey.vsm"
-pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/rough" --cell-size 6 "$folder/survey.vsm"
-pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/elaborate" --elaborate \
+pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/rough" --stages --cell-size 6 "$folder/survey.vsm"
+pvpython "$utilities/horizon_mesh.py" --no-pictures --output-folder "$folder/elaborate" --stages --elaborate \
   "$folder/survey.vsm"
 "$utilities/with-xvfb.sh" pvbatch "$utilities/show_error.py" --edges \
   --titles "Rough simplification, 6" "Rough simplification, 3, then elaborate" -- "$folder/survey.vsm" \

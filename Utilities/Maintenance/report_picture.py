@@ -65,7 +65,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         page = folder / "page.html"
-        subprocess.run([sys.executable, ROOT / "Utilities" / "horizon_mesh.py", "--largest-error", "0.75", "--output-folder",
+        subprocess.run([sys.executable, ROOT / "Utilities" / "horizon_mesh.py", "--output-folder",
                         folder, "--report", page, os.path.relpath(ROOT / "Data" / "sample.vsm", ROOT)], check=True, cwd=ROOT)
         first, second = shoot(page, folder)
     gap = np.full((SIZE[1], GAP, 3), 226, dtype=np.uint8)

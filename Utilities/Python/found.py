@@ -44,11 +44,11 @@ class Found:
         least, most = min(b[0] for b in self._bounds), max(b[1] for b in self._bounds)
         if down:
             least, most = -most, -least
-        unit = survey["vertical_unit"] or settings.said_unit() or (
-            "vertical indices" if reading.counts_indices(form, settings.reader) else "(unit unknown)")
+        is_count = reading.counts_indices(form, settings.reader)
+        unit = survey["vertical_unit"] or settings.said_unit() or ("vertical indices" if is_count else "(unit unknown)")
         steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
         words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")]
-        if steps:
+        if steps and not is_count:
             words.append("vertical step %s" % _range(steps))
             error = settings.plain_error()
             if error is not None:

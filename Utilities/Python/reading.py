@@ -14,6 +14,7 @@ from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
 LOOKED_AT = 4096  # bytes of the beginning of a file that no reader knows
+BINARY = set(range(1, 9)) | set(range(14, 26))  # bytes that no text has, UTF-16 included
 SPARSE = "sparse voxels"
 # With what they read, in the order they are asked.
 READERS = {
@@ -50,9 +51,10 @@ def open_file(path, **properties):
     """What gives the horizons of a file: its reader, or the extraction from a cube. Raises HorizonError when it has no
     such property."""
     require_text(path)
-    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else LAST_READER)
-    if name == LAST_READER:
-        _require_readable(path)
+    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else None)
+    if name is None:
+        _require_text(path)
+        name = LAST_READER
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
     reader = geotiff.open_file(pathlib.Path(path)) if name == geotiff.SOURCE else make(name, FileName=str(path))
@@ -64,17 +66,17 @@ def open_file(path, **properties):
     return reader
 
 
-def _require_readable(path):
-    """Raises HorizonError on what is no text, and on surfaces: the text reader would miss numbers in them."""
+def _require_text(path):
+    """Raises HorizonError on what is surely none, and on surfaces, in which the text reader would miss columns."""
     try:
         with open(path, "rb") as file:
             beginning = file.read(LOOKED_AT)
     except OSError:
         return  # its reader tells that
     if beginning.startswith(b"GOCAD"):
-        raise HorizonError("%s: a surface of triangles or lines of GOCAD, expected points of horizons, a grid or a cube; "
-                           "--fault-lines and --fault-sticks take its lines" % path)
-    if b"\0" in beginning.rstrip(b"\0") or beginning.startswith((b"%PDF", b"PK\3\4")):
+        raise HorizonError("%s: lines or triangles of GOCAD, expected points of horizons, a grid or a cube; --fault-lines "
+                           "and --fault-sticks take lines" % path)
+    if beginning.startswith(b"%PDF") or BINARY & set(beginning) and not beginning.startswith(b"\x1f\x8b"):
         raise HorizonError("%s: not a format that is known, expected points of horizons, a grid or a cube" % path)
 
 
