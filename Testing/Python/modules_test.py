@@ -298,7 +298,7 @@ class BatchTest(unittest.TestCase):
         run = record.Record(lambda kind, text: messages.append("%s: %s" % (kind, text)))
         with contextlib.redirect_stdout(printed):
             batch.run(inputs, self.output, settings, False, run)
-        failures = sum(1 for file in run.files if file["error"])
+        failures = sum(bool(file["error"]) for file in run.files)
         self.assertEqual(run.is_done(), failures == 0)
         return failures, messages, printed.getvalue()
 
@@ -306,9 +306,8 @@ class BatchTest(unittest.TestCase):
         paths = [self.folder / name for name in ("b.vsm", "a.vsm", "c.txt")]
         for path in paths:
             path.touch()
-        elsewhere = pathlib.Path("elsewhere.vsm")
+        elsewhere, messages = pathlib.Path("elsewhere.vsm"), []
         self.output.mkdir()
-        messages = []
         run = record.Record(lambda kind, text: messages.append(text))
         self.assertEqual(batch.find_files([elsewhere, self.output, self.folder], run), [elsewhere, paths[1], paths[0]])
         self.assertEqual(messages, ["%s: there is no file of horizons in this folder" % self.output])
@@ -395,10 +394,6 @@ class BatchTest(unittest.TestCase):
             self.run_batch([write("plane.vsm", PLANE)])
         self.assertEqual(raised.exception.code, 130)
         self.assertFalse(self.output.parent.exists())
-
-    def test_no_display(self):
-        with mock.patch.dict(os.environ, DISPLAY=":4711"):
-            self.assertFalse(batch.has_display())
 
 
 if __name__ == "__main__":

@@ -36,6 +36,8 @@ def find_reader(path):
     """The name of the class that reads a file, by what is in it. None when there is none."""
     if geotiff.is_one(path):
         return geotiff.SOURCE
+    if _beginning(path).startswith(b"%PDF"):
+        return None  # it has lines of numbers
     return next((name for name in READERS if name != geotiff.SOURCE and make(name).CanReadFile(os.fsencode(path))), None)
 
 
@@ -53,7 +55,7 @@ def open_file(path, **properties):
     require_text(path)
     name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else None)
     if name is None:
-        _require_text(path)
+        _require_points(path)
         name = LAST_READER
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
@@ -66,13 +68,18 @@ def open_file(path, **properties):
     return reader
 
 
-def _require_text(path):
-    """Raises HorizonError on what is surely none, and on surfaces, in which the text reader would miss columns."""
+def _beginning(path):
+    """The first bytes of a file; none where it can not be read, which its reader tells."""
     try:
         with open(path, "rb") as file:
-            beginning = file.read(LOOKED_AT)
+            return file.read(LOOKED_AT)
     except OSError:
-        return  # its reader tells that
+        return b""
+
+
+def _require_points(path):
+    """Raises HorizonError on what surely has none, and on surfaces, in which the text reader would miss columns."""
+    beginning = _beginning(path)
     if beginning.startswith(b"GOCAD"):
         raise HorizonError("%s: lines or triangles of GOCAD, expected points of horizons, a grid or a cube; --fault-lines "
                            "and --fault-sticks take lines" % path)
