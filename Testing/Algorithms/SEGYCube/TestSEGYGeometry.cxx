@@ -229,8 +229,8 @@ void PlacesOffTheLatticeAreNotUsed()
   file.X = [](const Trace& t) { return 500000.0 + 25.0 * (t.Crossline - 100) + (t.Crossline == 102 ? 20.0 : 0.0); };
   const SEGYCube cube = Read(file);
   CHECK_EQUAL(cube.PlaceFields.First, NoField);
-  CHECK(cube.Warning.find("x and y of traces (bytes 181 and 185) up to 0.5") == 0);
-  CHECK(cube.Warning.find("line numbers stand for x and y") != std::string::npos);
+  CHECK(WarningText(cube).find("x and y of traces (bytes 181 and 185) up to 0.5") == 0);
+  CHECK(WarningText(cube).find("line numbers stand for x and y") != std::string::npos);
   CHECK(IsNear(cube.Lattice.Origin, 100.0, 10.0));
   CHECK(IsNear(cube.Lattice.RowStep, 0.0, 2.0));
   CHECK_EQUAL(cube.Survey.HorizontalUnit, std::string());
@@ -240,7 +240,7 @@ void PlacesOffTheLatticeAreNotUsed()
   options.PlaceFields = { 73, 77 };
   CHECK_THROWS_WITH(Read(file, options), "x and y of traces (bytes 73 and 77) that are all 0, expected places");
   options.PlaceFields = { NoField, NoField };
-  CHECK(Read(file, options).Warning.empty());
+  CHECK(Read(file, options).Warnings.empty());
 }
 
 void DelaysMoveTraces()
