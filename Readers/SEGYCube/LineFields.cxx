@@ -188,8 +188,7 @@ std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, 
       continue;
     }
     const PairFigures figures(table, pair);
-    const bool isGrid =
-      figures.IsGrid(mostRepeated) && (!IsPlacePair(pair) || figures.Largest() <= LargestLine);
+    const bool isGrid = figures.IsGrid(mostRepeated) && (!IsPlacePair(pair) || figures.Largest() <= LargestLine);
     densities.back() = isGrid ? figures.Density() : 0.0;
   }
   const double densest = *std::max_element(densities.begin(), densities.end());

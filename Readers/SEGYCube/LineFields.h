@@ -40,7 +40,8 @@ bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trac
 /// fullest count, and of these the first of the usual ones; that of x and y only with numbers up to 99,999. Where there
 /// is none, a line: one field of a pair is the same for all traces, and the other different for each. Nothing where
 /// there is neither. Throws InputError where traces have different offsets, as before stacking.
-std::optional<FieldPair> FindLineFields(const TraceTable& table, bool mayRepeat = false, const Monitor& monitor = Monitor());
+std::optional<FieldPair> FindLineFields(
+  const TraceTable& table, bool mayRepeat = false, const Monitor& monitor = Monitor());
 
 /// What to do where the fields of lines are others than those that were found. `other` is a pair that may be meant.
 std::string OtherLinesText(const std::optional<FieldPair>& other);

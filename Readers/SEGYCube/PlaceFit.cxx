@@ -138,7 +138,8 @@ PlaceFit FitWithoutStrays(const PickTable& picks, const LineNumbering& numbering
   for (int pass = 0; pass < 3; ++pass, allowed = tolerance)
   {
     strays = Distances(picks, numbering, fit.ToWorld).Beyond(allowed);
-    if (double(strays.size()) > std::max(1.0, MostStrays * double(picks.X.size())) || picks.X.size() < strays.size() + 4)
+    if (double(strays.size()) > std::max(1.0, MostStrays * double(picks.X.size())) ||
+      picks.X.size() < strays.size() + 4)
     {
       return ofAll;
     }
@@ -192,7 +193,8 @@ bool FollowsLines(const PlaneMap& map, const LineNumbering& numbering, double sc
   const auto follows = [&](const Eigen::Vector2d& step, double lineStep)
   {
     const Eigen::Vector2d size = step.cwiseAbs() / std::abs(lineStep);
-    const auto isStep = [&](double part) { return std::abs(part - 1.0) < rounding || std::abs(part / scale - 1.0) < rounding; };
+    const auto isStep = [&](double part)
+    { return std::abs(part - 1.0) < rounding || std::abs(part / scale - 1.0) < rounding; };
     return std::min(size.x(), size.y()) < rounding && isStep(size.maxCoeff());
   };
   return follows(map.Steps.col(0), numbering.CrosslineStep) && follows(map.Steps.col(1), numbering.InlineStep);

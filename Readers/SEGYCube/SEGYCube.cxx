@@ -115,8 +115,7 @@ std::optional<FieldPair> SuggestLines(const std::string& name, SEGYHeader header
 
 FieldPair FindLines(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
 {
-  const std::optional<FieldPair> found =
-    FindLineFields(table, options.Duplicates != DuplicateRule::Refuse, monitor);
+  const std::optional<FieldPair> found = FindLineFields(table, options.Duplicates != DuplicateRule::Refuse, monitor);
   if (!found)
   {
     RefuseLines(table, SuggestLines(cube.Name, cube.Header));

@@ -52,7 +52,8 @@ public:
   /// of samples: the order in which they are less.
   void FindOrder()
   {
-    const auto isCode = [this](ByteOrder order) { return SampleSize(ReadInteger16(this->At(SEGY_BIN_FORMAT), order)) > 0; };
+    const auto isCode = [this](ByteOrder order)
+    { return SampleSize(ReadInteger16(this->At(SEGY_BIN_FORMAT), order)) > 0; };
     const auto numbers = [this](ByteOrder order) {
       return ReadUnsigned(this->At(SEGY_BIN_INTERVAL), 2, order) + ReadUnsigned(this->At(SEGY_BIN_SAMPLES), 2, order);
     };
@@ -172,8 +173,7 @@ int FindFormat(const BinaryHeader& binary, int formatCode)
   return code;
 }
 
-void CheckWhole(
-  SEGYHeader& header, std::int64_t fileSize, int firstSamples, const SEGYHeaderOptions& options)
+void CheckWhole(SEGYHeader& header, std::int64_t fileSize, int firstSamples, const SEGYHeaderOptions& options)
 {
   const std::int64_t size = fileSize - header.FirstTrace;
   const auto traceSize = std::int64_t(header.TraceSize());
@@ -240,8 +240,8 @@ std::vector<SEGYLayout> ListLayouts(
     }
   }
   // Without any number there is nothing to try.
-  layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const SEGYLayout& l) { return l.Samples == 0; }),
-    layouts.end());
+  layouts.erase(
+    std::remove_if(layouts.begin(), layouts.end(), [](const SEGYLayout& l) { return l.Samples == 0; }), layouts.end());
   return layouts;
 }
 
@@ -279,8 +279,9 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
   }
   if (binary.Samples() > 0 && !header.HasOwnSamples)
   {
-    header.Warnings.push_back(std::to_string(binary.Samples()) + " samples in the header (byte 3221): traces are read with " +
-      std::to_string(layout.Samples) + ", as they say (byte 115)");
+    header.Warnings.push_back(std::to_string(binary.Samples()) +
+      " samples in the header (byte 3221): traces are read with " + std::to_string(layout.Samples) +
+      ", as they say (byte 115)");
   }
 }
 }

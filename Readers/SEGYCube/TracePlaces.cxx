@@ -87,7 +87,8 @@ std::string CompareFields(const TraceTable& table, const LineNumbers& lines, con
   std::ostringstream text;
   text.precision(3);
   text << FieldsText(other) << "on another lattice, up to " << distance << " columns away from that at bytes "
-       << placed.Fields.First << " and " << placed.Fields.Second << ", which is taken; set XByte and YByte for the other";
+       << placed.Fields.First << " and " << placed.Fields.Second
+       << ", which is taken; set XByte and YByte for the other";
   return text.str();
 }
 
@@ -110,7 +111,8 @@ void WarnOfStrays(PlacedTraces& placed, const TraceTable& table, const LineNumbe
   if (placed.Fit.Strays > 0)
   {
     std::ostringstream text;
-    text << placed.Fit.Strays << " traces, the first of them " << TraceOfPlace(table, lines, placed.Fields, placed.Fit.FirstStray)
+    text << placed.Fit.Strays << " traces, the first of them "
+         << TraceOfPlace(table, lines, placed.Fields, placed.Fit.FirstStray)
          << ", with x and y off the lattice of all others: put on it by their line numbers";
     placed.Warnings.push_back(text.str());
   }

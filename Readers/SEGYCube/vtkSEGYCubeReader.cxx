@@ -48,8 +48,7 @@ bool AreSame(const SEGYOptions& a, const SEGYOptions& b)
 {
   return a.FormatCode == b.FormatCode && AreSame(a.LineFields, b.LineFields) && AreSame(a.PlaceFields, b.PlaceFields) &&
     a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep && a.Samples == b.Samples &&
-    a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates &&
-    a.Delays == b.Delays;
+    a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates && a.Delays == b.Delays;
 }
 
 std::string NoMemory(const char* fileName)
@@ -212,8 +211,7 @@ int vtkSEGYCubeReader::RequestInformation(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkSEGYCubeReader::RequestData(
-  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   // Both outputs have the extent of the one that is asked for.
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
@@ -231,8 +229,7 @@ int vtkSEGYCubeReader::RequestData(
       // The file may have changed since the information was asked for.
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;
-      outputVector->GetInformationObject(port)->Get(
-        vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+      outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
       const std::int64_t notFinite = PrefixFileErrors(this->Files.GetCurrent(),
         [&]() { return FillImage(this->Content->Cube, this->MakeView(), extent, output, monitor.Step(0.1, 1.0)); });
       FillLine(this->Content->Cube, this->MakeView(), output, line);
