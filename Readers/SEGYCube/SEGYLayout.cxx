@@ -20,6 +20,12 @@ bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
   return layout.Samples > 0 && size > 0 && size % file.TraceSize(layout) == 0;
 }
 
+/// Whether there are some whole traces.
+bool HasTraces(const SEGYExtents& file, const SEGYLayout& layout, std::int64_t least)
+{
+  return file.FileSize - file.FirstTrace(layout) >= least * file.TraceSize(layout);
+}
+
 /// Whether traces from begin to end say the same number of samples; dead ones have none at times.
 bool IsRegular(const SEGYExtents& file, const SEGYLayout& layout)
 {
@@ -69,7 +75,8 @@ SEGYLayout ChooseLayout(const SEGYExtents& file, const std::vector<SEGYLayout>& 
   const auto isWhole = [&](const SEGYLayout& layout) { return IsWhole(file, layout); };
   const auto isRegular = [&](const SEGYLayout& layout) { return IsRegular(file, layout); };
   const SEGYLayout* found = FindShortest(layouts, [&](const SEGYLayout& l) { return isWhole(l) && isRegular(l); });
-  found = found ? found : FindShortest(layouts, isRegular);
+  found =
+    found ? found : FindShortest(layouts, [&](const SEGYLayout& l) { return HasTraces(file, l, 2) && isRegular(l); });
   if (!found)
   {
     const auto whole = std::find_if(layouts.begin(), layouts.end(), isWhole);
