@@ -18,8 +18,17 @@ namespace
 constexpr double LongestStep = 10.0;
 // How many traces may be off a line, as a part of all.
 constexpr double MostStrays = 0.1;
+// How far a trace is from the next but one, as a part of the way over the next; of half the traces at least.
+constexpr double LeastAdvance = 0.7;
 
 using Places = std::vector<Eigen::Vector2d>;
+
+double Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 /// The traces of a line that have a place: column by column, with nan where there is none.
 class TraceLine
@@ -40,7 +49,7 @@ public:
   /// Takes the places of traces away that are far from both neighbours. False where there is no line.
   bool DropStrays()
   {
-    if (this->Columns.size() < 2 || !(this->UsualStep() > 0.0))
+    if (this->Columns.size() < 2 || !(this->UsualStep() > 0.0) || this->UsualAdvance() < LeastAdvance)
     {
       return false;
     }
@@ -91,8 +100,12 @@ private:
   /// The step for a column, between two of the traces that have places.
   double Step(std::size_t n, std::size_t m) const
   {
-    const double columns = double(this->Columns[m] - this->Columns[n]);
-    return (this->All[this->Columns[m]] - this->All[this->Columns[n]]).norm() / columns;
+    return this->Distance(n, m) / double(this->Columns[m] - this->Columns[n]);
+  }
+
+  double Distance(std::size_t n, std::size_t m) const
+  {
+    return (this->All[this->Columns[m]] - this->All[this->Columns[n]]).norm();
   }
 
   double UsualStep() const
@@ -102,9 +115,19 @@ private:
     {
       steps.push_back(this->Step(n - 1, n));
     }
-    const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return Median(std::move(steps));
+  }
+
+  /// How straight the way over a trace is: 1 where places are on a straight line, some 0.5 where they are anywhere.
+  double UsualAdvance() const
+  {
+    std::vector<double> parts = { 1.0 };
+    for (std::size_t n = 2; n < this->Columns.size(); ++n)
+    {
+      const double way = this->Distance(n - 2, n - 1) + this->Distance(n - 1, n);
+      parts.push_back(way > 0.0 ? this->Distance(n - 2, n) / way : 1.0);
+    }
+    return Median(std::move(parts));
   }
 
   const Places All;

@@ -240,8 +240,20 @@ std::vector<SEGYLayout> ListLayouts(
     }
   }
   // Without any number there is nothing to try.
-  layouts.erase(
-    std::remove_if(layouts.begin(), layouts.end(), [](const SEGYLayout& l) { return l.Samples == 0; }), layouts.end());
+  const auto isEmpty = [](const SEGYLayout& layout) { return layout.Samples == 0; };
+  layouts.erase(std::remove_if(layouts.begin(), layouts.end(), isEmpty), layouts.end());
+  return layouts;
+}
+
+/// Layouts with texts of which the header does not tell.
+std::vector<SEGYLayout> ListOtherTexts(int samples)
+{
+  constexpr int most = 16;
+  std::vector<SEGYLayout> layouts;
+  for (int count = 1; count <= most; ++count)
+  {
+    layouts.push_back({ count, samples });
+  }
   return layouts;
 }
 
@@ -263,7 +275,7 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
     throw InputError("0 samples in a trace, in the header (byte 3221) and in the first trace (byte 115), expected at "
                      "least 1; set NumberOfSamples");
   }
-  const SEGYLayout layout = ChooseLayout(file, layouts);
+  const SEGYLayout layout = ChooseLayout(file, layouts, ListOtherTexts(layouts.front().Samples));
   header.ExtendedTexts = layout.Texts;
   header.FirstTrace = file.FirstTrace(layout);
   header.Samples = layout.Samples;

@@ -70,17 +70,19 @@ std::int64_t SEGYExtents::TraceSize(const SEGYLayout& layout) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SEGYLayout ChooseLayout(const SEGYExtents& file, const std::vector<SEGYLayout>& layouts)
+SEGYLayout ChooseLayout(
+  const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others)
 {
   const auto isWhole = [&](const SEGYLayout& layout) { return IsWhole(file, layout); };
-  const auto isRegular = [&](const SEGYLayout& layout) { return IsRegular(file, layout); };
-  const SEGYLayout* found = FindShortest(layouts, [&](const SEGYLayout& l) { return isWhole(l) && isRegular(l); });
-  found =
-    found ? found : FindShortest(layouts, [&](const SEGYLayout& l) { return HasTraces(file, l, 2) && isRegular(l); });
+  const auto isSound = [&](const SEGYLayout& layout) { return IsWhole(file, layout) && IsRegular(file, layout); };
+  const auto isCut = [&](const SEGYLayout& layout) { return HasTraces(file, layout, 2) && IsRegular(file, layout); };
+  const SEGYLayout* found = FindShortest(likely, isSound);
+  found = found ? found : FindShortest(others, isSound);
+  found = found ? found : FindShortest(likely, isCut);
   if (!found)
   {
-    const auto whole = std::find_if(layouts.begin(), layouts.end(), isWhole);
-    found = whole != layouts.end() ? &*whole : &layouts.front();
+    const auto whole = std::find_if(likely.begin(), likely.end(), isWhole);
+    found = whole != likely.end() ? &*whole : &likely.front();
   }
   return *found;
 }

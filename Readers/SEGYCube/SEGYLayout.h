@@ -33,9 +33,11 @@ struct SEGYExtents
 };
 
 /// The layout with the shortest traces of those that fill the file with whole traces which all say the same number of
-/// samples, whatever it is: with a multiple of the true length every second trace, say, would be found. Where there is
-/// none, of those that end within a trace, else the first that fills the file, else the first.
-SEGYLayout ChooseLayout(const SEGYExtents& file, const std::vector<SEGYLayout>& layouts);
+/// samples, whatever it is: with a multiple of the true length every second trace, say, would be found. Where none of
+/// the likely ones does, the first of others that does so, else a likely one whose traces say the same but for the end
+/// of the file, else the first that fills the file, else the first.
+SEGYLayout ChooseLayout(
+  const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others);
 }
 
 #endif

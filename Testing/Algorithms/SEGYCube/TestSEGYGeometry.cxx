@@ -131,7 +131,10 @@ void TheFullestUsualGridCounts()
   CHECK_EQUAL(found(), 189);
   put(193, [](int trace) { return trace < 11 ? 100 + trace % 4 : 102; }); // two at one place
   CHECK_THROWS_WITH(
-    found(), "bytes 189 and 193 span 3 x 4 with several traces at one place, bytes 9 and 21 span 3 x 12");
+    found(), "trace 12 at inline 14 (byte 189) and crossline 102 (byte 193), where there is another one");
+  put(189, [](int trace) { return trace < 8 ? 10 : 12; }); // and more
+  CHECK_THROWS_WITH(
+    found(), "bytes 189 and 193 span 2 x 4 with several traces at one place, bytes 9 and 21 span 3 x 12");
 }
 
 void GapsAndMissingTracesAreBlank()
@@ -268,9 +271,9 @@ void DelaysMoveTraces()
     }
   }
   file.Traces[7].Delay = 90;
-  CHECK_THROWS_WITH(
-    Read(file), "trace 1 with a delay of 108 ms (byte 109), expected whole steps of 4 ms from the least one, 90");
+  CHECK(!Read(file).Warnings.empty());
   file.Traces[7].Kind = 2; // dead ones do not count
+  CHECK(Read(file).Warnings.empty());
   CHECK_EQUAL(Read(file).Sampling.First, 100.0);
 }
 
