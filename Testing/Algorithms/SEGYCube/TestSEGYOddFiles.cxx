@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <random>
 
 using namespace SEGYSample;
 
@@ -346,8 +346,8 @@ void WhatIsMissingOnALineIsBetweenItsNeighbours()
   }
   CHECK(Warns(cube, "1 traces far from both neighbours by x and y (bytes 181 and 185): put between them"));
   // Places anywhere are no line.
-  file.X = [](const Trace& t) { return double(t.Crossline * 7919 % 1000); };
-  file.Y = [](const Trace& t) { return double(t.Crossline * t.Crossline * 31 % 1000); };
+  file.X = [](const Trace& t) { return double(std::mt19937(unsigned(t.Crossline))() % 1000); };
+  file.Y = [](const Trace& t) { return double(std::mt19937(unsigned(7 * t.Crossline))() % 1000); };
   CHECK(Read(file).Places.empty());
 }
 
