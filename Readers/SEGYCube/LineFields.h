@@ -35,8 +35,8 @@ std::vector<FieldPair> ListPlaceFields();
 bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trace);
 
 /// The fields of inlines and crosslines: a pair that makes a grid. Both have more than one number, and less than there
-/// are traces; at most a twentieth of the traces are at the place of another one, or half of them where `mayRepeat`; and
-/// the grid of their steps is full to a tenth at least. Of several pairs those whose grids are full to 0.15 of the
+/// are traces; at most a twentieth of the traces are at the place of another one, or half of them where `mayRepeat`;
+/// and the grid of their steps is full to a tenth at least. Of several pairs those whose grids are full to 0.15 of the
 /// fullest count, and of these the first of the usual ones; that of x and y only with numbers up to 99,999. Where there
 /// is none, a line: one field of a pair is the same for all traces, and the other different for each. Nothing where
 /// there is neither. Throws InputError where traces have different offsets, as before stacking.

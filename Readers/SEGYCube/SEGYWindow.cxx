@@ -77,8 +77,8 @@ SampleCheck CheckSamples(const std::vector<float>& samples)
   return { anyBits == 0, std::int64_t(notFinite) };
 }
 
-/// Replaces samples by those at a part of a step behind them, from 0 to 1: on the cubic polynomial of the two on each
-/// side that passes both and has the slopes of a central difference (Catmull and Rom, 1974). The last one has none behind.
+/// Replaces samples by those at a part of a step behind them, from 0 to 1: on the cubic polynomial between two that has
+/// the slopes of central differences there (Catmull and Rom, 1974). The last one has none behind.
 void ShiftSamples(std::vector<float>& samples, float shift)
 {
   if (samples.size() < 2)

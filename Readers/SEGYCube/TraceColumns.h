@@ -47,7 +47,8 @@ private:
   const FieldPair Fields;
 };
 
-/// The traces of all columns, and how they are sorted. Throws InputError on two live traces at one place, but by the rule.
+/// The traces of all columns, and how they are sorted. Throws InputError on two live traces at one place where the rule
+/// refuses them.
 void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines, DuplicateRule rule);
 
 /// The vertical indices, from the earliest sample of any trace of the columns to the last, where the step from one to

@@ -22,8 +22,8 @@ struct PlacedTraces
 
 /// The places of the first pair of fields that has them on a lattice, by least squares without up to a tenth of strays.
 /// A pair that follows the line numbers counts only where no other does, and one that repeats them not at all; line
-/// numbers where there is none. Throws InputError where the user names the fields, and they have none; but for a line, whose
-/// traces may be on none.
+/// numbers where there is none. Throws InputError where the user names the fields, and they have none, but for a line:
+/// its traces may be on no lattice.
 PlacedTraces PlaceTraces(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
   const SEGYOptions& options, bool isLine, const Monitor& monitor);
 

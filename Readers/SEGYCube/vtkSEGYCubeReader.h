@@ -174,8 +174,8 @@ public:
 
   ///@{
   /**
-   * The number of samples of a trace. 0: that of the file, or of the traces, where it does not fit them. Range: at least
-   * 0. Default: 0.
+   * The number of samples of a trace. 0: that of the file, or of the traces, where it does not fit them. Range: at
+   * least 0. Default: 0.
    */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
@@ -298,8 +298,8 @@ public:
   ///@{
   /**
    * How far x and y of traces may be off the lattice, as a fraction of the step. Up to a tenth of the traces may be
-   * farther off, with a warning; where more are, line numbers take the place of x and y. Whole metres are up to 0.1 off where lines are 6 m apart. Unit: columns. Range: more than
-   * 0, less than 0.5. Default: 0.25.
+   * farther off, with a warning; where more are, line numbers take the place of x and y. Whole metres are up to 0.1 off
+   * where lines are 6 m apart. Unit: columns. Range: more than 0, less than 0.5. Default: 0.25.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);

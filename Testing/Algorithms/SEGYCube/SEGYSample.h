@@ -91,6 +91,20 @@ struct File
   }
 };
 
+/// 300 traces on 10 inlines and 30 crosslines, so that a few that are wrong do not count.
+inline File LargeFile()
+{
+  File file;
+  file.Traces.clear();
+  for (int n = 0; n < 300; ++n)
+  {
+    file.Traces.push_back({ 10 + n / 30, 100 + n % 30 });
+  }
+  file.X = [](const Trace& t) { return 500000.0 + 12.5 * (t.Crossline - 100); };
+  file.Y = [](const Trace& t) { return 6000000.0 + 25.0 * (t.Inline - 10); };
+  return file;
+}
+
 /// The sample of a trace: whole, between 1 and 127, and different for neighbours.
 inline int Value(int inlineNumber, int crossline, int sample)
 {
