@@ -221,7 +221,7 @@ RequestWork TellLater(vtkInformation* request, RequestWork work)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation)
+void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (outputInformation->Has(Pipeline::UPDATE_EXTENT()))
@@ -235,10 +235,16 @@ void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vt
     }
   }
   outputInformation->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
+  outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation)
+{
+  AnnounceExtent(extent, outputInformation);
   outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
   outputInformation->Set(vtkDataObject::SPACING(), frame.Spacing.data(), 3);
   outputInformation->Set(vtkDataObject::DIRECTION(), frame.Direction.data(), 9);
-  outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -51,9 +51,12 @@ void StopLikeInformation(vtkAlgorithm* algorithm, bool& isStopped);
 /// request for data that follows tells it.
 RequestWork TellLater(vtkInformation* request, RequestWork work);
 
-/// Tells the extent and place of the image there will be, of which parts can be asked for. Where all of the one told
-/// before is asked for, or what is not in this one, all of this one is: extents are asked for before files of other
-/// times are looked at.
+/// Tells the extent of the points there will be, of which parts can be asked for. Where all of the one told before is
+/// asked for, or what is not in this one, all of this one is: extents are asked for before files of other times are
+/// looked at.
+void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInformation);
+
+/// Tells the extent and place of the image there will be.
 void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation);
 
 /// Runs the part of the work that concerns `subject`. With `mayLeaveOut` an InputError that it throws becomes a warning

@@ -14,8 +14,11 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace SeismicHorizons
@@ -84,5 +87,40 @@ std::int64_t FillImage(
     AddBlanking(window, extent, image);
   }
   return window.NotFinite;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AnnounceLine(const SEGYCube& cube, const CubeExtent& extent, vtkInformation* info)
+{
+  AnnounceExtent(cube.Places.empty() ? CubeExtent{ 0, -1, 0, -1, 0, -1 } : extent, info);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FillLine(const SEGYCube& cube, const CubeView& view, vtkImageData* image, vtkStructuredGrid* line)
+{
+  if (cube.Places.empty() || image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble(); // places of surveys are millions of metres
+  points->SetNumberOfPoints(image->GetNumberOfPoints());
+  const int* const extent = image->GetExtent();
+  vtkIdType point = 0;
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        const Eigen::Vector2d& place = cube.Places[cube.Column(i, j)];
+        points->SetPoint(point++, place.x(), place.y(), view.Frame.Elevation(k));
+      }
+    }
+  }
+  line->SetExtent(image->GetExtent());
+  line->SetPoints(points);
+  line->GetPointData()->ShallowCopy(image->GetPointData());
+  line->GetFieldData()->ShallowCopy(image->GetFieldData());
 }
 }

@@ -26,6 +26,10 @@ constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 
 
 constexpr double LeastDensity = 0.1;
 constexpr double DensityMargin = 0.15;
+// How many traces may be at the place of another one, as a part of all.
+constexpr double FewRepeated = 0.05;
+constexpr double MostRepeated = 0.5;
+constexpr std::int64_t LargestLine = 99999; // where x and y may be as well
 
 /// The numbers of a field: least, largest, and the largest step of which all differences are multiples.
 struct FieldRange
@@ -88,28 +92,44 @@ public:
   bool IsConstant(int which) const { return this->Ranges[which].IsConstant(); }
   std::int64_t Slots(int which) const { return this->Ranges[which].Slots(); }
 
-  /// Whether all traces have different places on the grid, which is not too large.
-  bool AreDistinct() const
+  /// How many traces are at the place of another one on the grid, which is not too large.
+  std::int64_t CountRepeated() const
   {
     std::vector<bool> isTaken(std::size_t(this->Ranges[0].Slots() * this->Ranges[1].Slots()), false);
     const auto width = std::size_t(this->Ranges[1].Slots());
-    bool areDistinct = true;
+    std::int64_t repeated = 0;
     this->ForEachTrace(
       [&](std::int64_t first, std::int64_t second)
       {
         std::vector<bool>::reference place =
           isTaken[this->Ranges[0].Slot(first) * width + this->Ranges[1].Slot(second)];
-        areDistinct = areDistinct && !place;
+        repeated += place;
         place = true;
       });
-    return areDistinct;
+    return repeated;
+  }
+
+  /// The largest number, without its sign.
+  std::int64_t Largest() const
+  {
+    const auto largest = [](const FieldRange& r) { return std::max(std::abs(r.First), std::abs(r.Last)); };
+    return std::max(largest(this->Ranges[0]), largest(this->Ranges[1]));
   }
 
   /// Whether both fields have the same number for some traces.
   bool HaveRepetitions() const { return this->Repeats(0) && this->Repeats(1); }
 
-  /// Whether it is a grid, or, with one field that is the same for all, a line.
-  bool IsFull() const { return this->Traces > 0 && this->Density() >= LeastDensity && this->AreDistinct(); }
+  /// Whether it is a grid, or, with one field that is the same for all, a line. A single trace may always be twice.
+  bool IsFull(double mostRepeated) const
+  {
+    return this->Traces > 0 && this->Density() >= LeastDensity &&
+      double(this->CountRepeated()) <= std::max(mostRepeated * double(this->Traces), this->Traces > 2 ? 1.0 : 0.0);
+  }
+
+  bool IsGrid(double mostRepeated) const
+  {
+    return !this->IsConstant(0) && !this->IsConstant(1) && this->IsFull(mostRepeated) && this->HaveRepetitions();
+  }
 
 private:
   template <typename Visit>
@@ -155,7 +175,7 @@ bool IsConstant(const TraceTable& table, int byte)
   return table[byte].IsConstant();
 }
 
-std::optional<FieldPair> FindGrid(const TraceTable& table, const Monitor& monitor)
+std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, const Monitor& monitor)
 {
   std::optional<FieldPair> found;
   std::vector<double> densities; // of the usual pairs; 0 for what is no grid
@@ -168,8 +188,7 @@ std::optional<FieldPair> FindGrid(const TraceTable& table, const Monitor& monito
       continue;
     }
     const PairFigures figures(table, pair);
-    const bool isGrid =
-      !figures.IsConstant(0) && !figures.IsConstant(1) && figures.IsFull() && figures.HaveRepetitions();
+    const bool isGrid = figures.IsGrid(mostRepeated) && (!IsPlacePair(pair) || figures.Largest() <= LargestLine);
     densities.back() = isGrid ? figures.Density() : 0.0;
   }
   const double densest = *std::max_element(densities.begin(), densities.end());
@@ -184,7 +203,7 @@ std::optional<FieldPair> FindGrid(const TraceTable& table, const Monitor& monito
 }
 
 /// The fields of a line. Where both numbers of the standard differ, and make no grid, other fields are no help.
-std::optional<FieldPair> FindLine(const TraceTable& table)
+std::optional<FieldPair> FindLine(const TraceTable& table, double mostRepeated)
 {
   for (const FieldPair& pair : LinePairs)
   {
@@ -194,7 +213,7 @@ std::optional<FieldPair> FindLine(const TraceTable& table)
     {
       return std::nullopt;
     }
-    if ((isFirstConstant || isSecondConstant) && PairFigures(table, pair).IsFull())
+    if ((isFirstConstant || isSecondConstant) && PairFigures(table, pair).IsFull(mostRepeated))
     {
       return pair;
     }
@@ -220,25 +239,6 @@ void RefuseGathers(const TraceTable& table)
       throw InputError(text.str());
     }
   }
-}
-
-[[noreturn]] void RefuseLines(const TraceTable& table)
-{
-  std::ostringstream text;
-  text << "no line numbers that make a grid of " << table.Traces << " traces";
-  for (const FieldPair& pair : UsualPairs)
-  {
-    const PairFigures figures(table, pair);
-    if (!figures.IsConstant(0) || !figures.IsConstant(1))
-    {
-      text << (text.str().find(':') == std::string::npos ? ": bytes " : ", bytes ") << pair.First << " and "
-           << pair.Second << " span " << figures.Slots(0) << " x " << figures.Slots(1)
-           << (figures.Density() >= LeastDensity && !figures.AreDistinct() ? " with several traces at one place" : "");
-    }
-  }
-  text << "; expected one trace for each inline and crossline, and a tenth of the grid at least. Where they are "
-          "elsewhere, set InlineByte and CrosslineByte";
-  throw InputError(text.str());
 }
 }
 
@@ -267,17 +267,75 @@ bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trac
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FieldPair FindLineFields(const TraceTable& table, const Monitor& monitor)
+bool IsPlacePair(const FieldPair& pair)
 {
+  return std::any_of(PlacePairs.begin(), PlacePairs.end(), [&](const FieldPair& p) { return p.First == pair.First; });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<FieldPair> FindAnyGrid(const TraceTable& table)
+{
+  std::vector<int> candidates;
+  for (const auto& [byte, field] : table.Fields)
+  {
+    if (!field.IsConstant() && !IsPlacePair({ byte, 0 }) && !IsPlacePair({ byte - 4, 0 }))
+    {
+      candidates.push_back(byte);
+    }
+  }
+  for (const int first : candidates)
+  {
+    for (const int second : candidates)
+    {
+      if (second > first && PairFigures(table, { first, second }).IsGrid(FewRepeated))
+      {
+        return FieldPair{ first, second };
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<FieldPair> FindLineFields(const TraceTable& table, bool mayRepeat, const Monitor& monitor)
+{
+  const double mostRepeated = mayRepeat ? MostRepeated : FewRepeated;
   RefuseGathers(table);
-  if (const std::optional<FieldPair> grid = FindGrid(table, monitor))
+  const std::optional<FieldPair> grid = FindGrid(table, mostRepeated, monitor);
+  return grid ? grid : FindLine(table, mostRepeated);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string OtherLinesText(const std::optional<FieldPair>& other)
+{
+  std::string text = "Where line numbers are elsewhere, set InlineByte and CrosslineByte";
+  if (other)
   {
-    return *grid;
+    text += "; bytes " + std::to_string(other->First) + " and " + std::to_string(other->Second) + " make a grid";
   }
-  if (const std::optional<FieldPair> line = FindLine(table))
+  return text;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RefuseLines(const TraceTable& table, const std::optional<FieldPair>& other)
+{
+  std::ostringstream text;
+  text << "no line numbers that make a grid of " << table.Traces << " traces";
+  for (const FieldPair& pair : UsualPairs)
   {
-    return *line;
+    const PairFigures figures(table, pair);
+    if (!figures.IsConstant(0) || !figures.IsConstant(1))
+    {
+      text << (text.str().find(':') == std::string::npos ? ": bytes " : ", bytes ") << pair.First << " and "
+           << pair.Second << " span " << figures.Slots(0) << " x " << figures.Slots(1)
+           << (figures.Density() >= LeastDensity && figures.CountRepeated() > 0 ? " with several traces at one place"
+                                                                                : "")
+           << (IsPlacePair(pair) && figures.Largest() > LargestLine ? " with numbers above 99999, as of x and y" : "");
+    }
   }
-  RefuseLines(table);
+  text << "; expected one trace for each inline and crossline, and a tenth of the grid at least. Where several traces "
+          "are meant to be at one place, set DuplicatePolicy. "
+       << OtherLinesText(other);
+  throw InputError(text.str());
 }
 }

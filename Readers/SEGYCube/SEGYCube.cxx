@@ -9,12 +9,15 @@
 #include "Common/Parameters.h"
 #include "Common/Survey/LineLattice.h"
 #include "Common/Survey/Units.h"
+#include "LinePlaces.h"
 #include "TraceColumns.h"
 #include "TracePlaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -97,6 +100,36 @@ void RefuseOtherLengths(const TraceTable& table)
   }
 }
 
+/// A pair that makes a grid of the first traces, among all fields of 4 bytes.
+std::optional<FieldPair> SuggestLines(const std::string& name, SEGYHeader header)
+{
+  constexpr std::int64_t most = 1 << 16; // traces
+  header.Traces = std::min(header.Traces, most);
+  std::vector<int> bytes;
+  for (int byte = 1; byte <= LastFieldByte; byte += 4)
+  {
+    bytes.push_back(byte);
+  }
+  return FindAnyGrid(ReadTraceTable(name, header, bytes, Monitor()));
+}
+
+FieldPair FindLines(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
+{
+  const std::optional<FieldPair> found = FindLineFields(table, options.Duplicates != DuplicateRule::Refuse, monitor);
+  if (!found)
+  {
+    RefuseLines(table, SuggestLines(cube.Name, cube.Header));
+  }
+  if (IsPlacePair(*found))
+  {
+    std::ostringstream text;
+    text << "line numbers at bytes " << found->First << " and " << found->Second
+         << ", where x and y are by the standard. " << OtherLinesText(SuggestLines(cube.Name, cube.Header));
+    cube.Warnings.push_back(text.str());
+  }
+  return *found;
+}
+
 double FindInterval(const SEGYHeader& header, double given)
 {
   if (given == 0.0 && header.Interval == 0.0)
@@ -107,6 +140,18 @@ double FindInterval(const SEGYHeader& header, double given)
   return given > 0.0 ? given : header.Interval;
 }
 
+void WarnOfDuplicates(SEGYCube& cube, DuplicateRule rule)
+{
+  if (cube.DuplicateTraces > 0)
+  {
+    const char* const what = rule == DuplicateRule::Mean ? "their mean is taken"
+      : rule == DuplicateRule::Last                      ? "the last of each is taken"
+      : rule == DuplicateRule::First                     ? "the first of each is taken"
+                                                         : "these are dead";
+    cube.Warnings.push_back(std::to_string(cube.DuplicateTraces) + " traces at places of others: " + what);
+  }
+}
+
 void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
 {
   const LineNumbers lines(table, cube.LineFields);
@@ -114,16 +159,23 @@ void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& optio
   cube.Lattice.Lines = numbering;
   cube.Lattice.Columns = lines.CountColumns(numbering);
   cube.Sampling.Step = FindInterval(cube.Header, options.VerticalStep);
-  FindSampling(cube, table, lines);
-  FillColumns(cube, table, lines);
+  FillColumns(cube, table, lines, options.Duplicates);
+  WarnOfDuplicates(cube, options.Duplicates);
+  FindSampling(cube, table, options.Delays);
 
-  const PlacedTraces placed = PlaceTraces(table, lines, numbering, options, monitor.Step(0.4, 1.0));
+  const bool isLine = std::min(cube.Lattice.Columns[0], cube.Lattice.Columns[1]) == 1;
+  const PlacedTraces placed = PlaceTraces(table, lines, numbering, options, isLine, monitor.Step(0.4, 1.0));
   cube.PlaceFields = placed.Fields;
-  cube.LargestDistance = placed.LargestDistance;
-  cube.Warning = placed.Warning;
-  cube.Lattice.Origin = placed.ToWorld.Origin;
-  cube.Lattice.ColumnStep = placed.ToWorld.Steps.col(0);
-  cube.Lattice.RowStep = placed.ToWorld.Steps.col(1);
+  cube.LargestDistance = placed.Fit.LargestDistance;
+  cube.StrayPlaces = placed.Fit.Strays;
+  cube.Warnings.insert(cube.Warnings.end(), placed.Warnings.begin(), placed.Warnings.end());
+  cube.Lattice.Origin = placed.Fit.ToWorld.Origin;
+  cube.Lattice.ColumnStep = placed.Fit.ToWorld.Steps.col(0);
+  cube.Lattice.RowStep = placed.Fit.ToWorld.Steps.col(1);
+  if (isLine && options.PlaceFields.First != NoField)
+  {
+    PlaceAlongLine(cube, table, options.PlaceFields);
+  }
 }
 }
 
@@ -141,6 +193,10 @@ void CheckSEGYOptions(const SEGYOptions& options)
   {
     CheckFormatCode(options.FormatCode, "");
   }
+  if (options.Samples < 0)
+  {
+    throw InputError("NumberOfSamples " + std::to_string(options.Samples) + ", expected at least 1, or 0 to find it");
+  }
   if (!(options.Tolerance > 0.0 && options.Tolerance < 0.5))
   {
     std::ostringstream text;
@@ -157,11 +213,12 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   cube.Name = name;
   const FileStamp stamp = MakeFileStamp(name);
   std::ifstream stream = OpenPlainFile(name);
-  cube.Header = ReadSEGYHeader(stream, std::int64_t(stamp.Size), options.FormatCode);
+  cube.Header = ReadSEGYHeader(stream, std::int64_t(stamp.Size), options);
+  cube.Warnings = cube.Header.Warnings;
   const TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
   RefuseOtherLengths(table);
   const bool isGiven = options.LineFields.First != 0;
-  cube.LineFields = isGiven ? options.LineFields : FindLineFields(table, monitor.Step(0.7, 0.8));
+  cube.LineFields = isGiven ? options.LineFields : FindLines(cube, table, options, monitor.Step(0.7, 0.8));
   PlaceCube(cube, table, options, monitor.Step(0.8, 1.0));
   SetVerticalUnit(cube.Survey, "ms");
   cube.Survey.HorizontalUnit = cube.PlaceFields.First == NoField ? "" : cube.Header.LengthUnit;

@@ -50,6 +50,10 @@ std::string DescribeLines(const SEGYCube& cube)
     cube.LineFields.Second);
   text << "sorted by " << (cube.IsCrosslineSorted ? "crosslines" : "inlines") << "; " << cube.MissingTraces
        << " traces missing, " << cube.DeadTraces << " dead";
+  if (cube.DuplicateTraces > 0)
+  {
+    text << ", " << cube.DuplicateTraces << " at places of others";
+  }
   if (cube.Fillers > 0)
   {
     text << ", " << cube.Fillers << " dead ones without line numbers";
@@ -72,6 +76,7 @@ std::string DescribePlaces(const SEGYCube& cube)
          << ToText(lattice.RowStep) << " along inlines'";
     text.precision(3);
     text << "; traces at most " << cube.LargestDistance << " of a step off";
+    text << (cube.StrayPlaces > 0 ? ", but for " + std::to_string(cube.StrayPlaces) : "");
   }
   return text.str();
 }
@@ -85,5 +90,16 @@ std::string Describe(const SEGYCube& cube)
   text << cube.Sampling.Indices << " vertical indices from " << cube.Sampling.First << " in steps of "
        << cube.Sampling.Step << (cube.Delays.empty() ? "" : "; traces begin at different ones");
   return text.str();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string WarningText(const SEGYCube& cube)
+{
+  std::string text;
+  for (const std::string& warning : cube.Warnings)
+  {
+    text += (text.empty() ? "" : "; ") + warning;
+  }
+  return text;
 }
 }

@@ -4,6 +4,7 @@
 #include "SEGYHeader.h"
 
 #include "Common/FileErrors.h"
+#include "SEGYLayout.h"
 
 #include <segyio/segy.h>
 
@@ -27,6 +28,7 @@ constexpr int ExtendedIntervalByte = 3273;
 constexpr int ByteOrderMarkByte = 3297;
 constexpr int AdditionalHeadersByte = 3507;
 constexpr int TrailersByte = 3529;
+constexpr double IntervalTolerance = 0.0011; // milliseconds; traces have whole microseconds
 constexpr std::uint32_t ByteOrderNumber = 16909060; // 01 02 03 04
 
 using HeaderBytes = std::vector<unsigned char>;
@@ -46,28 +48,38 @@ public:
   int Integer32(int byte) const { return ReadInteger32(this->At(byte), this->Order); }
   double Double(int byte) const { return ReadDouble(this->At(byte), this->Order); }
 
-  /// Finds the byte order by what makes sense of the format code; big-endian where neither does.
+  /// Finds the byte order by what makes sense of the format code, or where neither does, of the interval and the number
+  /// of samples: the order in which they are less.
   void FindOrder()
   {
-    const auto code = [this](ByteOrder order) { return ReadInteger16(this->At(SEGY_BIN_FORMAT), order); };
+    const auto isCode = [this](ByteOrder order)
+    { return SampleSize(ReadInteger16(this->At(SEGY_BIN_FORMAT), order)) > 0; };
+    const auto numbers = [this](ByteOrder order) {
+      return ReadUnsigned(this->At(SEGY_BIN_INTERVAL), 2, order) + ReadUnsigned(this->At(SEGY_BIN_SAMPLES), 2, order);
+    };
     const bool isMarked = ReadUnsigned(this->At(ByteOrderMarkByte), 4, ByteOrder::LittleEndian) == ByteOrderNumber;
-    const bool isSwapped = SampleSize(code(ByteOrder::BigEndian)) == 0 && SampleSize(code(ByteOrder::LittleEndian)) > 0;
+    const bool isLess = numbers(ByteOrder::LittleEndian) < numbers(ByteOrder::BigEndian);
+    const bool isSwapped = !isCode(ByteOrder::BigEndian) && (isCode(ByteOrder::LittleEndian) || isLess);
     this->Order = isMarked || isSwapped ? ByteOrder::LittleEndian : ByteOrder::BigEndian;
   }
 
   /// The major number of the revision, which is the first of two bytes; programs that write little-endian files swap
-  /// them at times.
+  /// them at times. 0 for a number that is none of a revision.
   int Revision() const
   {
+    constexpr int last = 2;
     const unsigned char* const bytes = this->At(SEGY_BIN_SEGY_REVISION);
-    return bytes[0] > 0 || this->Order == ByteOrder::BigEndian ? bytes[0] : bytes[1];
+    const int revision = bytes[0] > 0 || this->Order == ByteOrder::BigEndian ? bytes[0] : bytes[1];
+    return revision <= last ? revision : 0;
   }
+
+  int ShortSamples() const { return int(this->Unsigned16(SEGY_BIN_SAMPLES)); }
 
   /// 0 where there is none.
   int Samples() const
   {
     const int extended = this->Revision() >= 2 ? this->Integer32(ExtendedSamplesByte) : 0;
-    return extended > 0 ? extended : int(this->Unsigned16(SEGY_BIN_SAMPLES));
+    return extended > 0 ? extended : this->ShortSamples();
   }
 
   /// In microseconds; 0 where there is none.
@@ -133,7 +145,7 @@ std::vector<std::string> ReadText(const HeaderBytes& bytes, bool isEbcdic)
   return lines;
 }
 
-/// How many texts come up to the one that ends them.
+/// How many texts come up to the one that ends them; -1 where none does.
 int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
 {
   const std::string end = "((SEG:ENDTEXT))";
@@ -151,7 +163,7 @@ int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
       return count + 1;
     }
   }
-  throw InputError("extended text headers (byte 3505) without an end, expected one that is ((SEG: EndText))");
+  return -1;
 }
 
 int FindFormat(const BinaryHeader& binary, int formatCode)
@@ -161,7 +173,7 @@ int FindFormat(const BinaryHeader& binary, int formatCode)
   return code;
 }
 
-void CheckWhole(const SEGYHeader& header, std::int64_t fileSize, int firstSamples)
+void CheckWhole(SEGYHeader& header, std::int64_t fileSize, int firstSamples, const SEGYHeaderOptions& options)
 {
   const std::int64_t size = fileSize - header.FirstTrace;
   const auto traceSize = std::int64_t(header.TraceSize());
@@ -177,11 +189,16 @@ void CheckWhole(const SEGYHeader& header, std::int64_t fileSize, int firstSample
     text << "a file that ends " << size % traceSize << " bytes into trace " << size / traceSize + 1
          << ", expected whole traces of " << traceSize << " bytes, with " << header.Samples << " samples ("
          << FormatName(header.Format) << ")";
-    if (firstSamples > 0 && firstSamples != header.Samples)
+    if (!options.IgnoreIncompleteTrace)
     {
-      text << "; the first trace says " << firstSamples << " samples: traces of different lengths are not read";
+      if (firstSamples > 0 && firstSamples != header.Samples)
+      {
+        text << "; the first trace says " << firstSamples << " samples: traces of different lengths are not read";
+      }
+      text << ". Set IgnoreIncompleteTrace to read all but the last, or NumberOfSamples where it is another one";
+      throw FileError(FileProblem::CutOff, text.str());
     }
-    throw FileError(FileProblem::CutOff, text.str());
+    header.Warnings.push_back(text.str());
   }
   if (size / traceSize >= MostTraces)
   {
@@ -206,12 +223,78 @@ void CheckRevision2(const BinaryHeader& binary)
   }
 }
 
-/// The texts behind the binary header, and where the traces begin.
-void FindFirstTrace(SEGYHeader& header, const BinaryHeader& binary, std::istream& stream, std::int64_t fileSize)
+/// The layouts that there may be, the likely ones first. Up to revision 0 there are no texts behind the header, and
+/// anything may stand where their number is; but some programs write texts, and the revision not.
+std::vector<SEGYLayout> ListLayouts(
+  const BinaryHeader& binary, const SEGYExtents& file, int statedTexts, const SEGYHeaderOptions& options)
 {
-  const int texts = binary.Integer16(SEGY_BIN_EXT_HEADERS);
-  header.ExtendedTexts = texts >= 0 ? texts : header.Revision > 0 ? CountTexts(stream, fileSize, header.IsEbcdic) : 0;
-  header.FirstTrace = HeaderSize + header.ExtendedTexts * std::int64_t(SEGYTextSize);
+  std::vector<int> texts = { 0 };
+  texts.insert(binary.Revision() > 0 ? texts.begin() : texts.end(), statedTexts);
+  std::vector<SEGYLayout> layouts;
+  for (const int count : texts)
+  {
+    const int ofTrace = std::max(0, file.SamplesAt(file.FirstTrace({ count, 0 })));
+    for (const int samples : { binary.Samples(), binary.ShortSamples(), ofTrace })
+    {
+      layouts.push_back({ count, options.Samples > 0 ? options.Samples : samples });
+    }
+  }
+  // Without any number there is nothing to try.
+  const auto isEmpty = [](const SEGYLayout& layout) { return layout.Samples == 0; };
+  layouts.erase(std::remove_if(layouts.begin(), layouts.end(), isEmpty), layouts.end());
+  return layouts;
+}
+
+/// Layouts with texts of which the header does not tell.
+std::vector<SEGYLayout> ListOtherTexts(int samples)
+{
+  constexpr int most = 16;
+  std::vector<SEGYLayout> layouts;
+  for (int count = 1; count <= most; ++count)
+  {
+    layouts.push_back({ count, samples });
+  }
+  return layouts;
+}
+
+/// Where the traces are, and how long.
+void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& stream, std::int64_t fileSize,
+  const SEGYHeaderOptions& options)
+{
+  const auto samplesAt = [&](std::int64_t trace)
+  {
+    const HeaderBytes bytes = ReadBytes(stream, trace + SEGY_TR_SAMPLE_COUNT - 1, 2);
+    return bytes.size() == 2 ? int(ReadUnsigned(bytes.data(), 2, header.Order)) : -1;
+  };
+  const SEGYExtents file = { fileSize, SampleSize(int(header.Format)), samplesAt };
+  const int stated = binary.Integer16(SEGY_BIN_EXT_HEADERS);
+  const int texts = stated >= 0 ? stated : header.Revision > 0 ? CountTexts(stream, fileSize, header.IsEbcdic) : 0;
+  const std::vector<SEGYLayout> layouts = ListLayouts(binary, file, std::max(0, texts), options);
+  if (layouts.empty())
+  {
+    throw InputError("0 samples in a trace, in the header (byte 3221) and in the first trace (byte 115), expected at "
+                     "least 1; set NumberOfSamples");
+  }
+  const SEGYLayout layout = ChooseLayout(file, layouts, ListOtherTexts(layouts.front().Samples));
+  header.ExtendedTexts = layout.Texts;
+  header.FirstTrace = file.FirstTrace(layout);
+  header.Samples = layout.Samples;
+  header.HasOwnSamples = options.Samples > 0 || layout.Samples == binary.Samples();
+  const std::string behind = ": the traces begin behind " + std::to_string(layout.Texts);
+  if (header.Revision > 0 && texts < 0)
+  {
+    header.Warnings.push_back("extended text headers (byte 3505) without an end" + behind);
+  }
+  else if (header.Revision > 0 && texts != layout.Texts)
+  {
+    header.Warnings.push_back(std::to_string(texts) + " extended text headers (byte 3505)" + behind);
+  }
+  if (binary.Samples() > 0 && !header.HasOwnSamples)
+  {
+    header.Warnings.push_back(std::to_string(binary.Samples()) +
+      " samples in the header (byte 3221): traces are read with " + std::to_string(layout.Samples) +
+      ", as they say (byte 115)");
+  }
 }
 }
 
@@ -260,7 +343,7 @@ void CheckFormatCode(int code, const char* place)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int formatCode)
+SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEGYHeaderOptions& options)
 {
   const HeaderBytes bytes = ReadBytes(stream, 0, HeaderSize);
   if (bytes.size() < std::size_t(HeaderSize))
@@ -275,34 +358,27 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int forma
   header.IsEbcdic = IsEbcdic(bytes);
   header.Text = ReadText(bytes, header.IsEbcdic);
   header.Order = binary.Order;
-  header.Format = SEGYFormat(FindFormat(binary, formatCode));
+  header.Format = SEGYFormat(FindFormat(binary, options.FormatCode));
   header.Revision = binary.Revision();
-  header.Samples = binary.Samples();
   header.Interval = binary.Interval() / 1000.0;
   const int unit = binary.Integer16(SEGY_BIN_MEASUREMENT_SYSTEM);
   header.LengthUnit = unit == 1 ? "m" : unit == 2 ? "ft" : "";
   CheckRevision2(binary);
-  FindFirstTrace(header, binary, stream, fileSize);
+  FindLayout(header, binary, stream, fileSize, options);
 
   const HeaderBytes first = ReadBytes(stream, header.FirstTrace, SEGYTraceHeaderSize);
   const bool hasTrace = first.size() == std::size_t(SEGYTraceHeaderSize);
   const auto ofTrace = [&](int byte) { return hasTrace ? ReadUnsigned(&first[byte - 1], 2, header.Order) : 0; };
-  const int firstSamples = int(ofTrace(SEGY_TR_SAMPLE_COUNT));
-  if (header.Samples == 0)
+  CheckWhole(header, fileSize, int(ofTrace(SEGY_TR_SAMPLE_COUNT)), options);
+  const double interval = ofTrace(SEGY_TR_SAMPLE_INTER) / 1000.0;
+  if (header.Interval > 0.0 && interval > 0.0 && std::abs(header.Interval - interval) > IntervalTolerance)
   {
-    header.Samples = firstSamples;
-    header.HasOwnSamples = false;
+    std::ostringstream text;
+    text << "an interval of " << header.Interval << " ms in the header (byte 3217) and of " << interval
+         << " in the first trace (byte 117): that of the header is taken; set VerticalStep for another one";
+    header.Warnings.push_back(text.str());
   }
-  if (header.Samples == 0)
-  {
-    throw InputError("0 samples in a trace, in the header (byte 3221) and in the first trace (byte 115), expected at "
-                     "least 1");
-  }
-  if (header.Interval == 0.0)
-  {
-    header.Interval = ofTrace(SEGY_TR_SAMPLE_INTER) / 1000.0;
-  }
-  CheckWhole(header, fileSize, firstSamples);
+  header.Interval = header.Interval > 0.0 ? header.Interval : interval;
   header.Traces = (fileSize - header.FirstTrace) / std::int64_t(header.TraceSize());
   return header;
 }

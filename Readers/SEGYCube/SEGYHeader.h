@@ -19,6 +19,14 @@ namespace SeismicHorizons
 constexpr int SEGYTextSize = 3200; // bytes
 constexpr int SEGYTraceHeaderSize = 240;
 
+/// What the user says of a file, where it is wrong.
+struct SEGYHeaderOptions
+{
+  int FormatCode = 0; // 0: that of the file
+  int Samples = 0; // of a trace; 0: found
+  bool IgnoreIncompleteTrace = false; // at the end of the file
+};
+
 struct SEGYHeader
 {
   std::vector<std::string> Text; // 40 lines, without blanks at their ends
@@ -33,6 +41,7 @@ struct SEGYHeader
   int ExtendedTexts = 0;
   std::int64_t FirstTrace = 0; // the byte where it begins
   std::int64_t Traces = 0;
+  std::vector<std::string> Warnings; // what is wrong with it
 
   std::size_t DataSize() const { return std::size_t(this->Samples) * SampleSize(int(this->Format)); }
   std::size_t TraceSize() const { return SEGYTraceHeaderSize + this->DataSize(); }
@@ -41,9 +50,10 @@ struct SEGYHeader
 /// Throws InputError where there is no such format; the place is named in the message.
 void CheckFormatCode(int code, const char* place);
 
-/// Reads the header of a file of that many bytes. `formatCode` goes before what the file says; 0: what the file says.
-/// Throws InputError where it is none of a SEG-Y file, and where the file does not hold whole traces.
-SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, int formatCode = 0);
+/// Reads the header of a file of that many bytes. Numbers of samples and of extended texts that the traces contradict
+/// are replaced by theirs, with a warning. Throws InputError where it is none of a SEG-Y file, and where the file does
+/// not hold whole traces.
+SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEGYHeaderOptions& options = {});
 
 /// Whether a file begins as SEG-Y files do: with a format code there is, in either byte order, and with a number of
 /// samples.

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <numeric>
 
 namespace SeismicHorizons
@@ -74,6 +75,28 @@ SampleCheck CheckSamples(const std::vector<float>& samples)
     notFinite += (bits & exponent) == exponent;
   }
   return { anyBits == 0, std::int64_t(notFinite) };
+}
+
+/// Replaces samples by those at a part of a step behind them, from 0 to 1: on the cubic polynomial between two that has
+/// the slopes of central differences there (Catmull and Rom, 1974). The last one has none behind.
+void ShiftSamples(std::vector<float>& samples, float shift)
+{
+  if (samples.size() < 2)
+  {
+    return;
+  }
+  const std::vector<float> old = samples;
+  const std::size_t last = old.size() - 1;
+  for (std::size_t n = 0; n < last; ++n)
+  {
+    const float b = old[n];
+    const float c = old[n + 1];
+    const float a = n > 0 ? old[n - 1] : 2.0f * b - c;
+    const float d = n + 2 <= last ? old[n + 2] : 2.0f * c - b;
+    const float cubic = 3.0f * (b - c) + d - a;
+    const float square = 2.0f * a - 5.0f * b + 4.0f * c - d;
+    samples[n] = b + 0.5f * shift * (c - a + shift * (square + shift * cubic));
+  }
 }
 
 /// Reads one tile after the other, for one thread.
@@ -151,6 +174,39 @@ private:
     }
   }
 
+  void ToSamples(const unsigned char* trace, std::vector<float>& samples) const
+  {
+    const SEGYHeader& header = this->Cube.Header;
+    ToFloats(trace + SEGYTraceHeaderSize, samples.size(), header.Format, header.Order, samples.data());
+  }
+
+  /// Makes the samples of a column the mean of all its traces but those of zeros. Gives what they are like.
+  SampleCheck AddDuplicates(std::size_t column, SampleCheck check)
+  {
+    const std::vector<DuplicateTrace>& all = this->Cube.Duplicates;
+    auto duplicate = std::lower_bound(
+      all.begin(), all.end(), column, [](const DuplicateTrace& d, std::size_t c) { return d.Column < c; });
+    if (duplicate == all.end() || duplicate->Column != column)
+    {
+      return check;
+    }
+    int count = check.AreZero ? 0 : 1;
+    std::vector<unsigned char> bytes(this->Cube.Header.TraceSize());
+    std::vector<float> samples(this->Samples.size());
+    for (; duplicate != all.end() && duplicate->Column == column; ++duplicate)
+    {
+      this->File.ReadTraces(duplicate->Trace, 1, bytes.data());
+      this->ToSamples(bytes.data(), samples);
+      count += CheckSamples(samples).AreZero ? 0 : 1;
+      std::transform(samples.begin(), samples.end(), this->Samples.begin(), this->Samples.begin(), std::plus<float>());
+    }
+    for (float& sample : this->Samples)
+    {
+      sample /= float(std::max(1, count));
+    }
+    return CheckSamples(this->Samples);
+  }
+
   /// Writes the samples of a column at the levels of the window.
   void ConvertColumn(const Tile& tile, int i, int j, float* levels)
   {
@@ -165,15 +221,25 @@ private:
     }
     const SEGYHeader& header = this->Cube.Header;
     const unsigned char* const trace = this->Bytes.data() + std::size_t(slot) * header.TraceSize();
-    ToFloats(trace + SEGYTraceHeaderSize, this->Samples.size(), header.Format, header.Order, this->Samples.data());
-    const SampleCheck check = CheckSamples(this->Samples);
+    this->ToSamples(trace, this->Samples);
+    SampleCheck check = CheckSamples(this->Samples);
+    const std::size_t cubeColumn = this->Cube.Column(i, j);
+    if (!this->Cube.Duplicates.empty())
+    {
+      check = this->AddDuplicates(cubeColumn, check);
+    }
     if (check.AreZero)
     {
       return;
     }
     this->Bad += check.NotFinite;
-    const int delay = this->Cube.Delays.empty() ? 0 : this->Cube.Delays[this->Cube.Column(i, j)];
-    range = { delay, delay + header.Samples };
+    const int delay = this->Cube.Delays.empty() ? 0 : this->Cube.Delays[cubeColumn];
+    const float shift = this->Cube.Shifts.empty() ? 0.0f : this->Cube.Shifts[cubeColumn];
+    range = { delay, delay + header.Samples - int(shift > 0.0f) };
+    if (shift > 0.0f)
+    {
+      ShiftSamples(this->Samples, shift);
+    }
     const int first = std::max(delay, this->Extent[4]);
     const int end = std::min(range.End, this->Extent[5] + 1);
     if (first < end)

@@ -27,14 +27,14 @@ double Delay(const TraceTable& table, std::int64_t trace)
   return Scaled(table[TraceByte::Delay][trace], table[TraceByte::TimeScalar][trace]);
 }
 
-/// The range of the delays of all traces that are not dead.
-std::array<double, 2> DelayRange(const TraceTable& table, const LineNumbers& lines)
+/// The range of the delays of all columns.
+std::array<double, 2> DelayRange(const SEGYCube& cube, const TraceTable& table)
 {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  for (std::int64_t trace = 0; trace < table.Traces; ++trace)
+  for (const std::int32_t trace : cube.Traces)
   {
-    if (!table.IsDead(trace) && lines.IsUsed(trace))
+    if (trace >= 0)
     {
       least = std::min(least, Delay(table, trace));
       most = std::max(most, Delay(table, trace));
@@ -43,18 +43,104 @@ std::array<double, 2> DelayRange(const TraceTable& table, const LineNumbers& lin
   return least <= most ? std::array<double, 2>{ least, most } : std::array<double, 2>{ 0.0, 0.0 };
 }
 
-int DelayIndex(const SEGYCube& cube, const TraceTable& table, std::int64_t trace)
+/// One of the delays that are whole steps from those of most columns.
+double CommonDelay(const SEGYCube& cube, const TraceTable& table, double least)
 {
-  const double delay = Delay(table, trace);
-  const double index = (delay - cube.Sampling.First) / cube.Sampling.Step;
-  if (std::abs(index - std::round(index)) > DelayTolerance)
+  constexpr int parts = 1000; // of a step
+  std::array<std::int64_t, parts> counts = {};
+  const auto partOf = [&](std::int32_t trace)
   {
-    std::ostringstream text;
-    text << "trace " << trace + 1 << " with a delay of " << delay << " ms (byte 109), expected whole steps of "
-         << cube.Sampling.Step << " ms from the least one, " << cube.Sampling.First;
-    throw InputError(text.str());
+    const double index = (Delay(table, trace) - least) / cube.Sampling.Step;
+    return std::size_t(std::llround((index - std::floor(index)) * parts) % parts);
+  };
+  for (const std::int32_t trace : cube.Traces)
+  {
+    counts[trace >= 0 ? partOf(trace) : 0] += trace >= 0;
   }
-  return int(std::lround(index));
+  const auto common = std::size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  const auto first = std::find_if(
+    cube.Traces.begin(), cube.Traces.end(), [&](std::int32_t trace) { return trace >= 0 && partOf(trace) == common; });
+  return Delay(table, *first);
+}
+
+/// Puts columns on whole steps from a delay, one after the other.
+class DelaySteps
+{
+public:
+  DelaySteps(SEGYCube& cube, DelayRule rule, double common)
+    : Cube(cube)
+    , Rule(rule)
+    , Common(common)
+  {
+  }
+
+  void Add(std::size_t column, double delay)
+  {
+    const double index = (delay - this->Common) / this->Cube.Sampling.Step;
+    const double off = std::abs(index - std::round(index));
+    const bool isShifted = off > DelayTolerance && this->Rule == DelayRule::Interpolate;
+    const auto first = std::int32_t(isShifted ? std::ceil(index) : std::round(index));
+    this->Cube.Delays[column] = first;
+    if (isShifted)
+    {
+      this->Cube.Shifts.resize(this->Cube.Delays.size(), 0.0f);
+      this->Cube.Shifts[column] = float(first - index);
+    }
+    this->First = std::min(this->First, first);
+    this->End = std::max(this->End, first + this->Cube.Header.Samples - int(isShifted));
+    if (off > DelayTolerance)
+    {
+      ++this->Uneven;
+      this->Farthest = std::max(this->Farthest, off * this->Cube.Sampling.Step);
+    }
+  }
+
+  /// Counts indices from the first one on.
+  void Finish(double least)
+  {
+    VerticalSampling& sampling = this->Cube.Sampling;
+    const double first = this->Common + this->First * sampling.Step;
+    sampling.First = std::abs(first - least) <= DelayTolerance * sampling.Step ? least : first;
+    sampling.Indices = this->End - this->First;
+    for (std::size_t column = 0; column < this->Cube.Delays.size(); ++column)
+    {
+      this->Cube.Delays[column] -= this->Cube.Traces[column] >= 0 ? this->First : 0;
+    }
+    if (this->Uneven > 0)
+    {
+      std::ostringstream text;
+      text << this->Uneven << " traces with delays up to " << this->Farthest << " ms off whole steps of "
+           << sampling.Step << " ms from " << this->Common << " (byte 109): "
+           << (this->Rule == DelayRule::Nearest ? "moved to the nearest step"
+                                                : "their samples are interpolated at whole steps");
+      this->Cube.Warnings.push_back(text.str());
+    }
+  }
+
+private:
+  SEGYCube& Cube;
+  const DelayRule Rule;
+  const double Common;
+  std::int32_t First = std::numeric_limits<std::int32_t>::max();
+  std::int32_t End = std::numeric_limits<std::int32_t>::min();
+  std::int64_t Uneven = 0;
+  double Farthest = 0.0; // off a whole step, in milliseconds
+};
+
+void CheckDelaysOfDuplicates(const SEGYCube& cube, const TraceTable& table)
+{
+  for (const DuplicateTrace& duplicate : cube.Duplicates)
+  {
+    const std::int32_t first = cube.Traces[duplicate.Column];
+    if (Delay(table, first) != Delay(table, duplicate.Trace))
+    {
+      std::ostringstream text;
+      text << "traces " << first + 1 << " and " << duplicate.Trace + 1 << " at one place with delays of "
+           << Delay(table, first) << " and " << Delay(table, duplicate.Trace)
+           << " ms (byte 109), expected the same for their mean; set DuplicatePolicy to First or Last";
+      throw InputError(text.str());
+    }
+  }
 }
 
 void CheckCells(const SEGYCube& cube, double indices)
@@ -124,30 +210,32 @@ std::array<int, 2> LineNumbers::CountColumns(const LineNumbering& numbering) con
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FindSampling(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines)
+void FindSampling(SEGYCube& cube, const TraceTable& table, DelayRule rule)
 {
-  const std::array<double, 2> range = DelayRange(table, lines);
+  CheckDelaysOfDuplicates(cube, table);
+  const std::array<double, 2> range = DelayRange(cube, table);
   cube.Sampling.First = range[0];
-  const double indices = std::round((range[1] - range[0]) / cube.Sampling.Step) + cube.Header.Samples;
+  cube.Sampling.Indices = cube.Header.Samples;
+  const double indices = std::ceil((range[1] - range[0]) / cube.Sampling.Step) + cube.Header.Samples;
   CheckCells(cube, indices);
-  cube.Sampling.Indices = int(indices);
   if (range[0] == range[1])
   {
     return;
   }
-  cube.Delays.assign(std::size_t(cube.Lattice.Columns[0]) * std::size_t(cube.Lattice.Columns[1]), 0);
-  for (std::int64_t trace = 0; trace < table.Traces; ++trace)
+  cube.Delays.assign(cube.Traces.size(), 0);
+  DelaySteps steps(cube, rule, CommonDelay(cube, table, range[0]));
+  for (std::size_t column = 0; column < cube.Traces.size(); ++column)
   {
-    if (!table.IsDead(trace) && lines.IsUsed(trace))
+    if (cube.Traces[column] >= 0)
     {
-      const auto [i, j] = lines.Column(*cube.Lattice.Lines, trace);
-      cube.Delays[cube.Column(i, j)] = DelayIndex(cube, table, trace);
+      steps.Add(column, Delay(table, cube.Traces[column]));
     }
   }
+  steps.Finish(range[0]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines)
+void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines, DuplicateRule rule)
 {
   const std::size_t columns = std::size_t(cube.Lattice.Columns[0]) * std::size_t(cube.Lattice.Columns[1]);
   cube.Traces.assign(columns, NoTrace);
@@ -165,20 +253,38 @@ void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lin
     const std::array<int, 2> place = lines.Column(*cube.Lattice.Lines, trace);
     alongCrosslines += (place[0] == previous[0]) - (place[1] == previous[1]);
     previous = place;
-    std::int32_t& number = cube.Traces[cube.Column(place[0], place[1])];
-    if (number != NoTrace)
+    const std::size_t column = cube.Column(place[0], place[1]);
+    std::int32_t& number = cube.Traces[column];
+    const bool isDead = table.IsDead(trace);
+    const std::int32_t own = isDead ? DeadTrace : std::int32_t(trace);
+    if (number == NoTrace)
+    {
+      number = own;
+      --cube.MissingTraces;
+      continue;
+    }
+    ++cube.DuplicateTraces; // a dead one says nothing where there is another
+    if (!isDead && number != DeadTrace && rule == DuplicateRule::Refuse)
     {
       std::ostringstream text;
       text << "trace " << trace + 1 << " at inline " << lines.Inline(trace) << " (byte " << lines.Bytes().First
            << ") and crossline " << lines.Crossline(trace) << " (byte " << lines.Bytes().Second
-           << "), where there is another one, expected one trace for each inline and crossline";
+           << "), where there is another one, expected one trace for each inline and crossline; set DuplicatePolicy to "
+              "read the first, the last or the mean of several";
       throw InputError(text.str());
     }
-    const bool isDead = table.IsDead(trace);
-    number = isDead ? DeadTrace : std::int32_t(trace);
-    cube.DeadTraces += isDead;
-    --cube.MissingTraces;
+    if (!isDead && number >= 0 && rule == DuplicateRule::Mean)
+    {
+      cube.Duplicates.push_back({ column, own });
+    }
+    else if (!isDead && (number == DeadTrace || rule == DuplicateRule::Last))
+    {
+      number = own;
+    }
   }
   cube.IsCrosslineSorted = alongCrosslines > 0;
+  cube.DeadTraces = std::count(cube.Traces.begin(), cube.Traces.end(), DeadTrace);
+  std::stable_sort(cube.Duplicates.begin(), cube.Duplicates.end(),
+    [](const DuplicateTrace& a, const DuplicateTrace& b) { return a.Column < b.Column; });
 }
 }

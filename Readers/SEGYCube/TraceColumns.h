@@ -47,13 +47,14 @@ private:
   const FieldPair Fields;
 };
 
-/// The vertical indices, from the earliest sample of any trace to the last, where the step from one to the next is
-/// known; and the vertical index of the first sample of each column, where they differ. Throws InputError where delays
-/// are no whole steps apart.
-void FindSampling(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines);
+/// The traces of all columns, and how they are sorted. Throws InputError on two live traces at one place where the rule
+/// refuses them.
+void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines, DuplicateRule rule);
 
-/// The traces of all columns, and how they are sorted. Throws InputError on two traces at one place.
-void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines);
+/// The vertical indices, from the earliest sample of any trace of the columns to the last, where the step from one to
+/// the next is known; and the vertical index of the first sample of each column, where they differ. Whole steps are
+/// those from the delay of most traces; others are a warning. Throws InputError on duplicates with other delays.
+void FindSampling(SEGYCube& cube, const TraceTable& table, DelayRule rule);
 }
 
 #endif

@@ -12,12 +12,15 @@
 #include "CubeImage.h"
 #include "SEGYExtent.h"
 
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -44,7 +47,8 @@ bool AreSame(const FieldPair& a, const FieldPair& b)
 bool AreSame(const SEGYOptions& a, const SEGYOptions& b)
 {
   return a.FormatCode == b.FormatCode && AreSame(a.LineFields, b.LineFields) && AreSame(a.PlaceFields, b.PlaceFields) &&
-    a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep;
+    a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep && a.Samples == b.Samples &&
+    a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates && a.Delays == b.Delays;
 }
 
 std::string NoMemory(const char* fileName)
@@ -67,6 +71,7 @@ vtkStandardNewMacro(vtkSEGYCubeReader);
 vtkSEGYCubeReader::vtkSEGYCubeReader()
 {
   this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -76,6 +81,13 @@ vtkSEGYCubeReader::~vtkSEGYCubeReader()
   this->SetVerticalDomain(nullptr);
   this->SetHorizontalUnit(nullptr);
   this->SetCoordinateSystem(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkSEGYCubeReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkImageData" : "vtkStructuredGrid");
+  return 1;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -98,6 +110,10 @@ SEGYOptions vtkSEGYCubeReader::MakeOptions() const
   options.PlaceFields = { this->XByte, this->YByte };
   options.Tolerance = this->LatticeTolerance;
   options.VerticalStep = this->VerticalStep;
+  options.Samples = this->NumberOfSamples;
+  options.IgnoreIncompleteTrace = this->IgnoreIncompleteTrace;
+  options.Duplicates = DuplicateRule(this->DuplicatePolicy);
+  options.Delays = DelayRule(this->DelayPolicy);
   return options;
 }
 
@@ -155,9 +171,9 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
       content->Options = options;
       content->Cube = ReadSEGYCube(this->Files.GetCurrent(), options, monitor);
       this->Content = std::move(content);
-      if (!this->Content->Cube.Warning.empty())
+      if (!this->Content->Cube.Warnings.empty())
       {
-        vtkWarningMacro(<< this->Files.GetCurrent() << ": " << this->Content->Cube.Warning);
+        vtkWarningMacro(<< this->Files.GetCurrent() << ": " << WarningText(this->Content->Cube));
       }
     });
   this->Description = Describe(this->Content->Cube);
@@ -189,28 +205,34 @@ int vtkSEGYCubeReader::RequestInformation(
           const CubeExtent extent =
             PrefixErrors(this->Files.GetCurrent(), [&]() { return FindExtent(this->Content->Cube, ranges); });
           Announce(this->MakeView(), extent, info);
+          AnnounceLine(this->Content->Cube, extent, outputVector->GetInformationObject(1));
         })),
     Ranks(), &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkSEGYCubeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  // Both outputs have the extent of the one that is asked for.
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   vtkImageData* const output = vtkImageData::GetData(outputVector);
+  vtkStructuredGrid* const line = vtkStructuredGrid::GetData(outputVector, 1);
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Choose(info);
   return RunRequest(
-    this, { output }, NoMemory(this->Files.GetCurrent()),
+    this, { output, line }, NoMemory(this->Files.GetCurrent()),
     [&](std::string&, const Monitor& monitor)
     {
       StopLikeInformation(this, this->IsInformationStopped);
+      line->Initialize();
       output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
       // The file may have changed since the information was asked for.
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;
-      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+      outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
       const std::int64_t notFinite = PrefixFileErrors(this->Files.GetCurrent(),
         [&]() { return FillImage(this->Content->Cube, this->MakeView(), extent, output, monitor.Step(0.1, 1.0)); });
+      FillLine(this->Content->Cube, this->MakeView(), output, line);
       if (notFinite > 0)
       {
         vtkWarningMacro(<< this->Files.GetCurrent() << ": " << notFinite
@@ -235,6 +257,10 @@ void vtkSEGYCubeReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CrosslineRange: " << this->CrosslineRange[0] << ' ' << this->CrosslineRange[1] << '\n';
   os << indent << "SampleRange: " << this->SampleRange[0] << ' ' << this->SampleRange[1] << '\n';
   os << indent << "SampleFormat: " << this->SampleFormat << '\n';
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << '\n';
+  os << indent << "IgnoreIncompleteTrace: " << (this->IgnoreIncompleteTrace ? "On" : "Off") << '\n';
+  os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << '\n';
+  os << indent << "DelayPolicy: " << this->DelayPolicy << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
   os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
   os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';

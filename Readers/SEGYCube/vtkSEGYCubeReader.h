@@ -32,6 +32,9 @@
  * several threads, and by several processes each its own part. Memory is the window's and some megabytes for each
  * thread, and 4 bytes for each trace of the file; up to 100 for each while headers are looked at.
  *
+ * The second output is one vtkStructuredGrid, for files of one inline or crossline whose traces have x and y: the same
+ * samples, each trace where its own header says, on a line that need not be straight. It is empty for other files.
+ *
  * What is no cube after stacking gives one error, which starts with the name of the file; GetErrorCode() says what
  * kind, as that of vtkHorizonSource does.
  *
@@ -171,6 +174,66 @@ public:
 
   ///@{
   /**
+   * The number of samples of a trace. 0: that of the file, or of the traces, where it does not fit them. Range: at
+   * least 0. Default: 0.
+   */
+  vtkSetMacro(NumberOfSamples, int);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Leave out the last trace of a file that ends within it, with a warning; otherwise such a file is an error. Default:
+   * off.
+   */
+  vtkSetMacro(IgnoreIncompleteTrace, bool);
+  vtkGetMacro(IgnoreIncompleteTrace, bool);
+  vtkBooleanMacro(IgnoreIncompleteTrace, bool);
+  ///@}
+
+  /// Values of DuplicatePolicy.
+  enum DuplicateChoice
+  {
+    Refuse = 0,
+    First = 1,
+    Last = 2,
+    Mean = 3
+  };
+
+  ///@{
+  /**
+   * What counts where several traces have the same inline and crossline. Refuse: none, it is an error. First, Last: the
+   * first or the last in the file. Mean: the mean of their samples, but for traces of zeros. Dead traces never count
+   * beside others. Default: Refuse.
+   */
+  vtkSetClampMacro(DuplicatePolicy, int, Refuse, Mean);
+  vtkGetMacro(DuplicatePolicy, int);
+  void SetDuplicatePolicyToRefuse() { this->SetDuplicatePolicy(Refuse); }
+  void SetDuplicatePolicyToFirst() { this->SetDuplicatePolicy(First); }
+  void SetDuplicatePolicyToLast() { this->SetDuplicatePolicy(Last); }
+  void SetDuplicatePolicyToMean() { this->SetDuplicatePolicy(Mean); }
+  ///@}
+
+  /// Values of DelayPolicy.
+  enum DelayChoice
+  {
+    Interpolate = 0,
+    Nearest = 1
+  };
+
+  ///@{
+  /**
+   * What is done with traces whose delay is not whole steps off that of most others; there is a warning. Interpolate:
+   * samples at whole steps, by cubic polynomials. Nearest: samples move by up to half a step. Default: Interpolate.
+   */
+  vtkSetClampMacro(DelayPolicy, int, Interpolate, Nearest);
+  vtkGetMacro(DelayPolicy, int);
+  void SetDelayPolicyToInterpolate() { this->SetDelayPolicy(Interpolate); }
+  void SetDelayPolicyToNearest() { this->SetDelayPolicy(Nearest); }
+  ///@}
+
+  ///@{
+  /**
    * The step from a sample to the next. 0: a thousandth of the interval in the file, which is milliseconds for time,
    * and metres or feet in most files of depth. Unit: that of z. Range: finite, at least 0. Default: 0.
    */
@@ -234,9 +297,9 @@ public:
 
   ///@{
   /**
-   * How far x and y of traces may be off the lattice, as a fraction of the step; where they are farther off, line
-   * numbers take their place. Whole metres are up to 0.1 off where lines are 6 m apart. Unit: columns. Range: more than
-   * 0, less than 0.5. Default: 0.25.
+   * How far x and y of traces may be off the lattice, as a fraction of the step. Up to a tenth of the traces may be
+   * farther off, with a warning; where more are, line numbers take the place of x and y. Whole metres are up to 0.1 off
+   * where lines are 6 m apart. Unit: columns. Range: more than 0, less than 0.5. Default: 0.25.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
@@ -262,6 +325,7 @@ protected:
   ~vtkSEGYCubeReader() override;
 
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -282,6 +346,10 @@ private:
   int CrosslineRange[2] = { 0, -1 };
   int SampleRange[2] = { 0, -1 };
   int SampleFormat = FromFile;
+  int NumberOfSamples = 0;
+  bool IgnoreIncompleteTrace = false;
+  int DuplicatePolicy = Refuse;
+  int DelayPolicy = Interpolate;
   double VerticalStep = 0.0;
   int VerticalDirection = Down;
   char* VerticalUnit = nullptr;

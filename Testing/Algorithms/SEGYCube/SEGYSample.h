@@ -19,57 +19,6 @@ namespace SEGYSample
 {
 using namespace SeismicHorizons;
 
-/// A trace, by what its header says.
-struct Trace
-{
-  int Inline = 0;
-  int Crossline = 0;
-  int Kind = 1;
-  int Delay = 0; // ms
-  int Offset = 0;
-  int Samples = -1; // in its header; -1: what the file has
-  bool IsZero = false;
-};
-
-/// A file. Without changes a cube of 3 inlines (10, 12, 14) and 4 crosslines (100, 101, 102, 103) of 5 samples.
-struct File
-{
-  SEGYFormat Format = SEGYFormat::IbmFloat;
-  ByteOrder Order = ByteOrder::BigEndian;
-  int Samples = 5;
-  int SamplesInHeader = -1; // -1: Samples
-  int Interval = 4000; // microseconds, in the header
-  int TraceInterval = 0; // in the headers of traces
-  int Revision = 1;
-  int ExtendedTexts = 0;
-  int ExtendedTextsInHeader = 0;
-  int Unit = 1;
-  bool IsEbcdic = true;
-  int InlineByte = 189, CrosslineByte = 193, XByte = 181, YByte = 185;
-  int PlaceScalar = -100;
-  std::vector<Trace> Traces;
-  // World x and y of lines, as stored: with the scalar applied.
-  std::function<double(const Trace&)> X = [](const Trace& t) { return 500000.0 + 25.0 * (t.Crossline - 100); };
-  std::function<double(const Trace&)> Y = [](const Trace& t) { return 6000000.0 + 50.0 * (t.Inline - 10); };
-
-  File()
-  {
-    for (const int inlineNumber : { 10, 12, 14 })
-    {
-      for (const int crossline : { 100, 101, 102, 103 })
-      {
-        this->Traces.push_back({ inlineNumber, crossline });
-      }
-    }
-  }
-};
-
-/// The sample of a trace: whole, between 1 and 127, and different for neighbours.
-inline int Value(int inlineNumber, int crossline, int sample)
-{
-  return 1 + (7 * inlineNumber + 31 * crossline + 3 * sample + inlineNumber * crossline) % 127;
-}
-
 class Bytes
 {
 public:
@@ -94,6 +43,73 @@ public:
 private:
   const ByteOrder Order;
 };
+
+/// A trace, by what its header says.
+struct Trace
+{
+  int Inline = 0;
+  int Crossline = 0;
+  int Kind = 1;
+  int Delay = 0; // ms
+  int Offset = 0;
+  int Samples = -1; // in its header; -1: what the file has
+  bool IsZero = false;
+  int Extra = 0; // added to its samples
+};
+
+/// A file. Without changes a cube of 3 inlines (10, 12, 14) and 4 crosslines (100, 101, 102, 103) of 5 samples.
+struct File
+{
+  SEGYFormat Format = SEGYFormat::IbmFloat;
+  ByteOrder Order = ByteOrder::BigEndian;
+  int Samples = 5;
+  int SamplesInHeader = -1; // -1: Samples
+  int Interval = 4000; // microseconds, in the header
+  int TraceInterval = 0; // in the headers of traces
+  int Revision = 1;
+  int ExtendedTexts = 0;
+  int ExtendedTextsInHeader = 0;
+  int Unit = 1;
+  bool IsEbcdic = true;
+  int InlineByte = 189, CrosslineByte = 193, XByte = 181, YByte = 185;
+  int PlaceScalar = -100;
+  std::vector<Trace> Traces;
+  // World x and y of lines, as stored: with the scalar applied.
+  std::function<double(const Trace&)> X = [](const Trace& t) { return 500000.0 + 25.0 * (t.Crossline - 100); };
+  std::function<double(const Trace&)> Y = [](const Trace& t) { return 6000000.0 + 50.0 * (t.Inline - 10); };
+  std::function<void(const Trace&, Bytes&)> Change; // of the header of a trace, by whatever else is in it
+
+  File()
+  {
+    for (const int inlineNumber : { 10, 12, 14 })
+    {
+      for (const int crossline : { 100, 101, 102, 103 })
+      {
+        this->Traces.push_back({ inlineNumber, crossline });
+      }
+    }
+  }
+};
+
+/// 300 traces on 10 inlines and 30 crosslines, so that a few that are wrong do not count.
+inline File LargeFile()
+{
+  File file;
+  file.Traces.clear();
+  for (int n = 0; n < 300; ++n)
+  {
+    file.Traces.push_back({ 10 + n / 30, 100 + n % 30 });
+  }
+  file.X = [](const Trace& t) { return 500000.0 + 12.5 * (t.Crossline - 100); };
+  file.Y = [](const Trace& t) { return 6000000.0 + 25.0 * (t.Inline - 10); };
+  return file;
+}
+
+/// The sample of a trace: whole, between 1 and 127, and different for neighbours.
+inline int Value(int inlineNumber, int crossline, int sample)
+{
+  return 1 + (7 * inlineNumber + 31 * crossline + 3 * sample + inlineNumber * crossline) % 127;
+}
 
 /// The bits of a float of IBM that is nearest to a number, or of a whole number or float of IEEE.
 inline std::int64_t Bits(double value, SEGYFormat format)
@@ -214,11 +230,15 @@ inline std::string MakeTrace(const File& file, const Trace& trace, int number)
   header.Put(file.YByte, 4, stored(file.Y(trace)));
   header.Put(file.InlineByte, 4, trace.Inline);
   header.Put(file.CrosslineByte, 4, trace.Crossline);
+  if (file.Change)
+  {
+    file.Change(trace, header);
+  }
   const int size = SizeOf(file.Format);
   Bytes samples(std::size_t(size * file.Samples), file.Order);
   for (int sample = 0; sample < file.Samples; ++sample)
   {
-    const double value = trace.IsZero ? 0.0 : Value(trace.Inline, trace.Crossline, sample);
+    const double value = trace.IsZero ? 0.0 : Value(trace.Inline, trace.Crossline, sample) + trace.Extra;
     samples.Put(1 + size * sample, size, Bits(value, file.Format));
   }
   return header.Text + samples.Text;

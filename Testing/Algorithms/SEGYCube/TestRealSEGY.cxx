@@ -89,7 +89,7 @@ void HeadersAreUnderstood()
     CHECK_EQUAL(cube.MissingTraces, expected.Missing);
     CHECK(cube.Header.Format == expected.Format);
     CHECK(cube.LargestDistance < expected.LargestDistance);
-    CHECK_EQUAL(cube.Warning, std::string());
+    CHECK_EQUAL(WarningText(cube), std::string());
     const Window window = ReadWindow(cube, Whole(cube));
     CHECK_EQUAL(std::count_if(window.Marks.Columns.begin(), window.Marks.Columns.end(),
                   [](const SampleRange& range) { return range.First == range.End; }),

@@ -131,7 +131,10 @@ void TheFullestUsualGridCounts()
   CHECK_EQUAL(found(), 189);
   put(193, [](int trace) { return trace < 11 ? 100 + trace % 4 : 102; }); // two at one place
   CHECK_THROWS_WITH(
-    found(), "bytes 189 and 193 span 3 x 4 with several traces at one place, bytes 9 and 21 span 3 x 12");
+    found(), "trace 12 at inline 14 (byte 189) and crossline 102 (byte 193), where there is another one");
+  put(189, [](int trace) { return trace < 8 ? 10 : 12; }); // and more
+  CHECK_THROWS_WITH(
+    found(), "bytes 189 and 193 span 2 x 4 with several traces at one place, bytes 9 and 21 span 3 x 12");
 }
 
 void GapsAndMissingTracesAreBlank()
@@ -229,8 +232,8 @@ void PlacesOffTheLatticeAreNotUsed()
   file.X = [](const Trace& t) { return 500000.0 + 25.0 * (t.Crossline - 100) + (t.Crossline == 102 ? 20.0 : 0.0); };
   const SEGYCube cube = Read(file);
   CHECK_EQUAL(cube.PlaceFields.First, NoField);
-  CHECK(cube.Warning.find("x and y of traces (bytes 181 and 185) up to 0.5") == 0);
-  CHECK(cube.Warning.find("line numbers stand for x and y") != std::string::npos);
+  CHECK(WarningText(cube).find("x and y of traces (bytes 181 and 185) up to 0.5") == 0);
+  CHECK(WarningText(cube).find("line numbers stand for x and y") != std::string::npos);
   CHECK(IsNear(cube.Lattice.Origin, 100.0, 10.0));
   CHECK(IsNear(cube.Lattice.RowStep, 0.0, 2.0));
   CHECK_EQUAL(cube.Survey.HorizontalUnit, std::string());
@@ -240,7 +243,7 @@ void PlacesOffTheLatticeAreNotUsed()
   options.PlaceFields = { 73, 77 };
   CHECK_THROWS_WITH(Read(file, options), "x and y of traces (bytes 73 and 77) that are all 0, expected places");
   options.PlaceFields = { NoField, NoField };
-  CHECK(Read(file, options).Warning.empty());
+  CHECK(Read(file, options).Warnings.empty());
 }
 
 void DelaysMoveTraces()
@@ -268,9 +271,9 @@ void DelaysMoveTraces()
     }
   }
   file.Traces[7].Delay = 90;
-  CHECK_THROWS_WITH(
-    Read(file), "trace 1 with a delay of 108 ms (byte 109), expected whole steps of 4 ms from the least one, 90");
+  CHECK(!Read(file).Warnings.empty());
   file.Traces[7].Kind = 2; // dead ones do not count
+  CHECK(Read(file).Warnings.empty());
   CHECK_EQUAL(Read(file).Sampling.First, 100.0);
 }
 

@@ -8,6 +8,7 @@
 #include "SEGYSample.h"
 
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <unistd.h>
 
@@ -110,6 +111,17 @@ inline int CountWrong(const File& file, const SEGYCube& cube, const Window& wind
 inline int CountWrong(const File& file, const SEGYCube& cube)
 {
   return CountWrong(file, cube, ReadWindow(cube, Whole(cube)));
+}
+
+/// Whether a cube has a warning with that text; else prints those it has.
+inline bool Warns(const SEGYCube& cube, const std::string& text)
+{
+  const bool warns = WarningText(cube).find(text) != std::string::npos;
+  if (!warns)
+  {
+    std::cerr << "warnings: " << WarningText(cube) << '\n';
+  }
+  return warns;
 }
 }
 

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LinePlaces.h"
+
+#include "TracePlaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// A step from a trace to the next that is so many times the usual one is none along the line.
+constexpr double LongestStep = 10.0;
+// How many traces may be off a line, as a part of all.
+constexpr double MostStrays = 0.1;
+// How far a trace is from the next but one, as a part of the way over the next; of half the traces at least.
+constexpr double LeastAdvance = 0.7;
+
+using Places = std::vector<Eigen::Vector2d>;
+
+double Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The traces of a line that have a place: column by column, with nan where there is none.
+class TraceLine
+{
+public:
+  explicit TraceLine(Places places)
+    : All(std::move(places))
+  {
+    for (std::size_t column = 0; column < this->All.size(); ++column)
+    {
+      if (this->All[column].allFinite())
+      {
+        this->Columns.push_back(column);
+      }
+    }
+  }
+
+  /// Takes the places of traces away that are far from both neighbours. False where there is no line.
+  bool DropStrays()
+  {
+    if (this->Columns.size() < 2 || !(this->UsualStep() > 0.0) || this->UsualAdvance() < LeastAdvance)
+    {
+      return false;
+    }
+    const double longest = LongestStep * this->UsualStep();
+    std::vector<std::size_t> kept;
+    std::size_t jumps = 0;
+    for (std::size_t n = 0; n < this->Columns.size(); ++n)
+    {
+      const bool isBehind = n > 0 && this->Step(n - 1, n) <= longest;
+      const bool isBefore = n + 1 < this->Columns.size() && this->Step(n, n + 1) <= longest;
+      if (isBehind || isBefore)
+      {
+        kept.push_back(this->Columns[n]);
+      }
+      jumps += !isBehind && n > 0;
+    }
+    this->Strays = this->Columns.size() - kept.size();
+    const bool isLine = double(jumps) <= std::max(2.0, 2.0 * MostStrays * double(this->Columns.size()));
+    this->Columns = kept;
+    return isLine && this->Columns.size() >= 2;
+  }
+
+  std::size_t StrayCount() const { return this->Strays; }
+
+  /// All places, those that are missing on the straight between or beyond the nearest two that are there.
+  Places Complete() const
+  {
+    Places places = this->All;
+    std::size_t next = 0;
+    for (std::size_t column = 0; column < places.size(); ++column)
+    {
+      while (next + 2 < this->Columns.size() && this->Columns[next + 1] <= column)
+      {
+        ++next;
+      }
+      const std::size_t a = this->Columns[next];
+      const std::size_t b = this->Columns[next + 1];
+      if (column != a && column != b)
+      {
+        const double part = (double(column) - double(a)) / double(b - a);
+        places[column] = this->All[a] + part * (this->All[b] - this->All[a]);
+      }
+    }
+    return places;
+  }
+
+private:
+  /// The step for a column, between two of the traces that have places.
+  double Step(std::size_t n, std::size_t m) const
+  {
+    return this->Distance(n, m) / double(this->Columns[m] - this->Columns[n]);
+  }
+
+  double Distance(std::size_t n, std::size_t m) const
+  {
+    return (this->All[this->Columns[m]] - this->All[this->Columns[n]]).norm();
+  }
+
+  double UsualStep() const
+  {
+    std::vector<double> steps;
+    for (std::size_t n = 1; n < this->Columns.size(); ++n)
+    {
+      steps.push_back(this->Step(n - 1, n));
+    }
+    return Median(std::move(steps));
+  }
+
+  /// How straight the way over a trace is: 1 where places are on a straight line, some 0.5 where they are anywhere.
+  double UsualAdvance() const
+  {
+    std::vector<double> parts = { 1.0 };
+    for (std::size_t n = 2; n < this->Columns.size(); ++n)
+    {
+      const double way = this->Distance(n - 2, n - 1) + this->Distance(n - 1, n);
+      parts.push_back(way > 0.0 ? this->Distance(n - 2, n) / way : 1.0);
+    }
+    return Median(std::move(parts));
+  }
+
+  const Places All;
+  std::vector<std::size_t> Columns; // that have a place
+  std::size_t Strays = 0;
+};
+
+Places ListPlaces(const SEGYCube& cube, const TraceTable& table, const FieldPair& fields)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Places places(cube.Traces.size(), Eigen::Vector2d(none, none));
+  for (std::size_t column = 0; column < places.size(); ++column)
+  {
+    const std::int32_t trace = cube.Traces[column];
+    if (trace >= 0 && HasPlace(table, fields, trace))
+    {
+      places[column] = TracePlace(table, fields, trace);
+    }
+  }
+  return places;
+}
+
+std::vector<FieldPair> ListCandidates(const SEGYCube& cube, const FieldPair& given)
+{
+  const FieldPair& chosen = given.First > 0 ? given : cube.PlaceFields;
+  return chosen.First > 0 ? std::vector<FieldPair>{ chosen } : ListPlaceFields();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaceAlongLine(SEGYCube& cube, const TraceTable& table, const FieldPair& given)
+{
+  const LineNumbers lines(table, cube.LineFields);
+  for (const FieldPair& fields : ListCandidates(cube, given))
+  {
+    const bool isGiven = given.First > 0;
+    if (!isGiven && (AreSame(table, fields) || AreLineNumbers(table, lines, fields)))
+    {
+      continue;
+    }
+    TraceLine line(ListPlaces(cube, table, fields));
+    if (AreFloats(table, lines, fields) || !line.DropStrays())
+    {
+      continue;
+    }
+    cube.Places = line.Complete();
+    if (cube.PlaceFields.First == NoField)
+    {
+      cube.Warnings.push_back("the second output has the traces of the line where they are");
+    }
+    if (line.StrayCount() > 0)
+    {
+      std::ostringstream text;
+      text << line.StrayCount() << " traces far from both neighbours by x and y (bytes " << fields.First << " and "
+           << fields.Second << "): put between them";
+      cube.Warnings.push_back(text.str());
+    }
+    return;
+  }
+}
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SEGYLayout.h"
+
+#include "SEGYHeader.h"
+
+#include <algorithm>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr int HeaderSize = 3600;
+constexpr std::int64_t LookedAt = 8; // traces
+
+bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
+{
+  const std::int64_t size = file.FileSize - file.FirstTrace(layout);
+  return layout.Samples > 0 && size > 0 && size % file.TraceSize(layout) == 0;
+}
+
+/// Whether there are some whole traces.
+bool HasTraces(const SEGYExtents& file, const SEGYLayout& layout, std::int64_t least)
+{
+  return file.FileSize - file.FirstTrace(layout) >= least * file.TraceSize(layout);
+}
+
+/// Whether traces from begin to end say the same number of samples; dead ones have none at times.
+bool IsRegular(const SEGYExtents& file, const SEGYLayout& layout)
+{
+  const std::int64_t traces = (file.FileSize - file.FirstTrace(layout)) / file.TraceSize(layout);
+  int said = 0;
+  for (std::int64_t n = 0; n < std::min(traces, LookedAt) && layout.Samples > 0; ++n)
+  {
+    const std::int64_t trace = n < LookedAt / 2 ? n : n * (traces - 1) / (std::min(traces, LookedAt) - 1);
+    const int samples = file.SamplesAt(file.FirstTrace(layout) + trace * file.TraceSize(layout));
+    if (samples != 0 && said != 0 && samples != said)
+    {
+      return false;
+    }
+    said = samples != 0 ? samples : said;
+  }
+  return said > 0;
+}
+
+/// The one with the shortest traces of the layouts that pass a test; nothing where none does.
+template <typename Test>
+const SEGYLayout* FindShortest(const std::vector<SEGYLayout>& layouts, Test&& test)
+{
+  const SEGYLayout* found = nullptr;
+  for (const SEGYLayout& layout : layouts)
+  {
+    found = test(layout) && (!found || layout.Samples < found->Samples) ? &layout : found;
+  }
+  return found;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t SEGYExtents::FirstTrace(const SEGYLayout& layout) const
+{
+  return HeaderSize + layout.Texts * std::int64_t(SEGYTextSize);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t SEGYExtents::TraceSize(const SEGYLayout& layout) const
+{
+  return SEGYTraceHeaderSize + std::int64_t(layout.Samples) * std::int64_t(this->SampleSize);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SEGYLayout ChooseLayout(
+  const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others)
+{
+  const auto isWhole = [&](const SEGYLayout& layout) { return IsWhole(file, layout); };
+  const auto isSound = [&](const SEGYLayout& layout) { return IsWhole(file, layout) && IsRegular(file, layout); };
+  const auto isCut = [&](const SEGYLayout& layout) { return HasTraces(file, layout, 2) && IsRegular(file, layout); };
+  const SEGYLayout* found = FindShortest(likely, isSound);
+  found = found ? found : FindShortest(others, isSound);
+  found = found ? found : FindShortest(likely, isCut);
+  if (!found)
+  {
+    const auto whole = std::find_if(likely.begin(), likely.end(), isWhole);
+    found = whole != likely.end() ? &*whole : &likely.front();
+  }
+  return *found;
+}
+}
