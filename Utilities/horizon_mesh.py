@@ -206,6 +206,8 @@ def _add_reader_options(group):
     group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST",
                        help='what stands for no value in a text file, besides 1e30 and words as nan (default: "-999.25 '
                        '-99999 9999900")')
+    group.add_argument("--header-lines", type=_number_at_least(int, 0), default=NOT_GIVEN, metavar="N",
+                       help="how many lines at the beginning of a text file are left out, whatever is in them (default: 0)")
     group.add_argument("--stray-picks", choices=STRAY_PICKS, default=NOT_GIVEN,
                        help="what to do about picks off the lattice, or far from all others: refuse their file, or leave "
                        "out up to a tenth of all with a warning (default: Stop)")

@@ -51,17 +51,7 @@ std::string FindNull(const LatticeHorizon& horizon)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> FindDoubts(const SurveyHorizons& horizons)
 {
-  std::vector<std::string> doubts;
-  if (!horizons.Strays.empty())
-  {
-    constexpr std::size_t mostNamed = 5;
-    std::string text = std::to_string(horizons.Strays.size()) + " stray picks left out: ";
-    for (std::size_t n = 0; n < std::min(mostNamed, horizons.Strays.size()); ++n)
-    {
-      text += (n == 0 ? "" : ", ") + std::to_string(horizons.Strays[n] + 1);
-    }
-    doubts.push_back(text + (horizons.Strays.size() > mostNamed ? ", ..." : ""));
-  }
+  std::vector<std::string> doubts = horizons.Doubts;
   std::int64_t duplicates = 0;
   std::int64_t picks = 0;
   for (const LatticeHorizon& horizon : horizons.Horizons)

@@ -76,12 +76,14 @@ struct ColumnRange
   Eigen::Vector2d First = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d Last = -First;
   double LargestDistance = 0.0;
+  std::size_t Farthest = 0; // the pick that is so far from its column
   std::int64_t OffLattice = 0; // picks
 
-  void Add(const Eigen::Vector2d& index, double distance, double tolerance)
+  void Add(const Eigen::Vector2d& index, double distance, double tolerance, std::size_t pick)
   {
     this->First = this->First.cwiseMin(index);
     this->Last = this->Last.cwiseMax(index);
+    this->Farthest = distance > this->LargestDistance ? pick : this->Farthest;
     this->LargestDistance = std::max(this->LargestDistance, distance);
     this->OffLattice += distance <= tolerance ? 0 : 1;
   }
@@ -90,6 +92,7 @@ struct ColumnRange
   {
     this->First = this->First.cwiseMin(other.First);
     this->Last = this->Last.cwiseMax(other.Last);
+    this->Farthest = other.LargestDistance > this->LargestDistance ? other.Farthest : this->Farthest;
     this->LargestDistance = std::max(this->LargestDistance, other.LargestDistance);
     this->OffLattice += other.OffLattice;
   }
@@ -103,7 +106,7 @@ ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double to
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
         const Eigen::Vector2d index = columns.Index(pick);
-        range.Add(index, columns.Distance(pick, index), tolerance);
+        range.Add(index, columns.Distance(pick, index), tolerance, pick);
       }
     });
 }
@@ -126,15 +129,15 @@ void CheckNumber(std::size_t horizons, std::int64_t picks, const char* text)
   }
 }
 
-void CheckRange(const ColumnRange& range, std::int64_t picks, const SurveyLattice& lattice, double tolerance)
+void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLattice& lattice, double tolerance)
 {
   if (range.OffLattice > 0)
   {
     std::ostringstream text;
-    text << range.OffLattice << " of " << picks << " picks off the lattice with the steps "
-         << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest by "
-         << range.LargestDistance << " columns; expected at most LatticeTolerance, " << tolerance
-         << ", or StrayPicks that are left out";
+    text << range.OffLattice << " of " << picks.Size() << " picks off the lattice with the steps "
+         << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest, "
+         << SayPicks(picks, { range.Farthest }) << ", by " << range.LargestDistance
+         << " columns; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks that are left out";
     throw InputError(text.str());
   }
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
@@ -173,16 +176,16 @@ std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
 }
 
 /// One stray pick can make a lattice that takes all memory of whatever looks at all of its columns.
-void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, std::size_t picks)
+void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const PickTable& picks)
 {
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
-  if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks)))
+  if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks.Size())))
   {
-    const std::size_t farthest = FindFarthest(finder, picks);
+    const std::size_t farthest = FindFarthest(finder, picks.Size());
     std::ostringstream text;
     text.precision(15);
-    text << "lattice of " << columns.x() << " x " << columns.y() << " columns for " << picks
-         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; pick " << farthest + 1
+    text << "lattice of " << columns.x() << " x " << columns.y() << " columns for " << picks.Size()
+         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; " << SayPicks(picks, { farthest })
          << ", in column " << ToText(finder.Index(farthest) - range.First) << ", is the farthest from the others";
     throw InputError(text.str());
   }
@@ -287,17 +290,22 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   }
   CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
   SurveyHorizons placed;
+  placed.Doubts = std::move(picks.Doubts);
   if (options.LeaveOutStrays)
   {
-    placed.Strays = LeaveOutStrays(picks, options, monitor.Step(0.0, 0.4));
+    const std::vector<std::size_t> strays = LeaveOutStrays(picks, options, monitor.Step(0.0, 0.4));
     size = std::int64_t(picks.Size());
+    if (!strays.empty())
+    {
+      placed.Doubts.push_back(std::to_string(strays.size()) + " stray picks left out: " + SayPicks(picks, strays));
+    }
   }
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
   const ColumnFinder finder(picks, lattice);
   const double tolerance = ToleranceOf(picks, lattice, options.Tolerance);
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
-  CheckRange(range, size, lattice, tolerance);
-  CheckSpread(finder, range, std::size_t(size));
+  CheckRange(range, picks, lattice, tolerance);
+  CheckSpread(finder, range, picks);
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;

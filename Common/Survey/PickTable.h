@@ -20,6 +20,13 @@ struct PickAttribute
   std::vector<double> Values;
 };
 
+/// From a pick on, each stands in the line of its file that follows that of the one before.
+struct PickLine
+{
+  std::size_t Pick; // from 0
+  std::int64_t Line; // from 1
+};
+
 /// Points of horizons before it is known on which columns they stand, as parallel arrays.
 struct PickTable
 {
@@ -30,6 +37,8 @@ struct PickTable
   std::vector<double> Inline, Crossline; // empty where only places in the world are known
   std::vector<double> Z; // in the unit and with the sign of the file; nan where there is none
   std::vector<PickAttribute> Attributes;
+  std::vector<PickLine> Lines; // in the order of picks, as they were read; empty where these are of no file of lines
+  std::vector<std::string> Doubts; // what users should know about the file
 
   std::size_t Size() const { return this->Z.size(); }
   bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }

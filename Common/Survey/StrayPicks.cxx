@@ -4,6 +4,7 @@
 #include "StrayPicks.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace SeismicHorizons
 {
@@ -54,6 +55,24 @@ std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double 
     }
   }
   return strays;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string SayPicks(const PickTable& picks, const std::vector<std::size_t>& numbers)
+{
+  constexpr std::size_t mostNamed = 5;
+  std::string text = picks.Lines.empty() ? "pick" : "line";
+  text += numbers.size() > 1 ? "s " : " ";
+  for (std::size_t n = 0; n < std::min(mostNamed, numbers.size()); ++n)
+  {
+    const auto next = std::upper_bound(picks.Lines.begin(), picks.Lines.end(), numbers[n],
+      [](std::size_t pick, const PickLine& line) { return pick < line.Pick; });
+    const std::int64_t number = next == picks.Lines.begin()
+      ? std::int64_t(numbers[n]) + 1
+      : std::prev(next)->Line + std::int64_t(numbers[n] - std::prev(next)->Pick);
+    text += (n == 0 ? "" : ", ") + std::to_string(number);
+  }
+  return text + (numbers.size() > mostNamed ? ", ..." : "");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -24,7 +25,10 @@ struct PickPlace
 /// seem off as well: only those at least half as far off as the farthest count.
 std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double tolerance);
 
-/// The picks without some, which are by their numbers.
+/// For people: "line 17", or "lines 17, 20, ..."; "pick" and numbers from 1 where picks are of no file of lines.
+std::string SayPicks(const PickTable& picks, const std::vector<std::size_t>& numbers);
+
+/// The picks without some, which are by their numbers. Lines stay those of all.
 PickTable WithoutPicks(PickTable picks, const std::vector<std::size_t>& dropped);
 }
 

@@ -8,7 +8,7 @@
 #include "SurveyDescription.h"
 #include "SurveyLattice.h"
 
-#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -20,7 +20,7 @@ struct SurveyHorizons
   SurveyLattice Lattice;
   double LargestDistance = 0.0; // of a pick to its column, in columns
   std::vector<LatticeHorizon> Horizons;
-  std::vector<std::size_t> Strays; // picks that were left out, by their numbers from 0
+  std::vector<std::string> Doubts; // what users should know about the picks
 };
 }
 

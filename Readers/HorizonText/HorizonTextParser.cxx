@@ -7,6 +7,7 @@
 #include "Common/LineErrors.h"
 #include "Common/Parallel.h"
 #include "Common/Survey/PickPlacement.h"
+#include "Common/TextEncoding.h"
 #include "Common/TextWords.h"
 #include "IesxParser.h"
 #include "PickBlock.h"
@@ -43,57 +44,6 @@ void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& m
   }
 }
 
-/// How many bytes a character takes that begins with this one in UTF-8; 0 where none does.
-std::size_t SizeOfCharacter(unsigned char first)
-{
-  return first < 0x80U ? 1 : first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : first < 0xF5U ? 4 : 0;
-}
-
-bool IsUtf8(std::string_view text)
-{
-  for (std::size_t n = 0; n < text.size();)
-  {
-    const std::size_t size = SizeOfCharacter(static_cast<unsigned char>(text[n]));
-    if (size == 0 || n + size > text.size())
-    {
-      return false;
-    }
-    for (std::size_t next = n + 1; next < n + size; ++next)
-    {
-      if ((static_cast<unsigned char>(text[next]) & 0xC0U) != 0x80U)
-      {
-        return false;
-      }
-    }
-    n += size;
-  }
-  return true;
-}
-
-/// Names in an encoding of single bytes are taken for Latin-1: which one it is, files do not say.
-std::string ToUtf8(const std::string& text)
-{
-  if (IsUtf8(text))
-  {
-    return text;
-  }
-  std::string result;
-  for (const char c : text)
-  {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80U)
-    {
-      result += c;
-    }
-    else
-    {
-      result += static_cast<char>(0xC0U | byte >> 6U);
-      result += static_cast<char>(0x80U | (byte & 0x3FU));
-    }
-  }
-  return result;
-}
-
 /// Puts blocks of picks together, in their order.
 class PickCollector
 {
@@ -113,6 +63,7 @@ public:
 
 private:
   void AddNames(const PickBlock& block);
+  void AddLines(const PickBlock& block);
   std::vector<double>& Column(std::size_t column); // where its numbers go to
 
   const TextLayout& Layout;
@@ -200,6 +151,7 @@ void PickCollector::Add(const PickBlock& block)
     }
   }
   this->AddNames(block);
+  this->AddLines(block);
   this->Picks += picks;
   this->Lines += block.Lines;
   this->HasEnded = this->HasEnded || block.EndLine >= 0;
@@ -214,12 +166,30 @@ void PickCollector::AddNames(const PickBlock& block)
     if (isNew)
     {
       this->Table.Names.push_back(ToUtf8(name));
+      if (this->Table.Names.back() != name && this->Table.Doubts.empty())
+      {
+        this->Table.Doubts.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
+          Quote(this->Table.Names.back()) + ": convert the file, as with iconv, where they are in another encoding");
+      }
     }
     numbers.push_back(place->second);
   }
   for (const int number : block.Horizon)
   {
     this->Table.Horizon.push_back(numbers[number]);
+  }
+}
+
+void PickCollector::AddLines(const PickBlock& block)
+{
+  std::vector<PickLine>& lines = this->Table.Lines;
+  for (const PickLine& picks : block.PickLines)
+  {
+    const PickLine next{ this->Picks + picks.Pick, this->Lines + picks.Line + 1 };
+    if (lines.empty() || next.Line - lines.back().Line != std::int64_t(next.Pick - lines.back().Pick))
+    {
+      lines.push_back(next);
+    }
   }
 }
 
@@ -298,7 +268,7 @@ std::string ReadBeginning(std::istream& stream)
   const bool isWhole = stream.eof();
   stream.clear();
   stream.seekg(0);
-  if (StartsWith(text, "\xff\xfe") || StartsWith(text, "\xfe\xff"))
+  if (IsUtf16(text))
   {
     throw InputError("text in UTF-16, expected UTF-8 or ASCII: save it as that");
   }

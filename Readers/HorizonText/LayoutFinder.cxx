@@ -199,7 +199,9 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 //----------------------------------------------------------------------------------------------------------------------
 TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
 {
-  TextLayout layout = ReadTextHeader(lines);
+  const std::size_t leftOut = std::min(lines.size(), std::size_t(options.HeaderLines));
+  TextLayout layout = ReadTextHeader(TextLines(lines.begin() + std::ptrdiff_t(leftOut), lines.end()));
+  layout.HeaderLines += options.HeaderLines;
   layout.Nulls.Add(NullValues(options.NullValues));
   const TextLines sample = SampleLines(lines, layout.HeaderLines);
   if (sample.empty())

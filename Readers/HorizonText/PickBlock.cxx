@@ -112,16 +112,29 @@ private:
     if (this->IsEndOfLine())
     {
       this->DropLast();
+      return;
     }
+    const std::int64_t offset = this->Block.Lines - std::int64_t(this->Picks);
+    if (this->Block.PickLines.empty() || offset != this->Offset)
+    {
+      this->Block.PickLines.push_back({ this->Picks, this->Block.Lines });
+      this->Offset = offset;
+    }
+    ++this->Picks;
   }
 
-  /// RMS ends lines of points, and files of them, by a point whose coordinates are all 999.
+  /// RMS ends lines of points, and files of them, by a point whose coordinates are all 999; others do so by other numbers
+  /// that mean none.
   bool IsEndOfLine() const
   {
-    constexpr double Mark = 999.0;
+    if (this->X < 0 || this->Y < 0)
+    {
+      return false;
+    }
     const auto last = [this](int column) { return this->Block.Values[std::size_t(column)].back(); };
-    return this->X >= 0 && this->Y >= 0 && last(this->X) == Mark && last(this->Y) == Mark &&
-      (last(this->Z) == Mark || std::isnan(last(this->Z)));
+    const double x = last(this->X);
+    const bool isMark = std::abs(x) == 999.0 || std::abs(x) == 9999.0 || this->Layout.Nulls.IsNullNumber(x);
+    return isMark && last(this->Y) == x && (last(this->Z) == x || std::isnan(last(this->Z)));
   }
 
   void DropLast()
@@ -207,6 +220,8 @@ private:
   const TextLayout& Layout;
   const int X, Y, Z; // columns of the layout, or -1
   PickBlock Block;
+  std::size_t Picks = 0;
+  std::int64_t Offset = 0; // of the line of the last pick from its number
   std::unordered_map<std::string_view, int> Numbers; // of names
 };
 }

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsPickBlock_h
 #define SeismicHorizonsPickBlock_h
 
+#include "Common/Survey/PickTable.h"
 #include "TextLayout.h"
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct PickBlock
   std::vector<std::vector<double>> Values; // for each column of the layout its numbers; nan where null
   std::vector<std::string> Names; // of horizons, in the order they come
   std::vector<int> Horizon; // of each pick the number of its name; empty where no column has names
+  std::vector<PickLine> PickLines; // where picks are: lines from 0
   std::int64_t Lines = 0;
   std::int64_t FirstLine = -1; // the first that is neither empty nor a comment, from 0
   std::int64_t EndLine = -1; // that of an end mark, from 0

@@ -25,7 +25,7 @@ struct vtkHorizonTextReader::FileContent
 {
   FileStamp Stamp;
   vtkTimeStamp Time; // when it was read
-  std::string Columns, NullValues; // with which it was read
+  TextOptions Options; // with which it was read
   TextLayout Layout;
   std::vector<std::string> Names; // of the horizons
   std::vector<std::int64_t> Sizes; // theirs in picks, where there may be several
@@ -69,18 +69,17 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
   PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const TextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "" };
+      const TextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "",
+        this->HeaderLines };
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
-      if (this->Content && this->Content->Stamp == stamp && this->Content->Columns == options.Columns &&
-        this->Content->NullValues == options.NullValues)
+      if (this->Content && this->Content->Stamp == stamp && this->Content->Options == options)
       {
         return;
       }
       this->Content.reset();
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
-      content->Columns = options.Columns;
-      content->NullValues = options.NullValues;
+      content->Options = options;
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       content->Layout = ReadTextLayout(*stream, options);
       content->Names = { content->Layout.HorizonName };
@@ -147,4 +146,5 @@ void vtkHorizonTextReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Files.Print(os, indent);
   os << indent << "Columns: " << text(this->Columns) << '\n';
   os << indent << "NullValues: " << text(this->NullValues) << '\n';
+  os << indent << "HeaderLines: " << this->HeaderLines << '\n';
 }

@@ -70,6 +70,15 @@ public:
   vtkGetStringMacro(NullValues);
   ///@}
 
+  ///@{
+  /**
+   * How many lines at the beginning of the file are left out, whatever is in them; a header that is recognised may
+   * follow. 0: what is no header is found. Range: at least 0. Default: 0.
+   */
+  vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
+  vtkGetMacro(HeaderLines, int);
+  ///@}
+
 protected:
   vtkHorizonTextReader();
   ~vtkHorizonTextReader() override;
@@ -90,6 +99,7 @@ private:
   SeismicHorizons::FileSeries Files;
   char* Columns = nullptr;
   char* NullValues = nullptr;
+  int HeaderLines = 0;
 
   struct FileContent;
   std::unique_ptr<FileContent> Content; // what was found when the file was looked at

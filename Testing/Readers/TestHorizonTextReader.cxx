@@ -267,7 +267,7 @@ void PrintListsEveryProperty()
   std::ostringstream stream;
   reader->Print(stream);
   for (const char* text : { "FileName: some.dat", "Columns: X,Y,Z", "NullValues: -999.25 -99999 9999900",
-         "VerticalStep: 8.5", "VerticalDirection: Up", "VerticalUnit: ft", "VerticalDomain: (none)",
+         "HeaderLines: 0", "VerticalStep: 8.5", "VerticalDirection: Up", "VerticalUnit: ft", "VerticalDomain: (none)",
          "LatticeSource: CornerPoints", "ThirdCorner: (1.5, 2.5, 3.5, 4.5)", "Origin: (1.5, 2.5)",
          "LatticeTolerance: 0.25", "DuplicatePolicy: Sheets", "Description: ", "Top" })
   {
@@ -295,6 +295,10 @@ void WrongParametersGiveOneErrorEach()
   reader->Update();
   CHECK(errors.WasOne("two.csv: line 2: 7 fields, expected one for each of the columns X, Y, Z"));
   reader->SetColumns("");
+  reader->SetHeaderLines(100);
+  reader->Update();
+  CHECK(errors.WasOne("two.csv: no picks after 100 lines, expected lines of numbers"));
+  reader->SetHeaderLines(0);
   reader->SetNullValues("10.5");
   reader->Update();
   CHECK(HasValues<vtkIdTypeArray>(GetHorizon(reader, 0)->GetFieldData(), "DroppedNulls", { 2 }));

@@ -51,10 +51,36 @@ void TestNulls()
   CHECK_EQUAL(Table("1.5 2.5 -999.25\n4.5 2.5 -1\n"), std::string("x y z\n1.5 2.5 -999.25\n4.5 2.5 -1\n"));
 }
 
+/// Lines that are left out whatever is in them; what follows may be a header.
+void TestHeaderLines()
+{
+  TextOptions options;
+  options.HeaderLines = 2;
+  CHECK_EQUAL(Table("7 8 9\nsurvey 12 of 2, rev 4\n1.5 2.5 3.5\n4.5 2.5 3.75\n", options), XyzTable);
+  CHECK_EQUAL(Table("7 8 9\n\nZ,X,Y\n3.5,1.5,2.5\n3.75,4.5,2.5\n", options), XyzTable);
+  CHECK_THROWS_WITH(Read("7 8 9\n\n1.5 2.5 3.5\n4.5 2.5\n", options), "line 4: 2 fields, expected one for each of");
+  CHECK_EQUAL(Read("7 8 9\n\n1.5 2.5 3.5\n# more\n4.5 2.5 3.75\n", options).Lines.back().Line, std::int64_t(5));
+  options.HeaderLines = 5;
+  CHECK_THROWS_WITH(Read("1.5 2.5 3.5\n4.5 2.5 3.75\n", options), "no picks after 5 lines, expected lines of numbers");
+}
+
+void TestLatin1()
+{
+  CHECK(Read("Top 1.5 2.5 3.5\nTop 4.5 2.5 3.75\n").Doubts.empty());
+  const PickTable picks = Read("H\xF6he 1.5 2.5 3.5\nS\xFC"
+                               "d 4.5 2.5 3.75\n");
+  CHECK_EQUAL(picks.Names.front(), std::string("H\xC3\xB6he"));
+  CHECK_EQUAL(picks.Doubts.size(), std::size_t(1));
+}
+
 /// Points of RMS whose coordinates are all 999 end a line of points; others with such a number are points.
 void TestEndsOfLines()
 {
   CHECK_EQUAL(Table("1.5 2.5 3.5\n999.0 999.0 999.0\n4.5 2.5 3.75\n999 999 999\n"), XyzTable);
+  for (const std::string mark : { "-999", "9999.0", "-9999", "1e30", "1.0E+30" })
+  {
+    CHECK_EQUAL(Table("1.5 2.5 3.5\n4.5 2.5 3.75\n" + mark + " " + mark + " " + mark + "\n"), XyzTable);
+  }
   CHECK_EQUAL(
     Table("1.5 999 999\n999 2.5 999\n999 999 3\n"), std::string("x y z\n1.5 999 999\n999 2.5 999\n999 999 3\n"));
   const PickTable named = Read("x y z horizon\n1.5 2.5 3.5 Top\n999 999 999 Top\n4.5 2.5 3.75 Base\n");
@@ -148,6 +174,8 @@ int TestTextColumns(int, char*[])
   TestSeparators();
   TestNumbers();
   TestNulls();
+  TestHeaderLines();
+  TestLatin1();
   TestEndsOfLines();
   TestGuesses();
   TestGuessedPlaces();

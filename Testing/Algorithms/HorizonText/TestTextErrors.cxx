@@ -28,6 +28,9 @@ void TestLayoutMessages()
   CHECK_THROWS_WITH(Read("# nothing\n\n"), "no picks after 2 lines, expected lines of numbers");
   CHECK_THROWS_WITH(Read("EOB\n"), "no picks after 0 lines, expected");
   CHECK_THROWS_WITH(Read(std::string("1 2 3\n\0\n", 8)), "byte 6 is 0, as in no text; expected lines of numbers");
+  CHECK_THROWS_WITH(
+    Read(std::string("1\0 \0002\0 \0003\0\n\0", 12)), "text in UTF-16, expected UTF-8 or ASCII: save it as that");
+  CHECK_THROWS_WITH(Read(std::string("\0001\0 \0002\0 \0003\0\n", 12)), "text in UTF-16, expected UTF-8 or ASCII");
   CHECK_THROWS_WITH(Read("1 2\n"), "columns Inline, Crossline, expected Z, and X and Y or Inline and Crossline");
   CHECK_THROWS_WITH(Read("Dear all, see you\n"), "expected Z, and X and Y or Inline and Crossline");
   CHECK_THROWS_WITH(Read("# 1: X\n# 2: Z\n3 4\n"), "columns X, Z, expected Z, and X and Y or Inline and Crossline");

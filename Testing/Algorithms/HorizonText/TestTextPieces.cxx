@@ -5,6 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
+#include "Common/Survey/StrayPicks.h"
 #include "TextTables.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
@@ -83,6 +84,31 @@ void TestThreads()
   Detail::NumberOfThreads() = usual;
 }
 
+/// The line of each pick, wherever a file is cut.
+void TestLines()
+{
+  std::string text;
+  std::vector<std::int64_t> expected;
+  for (std::int64_t line = 1; line <= 3000; ++line)
+  {
+    const bool isPick = line % 1000 < 990 && line % 7 != 0;
+    text += isPick ? "1 " + std::to_string(line) + " 5\n" : "#\n";
+    if (isPick)
+    {
+      expected.push_back(line);
+    }
+  }
+  for (const TextPieces& pieces : { TextPieces(), TextPieces{ 1000, 100 }, TextPieces{ 300, 1000 } })
+  {
+    const PickTable picks = Read(text, TextOptions(), pieces);
+    CHECK_EQUAL(picks.Size(), expected.size());
+    for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+    {
+      CHECK_EQUAL(SayPicks(picks, { pick }), "line " + std::to_string(expected[pick]));
+    }
+  }
+}
+
 void TestMonitor()
 {
   const std::string text = ManyPicks();
@@ -100,6 +126,7 @@ int TestTextPieces(int, char*[])
 {
   TestSizes();
   TestThreads();
+  TestLines();
   TestMonitor();
   return Check::Result();
 }
