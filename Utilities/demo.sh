@@ -47,7 +47,7 @@ utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")
 [ $# -gt 0 ] || set -- "$source_folder/Data/sample.vsm"
 
-"$utilities/setup.sh"
+"$utilities/setup.sh" --without-tests
 PYTHONPATH=$source_folder/build/release/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH} \
   "$utilities/with-xvfb.sh" pvbatch "$utilities/horizon_mesh.py" --output-folder "$output" "$@"
 echo "demo: results are in $output"

@@ -3,17 +3,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Makes everything ready on Debian 12: installs the packages that are missing, configures, and builds into
-# build/release; with --only-packages, builds nothing. What is done already is skipped. Needs to be root, or sudo, only
-# when a package is missing.
+# build/release. --without-tests leaves out what only the tests and the site of the documentation take; --only-packages
+# builds nothing. What is done already is skipped. Needs to be root, or sudo, only when a package is missing.
 set -eu
 
+# libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
+packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libfast-float-dev libsegyio-dev
+  zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb"
 # mkdocs-material and doxygen make the site of the documentation.
 # libjs-three turns meshes around in reports.
 # dpkg-dev and file find out what the Debian packages depend on.
-# libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
-packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libfast-float-dev libsegyio-dev
-  zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb mkdocs-material doxygen libjs-three
-  xdotool dpkg-dev file"
+packages_of_tests="mkdocs-material doxygen libjs-three xdotool dpkg-dev file"
+with_tests=ON
+with_build=yes
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build_folder=$source_folder/build/release
 log=$(mktemp)
@@ -31,10 +33,19 @@ fail() {
   exit 1
 }
 
+for option in "$@"; do
+  case $option in
+    --without-tests) with_tests=OFF ;;
+    --only-packages) with_build=no ;;
+    *) fail "unknown option $option, expected --without-tests or --only-packages" ;;
+  esac
+done
+[ "$with_tests" = OFF ] || packages="$packages $packages_of_tests"
+
 # Says every now and then that work goes on.
 say_still() {
   seconds=0
-  while sleep 20; do
+  while sleep 20 >/dev/null 2>&1; do # which goes on a little after the rest, and would keep a pipe open
     seconds=$((seconds + 20))
     echo "setup: still $1 ($seconds s)"
   done
@@ -77,15 +88,27 @@ require_package_lists() {
   done
 }
 
+# How many packages come, with those that they need themselves, and how large they are.
+say_size() {
+  # shellcheck disable=SC2086  # one word per package
+  LC_ALL=C apt-get install --assume-no --no-install-recommends $1 >"$log" 2>&1 || true
+  count=$(sed -n 's/.* \([0-9]*\) newly installed.*/\1/p' "$log")
+  download=$(sed -n 's/^Need to get \(.*\) of archives.*/\1/p' "$log")
+  disk=$(sed -n 's/^After this operation, \(.*\) of additional.*/\1/p' "$log")
+  echo "setup: installing$1"
+  [ -z "$count" ] ||
+    echo "setup: $count packages with what they need, ${download:-nothing} to download, ${disk:-nothing} on disk; some minutes"
+}
+
 install_packages() {
   missing=$(missing_packages)
   [ -n "$missing" ] || return 0
   [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null 2>&1 ||
     fail "installing$missing needs root or sudo"
   [ "$(id -u)" -eq 0 ] || sudo -v || fail "installing$missing needs root or sudo"
-  echo "setup: installing$missing (some minutes the first time)"
   quietly "fetching package lists" as_root apt-get update || true
   require_package_lists "$missing"
+  say_size "$missing"
   # shellcheck disable=SC2086  # one word per package
   if ! quietly "installing packages" as_root apt-get install -y --no-install-recommends $missing; then
     cat "$log" >&2
@@ -96,7 +119,7 @@ install_packages() {
 configure() {
   echo "setup: configuring in build/release"
   if ! quietly "configuring" cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DBUILD_TESTING=ON; then
+    -DBUILD_TESTING="$with_tests"; then
     cat "$log" >&2
     # A half-configured folder would look like a finished one the next time.
     rm -f "$build_folder/build.ninja"
@@ -104,9 +127,15 @@ configure() {
   fi
 }
 
+# A build with tests also has all that one without them has.
+is_configured() {
+  [ -f "$build_folder/build.ninja" ] &&
+    { [ "$with_tests" = OFF ] || grep -q '^BUILD_TESTING:BOOL=ON$' "$build_folder/CMakeCache.txt"; }
+}
+
 build() {
-  [ -f "$build_folder/build.ninja" ] || configure
-  echo "setup: building in build/release"
+  is_configured || configure
+  echo "setup: building in build/release, some minutes the first time"
   if ! quietly "building" cmake --build "$build_folder" -- --quiet; then
     cat "$log" >&2
     fail "building failed"
@@ -114,6 +143,6 @@ build() {
 }
 
 install_packages
-[ "${1:-}" != --only-packages ] || exit 0
+[ "$with_build" = yes ] || exit 0
 build
 echo "setup: ready"
