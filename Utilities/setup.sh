@@ -21,7 +21,7 @@ build_folder=$source_folder/build/release
 log=$(mktemp)
 ticker=
 cleanup() {
-  [ -z "$ticker" ] || kill "$ticker" 2>/dev/null || true
+  [ -z "$ticker" ] || kill -KILL "$ticker" 2>/dev/null || true
   rm -f "$log"
 }
 trap cleanup EXIT
@@ -58,7 +58,7 @@ quietly() {
   shift
   status=0
   "$@" >"$log" 2>&1 || status=$?
-  kill "$ticker" 2>/dev/null || true
+  kill -KILL "$ticker" 2>/dev/null || true # a shell that has just begun may miss other signals
   wait "$ticker" 2>/dev/null || true
   ticker=
   return "$status"

@@ -162,6 +162,18 @@ class ReportTest(unittest.TestCase):
         self.assertGreater(len(page.all("img")), 3)
         self.assertLess(self.page.stat().st_size, MEGABYTE)
 
+    def test_units(self):
+        """Distances have the units of the file where it says them."""
+        for head, arguments, world, vertical in (
+                ("X (m),Y (m),Z (ms)", [], "m, z in ms", True), ("X (m),Y (m),Depth (m)", [], "m", True),
+                ("X,Y,Z", ["--vertical-unit", "s"], "unit of x and y, z in s", True), ("X,Y,Z", [], "world units", False)):
+            path = self.folder / "units.csv"
+            path.write_text("\n".join([head, *("%d,%d,%g" % (25 * i, 25 * j, 1000 + 0.2 * (i * j % 7))
+                                               for j in range(12) for i in range(12)), ""]), encoding="utf-8")
+            page = self.run_report(path, "--no-pictures", *arguments)
+            self.assertIn("lattice units %s" % world, " ".join(page.text().split()))
+            self.assertEqual(bool(re.search(r"at most [\d.]+ vertical indices \([\d.e-]+ m?s?\)", page.text())), vertical)
+
     def test_without_pictures(self):
         """No X server is needed then."""
         page = self.run_report(SAMPLE, "--no-pictures", DISPLAY=":4711")

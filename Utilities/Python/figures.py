@@ -91,6 +91,7 @@ def horizon(result):
         "reduction": 1.0 - after / before if before else None,
         "patches": _count(data, "NumberOfPatches"), "holes": _count(data, "NumberOfHoles"),
         "outlines": loops, "outline_points_in": loop_points, "outline_points": result.simplified[1],
+        "vertical_step": _vertical_step(data),
         "bounds": list(mesh.GetBounds()) if after else None,
         "angles": angles(mesh),
         "seconds": {**result.seconds, "total": sum(result.seconds.values())},
@@ -102,6 +103,11 @@ def horizon(result):
                                                       for row, unit in enumerate(UNITS)},
         "distances": distances(result),
         "results": [], "warnings": list(result.warnings)}
+
+
+def _vertical_step(data):
+    matrix = _values(data, "LatticeToWorld")
+    return abs(matrix[10]) if matrix else None
 
 
 def angles(mesh):

@@ -138,6 +138,14 @@ def _survey(survey):
     return pairs + [("Left out", ", ".join(left))]
 
 
+def _world_units(survey):
+    """Of distances in space, in which z counts as it stands in the file."""
+    along, up = survey.get("horizontal_unit"), survey.get("vertical_unit")
+    if along == up:
+        return along or "world units"
+    return "%s, z in %s" % (along or "unit of x and y", up or "that of the file")
+
+
 def _units(survey):
     """The unknown ones are told of as well: results depend on them."""
     if not survey:
@@ -199,21 +207,22 @@ def details(run, album):
                                                       "the %d horizons with most points, of %d" % (drawn, len(pairs))))
     many = len(run["files"]) > 1
     return fill("details", note=note, horizons=join(
-        _details(number, horizon, album.entries[number], file["label"] if many else None)
+        _details(number, horizon, file["survey"] or {}, album.entries[number], file["label"] if many else None)
         for number, (file, horizon) in enumerate(pairs)))
 
 
-def _details(number, horizon, entry, label):
+def _details(number, horizon, survey, entry, label):
     largest = _vertical(horizon, "largest")
     distance = _error(horizon, "largest")
-    unit = horizon["distances"] and "%s units" % horizon["distances"]["unit"]
+    units = {"lattice": "lattice units", "world": _world_units(survey)}
+    unit = horizon["distances"] and units[horizon["distances"]["unit"]]
     words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
              "at most %.3g off vertically" % largest if largest is not None else
              None if distance is None else "at most %.3g off" % distance]
-    return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon),
+    return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon, unit),
                 turn=fill("turn", number=number) if entry.mesh else None,
-                pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon),
-                errors=_error_table(horizon["error"]))
+                pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon, survey),
+                errors=_error_table(horizon["error"], units))
 
 
 def _pictures(name, entry, unit):
@@ -231,19 +240,18 @@ def _pictures(name, entry, unit):
     return fill("pictures", pictures=join(shown))
 
 
-def _charts(horizon):
+def _charts(horizon, unit):
     shown = []
     if horizon["distances"]:
-        unit = horizon["distances"]["unit"]
         shown.append(histogram("Distance of the horizon's points from the mesh", "share of the points",
-                               horizon["distances"]["counts"], horizon["distances"]["farthest"], "%s units" % unit))
+                               horizon["distances"]["counts"], horizon["distances"]["farthest"], unit))
     if horizon["angles"]:
         shown.append(histogram("Smallest angle of the triangles", "share of the triangles, seen from above",
                                horizon["angles"]["counts"], 60.0, "degrees"))
     return join(shown)
 
 
-def _horizon_facts(horizon):
+def _horizon_facts(horizon, survey):
     chosen = join((fill("value", name=name, value=_value(value)) for name, value in horizon["chosen"].items()), "\n")
     seconds = join((fill("value", name=STAGE_NAMES.get(name, name), value="%.2f s" % value)
                     for name, value in horizon["seconds"].items()), "\n")
@@ -256,19 +264,21 @@ def _horizon_facts(horizon):
             "" if before is None else " of {:,}".format(before))),
         (FAULT_COLUMN[0], "{:,}".format(horizon["fault_triangles"]) if horizon["fault_triangles"] else None),
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
-        ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon)),
+        ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon, survey)),
         ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
         ("Time", seconds), ("Written", ", ".join(horizon["results"]))])
 
 
-def _vertical_text(horizon):
-    text = "at most %.3g vertical indices, %.3g on average; at outlines at most %.3g" % tuple(
-        _vertical(horizon, name) for name in ("largest", "mean", "outlines"))
+def _vertical_text(horizon, survey):
+    largest, mean, outlines = (_vertical(horizon, name) for name in ("largest", "mean", "outlines"))
+    unit = survey.get("vertical_unit")
+    in_unit = " (%.3g %s)" % (largest * horizon["vertical_step"], unit) if unit else ""
+    text = "at most %.3g vertical indices%s, %.3g on average; at outlines at most %.3g" % (largest, in_unit, mean, outlines)
     outside = horizon["points_outside"]
     return text + (", with %s outside" % count(outside, "point") if outside else "")
 
 
-def _error_table(error):
+def _error_table(error, units):
     if not error:
         return None
 
@@ -277,8 +287,8 @@ def _error_table(error):
         # What is only rounding is nothing.
         return "\u2013" if value is None else "%.4g" % (0.0 if value < 1e-9 * error[unit]["largest"] else value)
 
-    return fill("errors", rows=join(fill("error", name=name, lattice=text("lattice", key), world=text("world", key))
-                                    for name, key in ERROR_ROWS))
+    return fill("errors", world=units["world"], rows=join(
+        fill("error", name=name, lattice=text("lattice", key), world=text("world", key)) for name, key in ERROR_ROWS))
 
 
 def parameters(run):
