@@ -62,11 +62,12 @@ cp -r "$source_folder/Data/sample.vsm" "$source_folder/Testing/Install" "$root/p
 inside apt-get update -qq
 # What the packages stand on comes first, so that what remains is of the packages alone.
 add paraview paraview-dev python3-paraview libsegyio1 xvfb xauth man-db g++ cmake ninja-build
-remove seismichorizons python3-seismichorizons 'libvtkseismichorizons*' 2> /dev/null || true # of a test before
+remove seismichorizons python3-seismichorizons seismichorizons-doc 'libvtkseismichorizons*' 2> /dev/null || true # of a test before
 list_files > "$root.before"
 
 step "installing"
-add "$(package seismichorizons)" "$(package python3-seismichorizons)" "$(package 'libvtkseismichorizons[0-9.]*')"
+add "$(package seismichorizons)" "$(package python3-seismichorizons)" "$(package 'libvtkseismichorizons[0-9.]*')" \
+  "$(package seismichorizons-doc)"
 step "ParaView has the filters, in pvpython and in the window"
 inside pvpython /packages/Install/debian_check.py /packages/sample.vsm
 inside xvfb-run -a paraview --dr --exit --test-script=/packages/Install/debian_menu.xml
@@ -77,6 +78,9 @@ inside horizon-mesh --largest-error 1 --no-pictures --output-folder /tmp/out /pa
 [ "$(inside sh -c 'ls /tmp/out/*.vtp | wc -l')" -eq 3 ]
 inside sh -c 'man horizon-mesh | grep -q -- --largest-error'
 
+step "the commands on the pages do what they say"
+inside xvfb-run -a /usr/bin/python3 /packages/Install/pages_check.py /usr/share/doc/seismichorizons /tmp/pages
+
 step "another project finds the module"
 add "$(package libvtkseismichorizons-dev)"
 inside sh -c 'cmake -G Ninja -S /packages/Install/Consumer -B /tmp/consumer && ninja -C /tmp/consumer &&
@@ -84,7 +88,7 @@ inside sh -c 'cmake -G Ninja -S /packages/Install/Consumer -B /tmp/consumer && n
 remove libvtkseismichorizons-dev
 
 step "removing"
-remove seismichorizons python3-seismichorizons 'libvtkseismichorizons0*'
+remove seismichorizons python3-seismichorizons seismichorizons-doc 'libvtkseismichorizons0*'
 list_files > "$root.after"
 if ! diff "$root.before" "$root.after"; then
   echo "the packages left the above behind" >&2

@@ -11,7 +11,7 @@ set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "seismic horizons to clean triangle meshes")
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL runtime development python)
+set(CPACK_COMPONENTS_ALL runtime development python doc)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -20,6 +20,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF) # they are named below, with their versions
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_PROJECT_CONFIG_FILE "${PROJECT_SOURCE_DIR}/Utilities/CMake/PackageTools.cmake")
 # Where dpkg-shlibdeps finds the library of our own that the others stand on.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 
@@ -54,6 +55,11 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS libjs-three)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/postinst"
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/prerm")
+
+seismichorizons_package(doc seismichorizons-doc
+  "Pages, pictures and a sample of SeismicHorizons: readers, stages, writers, tutorials, formats and messages.")
+set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 
 if (SEISMICHORIZONS_PARAVIEW_PLUGIN)
   list(APPEND CPACK_COMPONENTS_ALL paraview_plugins)
