@@ -191,6 +191,14 @@ void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const Pic
   }
 }
 
+/// Whether so few columns have picks that some of these may be far from all others.
+bool AreFew(const ColumnRange& range, std::size_t picks)
+{
+  constexpr double fewest = 5.0; // columns a pick
+  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  return columns.prod() > fewest * double(picks);
+}
+
 /// Leaves strays out, again and again as those that are left tell more exactly where the lattice is. Returns their
 /// numbers among all.
 std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
@@ -229,6 +237,34 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
   }
   std::sort(all.begin(), all.end());
   return all;
+}
+
+/// Picks far away turn the lattice until it has them as well. Throws InputError where that of the others has not, and
+/// tells of those that it has.
+void CheckFarPicks(const PickTable& picks, const PlacementOptions& options, std::vector<std::string>& doubts)
+{
+  PickTable others = picks;
+  const std::vector<std::size_t> strays = LeaveOutStrays(others, options, Monitor());
+  if (strays.empty())
+  {
+    return;
+  }
+  const SurveyLattice lattice = FindSurveyMap(others, options, Monitor());
+  const ColumnFinder finder(picks, lattice);
+  const double tolerance = ToleranceOf(others, lattice, options.Tolerance);
+  std::vector<std::size_t> off;
+  std::copy_if(strays.begin(), strays.end(), std::back_inserter(off),
+    [&](std::size_t pick) { return !(finder.Distance(pick, finder.Index(pick)) <= tolerance); });
+  if (!off.empty())
+  {
+    std::ostringstream text;
+    text << off.size() << " of " << picks.Size() << " picks off the lattice of the others, far from these, "
+         << SayPicks(picks, off) << "; expected at most LatticeTolerance, " << tolerance
+         << ", or StrayPicks that are left out";
+    throw InputError(text.str());
+  }
+  doubts.push_back(std::to_string(strays.size()) + " picks far from all others, " + SayPicks(picks, strays) +
+    ": StrayPicks leaves them out");
 }
 
 /// The lattice that begins at the first column of the picks, and ends at the last one.
@@ -306,6 +342,10 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, picks, lattice, tolerance);
   CheckSpread(finder, range, picks);
+  if (!options.LeaveOutStrays && AreFew(range, picks.Size()))
+  {
+    CheckFarPicks(picks, options, placed.Doubts);
+  }
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;

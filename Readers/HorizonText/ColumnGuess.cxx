@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -32,6 +33,12 @@ constexpr double RoughlyOff = 0.15;
 constexpr double LeastSine = 0.3;
 // The same as a part of the extent of the sample, where that is more.
 constexpr double LargestPartOff = 0.02;
+
+/// How many of some lines tell what they all are: of a few all, of more nine of ten.
+std::size_t MostOf(std::size_t lines)
+{
+  return lines - lines / 10;
+}
 
 /// Whether a line has so many fields. The last one may be empty behind a separator at the end.
 bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
@@ -93,37 +100,82 @@ struct PairFit
   bool AreCoordinates = true; // all numbers of the second pair are as large as coordinates mostly are
 };
 
-/// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
-/// Where lines are of three dimensions anything but a place has no such map.
-PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+/// The numbers of two columns, and those of two others in the same line.
+struct Pair
 {
-  struct Pair
-  {
-    Eigen::Vector2d Index, Place;
-  };
+  Eigen::Vector2d Index, Place;
+};
+
+/// The pairs of the lines that have all four numbers; nothing where most do not.
+std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+{
   std::vector<Pair> pairs;
-  PlaneFit fit;
-  PairFit result;
-  Eigen::Vector2d extent = Eigen::Vector2d::Zero();
   for (const std::string_view line : sample)
   {
     const Fields fields = Split(line, layout.Separator);
     std::array<double, 4> values = {};
+    bool areNumbers = true;
     for (const std::size_t n : { 0, 1, 2, 3 })
     {
       const std::size_t column = n < 2 ? from + n : to + n - 2;
-      if (column >= fields.size() || ReadNumber(fields[column], values[n]) != NumberKind::Finite)
-      {
-        result.AreCoordinates = false;
-        return result;
-      }
+      areNumbers = areNumbers && column < fields.size() &&
+        ReadNumber(fields[column], values[n]) == NumberKind::Finite && std::abs(values[n]) < LargestPlace;
     }
-    pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
-    fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
-    extent = extent.cwiseMax((pairs.back().Place - pairs.front().Place).cwiseAbs());
-    result.AreCoordinates = result.AreCoordinates && pairs.back().Place.cwiseAbs().minCoeff() > LeastCoordinate;
+    if (areNumbers)
+    {
+      pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
+    }
   }
-  const std::optional<PlaneMap> map = fit.Solve();
+  return pairs.size() >= MostOf(sample.size()) ? pairs : std::vector<Pair>();
+}
+
+/// How far each pair is off a map, and the map of all, made again without those that are off most: a few lines may be
+/// wrong.
+struct TrimmedFit
+{
+  std::optional<PlaneMap> Map; // of differences from the first pair
+  std::vector<double> Off; // ascending
+  Eigen::Vector2d Extent = Eigen::Vector2d::Zero(); // of the places that count
+
+  explicit TrimmedFit(std::vector<Pair> pairs)
+  {
+    const std::size_t most = MostOf(pairs.size());
+    const Pair first = pairs.empty() ? Pair() : pairs.front();
+    std::size_t counting = pairs.size();
+    for (int round = 0; round < 3; ++round, counting = most)
+    {
+      PlaneFit fit;
+      this->Extent.setZero();
+      for (std::size_t n = 0; n < counting; ++n)
+      {
+        fit.Add(pairs[n].Index - first.Index, pairs[n].Place - first.Place);
+        this->Extent = this->Extent.cwiseMax((pairs[n].Place - pairs.front().Place).cwiseAbs());
+      }
+      this->Map = fit.Solve();
+      if (!this->Map)
+      {
+        return;
+      }
+      const auto off = [&](const Pair& pair)
+      { return (pair.Place - first.Place - this->Map->Origin - this->Map->Steps * (pair.Index - first.Index)).norm(); };
+      std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return off(a) < off(b); });
+      this->Off.clear();
+      std::transform(pairs.begin(), pairs.end(), std::back_inserter(this->Off), off);
+    }
+  }
+};
+
+/// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
+/// Where lines are of three dimensions anything but a place has no such map.
+PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+{
+  const std::vector<Pair> pairs = ReadPairs(sample, layout, from, to);
+  PairFit result;
+  result.AreCoordinates = !pairs.empty() &&
+    std::all_of(
+      pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate; });
+  const TrimmedFit fit(pairs);
+  const std::optional<PlaneMap>& map = fit.Map;
   constexpr std::size_t fewest = 4; // three make a map whatever they are
   result.AreTelling = map && pairs.size() >= fewest;
   // As with a plane z and a constant attribute, steps may be parallel.
@@ -132,19 +184,12 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
     return result;
   }
   const double step = map->Steps.colwise().norm().minCoeff();
-  const double most = std::max(LargestMisfit * step, LargestPartOff * extent.minCoeff());
+  const double most = std::max(LargestMisfit * step, LargestPartOff * fit.Extent.minCoeff());
   result.AreLarger = std::abs(map->Steps.determinant()) >= 0.999; // rounded
-  std::vector<double> off;
-  for (const Pair& pair : pairs)
-  {
-    const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
-    off.push_back((pair.Place - pairs.front().Place - expected).norm());
-  }
-  std::sort(off.begin(), off.end());
-  result.AreAffine = off.back() <= most;
+  result.AreAffine = fit.Off[MostOf(pairs.size()) - 1] <= most;
   // Steps of a slope and of what goes with it are nearly parallel.
   const double sine = std::abs(map->Steps.determinant()) / (map->Steps.col(0).norm() * map->Steps.col(1).norm());
-  result.AreMostlyAffine = sine > LeastSine && off[pairs.size() * 3 / 4] <= RoughlyOff * extent.minCoeff();
+  result.AreMostlyAffine = sine > LeastSine && fit.Off[pairs.size() * 3 / 4] <= RoughlyOff * fit.Extent.minCoeff();
   return result;
 }
 

@@ -69,6 +69,23 @@ void TestStrays()
   CHECK_EQUAL(PlacePicks(picks, options).Horizons.front().RealZ.size(), std::size_t(399));
 }
 
+/// A wrong digit: on the lattice, or so near that this would turn a little to have it.
+void TestFarPicks()
+{
+  PickTable picks = Dip();
+  picks.X[250] += 7000.0;
+  CHECK(IsOne(DoubtsOf(picks), "1 picks far from all others, line 254: StrayPicks leaves them out"));
+  picks.X[250] += 8.0;
+  CHECK_THROWS_WITH(DoubtsOf(picks), "picks off the lattice");
+  CHECK_THROWS_WITH(DoubtsOf(picks), "line 254");
+  picks = Dip();
+  for (std::size_t n = 0; n < 100; ++n)
+  {
+    picks.X[n] += 25000.0; // another survey, or a part of this one
+  }
+  CHECK(DoubtsOf(picks).empty());
+}
+
 void TestUsualNulls()
 {
   PickTable picks = Dip();
@@ -108,6 +125,7 @@ int TestPickDoubts(int, char*[])
 {
   TestNames();
   TestStrays();
+  TestFarPicks();
   TestUsualNulls();
   TestDuplicates();
   TestRounding();
