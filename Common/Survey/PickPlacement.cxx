@@ -46,19 +46,22 @@ public:
 
   Eigen::Vector2d Index(std::size_t pick) const
   {
-    const Eigen::Vector2d index = this->Lattice.Lines
-      ? LineIndex(*this->Lattice.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick])
-      : this->Place(pick);
-    return index.array().round();
+    return (this->Lattice.Lines ? this->Line(pick) : this->Place(pick)).array().round();
   }
 
   /// How far a pick is from its column, in columns along the axis where it is more.
   double Distance(std::size_t pick, const Eigen::Vector2d& index) const
   {
-    return this->Picks.HasPlaces() ? (this->Place(pick) - index).cwiseAbs().maxCoeff() : 0.0;
+    const Eigen::Vector2d exact = this->Picks.HasPlaces() ? this->Place(pick) : this->Line(pick);
+    return (exact - index).cwiseAbs().maxCoeff();
   }
 
 private:
+  Eigen::Vector2d Line(std::size_t pick) const
+  {
+    return LineIndex(*this->Lattice.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick]);
+  }
+
   Eigen::Vector2d Place(std::size_t pick) const
   {
     const Eigen::Vector2d place(this->Picks.X[pick], this->Picks.Y[pick]);
@@ -199,6 +202,17 @@ bool AreFew(const ColumnRange& range, std::size_t picks)
   return columns.prod() > fewest * double(picks);
 }
 
+void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Monitor& monitor)
+{
+  const std::vector<std::size_t> between = FindBetweenLines(picks, lattice.Lines, monitor.Step(0.5, 0.5));
+  if (!between.empty())
+  {
+    throw InputError(std::to_string(between.size()) + " of " + std::to_string(picks.Size()) +
+      " picks between the lines of the others, " + SayPicks(picks, between) +
+      "; expected line numbers in equal steps, or StrayPicks that are left out");
+  }
+}
+
 /// Leaves strays out, again and again as those that are left tell more exactly where the lattice is. Returns their
 /// numbers among all.
 std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
@@ -219,7 +233,11 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
       const Eigen::Vector2d index = finder.Index(pick);
       places.push_back({ index, finder.Distance(pick, index) });
     }
-    const std::vector<std::size_t> strays = FindStrays(places, ToleranceOf(picks, lattice, options.Tolerance));
+    std::vector<std::size_t> strays = FindBetweenLines(picks, lattice.Lines);
+    if (strays.empty())
+    {
+      strays = FindStrays(places, ToleranceOf(picks, lattice, options.Tolerance));
+    }
     if (strays.empty() || all.size() + strays.size() > mostStrays)
     {
       break; // what is left is judged as without this choice
@@ -337,6 +355,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     }
   }
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
+  CheckLines(picks, lattice, monitor);
   const ColumnFinder finder(picks, lattice);
   const double tolerance = ToleranceOf(picks, lattice, options.Tolerance);
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));

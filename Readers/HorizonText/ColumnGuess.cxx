@@ -129,41 +129,68 @@ std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, s
   return pairs.size() >= MostOf(sample.size()) ? pairs : std::vector<Pair>();
 }
 
-/// How far each pair is off a map, and the map of all, made again without those that are off most: a few lines may be
-/// wrong.
+/// How far each pair is off a map, and the map of all but those that are off most: a few lines may be wrong.
 struct TrimmedFit
 {
   std::optional<PlaneMap> Map; // of differences from the first pair
   std::vector<double> Off; // ascending
   Eigen::Vector2d Extent = Eigen::Vector2d::Zero(); // of the places that count
 
+  /// Of pairs in the order of how likely they are right.
   explicit TrimmedFit(std::vector<Pair> pairs)
   {
-    const std::size_t most = MostOf(pairs.size());
-    const Pair first = pairs.empty() ? Pair() : pairs.front();
-    std::size_t counting = pairs.size();
-    for (int round = 0; round < 3; ++round, counting = most)
+    for (int round = 0; round < 2; ++round)
     {
-      PlaneFit fit;
       this->Extent.setZero();
-      for (std::size_t n = 0; n < counting; ++n)
+      for (std::size_t n = 0; n < MostOf(pairs.size()); ++n)
       {
-        fit.Add(pairs[n].Index - first.Index, pairs[n].Place - first.Place);
         this->Extent = this->Extent.cwiseMax((pairs[n].Place - pairs.front().Place).cwiseAbs());
       }
-      this->Map = fit.Solve();
+      this->Map = Sort(pairs, MostOf(pairs.size()), &Pair::Index, &Pair::Place, this->Off);
       if (!this->Map)
       {
         return;
       }
-      const auto off = [&](const Pair& pair)
-      { return (pair.Place - first.Place - this->Map->Origin - this->Map->Steps * (pair.Index - first.Index)).norm(); };
-      std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return off(a) < off(b); });
-      this->Off.clear();
-      std::transform(pairs.begin(), pairs.end(), std::back_inserter(this->Off), off);
     }
   }
+
+  /// Fits a map to the first pairs, and sorts all by how far they are off it. Nothing where there is none.
+  static std::optional<PlaneMap> Sort(std::vector<Pair>& pairs, std::size_t counting, Eigen::Vector2d Pair::*from,
+    Eigen::Vector2d Pair::*to, std::vector<double>& sorted)
+  {
+    const Pair first = pairs.empty() ? Pair() : pairs.front();
+    PlaneFit fit;
+    for (std::size_t n = 0; n < counting; ++n)
+    {
+      fit.Add(pairs[n].*from - first.*from, pairs[n].*to - first.*to);
+    }
+    const std::optional<PlaneMap> map = fit.Solve();
+    if (map)
+    {
+      const auto off = [&](const Pair& pair)
+      { return (pair.*to - first.*to - map->Origin - map->Steps * (pair.*from - first.*from)).norm(); };
+      std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return off(a) < off(b); });
+      sorted.clear();
+      std::transform(pairs.begin(), pairs.end(), std::back_inserter(sorted), off);
+    }
+    return map;
+  }
 };
+
+/// A number far from all others bends the map so that it is hardly off, but only that map which leads from it: of both
+/// ways the one counts that is better in the end.
+TrimmedFit FitMost(const std::vector<Pair>& pairs)
+{
+  std::vector<Pair> forward = pairs;
+  std::vector<Pair> backward = pairs;
+  std::vector<double> off;
+  TrimmedFit::Sort(forward, pairs.size(), &Pair::Index, &Pair::Place, off);
+  TrimmedFit::Sort(backward, pairs.size(), &Pair::Place, &Pair::Index, off);
+  const TrimmedFit a(std::move(forward));
+  const TrimmedFit b(std::move(backward));
+  const std::size_t last = MostOf(pairs.size()) - 1;
+  return a.Map && (!b.Map || a.Off[last] <= b.Off[last]) ? a : b;
+}
 
 /// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
 /// Where lines are of three dimensions anything but a place has no such map.
@@ -174,7 +201,7 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
   result.AreCoordinates = !pairs.empty() &&
     std::all_of(
       pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate; });
-  const TrimmedFit fit(pairs);
+  const TrimmedFit fit = FitMost(pairs);
   const std::optional<PlaneMap>& map = fit.Map;
   constexpr std::size_t fewest = 4; // three make a map whatever they are
   result.AreTelling = map && pairs.size() >= fewest;
@@ -275,6 +302,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
   bool hasNumbers = false;
   bool areWhole = true;
   bool areUnits = true;
+  std::size_t lines = 0;
   std::set<std::string_view> different;
   for (const std::string_view line : sample)
   {
@@ -291,9 +319,9 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
     areUnits = areUnits && (unit == "m" || unit == "ft" || unit == "ms" || unit == "s");
     different.insert(fields[column]);
     values.AreText = values.AreText || !(isNumber || layout.Nulls.IsNullText(fields[column]));
-    values.AreLines =
-      values.AreLines && isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber;
+    lines += isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber ? 1 : 0;
   }
+  values.AreLines = lines >= MostOf(sample.size());
   values.AreText = values.AreText && !hasNumbers; // else reading the line of the text will say so
   constexpr std::size_t few = 20;
   values.AreNames = !areUnits && areWhole && (!hasNumbers || different.size() <= few);
