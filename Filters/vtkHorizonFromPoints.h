@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * Numbers that stand for no value, besides nan, infinity, and numbers of 1e30 and more. Points without z are left
+   * Numbers that stand for no value, besides nan, infinity, and numbers of 1e20 and more. Points without z are left
    * out, and counted in the field data DroppedNulls; attributes become nan. Unit: that of z. Range: numbers, separated
    * by blanks or commas. Default: empty.
    */

@@ -19,7 +19,7 @@ struct KnownName
   ColumnRole Role;
 };
 
-constexpr std::array<KnownName, 64> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
+constexpr std::array<KnownName, 71> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
   { "east", ColumnRole::X }, { "eastings", ColumnRole::X }, { "utmx", ColumnRole::X }, { "xutm", ColumnRole::X },
   { "xcoord", ColumnRole::X }, { "xcoordinate", ColumnRole::X }, { "coordx", ColumnRole::X }, { "cdpx", ColumnRole::X },
   { "xworld", ColumnRole::X }, { "worldx", ColumnRole::X }, { "xutme", ColumnRole::X }, { "y", ColumnRole::Y },
@@ -37,7 +37,10 @@ constexpr std::array<KnownName, 64> KnownNames = { { { "x", ColumnRole::X }, { "
   { "xln", ColumnRole::Crossline }, { "crl", ColumnRole::Crossline }, { "trace", ColumnRole::Crossline },
   { "column", ColumnRole::Crossline }, { "columninteger", ColumnRole::Crossline }, { "rowinteger", ColumnRole::Inline },
   { "name", ColumnRole::HorizonName }, { "horizon", ColumnRole::HorizonName }, { "rechtswert", ColumnRole::X },
-  { "hochwert", ColumnRole::Y }, { "ffid", ColumnRole::Inline }, { "cdp", ColumnRole::Crossline } } };
+  { "hochwert", ColumnRole::Y }, { "ffid", ColumnRole::Inline }, { "cdp", ColumnRole::Crossline },
+  { "horizonname", ColumnRole::HorizonName }, { "horizonid", ColumnRole::HorizonName },
+  { "horizont", ColumnRole::HorizonName }, { "surfacename", ColumnRole::HorizonName },
+  { "surfaceid", ColumnRole::HorizonName }, { "sline", ColumnRole::Inline }, { "col", ColumnRole::Crossline } } };
 
 using Words = std::vector<std::string>;
 
@@ -46,6 +49,10 @@ constexpr std::array<std::string_view, 34> AttributeWords = { "thickness", "thic
   "error", "std", "stdev", "sigma", "uncertainty", "dip", "azimuth", "amplitude", "amp", "rms", "diff", "difference",
   "delta", "residual", "velocity", "vel", "gradient", "date", "md", "objectid", "fid", "oid", "confidence", "quality",
   "index", "count", "shift", "offset", "curvature" };
+/// Of columns that are no z either, where nothing else is called so.
+constexpr std::array<std::string_view, 22> OtherWords = { "id", "pointid", "nr", "no", "num", "number", "sp", "line",
+  "row", "col", "column", "trace", "flag", "status", "type", "method", "user", "author", "remark", "comment", "seismic",
+  "pick" };
 constexpr std::array<std::string_view, 5> InlineWords = { "inline", "iline", "il", "iln", "inl" };
 constexpr std::array<std::string_view, 5> CrosslineWords = { "crossline", "xline", "xl", "xln", "crl" };
 constexpr std::array<std::string_view, 10> ZWords = { "z", "twt", "owt", "tvd", "tvdss", "depth", "time", "elevation",
@@ -174,7 +181,8 @@ ColumnRole RoleOfName(std::string_view name)
 //----------------------------------------------------------------------------------------------------------------------
 bool IsNeverZ(std::string_view name)
 {
-  return HasWordOf(AttributeWords, SplitName(name));
+  const Words words = SplitName(name);
+  return HasWordOf(AttributeWords, words) || HasWordOf(OtherWords, words);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ ColumnRole RoleOfName(std::string_view name);
 /// The same by names that leave no doubt; Attribute where words alone would tell.
 ColumnRole RoleOfExactName(std::string_view name);
 
-/// Whether a name is that of some attribute for certain, such as a thickness or an amplitude.
+/// Whether a name is that of something else than z for certain, such as an amplitude or the number of a line.
 bool IsNeverZ(std::string_view name);
 
 /// Which of some names that mean Z it is: the one that is just that. Throws InputError, which says what to set, where

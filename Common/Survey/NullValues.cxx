@@ -14,8 +14,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// OpendTect, IRAP and CPS-3 write 1e30, IESX the largest float; no horizon is as deep.
-constexpr double LeastHuge = 0.999999e30;
+// OpendTect, IRAP and CPS-3 write 1e30, others 1e20, IESX the largest float; no horizon is as deep.
+constexpr double LeastHuge = 0.999999e20;
 constexpr double FloatPrecision = 1e-6; // relative
 constexpr std::array<std::string_view, 7> NullWords = { "nan", "null", "none", "undef", "n/a", "na", "-" };
 }

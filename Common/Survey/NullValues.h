@@ -10,7 +10,7 @@
 
 namespace SeismicHorizons
 {
-/// What stands for "no value" in text files: nothing, stars, words as "nan", "null" and "UNDEF", numbers of 1e30 and
+/// What stands for "no value" in text files: nothing, stars, words as "nan", "null" and "UNDEF", numbers of 1e20 and
 /// more, and the numbers and words that users name.
 class NullValues
 {

@@ -16,16 +16,18 @@ namespace
 constexpr std::array<double, 14> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0, -99.0,
   -32767.0, 99999.0, -99999.0, 999999.0, -999999.0 };
 
-/// The first usual number for no value that is farther from all other z than these are from each other.
+/// A number for no value that is farther from all other z than these are from each other: the least or the greatest z,
+/// where it is a usual one, or one of several picks.
 std::string FindNull(const LatticeHorizon& horizon)
 {
   const auto ends = std::minmax_element(horizon.RealZ.begin(), horizon.RealZ.end());
-  for (const double null : UsualNulls)
+  if (ends.first == horizon.RealZ.end())
   {
-    if (ends.first == horizon.RealZ.end() || (*ends.first != null && *ends.second != null))
-    {
-      continue; // not far from others
-    }
+    return {};
+  }
+  for (const double null : { *ends.first, *ends.second })
+  {
+    const bool isUsual = std::find(UsualNulls.begin(), UsualNulls.end(), null) != UsualNulls.end();
     std::int64_t count = 0;
     double least = std::numeric_limits<double>::infinity();
     double greatest = -least;
@@ -36,9 +38,10 @@ std::string FindNull(const LatticeHorizon& horizon)
       greatest = z == null ? greatest : std::max(greatest, z);
     }
     const double range = greatest - least;
-    if (count > 0 && range >= 0.0 && (null < least - range || null > greatest + range))
+    if (count > (isUsual ? 0 : 1) && range >= 0.0 && (null < least - range || null > greatest + range))
     {
       std::ostringstream text;
+      text.precision(12);
       text << count << " of " << horizon.RealZ.size() << " picks with z " << null << ", far from all others, " << least
            << " to " << greatest << ": add " << null << " to NullValues if it means that there is no z";
       return text.str();

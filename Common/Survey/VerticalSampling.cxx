@@ -134,7 +134,7 @@ VerticalSampling FindSampling(const LatticeHorizon* horizons, std::size_t count,
   {
     std::ostringstream text;
     text << "VerticalStep " << sampling.Step << " for z from " << least << " to " << most
-         << ", expected one that makes less than 2^31 vertical indices";
+         << ", expected one that makes less than 2^31 vertical indices, and NullValues for numbers that mean no z";
     throw InputError(text.str());
   }
   sampling.Indices = int(indices);

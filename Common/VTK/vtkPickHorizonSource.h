@@ -135,8 +135,9 @@ public:
 
   ///@{
   /**
-   * What to do about picks that are off the lattice, or far from all others. Stop: an error. LeaveOut: up to a tenth of
-   * all picks are left out, with a warning that names them by their numbers. Default: Stop.
+   * What to do about picks that are off the lattice, or far from all others. Stop: an error, or a warning where those far
+   * away are on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning that names them. Default:
+   * Stop.
    */
   vtkSetClampMacro(StrayPicks, int, Stop, LeaveOut);
   vtkGetMacro(StrayPicks, int);

@@ -36,6 +36,12 @@ struct ColumnValues
 
 ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size_t column);
 
+/// Whether two columns hold line numbers, and two others the places that belong to them.
+bool FollowLines(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places);
+
+/// The first column of text that is left out has the names of horizons, where no other one has.
+void NameByText(TextLayout& layout, const TextLines& sample);
+
 /// Columns without names, by their values: a name first where it is text; x y il xl, il xl x y, il xl or x y; z, and
 /// attributes. Throws InputError where coordinates would become z.
 std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& layout);

@@ -54,6 +54,24 @@ void KeepOneZ(std::vector<TextColumn>& columns)
   }
 }
 
+/// Where no column is called z, it is the only one that may be. Throws InputError where there are several.
+void NameOnlyZ(std::vector<TextColumn>& columns)
+{
+  const auto mayBe = [](const TextColumn& column)
+  { return column.Role == ColumnRole::Attribute && !IsNeverZ(column.Name); };
+  const auto first = std::find_if(columns.begin(), columns.end(), mayBe);
+  const auto second = first == columns.end() ? first : std::find_if(first + 1, columns.end(), mayBe);
+  if (second != columns.end())
+  {
+    throw InputError(Excerpt(first->Name) + " and " + Excerpt(second->Name) +
+      " that both could be Z, expected one of them: set Columns");
+  }
+  if (first != columns.end())
+  {
+    first->Role = ColumnRole::Z;
+  }
+}
+
 bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
 {
   return std::any_of(columns.begin(), columns.end(), [role](const TextColumn& column) { return column.Role == role; });
@@ -107,11 +125,9 @@ void SettleRoles(std::vector<TextColumn>& columns)
       column.Role = ColumnRole::Attribute;
     }
   }
-  const auto attribute = std::find_if(columns.begin(), columns.end(),
-    [](const TextColumn& column) { return column.Role == ColumnRole::Attribute && !IsNeverZ(column.Name); });
-  if (!Has(columns, ColumnRole::Z) && attribute != columns.end())
+  if (!Has(columns, ColumnRole::Z))
   {
-    attribute->Role = ColumnRole::Z;
+    NameOnlyZ(columns);
   }
   MakeAttributeOfHalf(columns, ColumnRole::X, ColumnRole::Y);
   MakeAttributeOfHalf(columns, ColumnRole::Inline, ColumnRole::Crossline);
@@ -125,7 +141,9 @@ void CheckRoles(const std::vector<TextColumn>& columns)
   const bool hasLines = Has(columns, ColumnRole::Inline) && Has(columns, ColumnRole::Crossline);
   if (!Has(columns, ColumnRole::Z) || !(hasPlaces || hasLines))
   {
-    throw InputError("columns " + ListNames(columns) + ", expected Z, and X and Y or Inline and Crossline");
+    throw InputError("columns " + ListNames(columns) +
+      ", expected Z, and X and Y or Inline and Crossline: set Columns, or "
+      "HeaderLines for lines above the picks");
   }
 }
 
@@ -153,11 +171,13 @@ std::vector<TextColumn> ParseColumnList(const std::string& list)
 //----------------------------------------------------------------------------------------------------------------------
 std::string ListNames(const std::vector<TextColumn>& columns)
 {
+  constexpr std::size_t mostNamed = 20;
   std::string names;
-  for (const TextColumn& column : columns)
+  for (std::size_t column = 0; column < std::min(mostNamed, columns.size()); ++column)
   {
-    names += (names.empty() ? "" : ", ") + Excerpt(Word(column));
+    names += (column == 0 ? "" : ", ") + Excerpt(Word(columns[column]));
   }
+  names += columns.size() > mostNamed ? ", ... (" + std::to_string(columns.size()) + " columns)" : "";
   return names.empty() ? "(none)" : names;
 }
 }

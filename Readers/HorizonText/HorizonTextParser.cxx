@@ -64,6 +64,7 @@ public:
 private:
   void AddNames(const PickBlock& block);
   void AddLines(const PickBlock& block);
+  void CheckNames();
   std::vector<double>& Column(std::size_t column); // where its numbers go to
 
   const TextLayout& Layout;
@@ -71,6 +72,8 @@ private:
   std::size_t Picks = 0;
   std::int64_t Lines = 0; // before the next block
   bool HasEnded = false;
+  bool HasComment = false; // between picks
+  bool IsLatin1 = false; // a name that is not in UTF-8
   std::unordered_map<std::string, int> Numbers; // of names
 };
 
@@ -79,6 +82,10 @@ PickCollector::PickCollector(const TextLayout& layout)
   , Lines(layout.HeaderLines)
 {
   this->Table.Survey = layout.Survey;
+  if (!layout.Doubt.empty())
+  {
+    this->Table.Doubts.push_back(layout.Doubt);
+  }
   for (const TextColumn& column : layout.Columns)
   {
     if (column.Role == ColumnRole::Attribute)
@@ -137,9 +144,18 @@ void PickCollector::Add(const PickBlock& block)
   }
   if (block.ErrorLine >= 0)
   {
-    const bool isFirst = this->Picks == 0 && block.ErrorLine == block.FirstLine;
+    const bool isFirst =
+      this->Picks == 0 && block.ErrorLine == block.FirstLine && block.Error.find(": ") == std::string::npos;
     throw ErrorAt(this->Lines + block.ErrorLine + 1,
-      block.Error + (isFirst ? "; HeaderLines leaves out lines above the picks" : ""));
+      block.Error +
+        (isFirst ? "; HeaderLines leaves out lines above the picks, NullValues lists words for no value" : ""));
+  }
+  const bool isBetween = this->Picks > 0 || block.CommentLine > block.FirstLine;
+  if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
+  {
+    this->Table.Doubts.push_back("comments between picks, the first in line " +
+      std::to_string(this->Lines + block.CommentLine + 1) +
+      ", are left out: where they name horizons, put each into a file of its own");
   }
   std::size_t picks = block.Horizon.size();
   for (std::size_t column = 0; column < block.Values.size(); ++column)
@@ -168,7 +184,7 @@ void PickCollector::AddNames(const PickBlock& block)
     if (isNew)
     {
       this->Table.Names.push_back(ToUtf8(name));
-      if (this->Table.Names.back() != name && this->Table.Doubts.empty())
+      if (this->Table.Names.back() != name && !std::exchange(this->IsLatin1, true))
       {
         this->Table.Doubts.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
           Quote(this->Table.Names.back()) + ": convert the file, as with iconv, where they are in another encoding");
@@ -206,7 +222,31 @@ PickTable PickCollector::Take()
   {
     this->Table.Names = { this->Layout.HorizonName };
   }
+  this->CheckNames();
   return std::move(this->Table);
+}
+
+/// Text that differs in each line is no name of a horizon; what changes from line to line may be a mark of something else.
+void PickCollector::CheckNames()
+{
+  const std::vector<int>& horizon = this->Table.Horizon;
+  const std::vector<std::string>& names = this->Table.Names;
+  constexpr std::size_t few = 20;
+  if (names.size() > few && 2 * names.size() > horizon.size())
+  {
+    throw InputError(std::to_string(names.size()) + " names of horizons for " + std::to_string(horizon.size()) +
+      " picks, expected several picks for each: set Columns, with - for what is left out");
+  }
+  std::size_t changes = 0;
+  for (std::size_t pick = 1; pick < horizon.size(); ++pick)
+  {
+    changes += horizon[pick] != horizon[pick - 1] ? 1 : 0;
+  }
+  if (names.size() > 1 && horizon.size() > few && 3 * changes > horizon.size())
+  {
+    this->Table.Doubts.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
+      " and " + Quote(names[1]) + ": set Columns, with - for them, if they are marks of something else");
+  }
 }
 
 /// The text from the line behind the first `count` ones; those left out are taken off the count.

@@ -3,6 +3,7 @@
 
 #include "LayoutFinder.h"
 
+#include "ColumnDoubts.h"
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
 #include "Common/LineErrors.h"
@@ -136,8 +137,8 @@ bool IsCharisma(std::string_view line)
   return fields.size() == 7 && ToLower(fields[0]) == "inline" && !IsNumber(fields[2]);
 }
 
-/// "nx ny n" and, behind it, columns within nx and ny.
-bool IsLatticeSize(const TextLines& sample)
+/// "nx ny n" and, behind it, columns within nx and ny, counted from `first` on.
+bool IsLatticeSize(const TextLines& sample, double first = 0.0)
 {
   const Fields sizes = Split(sample.front(), FieldSeparator::Blanks);
   if (sizes.size() != 3)
@@ -155,9 +156,36 @@ bool IsLatticeSize(const TextLines& sample)
         double i = 0.0;
         double j = 0.0;
         return fields.size() == 3 && ReadNumber(fields[0], i) == NumberKind::Finite &&
-          ReadNumber(fields[1], j) == NumberKind::Finite && i >= 0.0 && i < columns && j >= 0.0 && j < rows &&
-          i == std::round(i) && j == std::round(j);
+          ReadNumber(fields[1], j) == NumberKind::Finite && i >= first && i < columns + first && j >= first &&
+          j < rows + first && i == std::round(i) && j == std::round(j);
       });
+}
+
+/// Words above picks, in a comment or not, name columns where one of them is z, or where they stand right above the picks
+/// and are no words of a title that only seem to be names: "North East Frigg".
+bool MayBeNames(const TextLayout& layout)
+{
+  const int x = layout.Find(ColumnRole::X);
+  const bool isTitle = x >= 0 && ToLower(layout.Columns[std::size_t(x)].Name) == "east";
+  return layout.Find(ColumnRole::Z) >= 0 || (layout.HasLineOfNames && !isTitle);
+}
+
+/// The same with columns from 1, of which there are as many as the first line says: it is no pick.
+void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const TextLines& sample)
+{
+  if (sample.size() > 1 && IsLatticeSize(sample, 1.0) && !IsLatticeSize(sample))
+  {
+    std::int64_t picks = -1; // but for that line
+    for (auto line = std::size_t(layout.HeaderLines); line < lines.size(); ++line)
+    {
+      picks += IsSkipped(lines[line]) ? 0 : 1;
+    }
+    if (picks == ReadPositiveInteger(Split(sample.front(), FieldSeparator::Blanks)[2]))
+    {
+      throw ErrorAt(layout.HeaderLines + 1,
+        Quote(sample.front()) + " that seems to count what follows, expected a pick: leave it out by HeaderLines");
+    }
+  }
 }
 
 /// Layouts of which the first line behind the header tells all. False where it does not.
@@ -194,6 +222,36 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
   }
   return false;
 }
+/// Those that the user gives, or the header, or else by their values.
+void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions& options)
+{
+  layout.Separator = FindSeparator(sample);
+  if (layout.Kind == TextKind::Plain && !MayBeNames(layout))
+  {
+    layout.Columns.clear(); // words of a title
+  }
+  const bool hasNames =
+    !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && layout.HasPlaces()));
+  if (!options.Columns.empty())
+  {
+    layout.Columns = ParseColumnList(options.Columns);
+  }
+  MatchColumns(layout, sample, hasNames || !options.Columns.empty());
+  if (options.Columns.empty() && !LeaveOutText(layout, sample) && !hasNames)
+  {
+    layout.Columns.clear(); // they are not those of these picks
+  }
+  if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !layout.HasPlaces()))
+  {
+    layout.Columns = GuessColumns(sample, layout);
+    layout.IsGuessed = true;
+  }
+  SettleRoles(layout.Columns);
+  if (options.Columns.empty() && layout.Kind == TextKind::Plain)
+  {
+    NameByText(layout, sample);
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -212,29 +270,28 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   {
     throw ErrorAt(layout.HeaderLines + 1, "numbers with decimal commas, expected decimal points: replace the commas");
   }
+  const std::size_t fields = Split(sample.front(), FindSeparator(sample)).size();
+  constexpr std::size_t mostFields = 1000;
+  if (fields > mostFields)
+  {
+    throw ErrorAt(layout.HeaderLines + 1,
+      std::to_string(fields) + " fields, expected at most " + std::to_string(mostFields) + ": is it a line of picks?");
+  }
+  if (layout.Kind == TextKind::Plain)
+  {
+    RefuseCountLine(lines, layout, sample);
+  }
   const bool isFixed = options.Columns.empty() && FindFixedLayout(layout, sample);
   if (!isFixed)
   {
-    layout.Separator = FindSeparator(sample);
-    const bool hasNames =
-      !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && layout.HasPlaces()));
-    if (!options.Columns.empty())
-    {
-      layout.Columns = ParseColumnList(options.Columns);
-    }
-    MatchColumns(layout, sample, hasNames || !options.Columns.empty());
-    if (options.Columns.empty() && !LeaveOutText(layout, sample) && !hasNames)
-    {
-      layout.Columns.clear(); // they are not those of these picks
-    }
-    if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !layout.HasPlaces()))
-    {
-      layout.Columns = GuessColumns(sample, layout);
-      layout.IsGuessed = true;
-    }
-    SettleRoles(layout.Columns);
+    FindColumns(layout, sample, options);
   }
   CheckRoles(layout.Columns);
+  if (layout.IsGuessed)
+  {
+    RefuseDoubtfulColumns(sample, layout);
+    layout.Doubt = DoubtOfColumns(sample, layout);
+  }
   if (layout.Picks >= 0)
   {
     // The size is the first of the sample.

@@ -8,6 +8,7 @@
 #include "Common/TextFields.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -61,10 +62,14 @@ public:
 private:
   void ParseLine(std::string_view line)
   {
-    if (IsSkipped(line) || (!this->Layout.NamesLine.empty() && Trim(line) == this->Layout.NamesLine))
+    const std::vector<std::string>& names = this->Layout.NamesLines;
+    if (IsSkipped(line) || (!names.empty() && std::find(names.begin(), names.end(), Trim(line)) != names.end()))
     {
+      const bool hasWord = std::any_of(line.begin(), line.end(), [](char c) { return std::isalpha(c & 0x7F) != 0; });
+      this->Comment = this->Comment < 0 && hasWord && names.empty() ? this->Block.Lines : this->Comment;
       return;
     }
+    this->Block.CommentLine = this->Block.CommentLine < 0 ? this->Comment : this->Block.CommentLine;
     if (this->Block.FirstLine < 0)
     {
       this->Block.FirstLine = this->Block.Lines;
@@ -167,7 +172,10 @@ private:
     const bool isNumber = IsFinite(field, value);
     if (!isNumber && !this->Layout.Nulls.IsNullText(field))
     {
-      this->Fail(Quote(field) + " as " + RoleWord(role) + ", expected a number");
+      const bool isDecimal = field.find(',') != std::string_view::npos &&
+        std::all_of(field.begin(), field.end(), [](char c) { return IsDigit(c) || c == ',' || c == '-'; });
+      this->Fail(Quote(field) + " as " + RoleWord(role) +
+        (isDecimal ? ", expected a decimal point: replace the commas" : ", expected a number"));
       return false;
     }
     const bool mayBeNull = role == ColumnRole::Z || role == ColumnRole::Attribute;
@@ -189,6 +197,11 @@ private:
     if (std::any_of(name.begin(), name.end(), IsControl))
     {
       this->Fail(Quote(name) + " as name of a horizon, expected characters that can be printed");
+      return false;
+    }
+    if (name.empty())
+    {
+      this->Fail("no name of a horizon, expected one in each line: leave the column out in Columns, or fill it");
       return false;
     }
     this->Block.Horizon.push_back(this->NumberOfName(name));
@@ -221,6 +234,7 @@ private:
   const int X, Y, Z; // columns of the layout, or -1
   PickBlock Block;
   std::size_t Picks = 0;
+  std::int64_t Comment = -1; // the first line with one
   std::int64_t Offset = 0; // of the line of the last pick from its number
   std::unordered_map<std::string_view, int> Numbers; // of names
 };

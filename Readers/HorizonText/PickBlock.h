@@ -25,6 +25,7 @@ struct PickBlock
   std::vector<PickLine> PickLines; // where picks are: lines from 0
   std::int64_t Lines = 0;
   std::int64_t FirstLine = -1; // the first that is neither empty nor a comment, from 0
+  std::int64_t CommentLine = -1; // the first comment of words behind which a pick comes, from 0
   std::int64_t EndLine = -1; // that of an end mark, from 0
   std::int64_t ErrorLine = -1; // from 0; lines behind it are not parsed
   std::string Error; // what is wrong there

@@ -7,6 +7,7 @@
 #include "ColumnNames.h"
 #include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
+#include "NameLine.h"
 
 #include <algorithm>
 #include <array>
@@ -242,139 +243,11 @@ private:
     {
       return;
     }
-    if (!this->FindNamesBelowTitle() && !this->SkipTitles() && this->Line < this->Lines.size() &&
-      this->IsLineOfNames(Trim(this->Lines[this->Line])))
-    {
-      this->Names = Trim(this->Lines[this->Line]);
-      this->Layout.HasLineOfNames = true;
-      this->Layout.NamesLine = std::string(this->Names);
-      this->Layout.HeaderLines = std::int64_t(this->NextPick());
-    }
-    for (const std::string_view field : Split(this->Names, SeparatorOfNames(this->Names)))
+    const std::string names = FindNameLine(this->Lines, this->Line, this->Layout).value_or(JoinWords(this->Names));
+    for (const std::string_view field : Split(names, SeparatorOfNames(names)))
     {
       this->AddColumn(field);
     }
-  }
-
-  /// Names with lines of text above them, or between them and the picks: titles, units, dashes. They say where picks are,
-  /// and are as many as the picks have fields; else the text is no header that is known.
-  bool FindNamesBelowTitle()
-  {
-    const std::size_t pick = this->FirstPick();
-    for (std::size_t line = this->Line; line < pick; ++line)
-    {
-      const std::string_view names = Trim(this->Lines[line]);
-      const FieldSeparator separator = SeparatorOfNames(names);
-      if (!HasNumber(names) && Split(names, separator).size() == Split(this->Lines[pick], separator).size() &&
-        SayPlaces(names, separator))
-      {
-        this->Names = names;
-        this->Layout.HasLineOfNames = true;
-        this->Layout.NamesLine = std::string(names);
-        this->Layout.HeaderLines = std::int64_t(pick);
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Several lines of text above picks, in none of which is a number: titles, and no names of columns.
-  bool SkipTitles()
-  {
-    const std::size_t pick = this->FirstPick();
-    std::size_t titles = 0;
-    for (std::size_t line = this->Line; line < pick; ++line)
-    {
-      if (HasNumber(this->Lines[line]))
-      {
-        return false;
-      }
-      titles += Trim(this->Lines[line]).empty() ? 0 : 1;
-    }
-    if (titles > 1)
-    {
-      this->Layout.HeaderLines = std::int64_t(pick);
-    }
-    return titles > 1;
-  }
-
-  /// The next line that may be a pick; the one that is the next where none of some lines is.
-  std::size_t FirstPick() const
-  {
-    constexpr std::size_t mostLines = 50;
-    std::size_t pick = this->Line;
-    const std::size_t end = std::min(this->Lines.size(), this->Line + mostLines);
-    while (pick < end && !IsPick(this->Lines[pick]))
-    {
-      ++pick;
-    }
-    return pick < end ? pick : this->Line;
-  }
-
-  static bool SayPlaces(std::string_view names, FieldSeparator separator)
-  {
-    TextLayout layout;
-    for (const std::string_view field : Split(names, separator))
-    {
-      layout.Columns.push_back(ColumnOfName(Trim(field)));
-    }
-    return layout.HasPlaces();
-  }
-
-  /// Mostly numbers, and at least two.
-  static bool IsPick(std::string_view line)
-  {
-    return HaveNumbers(
-      line, [](std::size_t numbers, std::size_t words) { return numbers >= 2 && 2 * numbers >= words; });
-  }
-
-  static bool HasNumber(std::string_view line)
-  {
-    return HaveNumbers(line, [](std::size_t numbers, std::size_t) { return numbers > 0; });
-  }
-
-  /// What holds of the numbers of a line, and of all its words, however these are separated.
-  template <typename Holds>
-  static bool HaveNumbers(std::string_view line, Holds&& holds)
-  {
-    constexpr std::array<FieldSeparator, 3> separators = { FieldSeparator::Colons, FieldSeparator::Comma,
-      FieldSeparator::Semicolon };
-    return std::any_of(separators.begin(), separators.end(),
-      [&](FieldSeparator separator)
-      {
-        const Fields words = Split(line, separator);
-        const auto numbers =
-          std::count_if(words.begin(), words.end(), [](std::string_view word) { return IsNumber(Trim(word)); });
-        return holds(std::size_t(numbers), words.size());
-      });
-  }
-
-  /// Names may have blanks in them where anything else separates them.
-  static FieldSeparator SeparatorOfNames(std::string_view names)
-  {
-    const auto has = [names](char c) { return names.find(c) != std::string_view::npos; };
-    return has('\t') ? FieldSeparator::Tab
-      : has(',')     ? FieldSeparator::Comma
-      : has(';')     ? FieldSeparator::Semicolon
-                     : FieldSeparator::Blanks;
-  }
-
-  /// Whether a line has no number, and the next that is not empty has one.
-  bool IsLineOfNames(std::string_view line) const
-  {
-    const std::size_t next = this->NextPick();
-    return !HasNumber(line) && next < this->Lines.size() && HasNumber(this->Lines[next]);
-  }
-
-  /// The next line that has something in it.
-  std::size_t NextPick() const
-  {
-    std::size_t next = this->Line + 1;
-    while (next < this->Lines.size() && IsSkipped(this->Lines[next]))
-    {
-      ++next;
-    }
-    return next;
   }
 
   const TextLines& Lines;
@@ -383,13 +256,6 @@ private:
   std::string_view Names;
   TextLayout Layout;
 };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool IsNumber(std::string_view field)
-{
-  double value = 0.0;
-  return !field.empty() && ReadNumber(field, value) != NumberKind::NotANumber;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsTextHeader_h
 #define SeismicHorizonsTextHeader_h
 
+#include "NameLine.h"
 #include "TextLayout.h"
 
 #include <string_view>
@@ -13,15 +14,9 @@
 
 namespace SeismicHorizons
 {
-/// The lines at the beginning of a file, without their ends.
-using TextLines = std::vector<std::string_view>;
-
 /// Reads the header: the layout with all that it says. Columns are those it names, in their order; none where it names
 /// none. HeaderLines is the number of the first line behind it.
 TextLayout ReadTextHeader(const TextLines& lines);
-
-/// Whether a field is a number, be it infinite or nan.
-bool IsNumber(std::string_view field);
 }
 
 #endif

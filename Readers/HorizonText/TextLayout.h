@@ -42,7 +42,10 @@ struct TextLayout
   FieldSeparator Separator = FieldSeparator::Blanks;
   std::vector<TextColumn> Columns;
   bool HasLineOfNames = false; // a line of words, which is no comment, stands right above the picks
-  std::string NamesLine; // that line; where it comes again, as in files that were put together, it is left out
+  /// That line, and those up to the picks, as with units; where they come again, as in files that were put together, they
+  /// are left out.
+  std::vector<std::string> NamesLines;
+  std::string Doubt; // what users should know of columns that were guessed
   bool IsGuessed = false; // the columns are known by their values alone
   std::int64_t HeaderLines = 0; // before the first pick
   std::int64_t Picks = -1; // how many a file says it has; -1 where it says nothing

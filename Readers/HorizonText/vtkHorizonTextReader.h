@@ -61,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Numbers and words that stand for no value, besides nothing, stars, nan, null, none, undef, and numbers of 1e30 and
+   * Numbers and words that stand for no value, besides nothing, stars, nan, null, none, undef, and numbers of 1e20 and
    * more. Points without z are left out, and counted in the field data DroppedNulls; attributes become nan. See "No
    * value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or commas. Default: -999.25 -99999
    * 9999900.

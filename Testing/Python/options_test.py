@@ -167,7 +167,7 @@ class OptionsTest(unittest.TestCase):
         help_text = " ".join(load_program().make_parser().format_help().split())
         read_me = (root / "README.md").read_text(encoding="utf-8")
         pages = [read_me, *(path.read_text(encoding="utf-8") for path in (root / "Documentation").glob("*.md"))]
-        lines = [line for page in pages for line in page.splitlines() if "horizon_mesh.py" in line]
+        lines = [line for page in pages for line in page.splitlines() if "horizon-mesh" in line or "horizon_mesh.py" in line]
         named = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
         self.assertIn("--measure-error", named)
         for word in {*named, "--leave-out-invalid", "--triangles"}:

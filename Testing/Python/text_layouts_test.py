@@ -37,6 +37,9 @@ class Survey:
             "xl": first[0] + line_steps[0] * i, "il": first[1] + line_steps[1] * j,
             "z": np.round(depth + 0.31 * ((i - 9) ** 2 + (j - 7) ** 2) + 0.07 * i, 2),
             "amp": np.round(1000.0 * np.sin(0.7 * i + 0.3 * j), 3), "id": np.arange(1, len(i) + 1)}
+        self.values["xy"] = ["%.2f%.2f" % place for place in zip(self.values["x"], self.values["y"])]
+        self.values["names"] = ["H%d" % n for n in self.values["id"]]
+        self.values["some"] = ["Top" if n % 2 else "" for n in self.values["id"]]
 
     def __len__(self):
         return len(self.values["x"])
@@ -60,7 +63,7 @@ class Layout:
         form = self.formats.get(column)
         if callable(form):
             return form(value)
-        return form % value if form else str(value) if column in ("xl", "il", "id") else "%.2f" % value
+        return form % value if form else str(value) if column in ("xl", "il", "id", "some") else "%.2f" % value
 
     def lines(self):
         return [self.separator.join(self.field(column, n) for column in self.columns) + self.ends
@@ -188,6 +191,14 @@ def layouts_with_headers():
     yield "names in upper case", Layout("x y z", head="EASTING NORTHING DEPTH")
     yield "HORIZON_TWT", Layout("il xl x y z", head="INLINE XLINE CDP_X CDP_Y HORIZON_TWT")
     yield "z first", Layout("z x y", head="Z,X,Y", separator=",")
+    yield "one unknown name", Layout("id x y z", head="Nr;X;Y;TopChalk", separator=";")
+    yield "unknown text", Layout("Top x y z", head="Reflektor;X;Y;Z", separator=";", names=["Top"])
+    yield "Two Way Time", Layout("x y z", head="X Y Two Way Time")
+    yield "a title that names x and y", Layout("x y z", head="# North East Frigg")
+    yield "a title that names lines", Layout(ALL, head="# Inline Crossline of East survey")
+    yield "dates", Layout("il xl x y z 2019-11-21")
+    yield "units again", Layout(ALL, head="IL XL X Y Z\n- - m m ms", foot="IL XL X Y Z\n- - m m ms")
+    yield "1e20", Layout("x y z 1e20")
     yield "text last", Layout("il xl x y z Top", names=["Top"])
     yield "text first", Layout("Top x y z", names=["Top"])
     yield "two words of text", Layout("Top x y z final", names=["Top"])
@@ -208,6 +219,22 @@ def refused_layouts():
     yield "decimal commas", Layout("x y z", separator=";", formats={c: comma for c in "xyz"}, refused="decimal commas")
     yield "decimal commas in z", Layout("id x y z", head="Nr;X;Y;Z", separator=";", formats={
         **WHOLE, "z": comma}, refused="")
+    yield "decimal commas between commas", Layout("il xl z", separator=",", points=LINES, formats={"z": comma},
+                                                  refused="decimal commas")
+    yield "several unknown names", Layout("il xl x y z", head="Ligne;Trace;X;Y;Profondeur", separator=";",
+                                          refused="both could be Z")
+    yield "a counter first", Layout("id il xl x y z", refused="look like line numbers")
+    yield "a counter first, lines alone", Layout("id il xl z", points=LINES, refused="counts lines")
+    yield "a counter before z", Layout("il xl id z", points=LINES, refused="counts lines")
+    yield "a constant before z", Layout("il xl x y 1 z", refused="the same in all lines")
+    yield "a zero between lines and places", Layout("il xl 0 x y z", refused="like their places")
+    yield "z between lines and places", Layout("il xl z x y", refused="like their places")
+    yield "touching", Layout("il xl xy z", formats={"xy": str}, refused="expected blanks between numbers")
+    yield "a name in each line", Layout("names x y z", head="horizon x y z", formats={"names": str}, refused="several picks")
+    yield "a name in some lines", Layout("some x y z", head="horizon,x,y,z", separator=",", refused="no name of a horizon")
+    yield "a line that counts", Layout("il xl z", head="16 20 299", points=LINES, refused="seems to count",
+                                       survey=Survey(first=(1, 1), line_steps=(1, 1)))
+    yield "many columns", Layout("x y z " + 1000 * "7 ", refused="at most 1000")
     yield "two candidates for z", Layout("x y z amp", head="X Y TWT DEPTH", refused="expected one")
     yield "z beyond 99999", Layout("x y id z", formats={"id": lambda v: str(500000 + v)}, refused="")
 

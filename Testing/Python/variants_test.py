@@ -108,8 +108,8 @@ READ += [
 
 # Name, text, and what the error says.
 REFUSED = [
-    ("stray", XYZ + "1.0 1.0 5.0\n", "columns a pick; pick 2001"),
-    ("stray_line", rows("%d %d %.2f", INLINE, CROSSLINE, Z) + "99999 1 1500\n", "columns a pick; pick 2001"),
+    ("stray", XYZ + "1.0 1.0 5.0\n", "columns a pick; line 2001"),
+    ("stray_line", rows("%d %d %.2f", INLINE, CROSSLINE, Z) + "99999 1 1500\n", "columns a pick; line 2001"),
     ("between_columns", XYZ + "604123.3 6079555.1 1500\n", "1 of 2001 picks off the lattice"),
     ("noise", rows("%d %d %.2f %.2f %.2f", INLINE, CROSSLINE, X + RANDOM.normal(0, 2, X.shape), Y, Z),
      "expected at most LatticeTolerance"),
@@ -122,7 +122,7 @@ REFUSED = [
      "that may be their places but do not follow them"),
     ("local_bent", local(LOCAL[0] + (LOCAL[1] - 30000.0) ** 2 / 250.0, LOCAL[1]), "that may be their places but do not follow them"),
     ("local_wrong_place", "".join([*local(*LOCAL).splitlines(True)[:420], "1014 2000 99.5 7.5 1500\n",
-                                   *local(*LOCAL).splitlines(True)[420:]]), "that may be their places but do not follow them"),
+                                   *local(*LOCAL).splitlines(True)[420:]]), "the farthest, line 421, by"),
     ("two_z", "X Y TWT DEPTH\n" + rows("%.2f %.2f %.2f 7", X, Y, Z), "TWT and DEPTH that both could be Z"),
     ("no_z", "X Y THICKNESS\n" + XYZ, "expected Z, and X and Y"),
     ("decimal_commas", XYZ.replace(".", ","), "decimal commas, expected decimal points"),
@@ -199,12 +199,12 @@ class VariantsTest(unittest.TestCase):
             with self.subTest(name):
                 horizons, _, errors, warnings = self.read(name, text, StrayPicks="LeaveOut")
                 self.assertEqual((errors, [h.GetNumberOfPoints() for h in horizons.values()]), ([], [2000]))
-                self.assertIn("1 stray picks left out: 2001", warnings[0])
+                self.assertIn("1 stray picks left out: line 2001", warnings[0])
         five = FIVE.splitlines(True)
         five[700] = "1014 2000 99.5 7.5 1500\n"  # one wrong place moves the map of all
         horizons, _, errors, warnings = self.read("wrong_place", "".join(five), StrayPicks="LeaveOut")
         self.assertEqual((errors, horizons["wrong_place"].GetNumberOfPoints()), ([], 1999))
-        self.assertIn("1 stray picks left out: 701", warnings[0])
+        self.assertIn("1 stray picks left out: line 701", warnings[0])
         _, _, errors, _ = self.read("noise", dict((n, t) for n, t, _ in REFUSED)["noise"], StrayPicks="LeaveOut")
         self.assertIn("expected at most LatticeTolerance", errors[0])
 

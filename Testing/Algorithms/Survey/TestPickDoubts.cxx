@@ -131,8 +131,10 @@ void TestUsualNulls()
     IsOne(DoubtsOf(picks), "2 of 400 picks with z -999, far from all others, 1000 to 1019: add -999 to NullValues"));
   picks.Z[7] = picks.Z[8] = 999.0;
   CHECK(DoubtsOf(picks).empty()); // one more than the range of all others is not far
-  picks.Z[7] = picks.Z[8] = -998.0;
-  CHECK(DoubtsOf(picks).empty());
+  picks.Z[7] = picks.Z[8] = 0.01;
+  CHECK(IsOne(DoubtsOf(picks), "2 of 400 picks with z 0.01, far from all others"));
+  picks.Z[7] = 1000.0;
+  CHECK(DoubtsOf(picks).empty()); // a spike
 }
 
 void TestDuplicates()
