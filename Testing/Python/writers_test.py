@@ -57,9 +57,14 @@ def check_tsurf(sample, folder):
     assert list(opened) == list(expected), (list(opened), list(expected))
     for name, mesh in expected.items():
         check_same_triangles(opened[name], mesh)
+        assert sorted(names_of_arrays(opened[name])) == ["Amplitude", "Thickness"], names_of_arrays(opened[name])
+    simple.SaveData(str(folder / "all.ts"), proxy=surface, WriteAttributes="All Arrays", WriteBorders=1)
+    assert "BORDER" in (folder / "all.ts").read_text()
+    opened = fetch(open_file(folder / "all.ts", "GOCADTSurfReader"))
+    for name, mesh in expected.items():
         assert names_of_arrays(opened[name]) == names_of_arrays(mesh), name
     simple.SaveData(str(folder / "deep.ts"), proxy=surface, VerticalPositive="Depth", VerticalUnit="ms",
-                    HorizontalUnit="ft", CoordinateSystemName="local", WriteAttributes=0, WriteBorders=0)
+                    HorizontalUnit="ft", CoordinateSystemName="local", WriteAttributes="No Arrays")
     text = (folder / "deep.ts").read_text()
     for line in ("ZPOSITIVE Depth", 'AXIS_UNIT "ft" "ft" "ms"', "NAME local"):
         assert line + "\n" in text, line
@@ -68,7 +73,7 @@ def check_tsurf(sample, folder):
     for name, mesh in expected.items():
         check_same_triangles(deep[name], mesh)
         assert not names_of_arrays(deep[name]), name
-    assert {path.name for path in folder.iterdir()} == {"x.ts", "deep.ts"}, list(folder.iterdir())
+    assert {path.name for path in folder.iterdir()} == {"x.ts", "all.ts", "deep.ts"}, list(folder.iterdir())
 
 
 def check_selection(path):
