@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -54,23 +55,23 @@ struct Axes
   Axis Y;
 };
 
-/// Either step may be the one along x.
-Axes FindAxes(const SurveyLattice& lattice)
+/// Either step may be the one along x. None where steps are along no axes.
+std::optional<Axes> FindAxes(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
   const Eigen::Vector2d& j = lattice.RowStep;
   const std::int64_t rowIndex = lattice.Columns[0];
   if (IsAlong(i.x(), i.y(), lattice.Columns[0], j.norm()) && IsAlong(j.y(), j.x(), lattice.Columns[1], i.norm()))
   {
-    return { MakeAxis(lattice.Columns[0], lattice.Origin.x(), i.x(), 1),
+    return Axes{ MakeAxis(lattice.Columns[0], lattice.Origin.x(), i.x(), 1),
       MakeAxis(lattice.Columns[1], lattice.Origin.y(), j.y(), rowIndex) };
   }
   if (IsAlong(i.y(), i.x(), lattice.Columns[0], j.norm()) && IsAlong(j.x(), j.y(), lattice.Columns[1], i.norm()))
   {
-    return { MakeAxis(lattice.Columns[1], lattice.Origin.x(), j.x(), rowIndex),
+    return Axes{ MakeAxis(lattice.Columns[1], lattice.Origin.x(), j.x(), rowIndex),
       MakeAxis(lattice.Columns[0], lattice.Origin.y(), i.y(), 1) };
   }
-  throw InputError("a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
+  return {};
 }
 
 /// What the header says of all values.
@@ -113,10 +114,21 @@ void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const L
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool IsAlongAxes(const SurveyLattice& lattice)
+{
+  return FindAxes(lattice).has_value();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
 {
   RequireWritable(grid, FirstNull, "ZMAP+");
-  const Axes axes = FindAxes(grid.Lattice);
+  const std::optional<Axes> found = FindAxes(grid.Lattice);
+  if (!found)
+  {
+    throw InputError("a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
+  }
+  const Axes& axes = *found;
   const Layout layout = FindLayout(grid.Z);
   GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
   WriteHeader(output, grid.Name, axes, layout);

@@ -46,9 +46,9 @@ void ObjectsEnd()
   CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\n" + Start + "END\nEND_MEMBERS\n",
     "line 5: end of file, expected END of the GOCAD object of line 1");
   CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\n" + Start + "END\n",
-    "line 4: end of file, expected END of the GOCAD object of line 1");
+    "line 5: end of file, expected END of the GOCAD object of line 1");
   CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\nEND\n", "line 3: \"END\", expected \"GOCAD TSurf 1\"");
-  CheckRefused(Start + "HEADER {name:x\nEND\n", "line 3: end of file, expected \"}\" of the block of line 2");
+  CheckRefused(Start + "HEADER {name:x\nEND\n", "line 4: end of file, expected \"}\" of the block of line 2");
   CheckRefused(Start + "BEGIN_X y\nEND\n", "line 4: end of file, expected \"END_X\" of the block of line 2");
 }
 
