@@ -44,7 +44,7 @@ void ObjectsEnd()
   CheckRefused(Start + "END\nEND\n", "line 3: \"END\", expected \"GOCAD TSurf 1\"");
   CheckRefused(Start + "HEADER {\nname:x\nEND\n", "line 5: end of file, expected \"}\" of the block of line 2");
   CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\n" + Start + "END\nEND_MEMBERS\n",
-    "line 5: end of file, expected END of the GOCAD object of line 1");
+    "line 6: end of file, expected END of the GOCAD object of line 1");
   CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\n" + Start + "END\n",
     "line 5: end of file, expected END of the GOCAD object of line 1");
   CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\nEND\n", "line 3: \"END\", expected \"GOCAD TSurf 1\"");
