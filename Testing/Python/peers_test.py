@@ -91,10 +91,9 @@ def check_grid(horizon, name, **choices):
         form = {".gri": "irap_binary", ".irap": "irap_ascii", ".zmap": "zmap"}["." + sys.argv[1].split(".")[-1]]
         grid = xtgeo.surface_from_file(sys.argv[1], fformat=form)
         x, y = grid.get_xy_values()
-        for row in zip(x.ravel(), y.ravel(), grid.values.filled(1e33).ravel()): print(*map(repr, map(float, row)))
+        for row in zip(x[~grid.values.mask], y[~grid.values.mask], grid.values.compressed()): print(*map(repr, map(float, row)))
         """, path)
     nodes = np.array(found, float)
-    nodes = nodes[nodes[:, 2] < 1e29]
     points, _ = arrays_of(horizon)
     heights = -points[:, 2] if choices["VerticalPositive"] == 2 else points[:, 2]
     order, other = np.lexsort((nodes[:, 0].round(), nodes[:, 1].round())), np.lexsort((points[:, 0].round(), points[:, 1].round()))

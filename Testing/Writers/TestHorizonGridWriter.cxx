@@ -155,7 +155,8 @@ void BinaryGridsComeBack()
     const double* const place = moved->GetPoint(point);
     moved->GetPoints()->SetPoint(point, place[0], place[1] + 0.2, place[2]);
   }
-  CheckSamePlaces(moved, WriteAndRead(moved, "rounded.gri", "places are rounded to single precision, by up to 0.2"), 0.25);
+  CheckSamePlaces(
+    moved, WriteAndRead(moved, "rounded.gri", "places are rounded to single precision, by up to 0.2"), 0.25);
   WriteAndRead(moved, "kept.irap", "");
 }
 

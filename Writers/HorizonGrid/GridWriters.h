@@ -28,9 +28,9 @@ void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monito
 double RoundingOf(const SurveyLattice& lattice);
 
 /// ZMAP+: any lattice whose steps are along the axes, as the format has no rotation; nodes come from the north-west, so
-/// that a grid that begins elsewhere is read as one from the south-west. Nodes without value get 1.0E+30; values from
-/// there on are refused. It has a name, in which commas, line ends and the like become blanks, and no unit or
-/// coordinate system.
+/// that a grid that begins elsewhere is read as one from the south-west. Nodes without value get -99999, or another
+/// number that no value is near; values from 9.9e29 on are refused. It has a name, in which commas, line ends and the
+/// like become blanks, and no unit or coordinate system.
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
 
 /// Whether ZMAP+ can hold the lattice, so that nothing need be resampled.

@@ -139,7 +139,6 @@ void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monito
   const IrapLattice lattice = FindLattice(grid.Lattice);
   GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
   WriteBinaryHeader(output, grid.Lattice, lattice);
-  const auto columns = static_cast<std::size_t>(grid.Lattice.Columns[0]);
   std::vector<std::uint32_t> row(static_cast<std::size_t>(grid.Lattice.Columns[0]));
   for (auto z = grid.Z.begin(); z != grid.Z.end(); z += grid.Lattice.Columns[0])
   {

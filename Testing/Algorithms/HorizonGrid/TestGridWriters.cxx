@@ -101,9 +101,23 @@ void ZmapHasTheFormOfOthers()
   HorizonGrid grid = Sample();
   grid.Name = "top, \n@reek";
   CHECK_EQUAL(ZmapOf(grid),
-    "@top    reek HEADER, GRID, 5\n15, 1.0E+30, , 1, 1\n2, 3, 1000.0, 1100.0, 5000.0, 5025.0\n0.0, 0.0, 0.0\n@\n"
-    "            4.0            1.0\n        1.0E+30            2.0\n            6.0            3.0\n");
+    "@top    reek HEADER, GRID, 5\n15, -99999.0, , 1, 1\n2, 3, 1000.0, 1100.0, 5000.0, 5025.0\n0.0, 0.0, 0.0\n@\n"
+    "            4.0            1.0\n       -99999.0            2.0\n            6.0            3.0\n");
   CHECK_EQUAL(Read(ZmapOf(grid)).Name, "top    reek");
+}
+
+/// No value is one that no value is near, in single precision, too.
+void ZmapNullsAreBelowAllValues()
+{
+  const std::pair<double, std::string> lowest[] = { { -98000.0, "-99999.0" }, { -99998.9999, "-999999.0" },
+    { -1e6, "-9999999.0" }, { -9.9999999e6, "1.0E+30" } };
+  for (const auto& [z, null] : lowest)
+  {
+    HorizonGrid grid = Sample();
+    grid.Z[0] = z;
+    CHECK(ZmapOf(grid).find(", " + null + ", ,") != std::string::npos);
+    CHECK(HasValues(Read(ZmapOf(grid)), grid.Z));
+  }
 }
 
 /// Old readers take lines of 100 characters, whose values have one width, and begin each column in a new one.
@@ -208,7 +222,8 @@ void ValuesThatDoNotFitAreRefused()
   grid.Z[5] = -std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(IrapOf(grid), "value -inf of column (2, 1)");
   grid.Z[5] = 9.99999999e29;
-  CHECK_THROWS_WITH(Write(WriteIrapBinary, grid), "of column (2, 1), expected one below 9.9999e+29, which stands for none");
+  CHECK_THROWS_WITH(
+    Write(WriteIrapBinary, grid), "of column (2, 1), expected one below 9.9999e+29, which stands for none");
   grid.Z[5] = -1e300;
   CHECK_THROWS_WITH(Write(WriteIrapBinary, grid), "-1e+300, expected a number within single precision for IRAP binary");
   grid.Z.pop_back();
@@ -228,8 +243,8 @@ void WriteErrorsAreTold()
 void WritingStopsOnRequest()
 {
   HorizonGrid grid;
-  grid.Lattice.Columns = { 400, 300 };
-  grid.Z.assign(400 * 300, 1234.5678);
+  grid.Lattice.Columns = { 400, 900 };
+  grid.Z.assign(400 * 900, 1234.5678);
   for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
   {
     const auto work = [&](const Monitor& monitor)
@@ -248,6 +263,7 @@ int TestGridWriters(int, char*[])
   IrapBinaryHasTheFormOfOthers();
   IrapBinaryRounds();
   ZmapHasTheFormOfOthers();
+  ZmapNullsAreBelowAllValues();
   ZmapLinesAreRegular();
   WrittenGridsAreReadAgain();
   IrapTurnsAndMirrors();

@@ -34,7 +34,8 @@ HorizonGrid MakePlane(double degrees, double shear, double side)
   grid.Lattice.Columns = { 40, 30 };
   grid.Lattice.Origin = { 604321.25, 6079543.5 };
   grid.Lattice.ColumnStep = 12.5 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-  grid.Lattice.RowStep = side * 25.0 * Eigen::Vector2d(-std::sin(angle), std::cos(angle)) + shear * grid.Lattice.ColumnStep;
+  grid.Lattice.RowStep =
+    side * 25.0 * Eigen::Vector2d(-std::sin(angle), std::cos(angle)) + shear * grid.Lattice.ColumnStep;
   for (int j = 0; j < 30; ++j)
   {
     for (int i = 0; i < 40; ++i)
@@ -116,8 +117,8 @@ void GridsWithoutNodesAreRefused()
   HorizonGrid line = MakePlane(30.0, 0.0, 1.0);
   line.Lattice.Columns = { 40, 1 };
   line.Z.assign(40, None);
-  CHECK_THROWS_WITH(MakeUpright(line),
-    "nodes along the axes between columns with values, expected at least one for ZMAP+; use IRAP");
+  CHECK_THROWS_WITH(
+    MakeUpright(line), "nodes along the axes between columns with values, expected at least one for ZMAP+; use IRAP");
   line.Lattice.Columns = { 1000000, 1 };
   line.Z.assign(1000000, 1.0);
   CHECK_THROWS_WITH(MakeUpright(line), " x 250000 nodes, expected at most 100000000 in all for 1000000 x 1 columns");
