@@ -46,19 +46,22 @@ public:
 
   Eigen::Vector2d Index(std::size_t pick) const
   {
-    const Eigen::Vector2d index = this->Lattice.Lines
-      ? LineIndex(*this->Lattice.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick])
-      : this->Place(pick);
-    return index.array().round();
+    return (this->Lattice.Lines ? this->Line(pick) : this->Place(pick)).array().round();
   }
 
   /// How far a pick is from its column, in columns along the axis where it is more.
   double Distance(std::size_t pick, const Eigen::Vector2d& index) const
   {
-    return this->Picks.HasPlaces() ? (this->Place(pick) - index).cwiseAbs().maxCoeff() : 0.0;
+    const Eigen::Vector2d exact = this->Picks.HasPlaces() ? this->Place(pick) : this->Line(pick);
+    return (exact - index).cwiseAbs().maxCoeff();
   }
 
 private:
+  Eigen::Vector2d Line(std::size_t pick) const
+  {
+    return LineIndex(*this->Lattice.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick]);
+  }
+
   Eigen::Vector2d Place(std::size_t pick) const
   {
     const Eigen::Vector2d place(this->Picks.X[pick], this->Picks.Y[pick]);
@@ -191,6 +194,25 @@ void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const Pic
   }
 }
 
+/// Whether so few columns have picks that some of these may be far from all others.
+bool AreFew(const ColumnRange& range, std::size_t picks)
+{
+  constexpr double fewest = 5.0; // columns a pick
+  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  return columns.prod() > fewest * double(picks);
+}
+
+void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Monitor& monitor)
+{
+  const std::vector<std::size_t> between = FindBetweenLines(picks, lattice.Lines, monitor.Step(0.5, 0.5));
+  if (!between.empty())
+  {
+    throw InputError(std::to_string(between.size()) + " of " + std::to_string(picks.Size()) +
+      " picks between the lines of the others, " + SayPicks(picks, between) +
+      "; expected line numbers in equal steps, or StrayPicks that are left out");
+  }
+}
+
 /// Leaves strays out, again and again as those that are left tell more exactly where the lattice is. Returns their
 /// numbers among all.
 std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
@@ -211,7 +233,11 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
       const Eigen::Vector2d index = finder.Index(pick);
       places.push_back({ index, finder.Distance(pick, index) });
     }
-    const std::vector<std::size_t> strays = FindStrays(places, ToleranceOf(picks, lattice, options.Tolerance));
+    std::vector<std::size_t> strays = FindBetweenLines(picks, lattice.Lines);
+    if (strays.empty())
+    {
+      strays = FindStrays(places, ToleranceOf(picks, lattice, options.Tolerance));
+    }
     if (strays.empty() || all.size() + strays.size() > mostStrays)
     {
       break; // what is left is judged as without this choice
@@ -229,6 +255,34 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
   }
   std::sort(all.begin(), all.end());
   return all;
+}
+
+/// Picks far away turn the lattice until it has them as well. Throws InputError where that of the others has not, and
+/// tells of those that it has.
+void CheckFarPicks(const PickTable& picks, const PlacementOptions& options, std::vector<std::string>& doubts)
+{
+  PickTable others = picks;
+  const std::vector<std::size_t> strays = LeaveOutStrays(others, options, Monitor());
+  if (strays.empty())
+  {
+    return;
+  }
+  const SurveyLattice lattice = FindSurveyMap(others, options, Monitor());
+  const ColumnFinder finder(picks, lattice);
+  const double tolerance = ToleranceOf(others, lattice, options.Tolerance);
+  std::vector<std::size_t> off;
+  std::copy_if(strays.begin(), strays.end(), std::back_inserter(off),
+    [&](std::size_t pick) { return !(finder.Distance(pick, finder.Index(pick)) <= tolerance); });
+  if (!off.empty())
+  {
+    std::ostringstream text;
+    text << off.size() << " of " << picks.Size() << " picks off the lattice of the others, far from these, "
+         << SayPicks(picks, off) << "; expected at most LatticeTolerance, " << tolerance
+         << ", or StrayPicks that are left out";
+    throw InputError(text.str());
+  }
+  doubts.push_back(std::to_string(strays.size()) + " picks far from all others, " + SayPicks(picks, strays) +
+    ": StrayPicks leaves them out");
 }
 
 /// The lattice that begins at the first column of the picks, and ends at the last one.
@@ -301,11 +355,16 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     }
   }
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
+  CheckLines(picks, lattice, monitor);
   const ColumnFinder finder(picks, lattice);
   const double tolerance = ToleranceOf(picks, lattice, options.Tolerance);
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, picks, lattice, tolerance);
   CheckSpread(finder, range, picks);
+  if (!options.LeaveOutStrays && AreFew(range, picks.Size()))
+  {
+    CheckFarPicks(picks, options, placed.Doubts);
+  }
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;

@@ -3,13 +3,45 @@
 
 #include "StrayPicks.h"
 
+#include "Common/FixedChunks.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <set>
 
 namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::array<std::int64_t, 4> Divisors = { 2, 3, 5, 7 };
+
+/// How many lines have each remainder.
+struct RemainderCounts
+{
+  std::array<std::array<std::int64_t, 7>, Divisors.size()> Picks = {};
+
+  void Add(std::int64_t line)
+  {
+    for (std::size_t n = 0; n < Divisors.size(); ++n)
+    {
+      ++this->Picks[n][std::size_t(line % Divisors[n])];
+    }
+  }
+
+  void Add(const RemainderCounts& other)
+  {
+    for (std::size_t n = 0; n < Divisors.size(); ++n)
+    {
+      for (std::size_t remainder = 0; remainder < this->Picks[n].size(); ++remainder)
+      {
+        this->Picks[n][remainder] += other.Picks[n][remainder];
+      }
+    }
+  }
+};
+
 /// The range of all values but the outer fiftieths, and as much on both sides.
 struct WideRange
 {
@@ -35,6 +67,47 @@ struct WideRange
 
   bool Has(double value) const { return value >= this->Least && value <= this->Greatest; }
 };
+std::vector<std::size_t> FindBetween(
+  const std::vector<double>& lines, double first, double step, const Monitor& monitor)
+{
+  const auto index = [&](std::size_t pick) { return std::llround((lines[pick] - first) / step); };
+  const auto counts = AddUpChunks<RemainderCounts>(std::int64_t(lines.size()), 1 << 16, monitor,
+    [&](RemainderCounts& part, std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t pick = begin; pick < end; ++pick)
+      {
+        part.Add(index(std::size_t(pick)));
+      }
+    });
+  constexpr double nearlyAll = 0.98;
+  for (std::size_t n = 0; n < Divisors.size(); ++n)
+  {
+    const auto most = std::max_element(counts.Picks[n].begin(), counts.Picks[n].end());
+    if (double(*most) < nearlyAll * double(lines.size()) || *most == std::int64_t(lines.size()))
+    {
+      continue;
+    }
+    constexpr std::size_t fewest = 4; // lines, else nothing tells in which steps they go
+    std::set<std::int64_t> different;
+    std::vector<std::size_t> between;
+    for (std::size_t pick = 0; pick < lines.size(); ++pick)
+    {
+      if (index(pick) % Divisors[n] != most - counts.Picks[n].begin())
+      {
+        between.push_back(pick);
+      }
+      else if (different.size() < fewest)
+      {
+        different.insert(index(pick));
+      }
+    }
+    if (different.size() == fewest)
+    {
+      return between;
+    }
+  }
+  return {};
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -45,16 +118,34 @@ std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double 
   const auto farthest = std::max_element(
     picks.begin(), picks.end(), [](const PickPlace& a, const PickPlace& b) { return a.Distance < b.Distance; });
   const double largest = std::max(tolerance, 0.5 * farthest->Distance);
-  std::vector<std::size_t> strays;
+  std::vector<std::size_t> far;
+  std::vector<std::size_t> off;
   for (std::size_t pick = 0; pick < picks.size(); ++pick)
   {
     const PickPlace& place = picks[pick];
-    if (!(place.Distance <= largest) || !x.Has(place.Column.x()) || !y.Has(place.Column.y()))
+    if (!x.Has(place.Column.x()) || !y.Has(place.Column.y()))
     {
-      strays.push_back(pick);
+      far.push_back(pick);
+    }
+    else if (!(place.Distance <= largest))
+    {
+      off.push_back(pick);
     }
   }
-  return strays;
+  return far.empty() ? off : far;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::size_t> FindBetweenLines(
+  const PickTable& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor)
+{
+  if (!lines)
+  {
+    return {};
+  }
+  const std::vector<std::size_t> between =
+    FindBetween(picks.Crossline, lines->FirstCrossline, lines->CrosslineStep, monitor);
+  return between.empty() ? FindBetween(picks.Inline, lines->FirstInline, lines->InlineStep, monitor) : between;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

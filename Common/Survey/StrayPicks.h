@@ -4,11 +4,14 @@
 #ifndef SeismicHorizonsStrayPicks_h
 #define SeismicHorizonsStrayPicks_h
 
+#include "Common/Monitor.h"
 #include "PickTable.h"
+#include "SurveyLattice.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +24,14 @@ struct PickPlace
   double Distance = 0.0;
 };
 
-/// Picks that are off their columns, or far from all others, by their numbers. Strays move the lattice, so that others
-/// seem off as well: only those at least half as far off as the farthest count.
+/// Picks that are far from all others, or where there are none, off their columns, by their numbers. Strays move the
+/// lattice, so that others seem off as well: only those at least half as far off as the farthest count.
 std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double tolerance);
+
+/// Picks with numbers of lines that are between those of nearly all others, which go by larger steps: one wrong digit makes
+/// the lattice finer, and its columns fall apart. Of crosslines, or where there are none, of inlines; by their numbers.
+std::vector<std::size_t> FindBetweenLines(
+  const PickTable& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor = Monitor());
 
 /// For people: "line 17", or "lines 17, 20, ..."; "pick" and numbers from 1 where picks are of no file of lines.
 std::string SayPicks(const PickTable& picks, const std::vector<std::size_t>& numbers);

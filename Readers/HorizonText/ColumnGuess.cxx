@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -32,6 +33,12 @@ constexpr double RoughlyOff = 0.15;
 constexpr double LeastSine = 0.3;
 // The same as a part of the extent of the sample, where that is more.
 constexpr double LargestPartOff = 0.02;
+
+/// How many of some lines tell what they all are: of a few all, of more nine of ten.
+std::size_t MostOf(std::size_t lines)
+{
+  return lines - lines / 10;
+}
 
 /// Whether a line has so many fields. The last one may be empty behind a separator at the end.
 bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
@@ -93,37 +100,109 @@ struct PairFit
   bool AreCoordinates = true; // all numbers of the second pair are as large as coordinates mostly are
 };
 
-/// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
-/// Where lines are of three dimensions anything but a place has no such map.
-PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+/// The numbers of two columns, and those of two others in the same line.
+struct Pair
 {
-  struct Pair
-  {
-    Eigen::Vector2d Index, Place;
-  };
+  Eigen::Vector2d Index, Place;
+};
+
+/// The pairs of the lines that have all four numbers; nothing where most do not.
+std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+{
   std::vector<Pair> pairs;
-  PlaneFit fit;
-  PairFit result;
-  Eigen::Vector2d extent = Eigen::Vector2d::Zero();
   for (const std::string_view line : sample)
   {
     const Fields fields = Split(line, layout.Separator);
     std::array<double, 4> values = {};
+    bool areNumbers = true;
     for (const std::size_t n : { 0, 1, 2, 3 })
     {
       const std::size_t column = n < 2 ? from + n : to + n - 2;
-      if (column >= fields.size() || ReadNumber(fields[column], values[n]) != NumberKind::Finite)
+      areNumbers = areNumbers && column < fields.size() &&
+        ReadNumber(fields[column], values[n]) == NumberKind::Finite && std::abs(values[n]) < LargestPlace;
+    }
+    if (areNumbers)
+    {
+      pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
+    }
+  }
+  return pairs.size() >= MostOf(sample.size()) ? pairs : std::vector<Pair>();
+}
+
+/// How far each pair is off a map, and the map of all but those that are off most: a few lines may be wrong.
+struct TrimmedFit
+{
+  std::optional<PlaneMap> Map; // of differences from the first pair
+  std::vector<double> Off; // ascending
+  Eigen::Vector2d Extent = Eigen::Vector2d::Zero(); // of the places that count
+
+  /// Of pairs in the order of how likely they are right.
+  explicit TrimmedFit(std::vector<Pair> pairs)
+  {
+    for (int round = 0; round < 2; ++round)
+    {
+      this->Extent.setZero();
+      for (std::size_t n = 0; n < MostOf(pairs.size()); ++n)
       {
-        result.AreCoordinates = false;
-        return result;
+        this->Extent = this->Extent.cwiseMax((pairs[n].Place - pairs.front().Place).cwiseAbs());
+      }
+      this->Map = Sort(pairs, MostOf(pairs.size()), &Pair::Index, &Pair::Place, this->Off);
+      if (!this->Map)
+      {
+        return;
       }
     }
-    pairs.push_back({ { values[0], values[1] }, { values[2], values[3] } });
-    fit.Add(pairs.back().Index - pairs.front().Index, pairs.back().Place - pairs.front().Place);
-    extent = extent.cwiseMax((pairs.back().Place - pairs.front().Place).cwiseAbs());
-    result.AreCoordinates = result.AreCoordinates && pairs.back().Place.cwiseAbs().minCoeff() > LeastCoordinate;
   }
-  const std::optional<PlaneMap> map = fit.Solve();
+
+  /// Fits a map to the first pairs, and sorts all by how far they are off it. Nothing where there is none.
+  static std::optional<PlaneMap> Sort(std::vector<Pair>& pairs, std::size_t counting, Eigen::Vector2d Pair::*from,
+    Eigen::Vector2d Pair::*to, std::vector<double>& sorted)
+  {
+    const Pair first = pairs.empty() ? Pair() : pairs.front();
+    PlaneFit fit;
+    for (std::size_t n = 0; n < counting; ++n)
+    {
+      fit.Add(pairs[n].*from - first.*from, pairs[n].*to - first.*to);
+    }
+    const std::optional<PlaneMap> map = fit.Solve();
+    if (map)
+    {
+      const auto off = [&](const Pair& pair)
+      { return (pair.*to - first.*to - map->Origin - map->Steps * (pair.*from - first.*from)).norm(); };
+      std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return off(a) < off(b); });
+      sorted.clear();
+      std::transform(pairs.begin(), pairs.end(), std::back_inserter(sorted), off);
+    }
+    return map;
+  }
+};
+
+/// A number far from all others bends the map so that it is hardly off, but only that map which leads from it: of both
+/// ways the one counts that is better in the end.
+TrimmedFit FitMost(const std::vector<Pair>& pairs)
+{
+  std::vector<Pair> forward = pairs;
+  std::vector<Pair> backward = pairs;
+  std::vector<double> off;
+  TrimmedFit::Sort(forward, pairs.size(), &Pair::Index, &Pair::Place, off);
+  TrimmedFit::Sort(backward, pairs.size(), &Pair::Place, &Pair::Index, off);
+  const TrimmedFit a(std::move(forward));
+  const TrimmedFit b(std::move(backward));
+  const std::size_t last = MostOf(pairs.size()) - 1;
+  return a.Map && (!b.Map || a.Off[last] <= b.Off[last]) ? a : b;
+}
+
+/// Places are rounded, or off the lines by some noise, but they lie far apart: what is off counts beside their extent.
+/// Where lines are of three dimensions anything but a place has no such map.
+PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
+{
+  const std::vector<Pair> pairs = ReadPairs(sample, layout, from, to);
+  PairFit result;
+  result.AreCoordinates = !pairs.empty() &&
+    std::all_of(
+      pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate; });
+  const TrimmedFit fit = FitMost(pairs);
+  const std::optional<PlaneMap>& map = fit.Map;
   constexpr std::size_t fewest = 4; // three make a map whatever they are
   result.AreTelling = map && pairs.size() >= fewest;
   // As with a plane z and a constant attribute, steps may be parallel.
@@ -132,19 +211,12 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
     return result;
   }
   const double step = map->Steps.colwise().norm().minCoeff();
-  const double most = std::max(LargestMisfit * step, LargestPartOff * extent.minCoeff());
+  const double most = std::max(LargestMisfit * step, LargestPartOff * fit.Extent.minCoeff());
   result.AreLarger = std::abs(map->Steps.determinant()) >= 0.999; // rounded
-  std::vector<double> off;
-  for (const Pair& pair : pairs)
-  {
-    const Eigen::Vector2d expected = map->Origin + map->Steps * (pair.Index - pairs.front().Index);
-    off.push_back((pair.Place - pairs.front().Place - expected).norm());
-  }
-  std::sort(off.begin(), off.end());
-  result.AreAffine = off.back() <= most;
+  result.AreAffine = fit.Off[MostOf(pairs.size()) - 1] <= most;
   // Steps of a slope and of what goes with it are nearly parallel.
   const double sine = std::abs(map->Steps.determinant()) / (map->Steps.col(0).norm() * map->Steps.col(1).norm());
-  result.AreMostlyAffine = sine > LeastSine && off[pairs.size() * 3 / 4] <= RoughlyOff * extent.minCoeff();
+  result.AreMostlyAffine = sine > LeastSine && fit.Off[pairs.size() * 3 / 4] <= RoughlyOff * fit.Extent.minCoeff();
   return result;
 }
 
@@ -230,6 +302,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
   bool hasNumbers = false;
   bool areWhole = true;
   bool areUnits = true;
+  std::size_t lines = 0;
   std::set<std::string_view> different;
   for (const std::string_view line : sample)
   {
@@ -246,9 +319,9 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
     areUnits = areUnits && (unit == "m" || unit == "ft" || unit == "ms" || unit == "s");
     different.insert(fields[column]);
     values.AreText = values.AreText || !(isNumber || layout.Nulls.IsNullText(fields[column]));
-    values.AreLines =
-      values.AreLines && isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber;
+    lines += isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber ? 1 : 0;
   }
+  values.AreLines = lines >= MostOf(sample.size());
   values.AreText = values.AreText && !hasNumbers; // else reading the line of the text will say so
   constexpr std::size_t few = 20;
   values.AreNames = !areUnits && areWhole && (!hasNumbers || different.size() <= few);

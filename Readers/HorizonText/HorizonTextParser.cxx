@@ -137,7 +137,9 @@ void PickCollector::Add(const PickBlock& block)
   }
   if (block.ErrorLine >= 0)
   {
-    throw ErrorAt(this->Lines + block.ErrorLine + 1, block.Error);
+    const bool isFirst = this->Picks == 0 && block.ErrorLine == block.FirstLine;
+    throw ErrorAt(this->Lines + block.ErrorLine + 1,
+      block.Error + (isFirst ? "; HeaderLines leaves out lines above the picks" : ""));
   }
   std::size_t picks = block.Horizon.size();
   for (std::size_t column = 0; column < block.Values.size(); ++column)

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace SeismicHorizons
 {
@@ -161,15 +160,14 @@ private:
   /// "3 z meters": the number, the name and perhaps a unit.
   void TakeFieldName(std::string_view value)
   {
-    FieldCursor words(value, FieldSeparator::Blanks);
-    std::string_view number, name, unit;
-    if (words.Next(number) && words.Next(name))
+    const Fields words = Split(value, FieldSeparator::Blanks);
+    if (words.size() >= 2)
     {
       this->Layout.Kind = TextKind::EarthVision;
-      this->AddColumn(name);
-      if (words.Next(unit) && this->Layout.Columns.back().Role == ColumnRole::Z)
+      this->AddColumn(words[1]);
+      if (words.size() > 2 && this->Layout.Columns.back().Role == ColumnRole::Z)
       {
-        SetVerticalUnit(this->Layout.Survey, unit);
+        SetVerticalUnit(this->Layout.Survey, words[2]);
       }
     }
   }
@@ -216,12 +214,8 @@ private:
     const std::size_t colon = text.find(':');
     if (StartsWith(text, "Project_Unit_is") && colon != std::string_view::npos)
     {
-      FieldCursor fields(text.substr(colon + 1), FieldSeparator::Comma);
-      std::string_view unit, name;
-      if (fields.Next(unit) && fields.Next(name))
-      {
-        this->Layout.Survey.CoordinateSystem = std::string(name);
-      }
+      const Fields unitAndName = Split(text.substr(colon + 1), FieldSeparator::Comma);
+      this->Layout.Survey.CoordinateSystem = unitAndName.size() > 1 ? std::string(unitAndName[1]) : "";
     }
   }
 
@@ -248,7 +242,7 @@ private:
     {
       return;
     }
-    if (!this->FindNamesBelowTitle() && this->Line < this->Lines.size() &&
+    if (!this->FindNamesBelowTitle() && !this->SkipTitles() && this->Line < this->Lines.size() &&
       this->IsLineOfNames(Trim(this->Lines[this->Line])))
     {
       this->Names = Trim(this->Lines[this->Line]);
@@ -256,9 +250,7 @@ private:
       this->Layout.NamesLine = std::string(this->Names);
       this->Layout.HeaderLines = std::int64_t(this->NextPick());
     }
-    FieldCursor fields(this->Names, SeparatorOfNames(this->Names));
-    std::string_view field;
-    while (fields.Next(field))
+    for (const std::string_view field : Split(this->Names, SeparatorOfNames(this->Names)))
     {
       this->AddColumn(field);
     }
@@ -268,14 +260,8 @@ private:
   /// and are as many as the picks have fields; else the text is no header that is known.
   bool FindNamesBelowTitle()
   {
-    constexpr std::size_t mostLines = 50;
-    std::size_t pick = this->Line;
-    const std::size_t end = std::min(this->Lines.size(), this->Line + mostLines);
-    while (pick < end && !IsPick(this->Lines[pick]))
-    {
-      ++pick;
-    }
-    for (std::size_t line = this->Line; pick < end && line < pick; ++line)
+    const std::size_t pick = this->FirstPick();
+    for (std::size_t line = this->Line; line < pick; ++line)
     {
       const std::string_view names = Trim(this->Lines[line]);
       const FieldSeparator separator = SeparatorOfNames(names);
@@ -292,12 +278,43 @@ private:
     return false;
   }
 
+  /// Several lines of text above picks, in none of which is a number: titles, and no names of columns.
+  bool SkipTitles()
+  {
+    const std::size_t pick = this->FirstPick();
+    std::size_t titles = 0;
+    for (std::size_t line = this->Line; line < pick; ++line)
+    {
+      if (HasNumber(this->Lines[line]))
+      {
+        return false;
+      }
+      titles += Trim(this->Lines[line]).empty() ? 0 : 1;
+    }
+    if (titles > 1)
+    {
+      this->Layout.HeaderLines = std::int64_t(pick);
+    }
+    return titles > 1;
+  }
+
+  /// The next line that may be a pick; the one that is the next where none of some lines is.
+  std::size_t FirstPick() const
+  {
+    constexpr std::size_t mostLines = 50;
+    std::size_t pick = this->Line;
+    const std::size_t end = std::min(this->Lines.size(), this->Line + mostLines);
+    while (pick < end && !IsPick(this->Lines[pick]))
+    {
+      ++pick;
+    }
+    return pick < end ? pick : this->Line;
+  }
+
   static bool SayPlaces(std::string_view names, FieldSeparator separator)
   {
     TextLayout layout;
-    FieldCursor fields(names, separator);
-    std::string_view field;
-    while (fields.Next(field))
+    for (const std::string_view field : Split(names, separator))
     {
       layout.Columns.push_back(ColumnOfName(Trim(field)));
     }
@@ -307,22 +324,29 @@ private:
   /// Mostly numbers, and at least two.
   static bool IsPick(std::string_view line)
   {
-    for (const FieldSeparator separator : { FieldSeparator::Colons, FieldSeparator::Comma, FieldSeparator::Semicolon })
-    {
-      FieldCursor fields(line, separator);
-      std::string_view field;
-      std::size_t numbers = 0;
-      std::size_t others = 0;
-      while (fields.Next(field))
+    return HaveNumbers(
+      line, [](std::size_t numbers, std::size_t words) { return numbers >= 2 && 2 * numbers >= words; });
+  }
+
+  static bool HasNumber(std::string_view line)
+  {
+    return HaveNumbers(line, [](std::size_t numbers, std::size_t) { return numbers > 0; });
+  }
+
+  /// What holds of the numbers of a line, and of all its words, however these are separated.
+  template <typename Holds>
+  static bool HaveNumbers(std::string_view line, Holds&& holds)
+  {
+    constexpr std::array<FieldSeparator, 3> separators = { FieldSeparator::Colons, FieldSeparator::Comma,
+      FieldSeparator::Semicolon };
+    return std::any_of(separators.begin(), separators.end(),
+      [&](FieldSeparator separator)
       {
-        (IsNumber(Trim(field)) ? numbers : others) += 1;
-      }
-      if (numbers >= 2 && numbers >= others)
-      {
-        return true;
-      }
-    }
-    return false;
+        const Fields words = Split(line, separator);
+        const auto numbers =
+          std::count_if(words.begin(), words.end(), [](std::string_view word) { return IsNumber(Trim(word)); });
+        return holds(std::size_t(numbers), words.size());
+      });
   }
 
   /// Names may have blanks in them where anything else separates them.
@@ -351,23 +375,6 @@ private:
       ++next;
     }
     return next;
-  }
-
-  static bool HasNumber(std::string_view line)
-  {
-    for (const FieldSeparator separator : { FieldSeparator::Colons, FieldSeparator::Comma, FieldSeparator::Semicolon })
-    {
-      FieldCursor fields(line, separator);
-      std::string_view field;
-      while (fields.Next(field))
-      {
-        if (IsNumber(field))
-        {
-          return true;
-        }
-      }
-    }
-    return false;
   }
 
   const TextLines& Lines;

@@ -69,6 +69,60 @@ void TestStrays()
   CHECK_EQUAL(PlacePicks(picks, options).Horizons.front().RealZ.size(), std::size_t(399));
 }
 
+/// A wrong digit: on the lattice, or so near that this would turn a little to have it.
+void TestFarPicks()
+{
+  PickTable picks = Dip();
+  picks.X[250] += 7000.0;
+  CHECK(IsOne(DoubtsOf(picks), "1 picks far from all others, line 254: StrayPicks leaves them out"));
+  picks.X[250] += 8.0;
+  CHECK_THROWS_WITH(DoubtsOf(picks), "picks off the lattice");
+  CHECK_THROWS_WITH(DoubtsOf(picks), "line 254");
+  picks = Dip();
+  for (std::size_t n = 0; n < 100; ++n)
+  {
+    picks.X[n] += 25000.0; // another survey, or a part of this one
+  }
+  CHECK(DoubtsOf(picks).empty());
+}
+
+/// A wrong digit in the number of a line would make steps of 1 of those of 2.
+void TestBetweenLines()
+{
+  PickTable picks = Dip();
+  for (std::size_t n = 0; n < picks.Size(); ++n)
+  {
+    picks.Inline.push_back(100.0 + 2.0 * double(n / 20));
+    picks.Crossline.push_back(500.0 + double(n % 20));
+  }
+  CHECK(DoubtsOf(picks).empty());
+  PickTable wrong = picks;
+  wrong.Inline[150] += 1.0;
+  for (const bool hasPlaces : { true, false })
+  {
+    CHECK_THROWS_WITH(
+      DoubtsOf(wrong), "1 of 400 picks between the lines of the others, line 154; expected line numbers");
+    PlacementOptions options;
+    options.LeaveOutStrays = true;
+    CHECK(IsOne(DoubtsOf(wrong, options), "1 stray picks left out: line 154"));
+    CHECK_EQUAL(PlacePicks(wrong, options).Lattice.Lines->InlineStep, 2.0);
+    wrong.X.clear();
+    wrong.Y.clear();
+  }
+  // Two lines tell nothing, and neither do several of both kinds.
+  PickTable two = picks;
+  for (std::size_t n = 0; n < two.Size(); ++n)
+  {
+    two.Inline[n] = n < 396 ? 100.0 : 101.0;
+  }
+  CHECK(FindBetweenLines(two, LineNumbering{ 500.0, 1.0, 100.0, 1.0 }).empty());
+  for (std::size_t n = 0; n < 20; ++n)
+  {
+    picks.Inline[n] += 1.0;
+  }
+  CHECK(FindBetweenLines(picks, LineNumbering{ 500.0, 1.0, 101.0, 1.0 }).empty());
+}
+
 void TestUsualNulls()
 {
   PickTable picks = Dip();
@@ -108,6 +162,8 @@ int TestPickDoubts(int, char*[])
 {
   TestNames();
   TestStrays();
+  TestFarPicks();
+  TestBetweenLines();
   TestUsualNulls();
   TestDuplicates();
   TestRounding();
