@@ -76,6 +76,20 @@ def check_tsurf(sample, folder):
     assert {path.name for path in folder.iterdir()} == {"x.ts", "all.ts", "deep.ts"}, list(folder.iterdir())
 
 
+def check_dxf_and_gri(sample, folder):
+    """Save Data knows the extensions: a face for each triangle, a layer for each mesh, and binary grids."""
+    surface = simple.HorizonSurface(Input=sample)
+    meshes = fetch(surface)
+    simple.SaveData(str(folder / "x.dxf"), proxy=surface)
+    lines = (folder / "x.dxf").read_text().split("\n")
+    assert lines.count("3DFACE") == sum(mesh.GetNumberOfPolys() for mesh in meshes.values())
+    assert lines.count("LAYER") == len(meshes) + 1  # with the table itself
+    simple.SaveData(str(folder / "x.gri"), proxy=surface)
+    grids = sorted(folder.glob("*.gri"))
+    assert len(grids) == len(meshes), grids
+    assert all(path.read_bytes()[:8] == b"\x00\x00\x00\x20\xff\xff\xfc\x1c" for path in grids)
+
+
 def check_selection(path):
     """Only the surfaces that are switched on are loaded."""
     reader = open_file(path, "GOCADTSurfReader")
@@ -115,6 +129,7 @@ def main():
     sample = open_file(sample_path, "VerneySparseMatrixReader")
     check_tsurf(sample, folder)
     check_selection(folder / "x.ts")
+    check_dxf_and_gri(sample, folder)
     check_vsm(sample, folder)
     check_others(folder)
 
