@@ -30,9 +30,10 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double Null = std::numeric_limits<double>::quiet_NaN();
-// Arrays of real numbers that say nothing of the horizon itself.
-constexpr std::array<const char*, 5> OwnArrays = { PointArray::RealZ, PointArray::Elevation, PointArray::Flatness,
-  PointArray::Distance, PointArray::VerticalDistance };
+constexpr std::array<const char*, 15> OwnArrays = { PointArray::SurfaceId, PointArray::Column, PointArray::Elevation,
+  PointArray::VerticalIndex, PointArray::RealZ, PointArray::PatchId, PointArray::Boundary, PointArray::PointCount,
+  PointArray::SeamGap, PointArray::CellOrigin, PointArray::Flatness, PointArray::Distance, PointArray::VerticalDistance,
+  PointArray::Filled, PointArray::Spike };
 
 void CheckLines(const LineNumbering& lines)
 {
@@ -144,9 +145,7 @@ private:
   static bool IsAttribute(vtkDataArray* array)
   {
     const bool isReal = vtkDoubleArray::SafeDownCast(array) || vtkFloatArray::SafeDownCast(array);
-    return isReal && array->GetName() && array->GetNumberOfComponents() == 1 &&
-      std::none_of(
-        OwnArrays.begin(), OwnArrays.end(), [array](const char* own) { return array->GetName() == std::string(own); });
+    return isReal && array->GetName() && array->GetNumberOfComponents() == 1 && !IsOwnArray(array->GetName());
   }
 
   /// Takes the place of each point.
@@ -184,6 +183,12 @@ void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double
       ", expected at least one in 10000 for a grid file, which lists all; a text file lists those of the horizon");
   }
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsOwnArray(const std::string& name)
+{
+  return std::find(OwnArrays.begin(), OwnArrays.end(), name) != OwnArrays.end();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -11,11 +11,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
+/// Whether point arrays of that name are of readers and stages, and say nothing of the picks but their places.
+bool IsOwnArray(const std::string& name);
+
 /// How many columns the lattice of a horizon of some points has. Throws InputError from 2^31 on: a file with something
 /// for each of them would fill disks, and mostly is of a few points that are far apart.
 std::size_t CountColumns(int columns, int rows, std::int64_t points);

@@ -20,6 +20,12 @@ namespace
 constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 3> CoordinateNames = { "x", "y", "z" };
 constexpr auto MostVertices = static_cast<std::size_t>(std::numeric_limits<PointId>::max());
+
+/// Whether a word comes that says which coordinates of a vertex are fixed, as CNXYZ.
+bool AtFlag(const LineTokens& line)
+{
+  return line.Here()[0] == 'C' && line.Here()[1] == 'N';
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -83,9 +89,9 @@ void TSurfBuilder::TakeVertex(LineTokens& line, bool hasValues)
   {
     this->Surface.Vertices.back()[n] = this->ReadNumber(CoordinateNames[n], line, false);
   }
-  if (hasValues)
+  if (hasValues || !(line.AtEnd() || AtFlag(line) || this->Description.Properties.empty()))
   {
-    this->ReadValues(line);
+    this->ReadValues(line); // some programs put them behind VRTX, too
   }
   this->SkipFlags(line);
 }
@@ -230,10 +236,9 @@ void TSurfBuilder::RequireEnd(LineTokens& line) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Words that say which coordinates of a vertex are fixed, as CNXYZ.
 void TSurfBuilder::SkipFlags(LineTokens& line) const
 {
-  while (line.Here()[0] == 'C' && line.Here()[1] == 'N')
+  while (AtFlag(line))
   {
     line.Next();
   }

@@ -56,8 +56,9 @@ std::optional<std::array<double, 3>> ReadColour(std::string_view text)
 }
 
 /// What z measures when it has that unit; empty for units that do not tell.
-std::string DomainOf(const std::string& unit)
+std::string DomainOf(const std::string& text)
 {
+  const std::string unit = ToLower(text);
   if (unit == "s" || unit == "ms" || unit == "us")
   {
     return "time";
@@ -108,12 +109,12 @@ void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& l
   }
   else if (keyword == "ZPOSITIVE")
   {
-    const std::string_view way = Unquote(line.Rest());
-    if (way != "Elevation" && way != "Depth")
+    const std::string way = ToLower(Unquote(line.Rest()));
+    if (way != "elevation" && way != "depth")
     {
-      throw ErrorAt(number, "ZPOSITIVE " + Quote(way) + ", expected Elevation or Depth");
+      throw ErrorAt(number, "ZPOSITIVE " + Quote(Unquote(line.Rest())) + ", expected Elevation or Depth");
     }
-    this->Positive = way == "Depth" ? VerticalPositive::Depth : VerticalPositive::Elevation;
+    this->Positive = way == "depth" ? VerticalPositive::Depth : VerticalPositive::Elevation;
   }
 }
 
@@ -130,7 +131,11 @@ void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& li
   {
     return;
   }
-  const std::vector<std::string> words = ReadWords(line);
+  std::vector<std::string> words = ReadWords(line);
+  if (keyword == "NO_DATA_VALUES" && words.size() == 1)
+  {
+    words.resize(this->Properties.size(), words.front()); // one for all, as some programs have it
+  }
   if (keyword == "UNITS" && words.size() != this->Properties.size())
   {
     return; // units may have blanks in them, and then it is not known which belongs to which property

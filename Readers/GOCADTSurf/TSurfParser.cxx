@@ -42,6 +42,12 @@ std::string_view TakeKeyword(LineTokens& line)
   return keyword.substr(0, brace);
 }
 
+/// Whether a word is the first of an object; programs write it in either case, and names of types, too.
+bool IsGOCAD(std::string_view keyword)
+{
+  return keyword.size() == 5 && (keyword.front() == 'G' || keyword.front() == 'g') && ToLower(keyword) == "gocad";
+}
+
 constexpr std::string_view Coordinates = "GOCAD_ORIGINAL_COORDINATE_SYSTEM";
 
 enum class BlockKind
@@ -103,9 +109,10 @@ public:
       throw CutOffAt(last,
         "end of file, expected " + Quote(this->BlockEnd) + " of the block of line " + std::to_string(this->BlockLine));
     }
-    if (this->ObjectLine != 0)
+    if (this->ObjectLine != 0 || !this->GroupLines.empty())
     {
-      throw CutOffAt(last, "end of file, " + this->ExpectedEnd());
+      const std::int64_t object = this->ObjectLine != 0 ? this->ObjectLine : this->GroupLines.back();
+      throw CutOffAt(last, "end of file, " + ExpectedEnd(object));
     }
     if (this->List.Names.empty())
     {
@@ -133,9 +140,15 @@ private:
       return;
     }
     const std::string_view keyword = TakeKeyword(line);
-    if (keyword == "GOCAD")
+    if (IsGOCAD(keyword))
     {
       this->StartObject(line);
+    }
+    else if (this->ObjectLine == 0 && keyword == "END_MEMBERS" && !this->GroupLines.empty())
+    {
+      this->ObjectLine = this->GroupLines.back();
+      this->GroupLines.pop_back();
+      this->IsTSurf = false;
     }
     else if (this->ObjectLine == 0)
     {
@@ -156,10 +169,10 @@ private:
     const std::string_view type = line.Next();
     if (this->ObjectLine != 0)
     {
-      throw ErrorAt(this->Line, Quote("GOCAD " + std::string(type)) + ", " + this->ExpectedEnd());
+      throw ErrorAt(this->Line, Quote("GOCAD " + std::string(type)) + ", " + ExpectedEnd(this->ObjectLine));
     }
     this->ObjectLine = this->Line;
-    this->IsTSurf = type == "TSurf";
+    this->IsTSurf = ToLower(type) == "tsurf";
     this->Header = TSurfHeader();
     if (this->IsTSurf && this->Choice(this->List.Names.size()))
     {
@@ -190,18 +203,25 @@ private:
     this->ObjectLine = 0;
   }
 
-  std::string ExpectedEnd() const
+  static std::string ExpectedEnd(std::int64_t line)
   {
-    return "expected END of the GOCAD object of line " + std::to_string(this->ObjectLine);
+    return "expected END of the GOCAD object of line " + std::to_string(line);
   }
 
   /// A line that is none of the geometry: it may open a block.
   void ParseDescription(std::string_view keyword, LineTokens& line)
   {
     const std::string_view rest = line.Rest();
-    const std::string end = EndOfBlock(keyword, rest);
-    const bool isHeader = keyword == "HEADER";
-    if (!end.empty())
+    const bool isHeader = keyword == "HEADER" || (keyword == "{" && this->HeaderLine != 0);
+    const std::string end = keyword == "{" ? "}" : EndOfBlock(keyword, rest);
+    this->HeaderLine = keyword == "HEADER" && rest.empty() ? this->Line : 0;
+    this->IsHeaderOpen = false;
+    if (keyword == "BEGIN_MEMBERS" && !this->IsTSurf)
+    {
+      this->GroupLines.push_back(this->ObjectLine); // objects come, as they do outside
+      this->ObjectLine = 0;
+    }
+    else if (!end.empty())
     {
       this->BlockEnd = end;
       this->BlockLine = this->Line;
@@ -212,6 +232,14 @@ private:
     else if (isHeader && rest.size() >= 2 && rest.front() == '{' && rest.back() == '}')
     {
       this->Header.Take(rest.substr(1, rest.size() - 2));
+    }
+    else if (isHeader && !rest.empty() && rest.front() == '{')
+    {
+      this->Header.Take(rest.substr(1));
+      this->IsHeaderOpen = true;
+      this->BlockEnd = "}";
+      this->BlockLine = this->Line;
+      this->Block = BlockKind::Header;
     }
     else if (this->Builder)
     {
@@ -229,7 +257,9 @@ private:
     }
     else if (this->Block == BlockKind::Header)
     {
-      this->Header.Take(text);
+      const bool isLast = this->IsHeaderOpen && text.back() == '}'; // else of the value
+      this->Header.Take(text.substr(0, text.size() - (isLast ? 1 : 0)));
+      this->BlockLine = isLast ? 0 : this->BlockLine;
     }
     else if (this->Block == BlockKind::CoordinateSystem && this->Builder)
     {
@@ -243,6 +273,9 @@ private:
   std::int64_t BlockLine = 0; // where the block began; 0 outside
   std::string BlockEnd; // the word that ends the block
   BlockKind Block = BlockKind::Unknown;
+  std::int64_t HeaderLine = 0; // of the word HEADER, whose brace comes in the next line; else 0
+  bool IsHeaderOpen = false; // whether values stand beside the brace of the header, and so may do at its end
+  std::vector<std::int64_t> GroupLines; // of the objects within whose members lines are
   bool IsTSurf = false;
   TSurfHeader Header; // of the object
   std::optional<TSurfBuilder> Builder; // for a TSurf that is to be loaded
@@ -280,7 +313,7 @@ bool BeginsAsGOCAD(const std::string& head)
     LineTokens line(text.data() + start);
     if (!SaysNothing(line))
     {
-      return line.Next() == "GOCAD";
+      return IsGOCAD(line.Next());
     }
   }
   return false;

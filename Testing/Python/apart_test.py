@@ -126,7 +126,8 @@ class ApartTest(unittest.TestCase):
             points = two_squares(i, j)
             with self.subTest(i=i, j=j):
                 self.check(write, "vtkHorizonTextWriter", points)
-                self.check(lambda data: write("vtkGOCADTSurfWriter", apply("Surface", data)), points)
+                for writer in ("vtkGOCADTSurfWriter", "vtkHorizonDXFWriter"):
+                    self.check(lambda data, name=writer: write(name, apply("Surface", data)), points)
 
     def test_grids(self):
         """Files with something for each column of the lattice: a band is written, a square is refused with its size."""

@@ -19,6 +19,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import mesh_checks
 from seismichorizons import reading
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
@@ -137,6 +138,26 @@ class FilesTest(unittest.TestCase):
             self.assertLess(distances.max(), most, name)
         (_, voxels), = reading.read(self.output / "dome.vsm")[0]
         self.assertEqual(voxels.GetNumberOfPoints(), picks.GetNumberOfPoints())
+
+    def test_formats_of_less(self):
+        """Turned grids: what a format can not hold is told once, under the name of the file, and the rest is as it was."""
+        dome = self.write_turned()
+        code, messages, _ = self.run_program("--largest-error", "0.01ms", "--formats", "dxf", "gri", "zmap", "vtp", "--", dome)
+        self.assertEqual((code, len(messages)), (0, 1), messages)
+        self.assertRegex(messages[0], "^warning: dome.zmap: dome: ZMAP. has no rotation: resampled on a lattice along the axes")
+        mesh = mesh_checks.read(self.output / "dome.vtp")
+        drawing = (self.output / "dome.dxf").read_text(encoding="ascii")
+        self.assertEqual(drawing.count("3DFACE\n8\ndome\n"), mesh.GetNumberOfPolys())
+        (_, picks), = reading.read(dome)[0]
+        for name, most in (("dome.gri", picks.GetNumberOfPoints() + 2), ("dome.zmap", picks.GetNumberOfPoints())):
+            (_, points), = reading.read(self.output / name)[0]
+            found = vtk_to_numpy(points.GetPoints().GetData())
+            self.assertTrue(0.75 * most < len(found) <= most, (name, len(found), most))
+            c, s = math.cos(math.radians(30.0)), math.sin(math.radians(30.0))
+            x, y = found[:, 0] - 460000.0, found[:, 1] - 6000000.0
+            i, j = (c * x + s * y) / 25.0, (c * y - s * x) / 12.5
+            expected = -(1200.0 + 0.2 * (i - 10) ** 2 + 0.1 * (j - 8) ** 2)
+            self.assertLess(abs(found[:, 2] - expected).max(), 0.15, name)  # a bowl between columns: 0.2 / 4 + 0.1 / 4
 
     def test_other_files(self):
         """What is no file of horizons is told as what it is; a folder without any stops nothing."""

@@ -53,7 +53,8 @@ READERS = {
     "vtkSEGYCubeReader": (".sgy", cube(), cube(99), cube()[:-3]),
     "vtkFaultLinesReader": (".pl", FAULT, FAULT.replace(b"VRTX 1 0", b"VRTX 1 x"), FAULT[:-4]),
 }
-WRITERS = ("vtkVerneySparseMatrixWriter", "vtkHorizonTextWriter", "vtkHorizonGridWriter", "vtkGOCADTSurfWriter")
+WRITERS = ("vtkVerneySparseMatrixWriter", "vtkHorizonTextWriter", "vtkHorizonGridWriter", "vtkGOCADTSurfWriter",
+           "vtkHorizonDXFWriter")
 
 
 def quiet(algorithm):

@@ -57,9 +57,14 @@ def check_tsurf(sample, folder):
     assert list(opened) == list(expected), (list(opened), list(expected))
     for name, mesh in expected.items():
         check_same_triangles(opened[name], mesh)
+        assert sorted(names_of_arrays(opened[name])) == ["Amplitude", "Thickness"], names_of_arrays(opened[name])
+    simple.SaveData(str(folder / "all.ts"), proxy=surface, WriteAttributes="All Arrays", WriteBorders=1)
+    assert "BORDER" in (folder / "all.ts").read_text()
+    opened = fetch(open_file(folder / "all.ts", "GOCADTSurfReader"))
+    for name, mesh in expected.items():
         assert names_of_arrays(opened[name]) == names_of_arrays(mesh), name
     simple.SaveData(str(folder / "deep.ts"), proxy=surface, VerticalPositive="Depth", VerticalUnit="ms",
-                    HorizontalUnit="ft", CoordinateSystemName="local", WriteAttributes=0, WriteBorders=0)
+                    HorizontalUnit="ft", CoordinateSystemName="local", WriteAttributes="No Arrays")
     text = (folder / "deep.ts").read_text()
     for line in ("ZPOSITIVE Depth", 'AXIS_UNIT "ft" "ft" "ms"', "NAME local"):
         assert line + "\n" in text, line
@@ -68,7 +73,21 @@ def check_tsurf(sample, folder):
     for name, mesh in expected.items():
         check_same_triangles(deep[name], mesh)
         assert not names_of_arrays(deep[name]), name
-    assert {path.name for path in folder.iterdir()} == {"x.ts", "deep.ts"}, list(folder.iterdir())
+    assert {path.name for path in folder.iterdir()} == {"x.ts", "all.ts", "deep.ts"}, list(folder.iterdir())
+
+
+def check_dxf_and_gri(sample, folder):
+    """Save Data knows the extensions: a face for each triangle, a layer for each mesh, and binary grids."""
+    surface = simple.HorizonSurface(Input=sample)
+    meshes = fetch(surface)
+    simple.SaveData(str(folder / "x.dxf"), proxy=surface)
+    lines = (folder / "x.dxf").read_text().split("\n")
+    assert lines.count("3DFACE") == sum(mesh.GetNumberOfPolys() for mesh in meshes.values())
+    assert lines.count("LAYER") == len(meshes) + 1  # with the table itself
+    simple.SaveData(str(folder / "x.gri"), proxy=surface)
+    grids = sorted(folder.glob("*.gri"))
+    assert len(grids) == len(meshes), grids
+    assert all(path.read_bytes()[:8] == b"\x00\x00\x00\x20\xff\xff\xfc\x1c" for path in grids)
 
 
 def check_selection(path):
@@ -110,6 +129,7 @@ def main():
     sample = open_file(sample_path, "VerneySparseMatrixReader")
     check_tsurf(sample, folder)
     check_selection(folder / "x.ts")
+    check_dxf_and_gri(sample, folder)
     check_vsm(sample, folder)
     check_others(folder)
 

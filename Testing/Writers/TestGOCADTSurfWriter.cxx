@@ -149,6 +149,8 @@ void MeshesComeBack()
   for (const int positive : { vtkGOCADTSurfWriter::Elevation, vtkGOCADTSurfWriter::Depth })
   {
     writer->SetVerticalPositive(positive);
+    writer->SetWriteAttributesToAllArrays();
+    writer->WriteBordersOn();
     const std::string text = Write(writer);
     CHECK(Has(text, positive == vtkGOCADTSurfWriter::Depth ? "ZPOSITIVE Depth\n" : "ZPOSITIVE Elevation\n"));
     CHECK(Has(text, positive == vtkGOCADTSurfWriter::Depth ? " 0.1 10 7 " : " 0.1 -10 7 "));
@@ -163,6 +165,8 @@ void MeshesComeBack()
     CheckSameArrays(mesh, GetHorizon(back, 0));
     const auto again = MakeWriter(back, "again.ts");
     again->SetVerticalPositive(positive);
+    again->SetWriteAttributesToAllArrays();
+    again->WriteBordersOn();
     CHECK_EQUAL(Write(again), text);
   }
 }
@@ -186,11 +190,30 @@ void ParametersAreObeyed()
   writer->SetVerticalUnit("s");
   writer->SetHorizontalUnit("km");
   writer->SetCoordinateSystemName("local");
-  writer->WriteAttributesOff();
-  writer->WriteBordersOff();
+  writer->SetWriteAttributesToNoArrays();
   const std::string text = Write(writer);
   CHECK(Has(text, "NAME local\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT \"km\" \"km\" \"s\"\n"));
   CHECK(!Has(text, "PROPERTIES") && !Has(text, "PVRTX") && !Has(text, "BSTONE") && !Has(text, "BORDER"));
+}
+
+/// What stages keep for themselves stays out, and without attributes lines are as RMS has them.
+void OnlyAttributesOfPicksAreWritten()
+{
+  const auto mesh = MakeMesh(0);
+  const std::string withAttributes = Write(MakeWriter(mesh, "picks.ts"));
+  CHECK(Has(withAttributes, "PROPERTIES \"Mean Amplitude\" normal\n") && !Has(withAttributes, "CNXYZ"));
+  mesh->GetPointData()->Initialize();
+  for (const char* const name : { "SurfaceId", "Column", "Elevation", "VerticalIndex", "RealZ", "PatchId", "Boundary",
+         "PointCount", "SeamGap", "CellOrigin", "Flatness", "Distance", "VerticalDistance", "Filled", "Spike" })
+  {
+    AddPointArray<vtkDoubleArray>(mesh, name, { 7, 8, 9, 10 }, 1);
+  }
+  const auto writer = MakeWriter(mesh, "own.ts");
+  const std::string text = Write(writer);
+  CHECK(Has(text, "END_ORIGINAL_COORDINATE_SYSTEM\nTFACE\nVRTX 1 0 0.1 -10 CNXYZ\nVRTX 2 "));
+  CHECK(Has(text, "CNXYZ\nTRGL 1 2 3\nTRGL 1 3 4\nEND\n"));
+  writer->SetWriteAttributesToAllArrays();
+  CHECK(Has(Write(writer), "PROPERTIES SurfaceId Column Elevation "));
 }
 
 void HorizonsShareAFile()
@@ -282,7 +305,14 @@ void WrongInputGivesOneErrorEach()
   check(vtkNew<vtkPartitionedDataSetCollection>(), "no horizon with points, expected something to write");
   const auto points = MakeMesh(0);
   points->SetPolys(nullptr);
-  check(points, "Horizon 7: no triangles, expected a mesh, as the triangulation makes it");
+  check(points,
+    "Horizon 7: 4 points without triangles, expected a mesh, as the triangulation makes it; leave out horizons "
+    "of one line");
+  vtkNew<vtkMultiBlockDataSet> blocks; // one without triangles beside one that has them
+  blocks->SetBlock(0, MakeMesh(0));
+  blocks->SetBlock(1, points);
+  blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "thin");
+  check(blocks, "thin: 4 points without triangles, expected a mesh");
   const auto quads = MakeMesh(0);
   quads->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
   check(quads, "Horizon 7: polygon 2 with 4 corners, expected triangles: apply Triangulate before");
@@ -323,11 +353,11 @@ void AllIsPrinted()
   writer->SetVerticalUnit("vu");
   writer->SetHorizontalUnit("hu");
   writer->SetCoordinateSystemName("cs");
-  writer->WriteBordersOff();
+  writer->WriteBordersOn();
   std::ostringstream text;
   writer->Print(text);
   for (const char* const line : { "FileName: file", "VerticalPositive: Depth", "VerticalUnit: vu", "HorizontalUnit: hu",
-         "CoordinateSystemName: cs", "WriteAttributes: on", "WriteBorders: off" })
+         "CoordinateSystemName: cs", "WriteAttributes: PickArrays", "WriteBorders: on" })
   {
     CHECK(Has(text.str(), line));
   }
@@ -339,6 +369,7 @@ int TestGOCADTSurfWriter(int argc, char* argv[])
   Folder = MakeFolder(argc, argv, "TestGOCADTSurfWriter");
   MeshesComeBack();
   ParametersAreObeyed();
+  OnlyAttributesOfPicksAreWritten();
   HorizonsShareAFile();
   OnlyWhatBelongsToTrianglesIsWritten();
   PartsComeBack();

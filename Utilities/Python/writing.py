@@ -46,21 +46,23 @@ def write_mesh(mesh, path, name):
     if form == "tif":
         return geotiff.write(mesh, path)
     writer, data = _make_writer(form, name, mesh)
-    _run(writer, data, path)
-    return _rounding_warnings(mesh) if form == "ply" else []
+    warnings = _run(writer, data, path)
+    return _rounding_warnings(mesh) if form == "ply" else warnings
 
 
 def _run(writer, data, path):
-    """Writes a file. Raises HorizonError."""
+    """Writes a file, and returns warnings. Raises HorizonError."""
+    warnings = []
     writer.SetInputDataObject(0, data)
     writer.SetFileName(str(path))
     try:
-        update(writer, "%s: writing" % path.name)
+        update(writer, "%s: writing" % path.name, warnings)
     except HorizonError as error:  # names the file where it lies until it is complete
         raise HorizonError(str(error).replace(str(path), path.name)) from None
     if writer.GetErrorCode():
         reason = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
         raise HorizonError("%s can not be written: %s" % (path.name, reason))
+    return [text.replace("%s: " % path, "") for text in warnings]
 
 
 def write_vtp(mesh, path):

@@ -7,6 +7,7 @@
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
+#include "HorizonSampling.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -72,7 +73,8 @@ std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
   }
   if (horizon->GetNumberOfPolys() == 0)
   {
-    throw InputError("no triangles, expected a mesh, as the triangulation makes it");
+    throw InputError(std::to_string(horizon->GetNumberOfPoints()) +
+      " points without triangles, expected a mesh, as the triangulation makes it; leave out horizons of one line");
   }
   std::vector<TSurf::Triangle> triangles;
   triangles.reserve(std::size_t(horizon->GetNumberOfPolys()));
@@ -125,26 +127,10 @@ TSurfProperty ReadProperty(vtkDataArray* array)
   return property;
 }
 
-/// Those with a name that are not of VTK's own use.
-std::vector<TSurfProperty> ReadProperties(vtkPolyData* horizon)
-{
-  std::vector<TSurfProperty> properties;
-  vtkPointData* const data = horizon->GetPointData();
-  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
-  {
-    vtkDataArray* const array = data->GetArray(n);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName())
-    {
-      properties.push_back(ReadProperty(array));
-    }
-  }
-  return properties;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TSurf MakeTSurf(vtkPolyData* horizon, const std::string& name, VerticalPositive positive, bool withAttributes)
+TSurf MakeTSurf(vtkPolyData* horizon, const std::string& name, VerticalPositive positive)
 {
   const bool isDepth = positive == VerticalPositive::Depth;
   TSurf surface;
@@ -154,15 +140,28 @@ TSurf MakeTSurf(vtkPolyData* horizon, const std::string& name, VerticalPositive 
   surface.Triangles = ReadTriangles(horizon, isDepth);
   surface.Parts = ReadParts(horizon);
   surface.Vertices = ReadVertices(horizon, isDepth ? -1.0 : 1.0);
-  if (withAttributes)
-  {
-    surface.Properties = ReadProperties(horizon);
-  }
   vtkDataArray* const colour = horizon->GetFieldData()->GetArray(FieldArray::Colour);
   if (colour && colour->GetNumberOfComponents() == 3 && colour->GetNumberOfTuples() > 0)
   {
     surface.Colour = { colour->GetComponent(0, 0), colour->GetComponent(0, 1), colour->GetComponent(0, 2) };
   }
   return surface;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TSurfProperty> ReadProperties(vtkPolyData* horizon, bool withOwn)
+{
+  std::vector<TSurfProperty> properties;
+  vtkPointData* const data = horizon->GetPointData();
+  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  {
+    vtkDataArray* const array = data->GetArray(n);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName() && (withOwn || !IsOwnArray(name)))
+    {
+      properties.push_back(ReadProperty(array));
+    }
+  }
+  return properties;
 }
 }

@@ -228,7 +228,7 @@ private:
       this->Out.Print(coordinate);
     }
     this->PrintValues(source);
-    this->Out.Print('\n');
+    this->Out.Print(this->Surface.Properties.empty() ? " CNXYZ\n" : "\n"); // some readers know such lines alone
   }
 
   void PrintValues(std::size_t source)

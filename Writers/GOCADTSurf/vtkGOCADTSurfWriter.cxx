@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 using namespace SeismicHorizons;
@@ -55,7 +56,11 @@ void vtkGOCADTSurfWriter::PrintHorizons(
       [&]()
       {
         const auto positive = static_cast<SeismicHorizons::VerticalPositive>(this->VerticalPositive);
-        TSurf surface = MakeTSurf(horizons[n].Data, names[n], positive, this->WriteAttributes);
+        TSurf surface = MakeTSurf(horizons[n].Data, names[n], positive);
+        if (this->WriteAttributes != NoArrays)
+        {
+          surface.Properties = ReadProperties(horizons[n].Data, this->WriteAttributes == AllArrays);
+        }
         SurveyDescription& survey = surface.Survey;
         survey.VerticalUnit = Choose(this->VerticalUnit, survey.VerticalUnit, "m");
         survey.HorizontalUnit = Choose(this->HorizontalUnit, survey.HorizontalUnit, "m");
@@ -75,6 +80,7 @@ void vtkGOCADTSurfWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
   os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
   os << indent << "CoordinateSystemName: " << text(this->CoordinateSystemName) << '\n';
-  os << indent << "WriteAttributes: " << (this->WriteAttributes ? "on" : "off") << '\n';
+  constexpr std::array<const char*, 3> arrays = { "NoArrays", "PickArrays", "AllArrays" };
+  os << indent << "WriteAttributes: " << arrays[static_cast<std::size_t>(this->WriteAttributes)] << '\n';
   os << indent << "WriteBorders: " << (this->WriteBorders ? "on" : "off") << '\n';
 }

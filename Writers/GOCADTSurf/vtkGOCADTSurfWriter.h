@@ -43,6 +43,14 @@ public:
     Depth = 1
   };
 
+  /// Values of WriteAttributes.
+  enum AttributeChoice
+  {
+    NoArrays = 0,
+    PickArrays = 1,
+    AllArrays = 2
+  };
+
   ///@{
   /**
    * The direction in which z of the file increases (ZPOSITIVE); z of the data always increases upwards. Elevation:
@@ -84,21 +92,26 @@ public:
 
   ///@{
   /**
-   * Whether point arrays of numbers are written as properties of the vertices. What is not finite has no value in the
-   * file. Default: on.
+   * Which point arrays of numbers are written as properties of the vertices. What is not finite has no value in the
+   * file. NoArrays: none. PickArrays: the attributes of picks, such as Amplitude; not what stages keep for themselves,
+   * nor the heights of the file that the picks are from, which differ from z where stages moved it. AllArrays: all, for
+   * maps of Distance, for instance. Default: PickArrays.
    *
    * A property has as many numbers for each vertex as the array has components. No value is -99999, or a number with
    * more nines where the array has that as a value.
    */
-  vtkSetMacro(WriteAttributes, bool);
-  vtkGetMacro(WriteAttributes, bool);
-  vtkBooleanMacro(WriteAttributes, bool);
+  vtkSetClampMacro(WriteAttributes, int, NoArrays, AllArrays);
+  vtkGetMacro(WriteAttributes, int);
+  void SetWriteAttributesToNoArrays() { this->SetWriteAttributes(NoArrays); }
+  void SetWriteAttributesToPickArrays() { this->SetWriteAttributes(PickArrays); }
+  void SetWriteAttributesToAllArrays() { this->SetWriteAttributes(AllArrays); }
   ///@}
 
   ///@{
   /**
    * Whether the border of each surface is written (BSTONE and BORDER), its outlines and holes; without it, modelling
-   * programs find the border themselves or take the surface as closed. Default: on.
+   * programs find the border themselves. Programs that know nothing but vertices and triangles refuse files that have
+   * it, xtgeo for instance. Default: off.
    */
   vtkSetMacro(WriteBorders, bool);
   vtkGetMacro(WriteBorders, bool);
@@ -120,8 +133,8 @@ private:
   char* VerticalUnit = nullptr;
   char* HorizontalUnit = nullptr;
   char* CoordinateSystemName = nullptr;
-  bool WriteAttributes = true;
-  bool WriteBorders = true;
+  int WriteAttributes = PickArrays;
+  bool WriteBorders = false;
 };
 
 #endif

@@ -97,6 +97,19 @@ void GridOutput::WriteValue(std::string_view text, std::size_t width)
 void GridOutput::EndLine()
 {
   this->Text += '\n';
+  this->HandOn();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void GridOutput::EndValues(std::int64_t number)
+{
+  this->Written += number;
+  this->HandOn();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void GridOutput::HandOn()
+{
   if (this->Text.size() >= PieceSize)
   {
     this->Stream.write(this->Text.data(), static_cast<std::streamsize>(this->Text.size()));

@@ -51,10 +51,15 @@ public:
 
   void EndLine();
 
+  /// For values that were not written one by one: so many more are there.
+  void EndValues(std::int64_t number);
+
   /// Throws InputError when writing failed.
   void Finish();
 
 private:
+  void HandOn();
+
   std::ostream& Stream;
   const Monitor& Work;
   const std::int64_t NumberOfValues;

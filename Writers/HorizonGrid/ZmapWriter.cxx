@@ -6,14 +6,19 @@
 #include "GridWriters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace SeismicHorizons
 {
 namespace
 {
 constexpr double FirstNull = 9.9e29; // readers compare in single precision
-constexpr std::string_view NullText = "1.0E+30";
+// What stands for no value: the first that is well below all values. In single precision all are exact but the last, which
+// some readers, comparing the text with what they read, take for a value.
+constexpr std::array<double, 3> Nulls = { -99999.0, -999999.0, -9999999.0 };
+constexpr std::string_view LastNull = "1.0E+30";
 constexpr int ValuesInLine = 5;
 constexpr std::size_t SmallestWidth = 15; // of a value, as other programs have it
 constexpr double LargestShift = 0.01; // of a step, that a node may be off for steps not quite along the axes
@@ -54,23 +59,23 @@ struct Axes
   Axis Y;
 };
 
-/// Either step may be the one along x.
-Axes FindAxes(const SurveyLattice& lattice)
+/// Either step may be the one along x. None where steps are along no axes.
+std::optional<Axes> FindAxes(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
   const Eigen::Vector2d& j = lattice.RowStep;
   const std::int64_t rowIndex = lattice.Columns[0];
   if (IsAlong(i.x(), i.y(), lattice.Columns[0], j.norm()) && IsAlong(j.y(), j.x(), lattice.Columns[1], i.norm()))
   {
-    return { MakeAxis(lattice.Columns[0], lattice.Origin.x(), i.x(), 1),
+    return Axes{ MakeAxis(lattice.Columns[0], lattice.Origin.x(), i.x(), 1),
       MakeAxis(lattice.Columns[1], lattice.Origin.y(), j.y(), rowIndex) };
   }
   if (IsAlong(i.y(), i.x(), lattice.Columns[0], j.norm()) && IsAlong(j.x(), j.y(), lattice.Columns[1], i.norm()))
   {
-    return { MakeAxis(lattice.Columns[1], lattice.Origin.x(), j.x(), rowIndex),
+    return Axes{ MakeAxis(lattice.Columns[1], lattice.Origin.x(), j.x(), rowIndex),
       MakeAxis(lattice.Columns[0], lattice.Origin.y(), i.y(), 1) };
   }
-  throw InputError("a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
+  return {};
 }
 
 /// What the header says of all values.
@@ -78,11 +83,21 @@ struct Layout
 {
   std::size_t Width = SmallestWidth;
   std::size_t Decimals = 1;
+  std::string Null;
 };
+
+std::string ChooseNull(const std::vector<double>& values)
+{
+  const auto isAbove = [&values](double null)
+  { return std::all_of(values.begin(), values.end(), [null](double z) { return !(z <= 0.99 * null); }); };
+  const auto* const null = std::find_if(Nulls.begin(), Nulls.end(), isAbove);
+  return null == Nulls.end() ? std::string(LastNull) : ToDecimal(*null);
+}
 
 Layout FindLayout(const std::vector<double>& values)
 {
   Layout layout;
+  layout.Null = ChooseNull(values);
   for (const double z : values)
   {
     const DecimalText text(std::isnan(z) ? 0.0 : z);
@@ -99,8 +114,7 @@ void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const L
     name.begin(), name.end(), [](char c) { return c == ',' || c == '@' || static_cast<unsigned char>(c) < ' '; }, ' ');
   output.Write('@' + name + " HEADER, GRID, " + std::to_string(ValuesInLine));
   output.EndLine();
-  output.Write(
-    std::to_string(layout.Width) + ", " + std::string(NullText) + ", , " + std::to_string(layout.Decimals) + ", 1");
+  output.Write(std::to_string(layout.Width) + ", " + layout.Null + ", , " + std::to_string(layout.Decimals) + ", 1");
   output.EndLine();
   output.Write(std::to_string(axes.Y.Count) + ", " + std::to_string(axes.X.Count) + ", " + ToDecimal(axes.X.First) +
     ", " + ToDecimal(axes.X.Last) + ", " + ToDecimal(axes.Y.First) + ", " + ToDecimal(axes.Y.Last));
@@ -113,10 +127,21 @@ void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const L
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool IsAlongAxes(const SurveyLattice& lattice)
+{
+  return FindAxes(lattice).has_value();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
 {
   RequireWritable(grid, FirstNull, "ZMAP+");
-  const Axes axes = FindAxes(grid.Lattice);
+  const std::optional<Axes> found = FindAxes(grid.Lattice);
+  if (!found)
+  {
+    throw InputError("a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
+  }
+  const Axes& axes = *found;
   const Layout layout = FindLayout(grid.Z);
   GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
   WriteHeader(output, grid.Name, axes, layout);
@@ -126,7 +151,7 @@ void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& mon
     for (int row = axes.Y.Count - 1; row >= 0; --row)
     {
       const double z = grid.Z[static_cast<std::size_t>(first + row * axes.Y.IndexStep)];
-      output.WriteValue(std::isnan(z) ? NullText : DecimalText(z).View(), layout.Width);
+      output.WriteValue(std::isnan(z) ? std::string_view(layout.Null) : DecimalText(z).View(), layout.Width);
       const bool isLast = row == 0 || (axes.Y.Count - row) % ValuesInLine == 0;
       if (isLast)
       {

@@ -4,18 +4,26 @@
 #include "vtkHorizonGridWriter.h"
 
 #include "Common/Monitor.h"
+#include "Common/TextNumbers.h"
 #include "Common/TextWords.h"
 #include "GridWriters.h"
 #include "HorizonSampling.h"
+#include "UprightGrid.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
 
 using namespace SeismicHorizons;
+
+namespace
+{
+constexpr double LargestRounding = 0.01; // of places, as a part of a step, without a word
+}
 
 vtkStandardNewMacro(vtkHorizonGridWriter);
 
@@ -26,25 +34,57 @@ void vtkHorizonGridWriter::PrintHorizons(
   const NamedHorizon& horizon = horizons.front();
   HorizonGrid grid = SampleWholeLattice(horizon.Data, this->VerticalSign(horizon.Data), monitor.Step(0.0, 0.5));
   grid.Name = horizon.Name;
-  (this->WritesZmap() ? WriteZmap : WriteIrapText)(stream, grid, monitor.Step(0.5, 1.0));
+  const GridKind kind = this->ChooseFormat();
+  const Monitor writing = monitor.Step(0.6, 1.0);
+  if (kind == Zmap)
+  {
+    if (!IsAlongAxes(grid.Lattice))
+    {
+      grid = MakeUpright(grid, monitor.Step(0.5, 0.6));
+      vtkWarningMacro(<< this->GetFileName() << ": " << horizon.Name
+                      << ": ZMAP+ has no rotation: resampled on a lattice along the axes of " << grid.Lattice.Columns[0]
+                      << " x " << grid.Lattice.Columns[1] << " nodes; IRAP keeps the lattice");
+    }
+    WriteZmap(stream, grid, writing);
+  }
+  else if (kind == IrapBinary)
+  {
+    const SurveyLattice& lattice = grid.Lattice;
+    const double rounding = RoundingOf(lattice);
+    if (rounding > LargestRounding * std::min(lattice.ColumnStep.norm(), lattice.RowStep.norm()))
+    {
+      vtkWarningMacro(<< this->GetFileName() << ": " << horizon.Name
+                      << ": places are rounded to single precision, by up to " << ShortestText(rounding)
+                      << "; IRAP text keeps them");
+    }
+    WriteIrapBinary(stream, grid, writing);
+  }
+  else
+  {
+    WriteIrapText(stream, grid, writing);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool vtkHorizonGridWriter::WritesZmap()
+vtkHorizonGridWriter::GridKind vtkHorizonGridWriter::ChooseFormat()
 {
   if (this->Format != ByExtension)
   {
-    return this->Format == Zmap;
+    return static_cast<GridKind>(this->Format);
   }
   const std::string file = this->GetFileName() ? this->GetFileName() : "";
   const std::string extension = ToLower(std::filesystem::u8path(file).extension().u8string());
-  return extension == ".zmap" || extension == ".zmp";
+  if (extension == ".gri" || extension == ".irapbin")
+  {
+    return IrapBinary;
+  }
+  return extension == ".zmap" || extension == ".zmp" ? Zmap : IrapText;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonGridWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
-  constexpr std::array<const char*, 3> formats = { "ByExtension", "IrapText", "Zmap" };
+  constexpr std::array<const char*, 4> formats = { "ByExtension", "IrapText", "Zmap", "IrapBinary" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Format: " << formats[static_cast<std::size_t>(this->Format)] << '\n';
 }

@@ -30,20 +30,23 @@ public:
   {
     ByExtension = 0,
     IrapText = 1,
-    Zmap = 2
+    Zmap = 2,
+    IrapBinary = 3
   };
 
   ///@{
   /**
-   * The format of the file. ByExtension: ZMAP+ for names that end in .zmap or .zmp, IRAP classic ASCII for others.
-   * IrapText: IRAP classic ASCII, for lattices with perpendicular steps, rotated or not. Zmap: ZMAP+, for lattices
-   * along the axes. Default: ByExtension.
+   * The format of the file. ByExtension: ZMAP+ for names that end in .zmap or .zmp, IRAP classic binary for .gri and
+   * .irapbin, IRAP classic ASCII for others. IrapText: IRAP classic ASCII, for lattices with perpendicular steps,
+   * rotated or not. Zmap: ZMAP+, for lattices along the axes; others are resampled on such a one, with a warning.
+   * IrapBinary: IRAP classic binary, as IrapText, in single precision. Default: ByExtension.
    */
-  vtkSetClampMacro(Format, int, ByExtension, Zmap);
+  vtkSetClampMacro(Format, int, ByExtension, IrapBinary);
   vtkGetMacro(Format, int);
   void SetFormatToByExtension() { this->SetFormat(ByExtension); }
   void SetFormatToIrapText() { this->SetFormat(IrapText); }
   void SetFormatToZmap() { this->SetFormat(Zmap); }
+  void SetFormatToIrapBinary() { this->SetFormat(IrapBinary); }
   ///@}
 
 protected:
@@ -58,7 +61,7 @@ private:
   vtkHorizonGridWriter(const vtkHorizonGridWriter&) = delete;
   void operator=(const vtkHorizonGridWriter&) = delete;
 
-  bool WritesZmap();
+  GridKind ChooseFormat();
 
   int Format = ByExtension;
 };

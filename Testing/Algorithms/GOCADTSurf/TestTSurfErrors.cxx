@@ -43,6 +43,12 @@ void ObjectsEnd()
   CheckRefused(Start + "GOCAD TSurf 1\nEND\n", "line 2: \"GOCAD TSurf\", expected END of the GOCAD object of line 1");
   CheckRefused(Start + "END\nEND\n", "line 3: \"END\", expected \"GOCAD TSurf 1\"");
   CheckRefused(Start + "HEADER {\nname:x\nEND\n", "line 5: end of file, expected \"}\" of the block of line 2");
+  CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\n" + Start + "END\nEND_MEMBERS\n",
+    "line 6: end of file, expected END of the GOCAD object of line 1");
+  CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\n" + Start + "END\n",
+    "line 5: end of file, expected END of the GOCAD object of line 1");
+  CheckRefused("GOCAD Group 1\nBEGIN_MEMBERS\nEND\n", "line 3: \"END\", expected \"GOCAD TSurf 1\"");
+  CheckRefused(Start + "HEADER {name:x\nEND\n", "line 4: end of file, expected \"}\" of the block of line 2");
   CheckRefused(Start + "BEGIN_X y\nEND\n", "line 4: end of file, expected \"END_X\" of the block of line 2");
 }
 
@@ -99,6 +105,7 @@ void DescriptionsAreChecked()
   CheckPropertyRefused("VRTX 1 0 0 0\nESIZES 1 1", "line 4: ESIZES behind vertices, expected before the first of");
   CheckPropertyRefused("PVRTX 1 0 0 0 5", "line 3: PVRTX value \"\" of \"q\", expected a number");
   CheckPropertyRefused("PVRTX 1 0 0 0 5 inf", "line 3: PVRTX value \"inf\" of \"q\", expected a finite number");
+  CheckPropertyRefused("VRTX 1 0 0 0 5", "line 3: VRTX value \"\" of \"q\", expected a number");
   CheckPropertyRefused("PVRTX 1 0 0 0 5 6 7", "line 3: \"7\" behind PVRTX, expected the end of the line");
 }
 

@@ -264,6 +264,58 @@ void FilesAreRecognisedByTheirFirstLine()
   CHECK(!isOne(std::string(5000, '\n') + Small));
 }
 
+/// As programs write them that know the format by hearsay.
+void LinesOfOtherProgramsAreRead()
+{
+  const std::string body = "TFACE\r\nVRTX 1 0 0 1 0.5 -999 CNXYZ\r\nPVRTX 2 1 0 2 7 8\r\nVRTX 3 0 1 3\r\n"
+                           "TRGL 1 2 3\r\nEND \r\n";
+  for (const char* const first : { "GOCAD TSurf 1 ", "GOCAD Tsurf 1", "GOCAD TSURF 1", "gocad tsurf 1", "Gocad tSurf" })
+  {
+    const TSurf surface = LoadOne(std::string(first) +
+      "\r\nHEADER{name:\"a b\"}\r\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\r\nAXIS_UNIT m m MS\r\nZPOSITIVE DEPTH\r\n"
+      "END_ORIGINAL_COORDINATE_SYSTEM\r\nPROPERTIES p q\r\nNO_DATA_VALUES -999\r\n" +
+      body);
+    CHECK_EQUAL(surface.Name, "a b");
+    CHECK(surface.Positive == VerticalPositive::Depth);
+    CHECK_EQUAL(surface.Survey.VerticalUnit, "MS");
+    CHECK_EQUAL(surface.Survey.VerticalDomain, "time");
+    CHECK_EQUAL(surface.Triangles.size(), 1u);
+    CHECK_EQUAL(surface.Properties.size(), 2u);
+    CHECK_EQUAL(surface.Properties[0].Values[0], 0.5);
+    CHECK(std::isnan(surface.Properties[1].Values[0]) && std::isnan(surface.Properties[1].Values[2]));
+    CHECK_EQUAL(surface.Properties[1].Values[1], 8.0);
+  }
+}
+
+void BracesOfHeadersStandAnywhere()
+{
+  const auto name = [](const std::string& header) { return LoadOne("GOCAD TSurf 1\n" + header + "\nEND\n").Name; };
+  for (const char* const header : { "HEADER {\nname:x\n}", "HEADER {name:x}", "HEADER { name: x }", "HEADER{name:x}",
+         "HEADER {name:x\n}", "HEADER {name:x\nmesh:on}", "HEADER {mesh:on\nname: \"x\" }", "HEADER\n{\nname:x\n}" })
+  {
+    CHECK_EQUAL(name(header), "x");
+  }
+  CHECK_EQUAL(name("HEADER {\nname:{x}\n}"), "{x}");
+}
+
+/// Surfaces within groups, which may be within others, are those of the file.
+void GroupsAreOpened()
+{
+  const auto surface = [](const std::string& name)
+  { return "GOCAD TSurf 1\nHEADER {\nname:" + name + "\n}\nVRTX 1 0 0 0\nTRGL 1 1 1\nEND\n"; };
+  const std::string text = surface("a") + "GOCAD HomogeneousGroup 1\nHEADER {\nname:g\n}\nTYPE TSurf\nBEGIN_MEMBERS\n" +
+    surface("b") + "GOCAD Group 1\nBEGIN_MEMBERS\n" + surface("c") + "END_MEMBERS\nEND\nEND_MEMBERS\nEND\n" +
+    surface("d");
+  const std::vector<std::string> names = { "a", "b", "c", "d" };
+  for (const std::size_t bufferSize : BufferSizes)
+  {
+    CHECK(List(text, bufferSize).Names == names);
+    CHECK_EQUAL(Load(text, bufferSize).size(), 4u);
+  }
+  CHECK_EQUAL(Load(text)[2].Name, "c");
+  CHECK_EQUAL(LoadOne("GOCAD TSurf 1\nBEGIN_MEMBERS\nGOCAD x\nEND_MEMBERS\nEND\n").Triangles.size(), 0u);
+}
+
 void WorkIsMonitored()
 {
   std::string vertices;
@@ -301,6 +353,9 @@ int TestTSurfParser(int, char*[])
   SurfacesAreChosen();
   NumbersKeepAllDigits();
   FilesAreRecognisedByTheirFirstLine();
+  LinesOfOtherProgramsAreRead();
+  BracesOfHeadersStandAnywhere();
+  GroupsAreOpened();
   WorkIsMonitored();
   return Check::Result();
 }

@@ -64,14 +64,60 @@ void IrapHasTheFormOfOthers()
     "1.0 2.0 3.0 4.0 9999900.0 6.0 \n");
 }
 
+void IrapBinaryHasTheFormOfOthers()
+{
+  const std::int32_t rows = 2;
+  const std::int32_t columns = 3;
+  CHECK_EQUAL(Write(WriteIrapBinary, Sample()),
+    Record(BigEndian(std::vector<std::int32_t>{ -996, rows }) +
+      BigEndian(std::vector<float>{ 1000, 1100, 5000, 5025, 50, 25 })) +
+      Record(BigEndian(columns) + BigEndian(std::vector<float>{ 0, 1000, 5000 })) + Record(std::string(28, '\0')) +
+      Record(BigEndian(std::vector<float>{ 1, 2, 3 })) + Record(BigEndian(std::vector<float>{ 4, 1e30f, 6 })));
+}
+
+/// Places and values come back as single precision has them.
+void IrapBinaryRounds()
+{
+  HorizonGrid grid = Awkward();
+  const double turn = 0.6;
+  grid.Lattice.ColumnStep = 12.5 * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+  grid.Lattice.RowStep = -18.75 * Eigen::Vector2d(-std::sin(turn), std::cos(turn));
+  const HorizonGrid again = Read(Write(WriteIrapBinary, grid));
+  const Eigen::Vector2d moved = again.Lattice.Origin - grid.Lattice.Origin;
+  CHECK_EQUAL(moved.cwiseAbs().maxCoeff(), RoundingOf(grid.Lattice));
+  CHECK(RoundingOf(grid.Lattice) > 1e-3 && RoundingOf(grid.Lattice) <= 0.25);
+  CHECK((again.Lattice.Steps() - grid.Lattice.Steps()).cwiseAbs().maxCoeff() < 1e-5);
+  std::vector<double> rounded;
+  for (const double z : grid.Z)
+  {
+    rounded.push_back(static_cast<float>(z));
+  }
+  CHECK(HasValues(again, rounded));
+  CHECK_EQUAL(RoundingOf(Sample().Lattice), 0.0);
+}
+
 void ZmapHasTheFormOfOthers()
 {
   HorizonGrid grid = Sample();
   grid.Name = "top, \n@reek";
   CHECK_EQUAL(ZmapOf(grid),
-    "@top    reek HEADER, GRID, 5\n15, 1.0E+30, , 1, 1\n2, 3, 1000.0, 1100.0, 5000.0, 5025.0\n0.0, 0.0, 0.0\n@\n"
-    "            4.0            1.0\n        1.0E+30            2.0\n            6.0            3.0\n");
+    "@top    reek HEADER, GRID, 5\n15, -99999.0, , 1, 1\n2, 3, 1000.0, 1100.0, 5000.0, 5025.0\n0.0, 0.0, 0.0\n@\n"
+    "            4.0            1.0\n       -99999.0            2.0\n            6.0            3.0\n");
   CHECK_EQUAL(Read(ZmapOf(grid)).Name, "top    reek");
+}
+
+/// No value is one that no value is near, in single precision, too.
+void ZmapNullsAreBelowAllValues()
+{
+  const std::pair<double, std::string> lowest[] = { { -98000.0, "-99999.0" }, { -99998.9999, "-999999.0" },
+    { -1e6, "-9999999.0" }, { -9.9999999e6, "1.0E+30" } };
+  for (const auto& [z, null] : lowest)
+  {
+    HorizonGrid grid = Sample();
+    grid.Z[0] = z;
+    CHECK(ZmapOf(grid).find(", " + null + ", ,") != std::string::npos);
+    CHECK(HasValues(Read(ZmapOf(grid)), grid.Z));
+  }
 }
 
 /// Old readers take lines of 100 characters, whose values have one width, and begin each column in a new one.
@@ -149,13 +195,14 @@ void LatticesThatDoNotFitAreRefused()
   HorizonGrid grid = Sample();
   grid.Lattice.RowStep = { 25, 25 };
   CHECK_THROWS_WITH(IrapOf(grid), "steps at 45 degrees, expected right angles for IRAP");
+  CHECK_THROWS_WITH(Write(WriteIrapBinary, grid), "steps at 45 degrees, expected right angles for IRAP");
   const std::string message = "a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP";
   CHECK_THROWS_WITH(ZmapOf(grid), message);
   grid.Lattice.ColumnStep = { 49.9, 2 };
   grid.Lattice.RowStep = { -1, 24.95 };
   CHECK_THROWS_WITH(ZmapOf(grid), message);
   grid.Lattice.ColumnStep = { 0, 0 };
-  for (const Writer write : { WriteIrapText, WriteZmap })
+  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
   {
     CHECK_THROWS_WITH(
       Write(write, grid), " with the steps (0, 0) and (-1, 24.95), expected finite numbers, and steps other than 0");
@@ -174,13 +221,18 @@ void ValuesThatDoNotFitAreRefused()
     ZmapOf(grid), "value 1e+30 of column (2, 1), expected one below 9.9e+29, which stands for none in ZMAP+");
   grid.Z[5] = -std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(IrapOf(grid), "value -inf of column (2, 1)");
+  grid.Z[5] = 9.99999999e29;
+  CHECK_THROWS_WITH(
+    Write(WriteIrapBinary, grid), "of column (2, 1), expected one below 9.9999e+29, which stands for none");
+  grid.Z[5] = -1e300;
+  CHECK_THROWS_WITH(Write(WriteIrapBinary, grid), "-1e+300, expected a number within single precision for IRAP binary");
   grid.Z.pop_back();
   CHECK_THROWS_WITH(ZmapOf(grid), "5 values, expected one for each of 3 x 2 nodes");
 }
 
 void WriteErrorsAreTold()
 {
-  for (const Writer write : { WriteIrapText, WriteZmap })
+  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
   {
     std::ostringstream stream;
     stream.setstate(std::ios::badbit);
@@ -191,9 +243,9 @@ void WriteErrorsAreTold()
 void WritingStopsOnRequest()
 {
   HorizonGrid grid;
-  grid.Lattice.Columns = { 400, 300 };
-  grid.Z.assign(400 * 300, 1234.5678);
-  for (const Writer write : { WriteIrapText, WriteZmap })
+  grid.Lattice.Columns = { 400, 900 };
+  grid.Z.assign(400 * 900, 1234.5678);
+  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
   {
     const auto work = [&](const Monitor& monitor)
     {
@@ -208,7 +260,10 @@ void WritingStopsOnRequest()
 int TestGridWriters(int, char*[])
 {
   IrapHasTheFormOfOthers();
+  IrapBinaryHasTheFormOfOthers();
+  IrapBinaryRounds();
   ZmapHasTheFormOfOthers();
+  ZmapNullsAreBelowAllValues();
   ZmapLinesAreRegular();
   WrittenGridsAreReadAgain();
   IrapTurnsAndMirrors();

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Common/Errors.h"
+#include "Common/TextNumbers.h"
+#include "GridOutput.h"
+#include "GridWriters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double TextNull = 9999900.0;
+constexpr float BinaryNull = 1e30f;
+constexpr double FirstBinaryNull = 9.9999e29; // from here on values may be rounded to it
+constexpr std::size_t UnusedNumbers = 7;
+constexpr int ValuesInLine = 9; // more are too many for some programs
+constexpr double LargestShift = 0.01; // of a step, that a node may be off for steps not quite at right angles
+
+struct IrapLattice
+{
+  double ColumnStep = 0.0;
+  double RowStep = 0.0; // negative when the lattice is seen in a mirror
+  double Degrees = 0.0; // of the rotation, counterclockwise
+};
+
+/// Throws InputError when the steps are so far from right angles that the farthest node would move.
+IrapLattice FindLattice(const SurveyLattice& lattice)
+{
+  const Eigen::Vector2d& i = lattice.ColumnStep;
+  const Eigen::Vector2d& j = lattice.RowStep;
+  const double cross = i.x() * j.y() - i.y() * j.x();
+  const double shear = std::fabs(i.stableNormalized().dot(j.stableNormalized()));
+  if (!(shear * (lattice.Columns[1] - 1) <= LargestShift))
+  {
+    const double degrees = std::acos(shear) * (180.0 / std::acos(-1.0));
+    throw InputError(
+      "steps at " + ShortestText(std::round(100.0 * degrees) / 100.0) + " degrees, expected right angles for IRAP");
+  }
+  IrapLattice irap;
+  irap.ColumnStep = i.stableNorm(); // squares of steps may be too large
+  irap.RowStep = std::copysign(j.stableNorm(), cross);
+  irap.Degrees = std::atan2(i.y(), i.x()) * (180.0 / std::acos(-1.0)) + 0.0; // not -0
+  return irap;
+}
+
+void WriteHeader(GridOutput& output, const SurveyLattice& lattice, const IrapLattice& irap)
+{
+  const std::string x = ToDecimal(lattice.Origin.x());
+  const std::string y = ToDecimal(lattice.Origin.y());
+  const double xLast = lattice.Origin.x() + (lattice.Columns[0] - 1) * irap.ColumnStep;
+  const double yLast = lattice.Origin.y() + (lattice.Columns[1] - 1) * irap.RowStep;
+  output.Write(
+    "-996 " + std::to_string(lattice.Columns[1]) + ' ' + ToDecimal(irap.ColumnStep) + ' ' + ToDecimal(irap.RowStep));
+  output.EndLine();
+  output.Write(x + ' ' + ToDecimal(xLast) + ' ' + y + ' ' + ToDecimal(yLast));
+  output.EndLine();
+  output.Write(std::to_string(lattice.Columns[0]) + ' ' + ToDecimal(irap.Degrees) + ' ' + x + ' ' + y);
+  output.EndLine();
+  output.Write("0 0 0 0 0 0 0");
+  output.EndLine();
+}
+
+constexpr std::int32_t Mark = -996;
+
+std::uint32_t BitsOf(float number)
+{
+  std::uint32_t bits = 0;
+  static_assert(sizeof(bits) == sizeof(number));
+  std::memcpy(&bits, &number, sizeof(bits));
+  return bits;
+}
+
+/// A Fortran record of numbers, big-endian, with its length on both sides.
+void WriteRecord(GridOutput& output, const std::vector<std::uint32_t>& numbers)
+{
+  const auto write = [&output](std::uint32_t bits)
+  {
+    for (const int shift : { 24, 16, 8, 0 })
+    {
+      const char byte = static_cast<char>(bits >> shift & 0xff);
+      output.Write(std::string_view(&byte, 1));
+    }
+  };
+  const auto length = static_cast<std::uint32_t>(numbers.size() * sizeof(std::uint32_t));
+  write(length);
+  std::for_each(numbers.begin(), numbers.end(), write);
+  write(length);
+}
+
+/// Throws InputError where single precision has no such number.
+float ToSingle(double number)
+{
+  const auto single = static_cast<float>(number);
+  if (!std::isfinite(single))
+  {
+    throw InputError(ShortestText(number) + ", expected a number within single precision for IRAP binary");
+  }
+  return single;
+}
+
+void WriteBinaryHeader(GridOutput& output, const SurveyLattice& lattice, const IrapLattice& irap)
+{
+  const auto [columns, rows] = lattice.Columns;
+  const auto bits = [](double number) { return BitsOf(ToSingle(number)); };
+  const std::uint32_t x = bits(lattice.Origin.x());
+  const std::uint32_t y = bits(lattice.Origin.y());
+  const double xLast = lattice.Origin.x() + (columns - 1) * irap.ColumnStep;
+  const double yLast = lattice.Origin.y() + (rows - 1) * irap.RowStep;
+  WriteRecord(output,
+    { static_cast<std::uint32_t>(Mark), static_cast<std::uint32_t>(rows), x, bits(xLast), y, bits(yLast),
+      bits(irap.ColumnStep), bits(irap.RowStep) });
+  WriteRecord(output, { static_cast<std::uint32_t>(columns), bits(irap.Degrees), x, y });
+  WriteRecord(output, std::vector<std::uint32_t>(UnusedNumbers, 0));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double RoundingOf(const SurveyLattice& lattice)
+{
+  return (lattice.Origin - lattice.Origin.cast<float>().cast<double>()).cwiseAbs().maxCoeff();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
+{
+  RequireWritable(grid, FirstBinaryNull, "IRAP binary");
+  for (const double z : grid.Z)
+  {
+    ToSingle(std::isnan(z) ? 0.0 : z);
+  }
+  const IrapLattice lattice = FindLattice(grid.Lattice);
+  GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
+  WriteBinaryHeader(output, grid.Lattice, lattice);
+  std::vector<std::uint32_t> row(static_cast<std::size_t>(grid.Lattice.Columns[0]));
+  for (auto z = grid.Z.begin(); z != grid.Z.end(); z += grid.Lattice.Columns[0])
+  {
+    std::transform(z, z + grid.Lattice.Columns[0], row.begin(),
+      [](double value) { return BitsOf(std::isnan(value) ? BinaryNull : static_cast<float>(value)); });
+    WriteRecord(output, row);
+    output.EndValues(grid.Lattice.Columns[0]);
+  }
+  output.Finish();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteIrapText(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
+{
+  RequireWritable(grid, TextNull, "IRAP");
+  const IrapLattice lattice = FindLattice(grid.Lattice);
+  GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
+  WriteHeader(output, grid.Lattice, lattice);
+  int inLine = 0;
+  for (const double z : grid.Z)
+  {
+    output.WriteValue(DecimalText(std::isnan(z) ? TextNull : z).View(), 0);
+    inLine = (inLine + 1) % ValuesInLine;
+    inLine == 0 ? output.EndLine() : output.Write(" ");
+  }
+  output.EndLine();
+  output.Finish();
+}
+}
