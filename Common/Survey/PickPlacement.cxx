@@ -140,7 +140,8 @@ void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLa
     text << range.OffLattice << " of " << picks.Size() << " picks off the lattice with the steps "
          << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest, "
          << SayPicks(picks, { range.Farthest }) << ", by " << range.LargestDistance
-         << " columns; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks that are left out";
+         << " columns; expected at most LatticeTolerance, " << tolerance
+         << ", or StrayPicks that are left out, or Gridding";
     throw InputError(text.str());
   }
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();

@@ -7,6 +7,7 @@
 #include "Common/Monitor.h"
 #include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/PickPlacement.h"
+#include "Gridding/Gridding.h"
 
 #include "vtkHorizonFileSeries.h"
 
@@ -65,6 +66,10 @@ void vtkPickHorizonSource::CheckParameters()
 {
   this->Superclass::CheckParameters();
   CheckPlacement(this->MakeOptions());
+  if (this->Gridding != NoGridding && this->DuplicatePolicy == Sheets)
+  {
+    throw InputError("DuplicatePolicy Sheets with Gridding, expected one z for each column");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -119,10 +124,25 @@ SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SurveyHorizons vtkPickHorizonSource::Place(PickTable picks, const Monitor& monitor)
+{
+  if (this->Gridding == NoGridding)
+  {
+    return PlacePicks(std::move(picks), this->MakeOptions(), monitor);
+  }
+  GriddingOptions options;
+  options.Method = this->Gridding == Plate ? GriddingMethod::Plate : GriddingMethod::Nearest;
+  options.Radius = this->GriddingRadius;
+  options.Smoothing = this->GriddingSmoothing;
+  options.Placement = this->MakeOptions();
+  return GridPicks(std::move(picks), options, monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
 {
   PickTable picks = this->ReadPicks(monitor.Step(0.0, 0.6));
-  const auto place = [&]() { return PlacePicks(std::move(picks), this->MakeOptions(), monitor.Step(0.6, 1.0)); };
+  const auto place = [&]() { return this->Place(std::move(picks), monitor.Step(0.6, 1.0)); };
   FileSeries* const files = this->GetFiles();
   SurveyHorizons placed = files ? PrefixFileErrors(files->GetCurrent(), place) : place();
   for (const std::string& doubt : FindDoubts(placed))
@@ -148,4 +168,11 @@ void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LatticeTolerance: " << this->LatticeTolerance << '\n';
   os << indent << "StrayPicks: " << (this->StrayPicks == LeaveOut ? "LeaveOut" : "Stop") << '\n';
   os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
+  os << indent << "Gridding: "
+     << (this->Gridding == Plate        ? "Plate"
+            : this->Gridding == Nearest ? "Nearest"
+                                        : "NoGridding")
+     << '\n';
+  os << indent << "GriddingRadius: " << this->GriddingRadius << '\n';
+  os << indent << "GriddingSmoothing: " << this->GriddingSmoothing << '\n';
 }

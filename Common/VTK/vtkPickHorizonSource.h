@@ -172,6 +172,47 @@ public:
   void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
   ///@}
 
+  /// Values of Gridding.
+  enum GriddingChoice
+  {
+    NoGridding = 0,
+    Plate = 1,
+    Nearest = 2
+  };
+
+  ///@{
+  /**
+   * How picks that stand on no lattice, as of 2D lines, wells or scattered points, become a horizon on one. NoGridding: they
+   * have to stand on a lattice. Plate: a thin plate that comes near to all of them. Nearest: each column has the z of the
+   * pick nearest to it. See "Gridding" in HorizonTextReader.md. Default: NoGridding.
+   *
+   * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
+   */
+  vtkSetClampMacro(Gridding, int, NoGridding, Nearest);
+  vtkGetMacro(Gridding, int);
+  void SetGriddingToNoGridding() { this->SetGridding(NoGridding); }
+  void SetGriddingToPlate() { this->SetGridding(Plate); }
+  void SetGriddingToNearest() { this->SetGridding(Nearest); }
+  ///@}
+
+  ///@{
+  /**
+   * With Gridding, columns farther than this from all picks stay empty. 0: columns outside the convex hull of the picks
+   * stay empty. Unit: world units. Range: 0 to 1e12. Default: 0.
+   */
+  vtkSetMacro(GriddingRadius, double);
+  vtkGetMacro(GriddingRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * With Gridding Plate, how much the surface may differ from picks: more takes off noise, and the differences of lines
+   * where they cross. Range: 0 to 1e6. Default: 0.01.
+   */
+  vtkSetMacro(GriddingSmoothing, double);
+  vtkGetMacro(GriddingSmoothing, double);
+  ///@}
+
 protected:
   vtkPickHorizonSource();
   ~vtkPickHorizonSource() override;
@@ -198,6 +239,8 @@ private:
   void operator=(const vtkPickHorizonSource&) = delete;
 
   SeismicHorizons::PlacementOptions MakeOptions();
+  SeismicHorizons::SurveyHorizons Place(
+    SeismicHorizons::PickTable picks, const SeismicHorizons::Monitor& monitor);
   SeismicHorizons::SurveyHorizons PlaceAll(const SeismicHorizons::Monitor& monitor);
 
   int LatticeSource = FromPoints;
@@ -210,6 +253,9 @@ private:
   double LatticeTolerance = 0.1;
   int StrayPicks = Stop;
   int DuplicatePolicy = StrongestAmplitude;
+  int Gridding = NoGridding;
+  double GriddingRadius = 0.0;
+  double GriddingSmoothing = 0.01;
 
   struct SheetList;
   std::unique_ptr<SheetList> ListedSheets; // with DuplicatePolicy Sheets

@@ -127,6 +127,10 @@ void RefuseDecimalCommas(const TextLines& sample, const TextLayout& layout)
 /// Line numbers and their places that stand in other columns than those that were taken for them.
 void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
 {
+  if (layout.Find(ColumnRole::X) >= 0 && layout.Find(ColumnRole::Inline) >= 0)
+  {
+    return; // these follow each other
+  }
   const std::size_t count = std::min(MostColumns, layout.Columns.size());
   for (std::size_t lines = 0; lines + 1 < count; ++lines)
   {

@@ -116,7 +116,7 @@ class LimitsTest(unittest.TestCase):
         self.assertIn("at most 32,768 horizons", LIMITS["picks of a table"])
         with self.assertRaisesRegex(HorizonError, "picks of 32769 horizons, expected at most 32768"):
             read("vtkHorizonTextReader", "many.dat", ["Name Inline Crossline Z", *(
-                "h%d %d %d 5" % (n, n % 200, n // 200) for n in range((1 << 15) + 1))])
+                "h%d %d %d 5" % (n % 32769, n % 200, n // 200) for n in range(2 * ((1 << 15) + 1)))])
 
     def test_radius(self):
         self.check("radius of the boundary", "32", "radius 33, expected 1 to 32", lambda radius: apply(

@@ -11,6 +11,7 @@
 
 #include "GapFiller.h"
 
+#include "PlateEnergy.h"
 #include "SiteSolver.h"
 
 #include <algorithm>
@@ -88,68 +89,22 @@ std::vector<PointId> FindNearestRim(const GapRegion& region)
 //----------------------------------------------------------------------------------------------------------------------
 // The plate
 
-/// A term of a stencil: a coefficient for the place so far from the stencil's own.
-struct Term
-{
-  int X;
-  int Y;
-  double Coefficient;
-};
-
 /// Calls visit(place, terms, weight) for each stencil of the plate's energy.
 template <typename Visitor>
 void ForEachStencil(const GapRegion& region, Visitor&& visit)
 {
-  static constexpr std::array<Term, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
-  static constexpr std::array<Term, 3> alongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
-  static constexpr std::array<Term, 4> twist = { { { 0, 0, 1.0 }, { 1, 0, -1.0 }, { 0, 1, -1.0 }, { 1, 1, 1.0 } } };
-  const auto isIn = [&](std::int64_t place) { return region.Kind[place] != PlaceKind::Other; };
-  const auto isLine = [&](std::int64_t before, std::int64_t place, std::int64_t beyond)
-  { return isIn(before) && isIn(beyond) && region.IsLinked(before, place) && region.IsLinked(place, beyond); };
-  for (std::int64_t place = 0; place < region.Near->Size(); ++place)
-  {
-    if (!isIn(place))
-    {
-      continue;
-    }
-    const std::int64_t above = region.Near->Above(place);
-    if (isLine(place - 1, place, place + 1))
-    {
-      visit(place, alongX, 1.0);
-    }
-    if (isLine(region.Near->Below(place), place, above))
-    {
-      visit(place, alongY, 1.0);
-    }
-    if (isIn(place + 1) && isIn(above) && isIn(above + 1) && region.IsWholeBlock(place))
-    {
-      visit(place, twist, 2.0);
-    }
-  }
+  ForEachPlateStencil(
+    *region.Near, [&](std::int64_t place) { return region.Kind[place] != PlaceKind::Other; },
+    [&](std::int64_t place, std::int64_t neighbour) { return region.IsLinked(place, neighbour); },
+    [&](std::int64_t place) { return region.IsWholeBlock(place); }, visit);
 }
 
 /// The matrix, with springs at the ring when their strength is above 0.
 SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
 {
   SiteSystem<2> plate(region.MakeSites(ringWeight > 0.0));
-  ForEachStencil(region,
-    [&](std::int64_t place, const auto& terms, double weight)
-    {
-      std::array<std::int32_t, 4> sites;
-      std::transform(terms.begin(), terms.end(), sites.begin(),
-        [&](const Term& term) { return plate.Sites.Number[region.Near->Beside(place, term.X, term.Y)]; });
-      for (std::size_t n = 0; n < terms.size(); ++n)
-      {
-        for (std::size_t other = 0; other < terms.size() && sites[n] != NoSite; ++other)
-        {
-          if (sites[other] != NoSite)
-          {
-            plate.Matrix[sites[n]][StencilMatrix<2>::Index(terms[other].X - terms[n].X, terms[other].Y - terms[n].Y)] +=
-              weight * terms[n].Coefficient * terms[other].Coefficient;
-          }
-        }
-      }
-    });
+  ForEachStencil(
+    region, [&](std::int64_t place, const auto& terms, double weight) { AddSquare(plate, place, terms, weight); });
   for (std::size_t site = 0; site < plate.Sites.Size(); ++site)
   {
     if (region.Kind[plate.Sites.Place[site]] == PlaceKind::Ring)
@@ -178,12 +133,12 @@ std::vector<double> PlateRightSide(
     [&](std::int64_t place, const auto& terms, double weight)
     {
       double known = 0.0;
-      for (const Term& term : terms)
+      for (const PlateTerm& term : terms)
       {
         const std::int64_t at = region.Near->Beside(place, term.X, term.Y);
         known += region.Kind[at] == PlaceKind::Ring ? term.Coefficient * height[at] : 0.0;
       }
-      for (const Term& term : terms)
+      for (const PlateTerm& term : terms)
       {
         const std::int32_t site = sites.Number[region.Near->Beside(place, term.X, term.Y)];
         if (site != NoSite)
