@@ -37,6 +37,7 @@ DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS = ("BestFirst", "Continuous", "Components")
 POLARITIES = ("Both", "Positive", "Negative")
 STRAY_PICKS = ("Stop", "LeaveOut")
+GRIDDING = ("Plate", "Nearest")
 NOT_GIVEN = argparse.SUPPRESS
 MOST = 2**31  # more than integers of stages can be
 
@@ -213,6 +214,13 @@ def _add_reader_options(group):
                        "out up to a tenth of all with a warning (default: Stop)")
     group.add_argument("--lattice-tolerance", type=_number_at_least(float, 0.0, more=True), default=NOT_GIVEN,
                        metavar="T", help="how far picks may be off their columns, as a part of a step (default: 0.1)")
+    group.add_argument("--gridding", choices=GRIDDING, default=NOT_GIVEN,
+                       help="makes horizons of picks that stand on no lattice, on the one of --column-step and --row-step, or "
+                       "one with about a column for each pick: by a plate, or the nearest pick")
+    group.add_argument("--gridding-radius", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="R",
+                       help="columns farther from all picks stay empty (default: those outside their convex hull do)")
+    group.add_argument("--gridding-smoothing", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="S",
+                       help="how much a plate may differ from picks (default: 0.01)")
     group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N",
                        help="three points of the survey, each as inline, crossline, x and y, for picks with line numbers "
                        "alone")

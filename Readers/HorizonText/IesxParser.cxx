@@ -102,7 +102,7 @@ double IesxParser::Number(std::string_view line, std::size_t first, std::size_t 
   {
     throw ErrorAt(this->Line,
       Quote(field) + " as " + name + " in the characters " + std::to_string(first) + " to " + std::to_string(last) +
-        ", expected a number; lines of 2D surveys can not be read");
+        ", expected a number");
   }
   return value;
 }
@@ -116,9 +116,21 @@ double IesxParser::OrNull(double value) const
 //----------------------------------------------------------------------------------------------------------------------
 void IesxParser::ParsePick(std::string_view line)
 {
+  // Lines of 2D surveys end with the name and the version of the line: "NL-07::2".
+  const bool is2D = line.size() > 88 && line.find("::", 88) != std::string_view::npos;
+  if (!this->Table.X.empty() && is2D == this->Table.HasLines())
+  {
+    throw ErrorAt(this->Line, "picks of 2D lines and of a 3D survey in one file, expected one of them");
+  }
   this->Table.X.push_back(this->Number(line, 1, 16, "X"));
   this->Table.Y.push_back(this->Number(line, 17, 32, "Y"));
   this->Table.Z.push_back(this->OrNull(this->Number(line, 39, 47, "Z")));
+  if (is2D)
+  {
+    this->Amplitudes.push_back(std::numeric_limits<double>::quiet_NaN());
+    this->Table.Horizon.push_back(this->Profile);
+    return;
+  }
   this->Table.Crossline.push_back(this->Number(line, 48, 57, "Crossline"));
   this->Amplitudes.push_back(this->OrNull(this->Number(line, 73, 86, "Amplitude")));
   this->Table.Inline.push_back(this->Number(line, 89, 95, "Inline"));

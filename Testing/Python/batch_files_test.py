@@ -125,6 +125,29 @@ class FilesTest(unittest.TestCase):
         code, messages, _ = self.run_program("--largest-error", "2ms", "--vertical-step", "4", SAMPLE)
         self.assertEqual((code, messages), (0, []))
 
+    def test_gridding(self):
+        """2D lines of IESX and scattered picks stand on no lattice: of a plane comes a plane."""
+        places = [(431000 + (13.7 - 0.9 * line) * n + 211.3 * line, 6348000 + 977.1 * line + 3.1 * n * (line % 3))
+                  for line in range(6) for n in range(80)]
+        heights = [1500 + 0.02 * (x - 431000) - 0.03 * (y - 6348000) for x, y in places]
+        lines = self.write("lines.dat", [
+            "PROFILE Top              TYPE 1  4" + 46 * " " + "2d_ci7m.ifdf     m ms", "SNAPPING PARAMETERS 5     0 1",
+            *("%16.8E%16.8E  0 14%9.2f%10.2f%10.2f%5d%20s NL-%02d::1" % (*place, z, n % 80, n % 80, n % 80, "", n // 80)
+              for n, (place, z) in enumerate(zip(places, heights))), "EOD"])
+        scattered = self.write("scattered.xyz", ("%.4f %.4f %.4f" % (*place, z) for place, z in zip(places, heights)))
+        for path, off in ((lines, 0.1), (scattered, 1e-3)):
+            code, messages, _ = self.run_program(path)
+            self.assertEqual((code, len(messages)), (1, 1))
+            self.assertIn("points without a lattice", messages[0])
+            self.assertIn("or Gridding", messages[0])
+            code, messages, told = self.run_program("--gridding", "Plate", "--column-step", "50", "0", "--row-step", "0", "50",
+                                                    "--origin", "431000", "6348000", "0", path)
+            self.assertEqual((code, messages), (0, []))
+            self.assertIn("50 x 50 apart", told)
+            (_, points), = reading.read(path, Gridding="Plate")[0]
+            x, y, z = vtk_to_numpy(points.GetPoints().GetData()).T
+            self.assertLess(np.abs(-z - (1500 + 0.02 * (x - 431000) - 0.03 * (y - 6348000))).max(), off)
+
     def test_back_to_points(self):
         """Grids and picks of a mesh have the places of the picks, to the error; sparse files have their columns."""
         dome = self.write_turned()

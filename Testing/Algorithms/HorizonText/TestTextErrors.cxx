@@ -81,8 +81,9 @@ void TestIesxMessages()
   CHECK_THROWS_WITH(
     Read(changed("   648.62", "      abc")), "line 3: \"abc\" as Z in the characters 39 to 47, expected");
   CHECK_THROWS_WITH(
-    Read(changed(" I    376", " I  12::1")), "line 3: \"12::1\" as Inline in the characters 89 to 95, ");
-  CHECK_THROWS_WITH(Read(changed("   914.00  ", "           ")), "lines of 2D surveys can not be read");
+    Read(changed(" I    376", " I  12:x1")), "line 3: \"12:x1\" as Inline in the characters 89 to 95, ");
+  CHECK_THROWS_WITH(Read(changed("   914.00  ", "           ")), "as Crossline in the characters 48 to 57, expected a number");
+  CHECK_THROWS_WITH(Read(changed(" I    376 XX", "NL-07::2    ")), "line 4: picks of 2D lines and of a 3D survey");
   CHECK_THROWS_WITH(Read(changed("EOD\n", "")), "end of file without a line EOD, expected one");
   CHECK_THROWS_WITH(Read(changed("EOD", "\t1x")), "line 5: \"1x\", expected z and the attribute of the pick before");
   CHECK_THROWS_WITH(Read(changed("SNAPPING", "\t1 2\nSNAPPING")), "line 2: \"1 2\", expected z and the attribute of");
