@@ -58,7 +58,15 @@ private:
       this->InPetrelHeader = StartsWith(line, "BEGIN HEADER");
       return true;
     }
-    return IsComment(line) ? this->TakeComment(line) : this->TakeRmsAttribute(line);
+    return IsComment(line) ? this->TakeComment(line) : this->IsRemark() || this->TakeRmsAttribute(line);
+  }
+
+  /// Whether the line is of a remark of OpenWorks, which may go on for several lines: the header ends behind it.
+  bool IsRemark() const
+  {
+    return this->Layout.Kind == TextKind::OpenWorks &&
+      std::any_of(this->Lines.begin() + std::ptrdiff_t(this->Line), this->Lines.end(),
+        [](std::string_view line) { return StartsWith(line, "#End_of_Horizon"); });
   }
 
   bool TakePetrelLine(std::string_view line)

@@ -125,6 +125,31 @@ class FilesTest(unittest.TestCase):
         code, messages, _ = self.run_program("--largest-error", "2ms", "--vertical-step", "4", SAMPLE)
         self.assertEqual((code, messages), (0, []))
 
+    def test_surfaces(self):
+        """Triangles of GOCAD are meshed anew, with the direction of z that the file says; of a plane comes a plane."""
+        corners = [(431000 + x, 6348000 + y, 1000 + 0.5 * x - 0.25 * y) for x, y in ((0, 0), (400, 0), (400, 300), (0, 300))]
+        for positive, sign in (("Depth", -1.0), ("Elevation", 1.0)):
+            path = self.write("top.ts", [
+                "GOCAD TSurf 1", "HEADER {", "name:Top", "}", "GOCAD_ORIGINAL_COORDINATE_SYSTEM", "NAME Default",
+                'AXIS_NAME "X" "Y" "Z"', 'AXIS_UNIT "m" "m" "ms"', "ZPOSITIVE " + positive,
+                "END_ORIGINAL_COORDINATE_SYSTEM", "TFACE",
+                *("VRTX %d %.3f %.3f %.3f" % (n + 1, *corner) for n, corner in enumerate(corners)), "TRGL 1 2 3", "TRGL 1 3 4",
+                "END"])
+            for steps, columns in (((), 7), (("--column-step", "25", "0", "--row-step", "0", "25"), 17)):
+                given = {"ColumnStep": (25.0, 0.0), "RowStep": (0.0, 25.0), "Origin": (431000.0, 6348000.0, 0.0)} if steps else {}
+                (name, points), = reading.read(path, **given)[0]
+                x, y, z = vtk_to_numpy(points.GetPoints().GetData()).T
+                self.assertEqual((name, len(set(x.round(6))) >= columns), ("Top", True))
+                self.assertLess(np.abs(z * sign - (1000 + 0.5 * (x - 431000) - 0.25 * (y - 6348000))).max(), 1e-6)
+                code, messages, told = self.run_program(*steps, path)
+                self.assertEqual((code, messages), (0, []))
+                self.assertIn("ms, growing %s" % ("down" if sign < 0 else "up"), told)
+        steep = self.write("steep.ts", ["GOCAD TSurf 1", "HEADER {", "name:Fault", "}", "TFACE", "VRTX 1 0.3 0.4 0",
+                                        "VRTX 2 0.35 99.4 0", "VRTX 3 0.3 50.4 90", "TRGL 1 2 3", "END"])
+        code, messages, _ = self.run_program("--column-step", "10", "0", "--row-step", "0", "10", steep)
+        self.assertEqual((code, len(messages)), (1, 1))
+        self.assertIn("no column under its triangles, expected some", messages[0])
+
     def test_gridding(self):
         """2D lines of IESX and scattered picks stand on no lattice: of a plane comes a plane."""
         places = [(431000 + (13.7 - 0.9 * line) * n + 211.3 * line, 6348000 + 977.1 * line + 3.1 * n * (line % 3))
@@ -188,7 +213,7 @@ class FilesTest(unittest.TestCase):
         empty.mkdir()
         for name, content, text in (
                 ("a.pdf", b"%PDF-1.4\n1 2 3\n", "not a format that is known"), ("a.bin", bytes(range(256)), "not a format"),
-                ("a.ts", b"GOCAD TSurf 1\nHEADER {\n}\n", "a.ts: lines or triangles of GOCAD, expected points")):
+                ("a.pl", b"GOCAD PLine 1\nHEADER {\n}\n", "a.pl: lines of GOCAD, expected points")):
             (self.folder / name).write_bytes(content)
             code, messages, _ = self.run_program(self.folder / name, empty, SAMPLE, "--horizons", "1")
             self.assertEqual((code, len(messages)), (1, 2), messages)

@@ -158,6 +158,8 @@ def layouts_of_programs():
                                      points=LINES, names=["Top"])
     yield "OpenWorks", Layout(ALL, head="@File_Version: 4\n#Horizon_name____-> Top\n#Export_Z_Unit___-> ms\n"
                               "#End_of_Horizon_ASCII_Header_", foot="EOB", names=["Top"])
+    yield "OpenWorks, remark", Layout(ALL, head="@File_Version: 4\n#Horizon_name____-> Top\n#Horizon_remark__-> by me in 2004\n"
+                                      "1 2 3 4 5 6\nand more\n#End_of_Horizon_ASCII_Header_", foot="EOB", names=["Top"])
     yield "EarthVision", Layout("x y z xl il", head="# Type: scattered data\n# Field: 1 x meters\n# Field: 2 y meters\n"
                                 "# Field: 3 z ms\n# Field: 4 column\n# Field: 5 row\n# End:")
     yield "RMS attributes", Layout("x y z amp", head="Float Amplitude")

@@ -9,7 +9,7 @@
 import os
 import pathlib
 
-from . import cubes, geotiff
+from . import cubes, geotiff, tsurf
 from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
@@ -22,6 +22,7 @@ READERS = {
     "vtkHorizonGridReader": "grid",
     cubes.READER: "seismic cube",
     geotiff.SOURCE: "GeoTIFF",
+    tsurf.READER: "triangles of GOCAD",
     "vtkHorizonTextReader": "text"}
 # Says what is wrong with a file that none of them knows.
 LAST_READER = "vtkHorizonTextReader"
@@ -36,8 +37,9 @@ def find_reader(path):
     """The name of the class that reads a file, by what is in it. None when there is none."""
     if geotiff.is_one(path):
         return geotiff.SOURCE
-    if _beginning(path).startswith(b"%PDF"):
-        return None  # it has lines of numbers
+    beginning = _beginning(path)
+    if beginning.startswith(b"%PDF") or beginning.upper().startswith(b"GOCAD PLINE"):
+        return None  # which have lines of numbers, or of what begins as surfaces do
     return next((name for name in READERS if name != geotiff.SOURCE and make(name).CanReadFile(os.fsencode(path))), None)
 
 
@@ -59,8 +61,14 @@ def open_file(path, **properties):
         name = LAST_READER
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
-    reader = geotiff.open_file(pathlib.Path(path)) if name == geotiff.SOURCE else make(name, FileName=str(path))
-    properties = _with_lattice(reader, properties)
+    if name == tsurf.READER:
+        given = [properties.pop(key, None) for key in ("Origin", "ColumnStep", "RowStep")]
+        properties.pop("VerticalDirection", None)  # the file says it
+        reader = tsurf.open_file(pathlib.Path(path), *given)
+    else:
+        reader = geotiff.open_file(pathlib.Path(path)) if name == geotiff.SOURCE else make(name, FileName=str(path))
+        properties = _with_lattice(reader, properties)
+    reader.kind = READERS[name]
     for name in properties:
         if not hasattr(reader, "Set" + name):
             raise HorizonError("%s: its format leaves no choice of %s" % (path, name))
@@ -81,8 +89,8 @@ def _require_points(path):
     """Raises HorizonError on what surely has none, and on surfaces, in which the text reader would miss columns."""
     beginning = _beginning(path)
     if beginning.startswith(b"GOCAD"):
-        raise HorizonError("%s: lines or triangles of GOCAD, expected points of horizons, a grid or a cube; --fault-lines "
-                           "and --fault-sticks take lines" % path)
+        raise HorizonError("%s: lines of GOCAD, expected points of horizons, a grid, a surface or a cube; --fault-lines and "
+                           "--fault-sticks take lines" % path)
     if beginning.startswith(b"%PDF") or BINARY & set(beginning) and not beginning.startswith(b"\x1f\x8b"):
         raise HorizonError("%s: not a format that is known, expected points of horizons, a grid or a cube" % path)
 
@@ -115,7 +123,7 @@ def describe(source):
     """What there is to say of a file that was opened: the kind of its format, what the reader has found as lines, and how
     many horizons it has."""
     reader = source.GetInputAlgorithm() if cubes.is_extraction(source) else source
-    form = READERS[reader.GetClassName()]
+    form = getattr(reader, "kind", "") or READERS[reader.GetClassName()]
     lines = reader.GetDescription().splitlines() if hasattr(reader, "GetDescription") else []
     return {"format": form, "description": [form, *lines] if reader.GetClassName() == geotiff.SOURCE else lines,
             "horizons_in_file": source.GetNumberOfHorizons()}
@@ -135,7 +143,7 @@ def read_source(source, path, horizons=None):
              if source.GetHorizonStatus(name)]
     if not found:
         raise HorizonError("%s: there is no point to work on" % path)
-    if source.GetClassName() == geotiff.SOURCE:  # whose horizon has no name but that of its file
+    if getattr(source, "kind", "") == READERS[geotiff.SOURCE]:  # whose horizon has no name but that of its file
         found = [(path.stem, points) for _, points in found]
     return found, seconds
 
