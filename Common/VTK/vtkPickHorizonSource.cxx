@@ -87,7 +87,7 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
   if (!this->ListedSheets || this->ListedSheets->Time.GetMTime() < changed)
   {
     this->ListedSheets.reset();
-    CheckPlacement(this->MakeOptions()); // which are not to be taken for a fault of the file
+    this->CheckParameters(); // which are not to be taken for a fault of the file
     auto list = std::make_unique<SheetList>();
     list->Placed = this->PlaceAll(monitor.Step(0.5, 1.0));
     for (const LatticeHorizon& sheet : list->Placed->Horizons)

@@ -18,6 +18,7 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -177,6 +178,57 @@ void TestPointSet()
   }
 }
 
+void CheckRefused(vtkHorizonFromPoints* filter, const std::string& message)
+{
+  const Errors errors(filter);
+  filter->Modified();
+  filter->Update();
+  CHECK_EQUAL(errors.Count(), std::size_t(1));
+  CHECK(errors.FirstContains(": " + message));
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
+}
+
+/// Points of a plane that stand on no lattice, on one that is given.
+void TestGridding()
+{
+  Numbers x, y, z;
+  for (int n = 0; n < 200; ++n)
+  {
+    x.push_back(600000.0 + 1000.0 * std::fmod(0.618034 * n * n, 1.0));
+    y.push_back(6000000.0 + 5.0 * n);
+    z.push_back(1500.0 + 0.1 * (x.back() - 600000.0) - 0.2 * (y.back() - 6000000.0));
+  }
+  vtkNew<vtkHorizonFromPoints> filter;
+  filter->SetInputDataObject(MakeTable({ { "X", x }, { "Y", y }, { "Z", z } }));
+  CheckRefused(filter, "200 points without a lattice");
+  filter->SetLatticeSourceToOriginAndSteps();
+  filter->SetOrigin(600000.0, 6000000.0);
+  filter->SetColumnStep(30.0, 40.0);
+  filter->SetRowStep(-40.0, 30.0);
+  filter->SetGriddingToPlate();
+  filter->Update();
+  vtkPolyData* const horizon = Horizon(filter);
+  CHECK(horizon->GetNumberOfPoints() > 300);
+  double off = 0.0;
+  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  {
+    const double* const place = horizon->GetPoint(point);
+    off = std::max(off, std::abs(-place[2] - 1500.0 - 0.1 * (place[0] - 600000.0) + 0.2 * (place[1] - 6000000.0)));
+  }
+  CHECK(off < 1e-6);
+  CHECK(horizon->GetPointData()->GetArray("PickDistance") != nullptr);
+  filter->SetGriddingRadius(10.0);
+  filter->SetGriddingToNearest();
+  filter->Update();
+  CHECK(Horizon(filter)->GetNumberOfPoints() < 60);
+  CHECK(Horizon(filter)->GetPointData()->GetArray("PickDistance")->GetRange()[1] <= 10.0);
+  filter->SetGriddingRadius(-1.0);
+  CheckRefused(filter, "GriddingRadius -1, expected 0 to 1e+12");
+  filter->SetGriddingRadius(0.0);
+  filter->SetDuplicatePolicyToSheets();
+  CheckRefused(filter, "DuplicatePolicy Sheets with Gridding, expected one z");
+}
+
 void TestNames()
 {
   Survey survey;
@@ -252,16 +304,6 @@ void TestChoiceAndNulls()
 }
 
 /// One error that has the text, and an empty output.
-void CheckRefused(vtkHorizonFromPoints* filter, const std::string& message)
-{
-  const Errors errors(filter);
-  filter->Modified();
-  filter->Update();
-  CHECK_EQUAL(errors.Count(), std::size_t(1));
-  CHECK(errors.FirstContains(": " + message));
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
-}
-
 void TestRefusals()
 {
   const Survey survey;
@@ -299,6 +341,7 @@ int TestHorizonFromPoints(int, char*[])
   TestLinesAndPlaces();
   TestSheets();
   TestPointSet();
+  TestGridding();
   TestNames();
   TestEqualNames();
   TestChoiceAndNulls();
