@@ -8,9 +8,13 @@
 #include "ColumnNames.h"
 #include "Common/LineErrors.h"
 #include "Common/TextFields.h"
+#include "PickBlock.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -53,27 +57,44 @@ FieldSeparator FindSeparator(const TextLines& sample)
   return FieldSeparator::Blanks;
 }
 
-/// Fields such as "604123,25", at least three in each line, and no decimal point.
-bool HaveDecimalCommas(const TextLines& sample)
+/// A number with a decimal comma, such as "604123,25".
+bool IsWithComma(std::string_view field)
 {
-  const auto isDecimal = [](std::string_view field)
-  {
-    const std::size_t comma = field.find(',');
-    return comma != std::string_view::npos && comma > 0 && field.find(',', comma + 1) == std::string_view::npos &&
-      comma + 1 < field.size() && IsDigit(field[comma - 1]) &&
-      std::all_of(field.begin() + std::ptrdiff_t(comma) + 1, field.end(), IsDigit) && IsNumber(field.substr(0, comma));
-  };
+  const std::size_t comma = field.find(',');
+  return comma != std::string_view::npos && comma > 0 && field.find(',', comma + 1) == std::string_view::npos &&
+    comma + 1 < field.size() && IsDigit(field[comma - 1]) &&
+    std::all_of(field.begin() + std::ptrdiff_t(comma) + 1, field.end(), IsDigit) && IsNumber(field.substr(0, comma));
+}
+
+/// "1,522": it may be a comma of thousands as well.
+bool MayBeThousands(std::string_view field)
+{
+  const std::size_t comma = field.find(',');
+  return !IsWithComma(field) || (comma <= 4 && field.size() - comma == 4);
+}
+
+/// Whether each line has such numbers, and no decimal point, where commas do not separate fields. Throws InputError where
+/// they may be commas of thousands.
+bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
+{
   for (const FieldSeparator separator : { FieldSeparator::Semicolon, FieldSeparator::Tab, FieldSeparator::Blanks })
   {
-    constexpr std::ptrdiff_t fewest = 3;
+    constexpr std::size_t fewestFields = 3;
+    bool mayBeThousands = true;
     if (std::all_of(sample.begin(), sample.end(),
           [&](std::string_view line)
           {
             const Fields fields = Split(line, separator);
-            return line.find('.') == std::string_view::npos &&
-              std::count_if(fields.begin(), fields.end(), isDecimal) >= fewest;
+            mayBeThousands = mayBeThousands && std::all_of(fields.begin(), fields.end(), MayBeThousands);
+            return line.find('.') == std::string_view::npos && fields.size() >= fewestFields &&
+              std::any_of(fields.begin(), fields.end(), IsWithComma);
           }))
     {
+      if (mayBeThousands)
+      {
+        throw ErrorAt(firstLine,
+          "numbers such as 1,522 with commas of decimals or of thousands, expected decimal points: replace them");
+      }
       return true;
     }
   }
@@ -266,9 +287,13 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   {
     throw InputError("no picks after " + std::to_string(layout.HeaderLines) + " lines, expected lines of numbers");
   }
-  if (HaveDecimalCommas(sample))
+  if (HaveDecimalCommas(sample, layout.HeaderLines + 1))
   {
-    throw ErrorAt(layout.HeaderLines + 1, "numbers with decimal commas, expected decimal points: replace the commas");
+    std::vector<std::string> converted;
+    std::transform(lines.begin(), lines.end(), std::back_inserter(converted), WithDecimalPoints);
+    layout = FindTextLayout(TextLines(converted.begin(), converted.end()), options);
+    layout.HasDecimalCommas = true;
+    return layout;
   }
   const std::size_t fields = Split(sample.front(), FindSeparator(sample)).size();
   constexpr std::size_t mostFields = 1000;

@@ -241,8 +241,26 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string WithDecimalPoints(std::string_view text)
+{
+  std::string points(text);
+  for (std::size_t n = 1; n + 1 < points.size(); ++n)
+  {
+    if (points[n] == ',' && IsDigit(points[n - 1]) && IsDigit(points[n + 1]))
+    {
+      points[n] = '.';
+    }
+  }
+  return points;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PickBlock ParsePicks(std::string_view lines, const TextLayout& layout)
 {
+  if (layout.HasDecimalCommas)
+  {
+    return BlockParser(layout).Parse(WithDecimalPoints(lines));
+  }
   return BlockParser(layout).Parse(lines);
 }
 }

@@ -33,6 +33,9 @@ struct PickBlock
 
 inline constexpr const char* LinesAfterEnd = "more lines after the end mark, expected none";
 
+/// Text with points for the commas between digits.
+std::string WithDecimalPoints(std::string_view text);
+
 /// Parses complete lines: the last character is a newline.
 PickBlock ParsePicks(std::string_view lines, const TextLayout& layout);
 }

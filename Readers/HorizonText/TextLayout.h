@@ -46,6 +46,7 @@ struct TextLayout
   /// are left out.
   std::vector<std::string> NamesLines;
   std::string Doubt; // what users should know of columns that were guessed
+  bool HasDecimalCommas = false; // in place of points
   bool IsGuessed = false; // the columns are known by their values alone
   std::int64_t HeaderLines = 0; // before the first pick
   std::int64_t Picks = -1; // how many a file says it has; -1 where it says nothing

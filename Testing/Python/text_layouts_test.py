@@ -198,6 +198,10 @@ def layouts_with_headers():
     yield "Two Way Time", Layout("x y z", head="X Y Two Way Time")
     yield "a title that names x and y", Layout("x y z", head="# North East Frigg")
     yield "a title that names lines", Layout(ALL, head="# Inline Crossline of East survey")
+    yield "decimal commas", Layout("x y z", head="Rechtswert;Hochwert;Z", separator=";", formats={c: comma for c in "xyz"})
+    yield "decimal commas, blanks", Layout("il xl x y z", formats={c: comma for c in "xyz"})
+    yield "decimal commas, tabs", Layout("x y z", separator="\t", formats={c: comma for c in "xyz"})
+    yield "decimal commas in z", Layout("id x y z", head="Nr;X;Y;Z", separator=";", formats={**WHOLE, "z": comma}, rounded=0.6)
     yield "dates", Layout("il xl x y z 2019-11-21")
     yield "units again", Layout(ALL, head="IL XL X Y Z\n- - m m ms", foot="IL XL X Y Z\n- - m m ms")
     yield "1e20", Layout("x y z 1e20")
@@ -218,9 +222,9 @@ def refused_layouts():
     yield "UTF-16", Layout("x y z", encoding="utf-16", refused="UTF-16")
     yield "UTF-16 without a mark", Layout("x y z", encoding="utf-16-le", refused="UTF-16")
     yield "old line ends", Layout("x y z", end="\r", refused="carriage returns")
-    yield "decimal commas", Layout("x y z", separator=";", formats={c: comma for c in "xyz"}, refused="decimal commas")
-    yield "decimal commas in z", Layout("id x y z", head="Nr;X;Y;Z", separator=";", formats={
-        **WHOLE, "z": comma}, refused="")
+    yield "commas of thousands", Layout("x y z", separator=";", formats={c: "{:,.0f}".format for c in "xyz"}, refused="")
+    yield "commas of thousands or decimals", Layout("il xl z", points=LINES, formats={"z": "{:,.0f}".format},
+                                                    refused="of decimals or of thousands")
     yield "decimal commas between commas", Layout("il xl z", separator=",", points=LINES, formats={"z": comma},
                                                   refused="decimal commas")
     yield "several unknown names", Layout("il xl x y z", head="Ligne;Trace;X;Y;Profondeur", separator=";",

@@ -82,7 +82,9 @@ READ = [
     ("units", "X Y Z\nm m ms\n" + XYZ, PLACES), ("dashes", "X Y Z\n---------\n" + XYZ, PLACES),
     ("title", "Top Jurassic, export of project 12\nby me 2020\n\nX Y Z\n" + XYZ, PLACES),
     ("percent", "% a comment\n* another one\n" + XYZ, PLACES), ("repeated", "X Y Z\n" + XYZ + "X Y Z\n", PLACES),
-    ("commas", XYZ.replace(" ", ","), PLACES), ("tabs", XYZ.replace(" ", "\t"), PLACES),
+    ("commas", XYZ.replace(" ", ","), PLACES),
+    ("decimal_commas", XYZ.replace(".", ","), PLACES),
+    ("decimal_commas_semicolons", XYZ.replace(".", ",").replace(" ", ";"), PLACES), ("tabs", XYZ.replace(" ", "\t"), PLACES),
     ("known_null", with_null(-999.25), PLACES),
     *[("name_" + word, "X,Y,Z,%s\n" % word + two("%.2f,%.2f,%.2f,"), "X, Y, Z, Name") for word in (
         "formation", "surface", "horizon_id", "marker", "unit", "strat", "event", "interp")],
@@ -125,8 +127,6 @@ REFUSED = [
                                    *local(*LOCAL).splitlines(True)[420:]]), "the farthest, line 421, by"),
     ("two_z", "X Y TWT DEPTH\n" + rows("%.2f %.2f %.2f 7", X, Y, Z), "TWT and DEPTH that both could be Z"),
     ("no_z", "X Y THICKNESS\n" + XYZ, "expected Z, and X and Y"),
-    ("decimal_commas", XYZ.replace(".", ","), "decimal commas, expected decimal points"),
-    ("decimal_commas_semicolons", XYZ.replace(".", ",").replace(" ", ";"), "decimal commas, expected decimal points"),
     ("carriage_returns", XYZ.replace("\n", "\r"), "carriage returns alone, expected line feeds")]
 
 # Name, text, and what the warning says.
