@@ -6,6 +6,7 @@
 #include "GzipStream.h"
 #include "TextWords.h"
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -55,6 +56,43 @@ std::string StemOf(const std::string& name)
     path.replace_extension();
   }
   return path.stem().u8string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string ExtensionOf(const std::string& name)
+{
+  std::filesystem::path path = std::filesystem::u8path(name);
+  if (ToLower(path.extension().u8string()) == ".gz")
+  {
+    path.replace_extension();
+  }
+  const std::string extension = ToLower(path.extension().u8string());
+  return extension.substr(std::min<std::size_t>(1, extension.size()));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string PeekText(std::istream& stream, std::size_t most)
+{
+  const std::istream::pos_type here = stream.tellg();
+  std::string bytes;
+  for (char c = 0; bytes.size() < most && stream.get(c);) // a compressed file that is cut gives single bytes, but no more
+  {
+    bytes += c;
+  }
+  stream.clear(stream.rdstate() & std::ios::badbit);
+  stream.seekg(here);
+  return std::string(WithoutByteOrderMark(bytes));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string PeekLines(std::istream& stream, std::size_t most)
+{
+  std::string text = PeekText(stream, most);
+  if (text.size() + ByteOrderMark.size() >= most)
+  {
+    text.resize(text.rfind('\n') + 1); // 0 where there is none
+  }
+  return text;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
