@@ -7,6 +7,7 @@
 #include "TextWords.h"
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -75,11 +76,18 @@ std::string PeekText(std::istream& stream, std::size_t most)
 {
   const std::istream::pos_type here = stream.tellg();
   std::string bytes;
-  for (char c = 0; bytes.size() < most && stream.get(c);) // a compressed file that is cut gives single bytes, but no more
+  try
   {
-    bytes += c;
+    for (char c = 0; bytes.size() < most && stream.get(c);)
+    {
+      bytes += c;
+    }
   }
-  stream.clear(stream.rdstate() & std::ios::badbit);
+  catch (const std::exception&)
+  {
+    // What a compressed file was made from has an end before its own where it was cut; reading it tells.
+  }
+  stream.clear();
   stream.seekg(here);
   return std::string(WithoutByteOrderMark(bytes));
 }
