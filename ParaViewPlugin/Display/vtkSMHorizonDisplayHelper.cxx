@@ -3,12 +3,11 @@
 
 #include "vtkSMHorizonDisplayHelper.h"
 
+#include "ColorRange.h"
+
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
-#include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
@@ -17,47 +16,24 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace
 {
+using SeismicHorizons::ColorRange;
+
+constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // in none of the maps
+
 bool IsNamed(vtkPVXMLElement* element, const char* name)
 {
   return std::strcmp(element->GetName(), name) == 0;
-}
-
-/// Whether a hint is for data of this kind and size.
-bool IsFor(vtkPVXMLElement* hint, vtkPVDataInformation* data)
-{
-  const char* const kind = hint->GetAttribute("data");
-  double mostPoints = std::numeric_limits<double>::infinity();
-  hint->GetScalarAttribute("most_points", &mostPoints);
-  return (!kind || (data->DataSetTypeIsA(kind) && !data->IsCompositeDataSet())) &&
-    double(data->GetNumberOfPoints()) <= mostPoints;
-}
-
-/// The hints of a producer for one of its ports, and the data that are there.
-std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port, vtkPVDataInformation* data)
-{
-  std::vector<vtkPVXMLElement*> found;
-  vtkPVXMLElement* const hints = producer->GetHints();
-  for (unsigned int n = 0; hints && n < hints->GetNumberOfNestedElements(); ++n)
-  {
-    vtkPVXMLElement* const hint = hints->GetNestedElement(n);
-    int forPort = port;
-    hint->GetScalarAttribute("port", &forPort);
-    if (IsNamed(hint, "FirstSight") && forPort == port && IsFor(hint, data))
-    {
-      found.push_back(hint);
-    }
-  }
-  return found;
 }
 
 /// Gives a property the value of an attribute, unless somebody has set it before.
@@ -68,35 +44,6 @@ void SetSize(vtkSMProxy* proxy, const char* property, vtkPVXMLElement* hint, con
   {
     vtkSMPropertyHelper(proxy, property).Set(value);
   }
-}
-
-/// An array as a hint names it.
-struct ColorArray
-{
-  std::string Name;
-  int Association = vtkDataObject::POINT;
-  double Range[2] = { 0.0, 0.0 };
-};
-
-/// Whether the array that a hint names is in the data, with more than one value.
-bool FindArray(vtkPVXMLElement* hint, vtkPVDataInformation* data, ColorArray& array)
-{
-  const char* const name = hint->GetAttribute("array");
-  if (!name)
-  {
-    return false;
-  }
-  array.Name = name;
-  array.Association = std::strcmp(hint->GetAttributeOrDefault("association", "points"), "cells") == 0
-    ? vtkDataObject::CELL
-    : vtkDataObject::POINT;
-  vtkPVArrayInformation* const found = data->GetArrayInformation(name, array.Association);
-  if (!found || found->GetNumberOfComponents() != 1)
-  {
-    return false;
-  }
-  found->GetComponentRange(0, array.Range);
-  return array.Range[0] < array.Range[1];
 }
 
 vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
@@ -183,19 +130,24 @@ bool LacksCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range
     vtkSMPropertyHelper(table, "Annotations").GetNumberOfElements() < ListCategories(map, range).size();
 }
 
-void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const double range[2])
+void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& range)
 {
   if (std::strcmp(map->GetAttributeOrDefault("indexedLookup", "false"), "true") == 0)
   {
-    ApplyCategories(table, map, range);
+    ApplyCategories(table, map, range.Ends.data());
     return;
   }
   vtkSMTransferFunctionProxy::ApplyColorMap(table, map);
-  // Colours that part from a middle have it at zero.
-  const bool isCentred = std::strcmp(map->GetAttributeOrEmpty("centred"), "true") == 0;
-  const double reach = std::fmax(std::fabs(range[0]), std::fabs(range[1]));
-  vtkSMTransferFunctionProxy::RescaleTransferFunction(
-    table, isCentred ? -reach : range[0], isCentred ? reach : range[1]);
+  if (range.IsDownwards)
+  {
+    vtkSMTransferFunctionProxy::InvertTransferFunction(table);
+  }
+  vtkSMPropertyHelper(table, "UseAboveRangeColor").Set(range.IsCut ? 1 : 0);
+  vtkSMPropertyHelper(table, "AboveRangeColor").Set(AboveColor.data(), 3);
+  // Ranges shrink when data go: the same colours in all views stand for what is shown.
+  vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").Set(vtkSMTransferFunctionManager::RESET_ON_APPLY);
+  table->UpdateVTKObjects();
+  vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range.Ends[0], range.Ends[1]);
 }
 
 /// Whether the colours of an array have been made already, or are in the user's settings.
@@ -229,22 +181,29 @@ void SetOpacity(vtkSMProxy* representation, double opacity, const double range[2
 }
 
 /// Colours a representation by an array, in colours of a map where nobody has given the array others.
-void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElement* hint, vtkPVXMLElement* map)
+void ColorBy(vtkSMProxy* representation, const ColorRange& range, vtkPVXMLElement* hint, vtkPVXMLElement* map)
 {
-  const bool isNew = !HasColors(array.Name, representation->GetSessionProxyManager());
-  if (auto* const colored = vtkSMPVRepresentationProxy::SafeDownCast(representation))
+  // What SetScalarColoring does too, but for a warning where only the representation has the array.
+  vtkNew<vtkSMTransferFunctionManager> manager;
+  vtkSMSessionProxyManager* const proxies = representation->GetSessionProxyManager();
+  const bool isNew = !HasColors(range.Array, proxies);
+  vtkSMProxy* const table = manager->GetColorTransferFunction(range.Array.c_str(), proxies);
+  vtkSMPropertyHelper(representation, "ColorArrayName").SetInputArrayToProcess(range.Association, range.Array.c_str());
+  vtkSMPropertyHelper(representation, "LookupTable").Set(table);
+  vtkSMPropertyHelper(representation, "ScalarOpacityFunction", true)
+    .Set(manager->GetOpacityTransferFunction(range.Array.c_str(), proxies));
+  if (map && table && (isNew || LacksCategories(table, map, range.Ends.data())))
   {
-    colored->SetScalarColoring(array.Name.c_str(), array.Association);
+    ApplyColors(table, map, range);
   }
-  vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
-  if (map && table && (isNew || LacksCategories(table, map, array.Range)))
+  else if (table && !range.IsOfData && SeismicHorizons::IsRescaled(table))
   {
-    ApplyColors(table, map, array.Range);
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range.Ends[0], range.Ends[1], true);
   }
   double opacity = 0.0;
   if (isNew && hint->GetScalarAttribute("opacity", &opacity))
   {
-    SetOpacity(representation, opacity, array.Range);
+    SetOpacity(representation, opacity, range.Ends.data());
   }
 }
 }
@@ -285,18 +244,19 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     return;
   }
   const int port = static_cast<int>(input.GetOutputPort());
-  vtkPVDataInformation* const data = producer->GetDataInformation(port);
   bool isColored = false;
   const char* representation = nullptr;
-  for (vtkPVXMLElement* const hint : ListHints(producer, port, data))
+  for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))
   {
     representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
     SetSize(proxy, "PointSize", hint, "point_size", initializationTimeStamp);
-    ColorArray array;
-    if (!isColored && FindArray(hint, data, array))
+    SetSize(proxy, "RenderLinesAsTubes", hint, "tubes", initializationTimeStamp);
+    SetSize(proxy, "RenderPointsAsSpheres", hint, "spheres", initializationTimeStamp);
+    ColorRange range;
+    if (!isColored && SeismicHorizons::FindRange(hint, producer, port, range))
     {
-      ColorBy(proxy, array, hint, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
+      ColorBy(proxy, range, hint, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
       isColored = true;
     }
   }
@@ -307,4 +267,8 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     proxy->GetProperty("Representation")->Modified(); // else it would count as not set
   }
   proxy->UpdateVTKObjects();
+  if (auto* const shown = vtkSMRepresentationProxy::SafeDownCast(proxy))
+  {
+    shown->PostUpdateData(false); // what is known of its arrays is from before it had data
+  }
 }

@@ -3,6 +3,8 @@
 
 #include "pqHorizonToolBar.h"
 
+#include "ColorRange.h"
+#include "FirstView.h"
 #include "SurveyAxes.h"
 #include "VerticalExaggeration.h"
 
@@ -104,8 +106,31 @@ void pqHorizonToolBar::watch(pqView* view)
 {
   this->connect(view, &pqView::representationAdded, this,
     [view](pqRepresentation* representation)
-    { ExaggerateRepresentation(representation->getProxy(), view->getProxy()); });
-  this->connect(view, &pqView::updateDataEvent, this, [view]() { RefreshSurveyAxes(view->getProxy()); });
+    {
+      if (SetFirstView(view->getProxy(), representation->getProxy()))
+      {
+        // Once ParaView has brought into sight what is new, with much room around it.
+        QTimer::singleShot(0, view, [view]() { view->resetDisplay(true); });
+      }
+      HideInputs(view->getProxy(), representation->getProxy());
+      ExaggerateRepresentation(representation->getProxy(), view->getProxy());
+    });
+  this->connect(view, &pqView::representationRemoved, this, [view]() { ForgetEmptyView(view->getProxy()); });
+  this->connect(view, &pqView::updateDataEvent, this,
+    [this, view]()
+    {
+      RefreshSurveyAxes(view->getProxy());
+      this->Updated.insert(view);
+    });
+  // Once ParaView has given the colours its own ranges.
+  this->connect(view, &pqView::beginRender, this,
+    [this, view]()
+    {
+      if (this->Updated.remove(view))
+      {
+        RefreshRanges(view->getProxy());
+      }
+    });
   // A script, a state file or undo may have changed it.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
 }

@@ -11,6 +11,7 @@
 #ifndef pqHorizonToolBar_h
 #define pqHorizonToolBar_h
 
+#include <QSet>
 #include <QToolBar>
 
 class QAction;
@@ -41,6 +42,7 @@ private:
 
   QComboBox* Factor;
   QAction* Axes;
+  QSet<pqView*> Updated; // whose colours may not suit the data any more
 };
 
 #endif
