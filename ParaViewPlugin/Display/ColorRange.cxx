@@ -26,6 +26,21 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr const char* OwnRange = "SeismicHorizons.Range";
+
+std::string DescribeRange(vtkSMProxy* table)
+{
+  double ends[2] = { 0.0, 0.0 };
+  vtkSMTransferFunctionProxy::GetRange(table, ends);
+  return std::to_string(ends[0]) + " " + std::to_string(ends[1]);
+}
+
+/// Whether colours have the range that SetRange has given them.
+bool HasOwnRange(vtkSMProxy* table)
+{
+  return table->HasAnnotation(OwnRange) && DescribeRange(table) == table->GetAnnotation(OwnRange);
+}
+
 /// Whether a hint is for data of this kind and size.
 bool IsFor(vtkPVXMLElement* hint, vtkPVDataInformation* data)
 {
@@ -146,11 +161,22 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool IsRescaled(vtkSMProxy* table)
+void SetRange(vtkSMProxy* table, const std::array<double, 2>& ends)
 {
-  return vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").GetAsInt() ==
-    vtkSMTransferFunctionManager::RESET_ON_APPLY &&
-    vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 0;
+  vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").Set(vtkSMTransferFunctionManager::NEVER);
+  vtkSMTransferFunctionProxy::RescaleTransferFunction(table, ends[0], ends[1]);
+  table->UpdateVTKObjects();
+  table->SetAnnotation(OwnRange, DescribeRange(table).c_str());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ExtendRange(vtkSMProxy* table, const ColorRange& range)
+{
+  double ends[2];
+  if (HasOwnRange(table) && vtkSMTransferFunctionProxy::GetRange(table, ends))
+  {
+    SetRange(table, { std::min(ends[0], range.Ends[0]), std::max(ends[1], range.Ends[1]) });
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -161,7 +187,7 @@ void RefreshRanges(vtkSMProxy* view)
   {
     vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy();
     ColorRange range;
-    if (FindShownData(representation) && table && IsRescaled(table) && FindRange(representation, range))
+    if (FindShownData(representation) && table && HasOwnRange(table) && FindRange(representation, range))
     {
       const auto [place, isNew] = ranges.insert({ table, range.Ends });
       place->second = { std::min(place->second[0], range.Ends[0]), std::max(place->second[1], range.Ends[1]) };
@@ -169,7 +195,7 @@ void RefreshRanges(vtkSMProxy* view)
   }
   for (const auto& [table, range] : ranges)
   {
-    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range[0], range[1]);
+    SetRange(table, range);
     FormatEnds(vtkSMTransferFunctionProxy::FindScalarBarRepresentation(table, view), range);
   }
 }

@@ -32,8 +32,11 @@ std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port);
 /// Finds the range of what a hint colours by; false where it is not in the data, or has one value.
 bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, ColorRange& range);
 
-/// Whether the range of colours follows the data, and nobody has set it.
-bool IsRescaled(vtkSMProxy* table);
+/// Gives colours a range that is not that of the data. ParaView leaves it alone then.
+void SetRange(vtkSMProxy* table, const std::array<double, 2>& ends);
+
+/// Widens a range that SetRange has set, and nobody else since.
+void ExtendRange(vtkSMProxy* table, const ColorRange& range);
 
 /// Gives the colours of a view ranges as the hints have them, where data have changed.
 void RefreshRanges(vtkSMProxy* view);

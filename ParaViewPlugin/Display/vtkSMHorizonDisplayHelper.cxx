@@ -7,9 +7,11 @@
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMCoreUtilities.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRepresentationProxy.h"
@@ -29,6 +31,7 @@ namespace
 {
 using SeismicHorizons::ColorRange;
 
+constexpr const char* Empty = "SeismicHorizons.Empty"; // had no data when it was shown first
 constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // in none of the maps
 
 bool IsNamed(vtkPVXMLElement* element, const char* name)
@@ -59,26 +62,16 @@ vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
   return nullptr;
 }
 
-/// What stands for each category: a value, and the text of the legend.
-using Categories = std::vector<std::string>;
-
-/// The annotations of a colour map; without them, the whole numbers of a range.
-Categories ListCategories(vtkPVXMLElement* map, const double range[2])
+/// What stands for each category of a colour map: a value, and the text of the legend.
+std::vector<std::string> ListCategories(vtkPVXMLElement* map)
 {
-  Categories categories;
+  std::vector<std::string> categories;
   for (unsigned int n = 0; n < map->GetNumberOfNestedElements(); ++n)
   {
     vtkPVXMLElement* const entry = map->GetNestedElement(n);
     if (IsNamed(entry, "Annotation"))
     {
       categories.insert(categories.end(), { entry->GetAttributeOrEmpty("v"), entry->GetAttributeOrEmpty("t") });
-    }
-  }
-  if (categories.empty())
-  {
-    for (long long value = std::llround(range[0]); value <= std::llround(range[1]); ++value)
-    {
-      categories.insert(categories.end(), 2, std::to_string(value));
     }
   }
   return categories;
@@ -103,14 +96,10 @@ std::vector<double> ListColors(vtkPVXMLElement* map)
   return colors;
 }
 
-void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range[2])
+void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map)
 {
+  const std::vector<std::string> categories = ListCategories(map);
   const std::vector<double> colors = ListColors(map);
-  if (range[1] - range[0] + 1.0 > double(colors.size() / 3))
-  {
-    return; // too many of them to tell apart
-  }
-  const Categories categories = ListCategories(map, range);
   vtkSMPropertyHelper(table, "IndexedLookup").Set(1);
   vtkSMPropertyHelper annotations(table, "Annotations");
   annotations.SetNumberOfElements(static_cast<unsigned int>(categories.size()));
@@ -122,19 +111,11 @@ void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range
   table->UpdateVTKObjects();
 }
 
-/// Whether colours are categories that were applied before, and data with more of them have come.
-bool LacksCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range[2])
-{
-  return vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 1 &&
-    vtkSMPropertyHelper(table, "IndexedColors").GetDoubleArray() == ListColors(map) &&
-    vtkSMPropertyHelper(table, "Annotations").GetNumberOfElements() < ListCategories(map, range).size();
-}
-
 void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& range)
 {
   if (std::strcmp(map->GetAttributeOrDefault("indexedLookup", "false"), "true") == 0)
   {
-    ApplyCategories(table, map, range.Ends.data());
+    ApplyCategories(table, map);
     return;
   }
   vtkSMTransferFunctionProxy::ApplyColorMap(table, map);
@@ -144,16 +125,22 @@ void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& rang
   }
   vtkSMPropertyHelper(table, "UseAboveRangeColor").Set(range.IsCut ? 1 : 0);
   vtkSMPropertyHelper(table, "AboveRangeColor").Set(AboveColor.data(), 3);
-  // Ranges shrink when data go: the same colours in all views stand for what is shown.
-  vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").Set(vtkSMTransferFunctionManager::RESET_ON_APPLY);
   table->UpdateVTKObjects();
-  vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range.Ends[0], range.Ends[1]);
+  if (range.IsOfData)
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range.Ends[0], range.Ends[1]);
+  }
+  else
+  {
+    SeismicHorizons::SetRange(table, range.Ends);
+  }
 }
 
 /// Whether the colours of an array have been made already, or are in the user's settings.
 bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
 {
-  const std::string end = "." + array + ".PVLookupTable";
+  const std::string known = vtkSMCoreUtilities::SanitizeName(array.c_str());
+  const std::string end = "." + known + ".PVLookupTable";
   const unsigned int count = proxies->GetNumberOfProxies("lookup_tables");
   for (unsigned int n = 0; n < count; ++n)
   {
@@ -163,7 +150,7 @@ bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
       return true;
     }
   }
-  return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + known).c_str());
 }
 
 /// Makes a volume clear at the least value, and equally opaque at all from the next whole number on.
@@ -192,13 +179,13 @@ void ColorBy(vtkSMProxy* representation, const ColorRange& range, vtkPVXMLElemen
   vtkSMPropertyHelper(representation, "LookupTable").Set(table);
   vtkSMPropertyHelper(representation, "ScalarOpacityFunction", true)
     .Set(manager->GetOpacityTransferFunction(range.Array.c_str(), proxies));
-  if (map && table && (isNew || LacksCategories(table, map, range.Ends.data())))
+  if (map && isNew)
   {
     ApplyColors(table, map, range);
   }
-  else if (table && !range.IsOfData && SeismicHorizons::IsRescaled(table))
+  else if (!range.IsOfData)
   {
-    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range.Ends[0], range.Ends[1], true);
+    SeismicHorizons::ExtendRange(table, range);
   }
   double opacity = 0.0;
   if (isNew && hint->GetScalarAttribute("opacity", &opacity))
@@ -234,6 +221,23 @@ void vtkSMHorizonDisplayHelper::Register()
 }
 
 //------------------------------------------------------------------------------
+bool vtkSMHorizonDisplayHelper::ShowLate(vtkSMProxy* representation)
+{
+  if (!representation->HasAnnotation(Empty))
+  {
+    return false;
+  }
+  vtkPVXMLElement* const hints = representation->GetHints();
+  vtkPVXMLElement* const xml = hints ? hints->FindNestedElementByName("InitializationHelper") : nullptr;
+  if (xml)
+  {
+    vtkNew<vtkSMHorizonDisplayHelper> helper;
+    helper->PostInitializeProxy(representation, xml, VTK_MTIME_MAX);
+  }
+  return xml && !representation->HasAnnotation(Empty);
+}
+
+//------------------------------------------------------------------------------
 void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp)
 {
@@ -244,6 +248,12 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     return;
   }
   const int port = static_cast<int>(input.GetOutputPort());
+  if (producer->GetDataInformation(static_cast<unsigned int>(port))->GetNumberOfPoints() == 0)
+  {
+    proxy->SetAnnotation(Empty, "1");
+    return;
+  }
+  proxy->RemoveAnnotation(Empty);
   bool isColored = false;
   const char* representation = nullptr;
   for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))

@@ -23,11 +23,10 @@
  *
  * `range` is "data" where it is not given; "centred", as far below zero as above; or a figure in the field data (of its
  * components, that of the filter's property `unit`) where the colours end, with one more colour for what is above. Ranges
- * follow the data until somebody sets another one.
+ * but "data" follow what a window shows until somebody sets another one.
  *
  * `colors` is the name of a ColorMap in the hint of the representation, in ParaView's format of colour maps in XML, from
- * low to high. Categories are annotated by the elements Annotation of the map; of arrays with more numbers than the map
- * has colours, ParaView's own colours stay. Colours that somebody has chosen for an array before are left alone.
+ * low to high. Categories are those of the elements Annotation of the map. Colours that somebody has chosen for an array before are left alone.
  *
  * Where `hides_inputs` is 1, what led to a stage is hidden in a view once the stage is shown there, not only its input.
  *
@@ -52,6 +51,9 @@ public:
   static void Register();
 
   void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
+
+  /// Does the same once data have come where there were none at first: after an error, or a stop. True where it was done.
+  static bool ShowLate(vtkSMProxy* representation);
 
 protected:
   vtkSMHorizonDisplayHelper();

@@ -7,6 +7,8 @@
 #include "FirstView.h"
 #include "SurveyAxes.h"
 #include "VerticalExaggeration.h"
+#include "ViewContents.h"
+#include "vtkSMHorizonDisplayHelper.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -22,6 +24,7 @@
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
+#include <vtkSMPVRepresentationProxy.h>
 
 namespace
 {
@@ -105,17 +108,13 @@ pqHorizonToolBar::~pqHorizonToolBar() = default;
 void pqHorizonToolBar::watch(pqView* view)
 {
   this->connect(view, &pqView::representationAdded, this,
-    [view](pqRepresentation* representation)
+    [this, view](pqRepresentation* representation) { this->take(view, representation->getProxy()); });
+  this->connect(view, &pqView::representationRemoved, this,
+    [this, view]()
     {
-      if (SetFirstView(view->getProxy(), representation->getProxy()))
-      {
-        // Once ParaView has brought into sight what is new, with much room around it.
-        QTimer::singleShot(0, view, [view]() { view->resetDisplay(true); });
-      }
-      HideInputs(view->getProxy(), representation->getProxy());
-      ExaggerateRepresentation(representation->getProxy(), view->getProxy());
+      ForgetEmptyView(view->getProxy());
+      this->Updated.insert(view);
     });
-  this->connect(view, &pqView::representationRemoved, this, [view]() { ForgetEmptyView(view->getProxy()); });
   this->connect(view, &pqView::updateDataEvent, this,
     [this, view]()
     {
@@ -128,11 +127,37 @@ void pqHorizonToolBar::watch(pqView* view)
     {
       if (this->Updated.remove(view))
       {
-        RefreshRanges(view->getProxy());
+        this->refresh(view);
       }
     });
   // A script, a state file or undo may have changed it.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
+{
+  if (SetFirstView(view->getProxy(), representation))
+  {
+    // Once ParaView has brought into sight what is new, with much room around it.
+    QTimer::singleShot(0, view, [view]() { view->resetDisplay(true); });
+  }
+  HideInputs(view->getProxy(), representation);
+  ExaggerateRepresentation(representation, view->getProxy());
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::refresh(pqView* view)
+{
+  for (vtkSMProxy* const representation : ListRepresentations(view->getProxy()))
+  {
+    if (FindShownData(representation) && vtkSMHorizonDisplayHelper::ShowLate(representation))
+    {
+      vtkSMPVRepresentationProxy::SetScalarBarVisibility(representation, view->getProxy(), true);
+      this->take(view, representation);
+    }
+  }
+  RefreshRanges(view->getProxy());
 }
 
 //------------------------------------------------------------------------------

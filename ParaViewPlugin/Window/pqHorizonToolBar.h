@@ -17,6 +17,7 @@
 class QAction;
 class QComboBox;
 class pqView;
+class vtkSMProxy;
 
 class pqHorizonToolBar : public QToolBar
 {
@@ -35,6 +36,10 @@ private Q_SLOTS:
   void showAxes(bool areShown);
 
 private:
+  /// Shows in a view what has come into it as it looks best there.
+  void take(pqView* view, vtkSMProxy* representation);
+  /// Suits a view to data that have changed.
+  void refresh(pqView* view);
   void showFactor();
   void setFactor(double factor);
   /// Says why there are no axes that count lines.
