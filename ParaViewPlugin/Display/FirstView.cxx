@@ -4,6 +4,7 @@
 #include "FirstView.h"
 
 #include "ColorRange.h"
+#include "VerticalAxis.h"
 #include "VerticalExaggeration.h"
 #include "ViewContents.h"
 
@@ -23,6 +24,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -32,14 +35,6 @@ namespace
 using Direction = std::array<double, 3>;
 
 constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // to the eye
-
-/// Whether a view shows data besides those of one representation.
-bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
-{
-  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
-  return std::any_of(all.begin(), all.end(),
-    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
-}
 
 /// Where to look from: sideways where a lattice is one line.
 Direction FindDirection(const std::vector<double>& dimensions, const std::vector<double>& toWorld)
@@ -88,10 +83,18 @@ void LookFrom(vtkSMProxy* view, const Direction& direction)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
+  return std::any_of(all.begin(), all.end(),
+    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
 {
   vtkPVDataInformation* const data = FindShownData(representation);
-  if (!data || ShowsOthers(view, representation))
+  if (!data)
   {
     return false;
   }
@@ -125,6 +128,30 @@ void HideInputs(vtkSMProxy* view, vtkSMProxy* representation)
       vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
       controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
     }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NameVerticalAxis(vtkSMProxy* view)
+{
+  std::set<std::string> units;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    vtkPVDataInformation* const data = FindShownData(representation);
+    const VerticalAxis axis = data ? ReadVerticalAxis(data) : VerticalAxis();
+    if (!axis.Name.empty())
+    {
+      units.insert(axis.Unit);
+    }
+  }
+  vtkSMProxy* const axes = FindAxes(view);
+  const std::string title = units.size() == 1 && !units.begin()->empty() ? "Z (" + *units.begin() + ")" : "Z Axis";
+  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : title;
+  const bool isOwn = present == "Z Axis" || present.rfind("Z (", 0) == 0;
+  if (isOwn && present != title)
+  {
+    vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());
+    axes->UpdateVTKObjects();
   }
 }
 

@@ -10,13 +10,19 @@ class vtkSMProxy;
 
 namespace SeismicHorizons
 {
+/// Whether a view shows data besides those of one representation.
+bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation);
+
 /// Looks obliquely at what has come into an empty view, and exaggerates its heights where it is flat; at a line of a
-/// survey from its side. Nothing is done where something else is shown, or where what has come is not of a survey. The
-/// camera gets its direction alone, and has to be moved to where the data are; false where nothing was done.
+/// survey from its side. The camera gets its direction alone, and has to be moved to where the data are. False where
+/// nothing was done, as the data are not of a survey.
 bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation);
 
 /// Hides in a view what led to a stage whose hints ask for that.
 void HideInputs(vtkSMProxy* view, vtkSMProxy* representation);
+
+/// Writes the unit of z at the vertical axis of a view, where all that is shown has the same.
+void NameVerticalAxis(vtkSMProxy* view);
 
 /// Takes the exaggeration back once nothing is left in a view.
 void ForgetEmptyView(vtkSMProxy* view);

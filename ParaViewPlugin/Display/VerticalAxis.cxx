@@ -25,6 +25,7 @@ VerticalAxis NameAxis(double direction, const std::string& unit, const std::stri
   const bool isTime = domain == "time" ||
     (domain.empty() && std::find(unitsOfTime.begin(), unitsOfTime.end(), unit) != unitsOfTime.end());
   VerticalAxis axis;
+  axis.Unit = unit;
   axis.IsDownwards = direction < 0.0;
   axis.Name = isTime ? "Time" : axis.IsDownwards ? "Depth" : "Elevation";
   axis.Name += unit.empty() ? "" : " (" + unit + ")";

@@ -17,6 +17,7 @@ namespace SeismicHorizons
 struct VerticalAxis
 {
   std::string Name; ///< empty where nothing tells which way is down
+  std::string Unit; ///< empty where it is not known
   bool IsDownwards = true; ///< counts -z
 };
 

@@ -25,6 +25,7 @@
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
 #include <vtkSMPVRepresentationProxy.h>
+#include <vtkSmartPointer.h>
 
 namespace
 {
@@ -137,10 +138,18 @@ void pqHorizonToolBar::watch(pqView* view)
 //------------------------------------------------------------------------------
 void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
 {
-  if (SetFirstView(view->getProxy(), representation))
+  if (!ShowsOthers(view->getProxy(), representation))
   {
-    // Once ParaView has brought into sight what is new, with much room around it.
-    QTimer::singleShot(0, view, [view]() { view->resetDisplay(true); });
+    // After ParaView, which looks along an axis at what is flat there.
+    const vtkSmartPointer<vtkSMProxy> first = representation;
+    QTimer::singleShot(0, view,
+      [view, first]()
+      {
+        if (SetFirstView(view->getProxy(), first))
+        {
+          view->resetDisplay(true);
+        }
+      });
   }
   HideInputs(view->getProxy(), representation);
   ExaggerateRepresentation(representation, view->getProxy());
@@ -158,6 +167,7 @@ void pqHorizonToolBar::refresh(pqView* view)
     }
   }
   RefreshRanges(view->getProxy());
+  NameVerticalAxis(view->getProxy());
 }
 
 //------------------------------------------------------------------------------
