@@ -7,6 +7,7 @@
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
+#include "Common/VTK/VersionDifferences.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/RankedHorizons.h"
@@ -87,6 +88,6 @@ int vtkHorizonAlgorithm::RequestData(
   };
   this->Results.clear();
   const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
-  this->Results = done ? report.Text() : std::string();
+  this->Results = IsAborted(this) ? "stopped before the end: nothing was made\n" : done ? report.Text() : std::string();
   return done;
 }

@@ -48,7 +48,8 @@ public:
    * What the last update made of each horizon: points before and after, and the figures that the stage put into the
    * field data.
    *
-   * Lines of text. Each process has a text of its own horizons. Empty before the first update, and after an error.
+   * Lines of text. Each process has a text of its own horizons. Empty before the first update, and after an error;
+   * after a stop they say so.
    */
   const char* GetResults() { return this->Results.c_str(); }
 

@@ -5,6 +5,7 @@
 
 #include "Common/Monitor.h"
 #include "Common/Survey/SurveyHorizons.h"
+#include "Common/Survey/Units.h"
 #include "HorizonDataSet.h"
 
 #include "vtkPolyData.h"
@@ -97,7 +98,11 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
   LatticeFrame frame;
   frame.Survey = survey.Survey;
-  Override(frame.Survey.VerticalUnit, this->VerticalUnit);
+  if (this->VerticalUnit && *this->VerticalUnit)
+  {
+    frame.Survey.VerticalDomain.clear(); // it follows from the unit
+    SeismicHorizons::SetVerticalUnit(frame.Survey, this->VerticalUnit);
+  }
   Override(frame.Survey.VerticalDomain, this->VerticalDomain);
   Override(frame.Survey.HorizontalUnit, this->HorizontalUnit);
   Override(frame.Survey.CoordinateSystem, this->CoordinateSystem);

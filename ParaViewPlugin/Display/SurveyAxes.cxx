@@ -11,7 +11,6 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
-#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -47,24 +46,6 @@ struct Survey
   std::array<Lines, 2> Directions; // right-handed, seen from +z: axes would hide behind the data otherwise
   std::array<double, 2> Origin = {}; // world x and y of the first line of both
 };
-
-/// The values of a field data array with one tuple; none where it is not there, or has others in other blocks.
-std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count)
-{
-  vtkPVArrayInformation* const array = data->GetArrayInformation(name, vtkDataObject::FIELD);
-  std::vector<double> values;
-  for (int n = 0; array && array->GetNumberOfComponents() == count && n < count; ++n)
-  {
-    double range[2];
-    array->GetComponentRange(n, range);
-    if (range[0] != range[1])
-    {
-      return {};
-    }
-    values.push_back(range[0]);
-  }
-  return values;
-}
 
 double Cross(const std::array<double, 2>& a, const std::array<double, 2>& b)
 {

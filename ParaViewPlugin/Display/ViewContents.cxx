@@ -3,6 +3,9 @@
 
 #include "ViewContents.h"
 
+#include "vtkDataObject.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -28,6 +31,24 @@ vtkPVDataInformation* FindShownData(vtkSMProxy* representation)
   auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   const bool isShown = source && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
   return isShown ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count)
+{
+  vtkPVArrayInformation* const array = data->GetArrayInformation(name, vtkDataObject::FIELD);
+  std::vector<double> values;
+  for (int n = 0; array && array->GetNumberOfComponents() == count && n < count; ++n)
+  {
+    double range[2];
+    array->GetComponentRange(n, range);
+    if (range[0] != range[1])
+    {
+      return {};
+    }
+    values.push_back(range[0]);
+  }
+  return values;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -18,6 +18,9 @@ std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view);
 /// What a representation shows; null where it is hidden, or shows no data.
 vtkPVDataInformation* FindShownData(vtkSMProxy* representation);
 
+/// The values of a field data array with one tuple; none where it is not there, or has others in other blocks.
+std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count);
+
 /// The axes of a view; null where it has none.
 vtkSMProxy* FindAxes(vtkSMProxy* view);
 }

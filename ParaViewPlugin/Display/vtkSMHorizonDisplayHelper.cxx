@@ -3,61 +3,40 @@
 
 #include "vtkSMHorizonDisplayHelper.h"
 
+#include "ColorRange.h"
+
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
-#include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMCoreUtilities.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace
 {
+using SeismicHorizons::ColorRange;
+
+constexpr const char* Empty = "SeismicHorizons.Empty"; // had no data when it was shown first
+constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // in none of the maps
+
 bool IsNamed(vtkPVXMLElement* element, const char* name)
 {
   return std::strcmp(element->GetName(), name) == 0;
-}
-
-/// Whether a hint is for data of this kind and size.
-bool IsFor(vtkPVXMLElement* hint, vtkPVDataInformation* data)
-{
-  const char* const kind = hint->GetAttribute("data");
-  double mostPoints = std::numeric_limits<double>::infinity();
-  hint->GetScalarAttribute("most_points", &mostPoints);
-  return (!kind || (data->DataSetTypeIsA(kind) && !data->IsCompositeDataSet())) &&
-    double(data->GetNumberOfPoints()) <= mostPoints;
-}
-
-/// The hints of a producer for one of its ports, and the data that are there.
-std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port, vtkPVDataInformation* data)
-{
-  std::vector<vtkPVXMLElement*> found;
-  vtkPVXMLElement* const hints = producer->GetHints();
-  for (unsigned int n = 0; hints && n < hints->GetNumberOfNestedElements(); ++n)
-  {
-    vtkPVXMLElement* const hint = hints->GetNestedElement(n);
-    int forPort = port;
-    hint->GetScalarAttribute("port", &forPort);
-    if (IsNamed(hint, "FirstSight") && forPort == port && IsFor(hint, data))
-    {
-      found.push_back(hint);
-    }
-  }
-  return found;
 }
 
 /// Gives a property the value of an attribute, unless somebody has set it before.
@@ -68,35 +47,6 @@ void SetSize(vtkSMProxy* proxy, const char* property, vtkPVXMLElement* hint, con
   {
     vtkSMPropertyHelper(proxy, property).Set(value);
   }
-}
-
-/// An array as a hint names it.
-struct ColorArray
-{
-  std::string Name;
-  int Association = vtkDataObject::POINT;
-  double Range[2] = { 0.0, 0.0 };
-};
-
-/// Whether the array that a hint names is in the data, with more than one value.
-bool FindArray(vtkPVXMLElement* hint, vtkPVDataInformation* data, ColorArray& array)
-{
-  const char* const name = hint->GetAttribute("array");
-  if (!name)
-  {
-    return false;
-  }
-  array.Name = name;
-  array.Association = std::strcmp(hint->GetAttributeOrDefault("association", "points"), "cells") == 0
-    ? vtkDataObject::CELL
-    : vtkDataObject::POINT;
-  vtkPVArrayInformation* const found = data->GetArrayInformation(name, array.Association);
-  if (!found || found->GetNumberOfComponents() != 1)
-  {
-    return false;
-  }
-  found->GetComponentRange(0, array.Range);
-  return array.Range[0] < array.Range[1];
 }
 
 vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
@@ -112,26 +62,16 @@ vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
   return nullptr;
 }
 
-/// What stands for each category: a value, and the text of the legend.
-using Categories = std::vector<std::string>;
-
-/// The annotations of a colour map; without them, the whole numbers of a range.
-Categories ListCategories(vtkPVXMLElement* map, const double range[2])
+/// What stands for each category of a colour map: a value, and the text of the legend.
+std::vector<std::string> ListCategories(vtkPVXMLElement* map)
 {
-  Categories categories;
+  std::vector<std::string> categories;
   for (unsigned int n = 0; n < map->GetNumberOfNestedElements(); ++n)
   {
     vtkPVXMLElement* const entry = map->GetNestedElement(n);
     if (IsNamed(entry, "Annotation"))
     {
       categories.insert(categories.end(), { entry->GetAttributeOrEmpty("v"), entry->GetAttributeOrEmpty("t") });
-    }
-  }
-  if (categories.empty())
-  {
-    for (long long value = std::llround(range[0]); value <= std::llround(range[1]); ++value)
-    {
-      categories.insert(categories.end(), 2, std::to_string(value));
     }
   }
   return categories;
@@ -156,14 +96,10 @@ std::vector<double> ListColors(vtkPVXMLElement* map)
   return colors;
 }
 
-void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range[2])
+void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map)
 {
+  const std::vector<std::string> categories = ListCategories(map);
   const std::vector<double> colors = ListColors(map);
-  if (range[1] - range[0] + 1.0 > double(colors.size() / 3))
-  {
-    return; // too many of them to tell apart
-  }
-  const Categories categories = ListCategories(map, range);
   vtkSMPropertyHelper(table, "IndexedLookup").Set(1);
   vtkSMPropertyHelper annotations(table, "Annotations");
   annotations.SetNumberOfElements(static_cast<unsigned int>(categories.size()));
@@ -175,33 +111,36 @@ void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range
   table->UpdateVTKObjects();
 }
 
-/// Whether colours are categories that were applied before, and data with more of them have come.
-bool LacksCategories(vtkSMProxy* table, vtkPVXMLElement* map, const double range[2])
-{
-  return vtkSMPropertyHelper(table, "IndexedLookup").GetAsInt() == 1 &&
-    vtkSMPropertyHelper(table, "IndexedColors").GetDoubleArray() == ListColors(map) &&
-    vtkSMPropertyHelper(table, "Annotations").GetNumberOfElements() < ListCategories(map, range).size();
-}
-
-void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const double range[2])
+void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& range)
 {
   if (std::strcmp(map->GetAttributeOrDefault("indexedLookup", "false"), "true") == 0)
   {
-    ApplyCategories(table, map, range);
+    ApplyCategories(table, map);
     return;
   }
   vtkSMTransferFunctionProxy::ApplyColorMap(table, map);
-  // Colours that part from a middle have it at zero.
-  const bool isCentred = std::strcmp(map->GetAttributeOrEmpty("centred"), "true") == 0;
-  const double reach = std::fmax(std::fabs(range[0]), std::fabs(range[1]));
-  vtkSMTransferFunctionProxy::RescaleTransferFunction(
-    table, isCentred ? -reach : range[0], isCentred ? reach : range[1]);
+  if (range.IsDownwards)
+  {
+    vtkSMTransferFunctionProxy::InvertTransferFunction(table);
+  }
+  vtkSMPropertyHelper(table, "UseAboveRangeColor").Set(range.IsCut ? 1 : 0);
+  vtkSMPropertyHelper(table, "AboveRangeColor").Set(AboveColor.data(), 3);
+  table->UpdateVTKObjects();
+  if (range.IsOfData)
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, range.Ends[0], range.Ends[1]);
+  }
+  else
+  {
+    SeismicHorizons::SetRange(table, range.Ends);
+  }
 }
 
 /// Whether the colours of an array have been made already, or are in the user's settings.
 bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
 {
-  const std::string end = "." + array + ".PVLookupTable";
+  const std::string known = vtkSMCoreUtilities::SanitizeName(array.c_str());
+  const std::string end = "." + known + ".PVLookupTable";
   const unsigned int count = proxies->GetNumberOfProxies("lookup_tables");
   for (unsigned int n = 0; n < count; ++n)
   {
@@ -211,7 +150,7 @@ bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
       return true;
     }
   }
-  return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + known).c_str());
 }
 
 /// Makes a volume clear at the least value, and equally opaque at all from the next whole number on.
@@ -229,22 +168,29 @@ void SetOpacity(vtkSMProxy* representation, double opacity, const double range[2
 }
 
 /// Colours a representation by an array, in colours of a map where nobody has given the array others.
-void ColorBy(vtkSMProxy* representation, const ColorArray& array, vtkPVXMLElement* hint, vtkPVXMLElement* map)
+void ColorBy(vtkSMProxy* representation, const ColorRange& range, vtkPVXMLElement* hint, vtkPVXMLElement* map)
 {
-  const bool isNew = !HasColors(array.Name, representation->GetSessionProxyManager());
-  if (auto* const colored = vtkSMPVRepresentationProxy::SafeDownCast(representation))
+  // What SetScalarColoring does too, but for a warning where only the representation has the array.
+  vtkNew<vtkSMTransferFunctionManager> manager;
+  vtkSMSessionProxyManager* const proxies = representation->GetSessionProxyManager();
+  const bool isNew = !HasColors(range.Array, proxies);
+  vtkSMProxy* const table = manager->GetColorTransferFunction(range.Array.c_str(), proxies);
+  vtkSMPropertyHelper(representation, "ColorArrayName").SetInputArrayToProcess(range.Association, range.Array.c_str());
+  vtkSMPropertyHelper(representation, "LookupTable").Set(table);
+  vtkSMPropertyHelper(representation, "ScalarOpacityFunction", true)
+    .Set(manager->GetOpacityTransferFunction(range.Array.c_str(), proxies));
+  if (map && isNew)
   {
-    colored->SetScalarColoring(array.Name.c_str(), array.Association);
+    ApplyColors(table, map, range);
   }
-  vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
-  if (map && table && (isNew || LacksCategories(table, map, array.Range)))
+  else if (!range.IsOfData)
   {
-    ApplyColors(table, map, array.Range);
+    SeismicHorizons::ExtendRange(table, range);
   }
   double opacity = 0.0;
   if (isNew && hint->GetScalarAttribute("opacity", &opacity))
   {
-    SetOpacity(representation, opacity, array.Range);
+    SetOpacity(representation, opacity, range.Ends.data());
   }
 }
 }
@@ -275,6 +221,23 @@ void vtkSMHorizonDisplayHelper::Register()
 }
 
 //------------------------------------------------------------------------------
+bool vtkSMHorizonDisplayHelper::ShowLate(vtkSMProxy* representation)
+{
+  if (!representation->HasAnnotation(Empty))
+  {
+    return false;
+  }
+  vtkPVXMLElement* const hints = representation->GetHints();
+  vtkPVXMLElement* const xml = hints ? hints->FindNestedElementByName("InitializationHelper") : nullptr;
+  if (xml)
+  {
+    vtkNew<vtkSMHorizonDisplayHelper> helper;
+    helper->PostInitializeProxy(representation, xml, VTK_MTIME_MAX);
+  }
+  return xml && !representation->HasAnnotation(Empty);
+}
+
+//------------------------------------------------------------------------------
 void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp)
 {
@@ -285,18 +248,25 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     return;
   }
   const int port = static_cast<int>(input.GetOutputPort());
-  vtkPVDataInformation* const data = producer->GetDataInformation(port);
+  if (producer->GetDataInformation(static_cast<unsigned int>(port))->GetNumberOfPoints() == 0)
+  {
+    proxy->SetAnnotation(Empty, "1");
+    return;
+  }
+  proxy->RemoveAnnotation(Empty);
   bool isColored = false;
   const char* representation = nullptr;
-  for (vtkPVXMLElement* const hint : ListHints(producer, port, data))
+  for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))
   {
     representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
     SetSize(proxy, "PointSize", hint, "point_size", initializationTimeStamp);
-    ColorArray array;
-    if (!isColored && FindArray(hint, data, array))
+    SetSize(proxy, "RenderLinesAsTubes", hint, "tubes", initializationTimeStamp);
+    SetSize(proxy, "RenderPointsAsSpheres", hint, "spheres", initializationTimeStamp);
+    ColorRange range;
+    if (!isColored && SeismicHorizons::FindRange(hint, producer, port, range))
     {
-      ColorBy(proxy, array, hint, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
+      ColorBy(proxy, range, hint, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
       isColored = true;
     }
   }
@@ -307,4 +277,8 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     proxy->GetProperty("Representation")->Modified(); // else it would count as not set
   }
   proxy->UpdateVTKObjects();
+  if (auto* const shown = vtkSMRepresentationProxy::SafeDownCast(proxy))
+  {
+    shown->PostUpdateData(false); // what is known of its arrays is from before it had data
+  }
 }

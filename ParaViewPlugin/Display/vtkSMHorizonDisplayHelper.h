@@ -15,12 +15,20 @@
  * </Hints>
  * @endcode
  *
- * Lines and points are as wide as hints for the port say, in pixels (`line_width`, `point_size`). Of hints with an
- * array the first one counts whose array is in the data with more than one value; where there is none, ParaView colours
- * by the active scalars. `port` may be left out: the hint is for all of them then. `colors` is the name of a ColorMap
- * in the hint of the representation, in ParaView's format of colour maps in XML. Categories are annotated by the
- * elements Annotation of the map, or by their numbers when it has none; of arrays with more numbers than the map has
- * colours, ParaView's own colours stay. Colours that somebody has chosen for an array before are left alone.
+ * Lines and points are as wide as hints for the port say, in pixels (`line_width`, `point_size`), and drawn with depth where
+ * `tubes` or `spheres` is 1: an outline then stands out from points on it. Of hints with an array the first one counts
+ * whose array is in the data with more than one value; where there is none, ParaView colours by the active scalars. The
+ * array "heights" is that of vtkHorizonRepresentation, and `shown_as` the name that an array has there, with colours of its
+ * own. `port` may be left out: the hint is for all of them then.
+ *
+ * `range` is "data" where it is not given; "centred", as far below zero as above; or a figure in the field data (of its
+ * components, that of the filter's property `unit`) where the colours end, with one more colour for what is above. Ranges
+ * but "data" follow what a window shows until somebody sets another one.
+ *
+ * `colors` is the name of a ColorMap in the hint of the representation, in ParaView's format of colour maps in XML, from
+ * low to high. Categories are those of the elements Annotation of the map. Colours that somebody has chosen for an array before are left alone.
+ *
+ * Where `hides_inputs` is 1, what led to a stage is hidden in a view once the stage is shown there, not only its input.
  *
  * `representation` is the way to draw, as "Volume"; of several the first one counts. A volume is clear at the least
  * value of the array, and has the `opacity` at all others. Hints with `data` are for data of that class alone, and
@@ -43,6 +51,9 @@ public:
   static void Register();
 
   void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
+
+  /// Does the same once data have come where there were none at first: after an error, or a stop. True where it was done.
+  static bool ShowLate(vtkSMProxy* representation);
 
 protected:
   vtkSMHorizonDisplayHelper();

@@ -3,8 +3,12 @@
 
 #include "pqHorizonToolBar.h"
 
+#include "ColorRange.h"
+#include "FirstView.h"
 #include "SurveyAxes.h"
 #include "VerticalExaggeration.h"
+#include "ViewContents.h"
+#include "vtkSMHorizonDisplayHelper.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -20,6 +24,8 @@
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
+#include <vtkSMPVRepresentationProxy.h>
+#include <vtkSmartPointer.h>
 
 namespace
 {
@@ -103,11 +109,65 @@ pqHorizonToolBar::~pqHorizonToolBar() = default;
 void pqHorizonToolBar::watch(pqView* view)
 {
   this->connect(view, &pqView::representationAdded, this,
-    [view](pqRepresentation* representation)
-    { ExaggerateRepresentation(representation->getProxy(), view->getProxy()); });
-  this->connect(view, &pqView::updateDataEvent, this, [view]() { RefreshSurveyAxes(view->getProxy()); });
+    [this, view](pqRepresentation* representation) { this->take(view, representation->getProxy()); });
+  this->connect(view, &pqView::representationRemoved, this,
+    [this, view]()
+    {
+      ForgetEmptyView(view->getProxy());
+      this->Updated.insert(view);
+    });
+  this->connect(view, &pqView::updateDataEvent, this,
+    [this, view]()
+    {
+      RefreshSurveyAxes(view->getProxy());
+      this->Updated.insert(view);
+    });
+  // Once ParaView has given the colours its own ranges.
+  this->connect(view, &pqView::beginRender, this,
+    [this, view]()
+    {
+      if (this->Updated.remove(view))
+      {
+        this->refresh(view);
+      }
+    });
   // A script, a state file or undo may have changed it.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
+{
+  if (!ShowsOthers(view->getProxy(), representation))
+  {
+    // After ParaView, which looks along an axis at what is flat there.
+    const vtkSmartPointer<vtkSMProxy> first = representation;
+    QTimer::singleShot(0, view,
+      [view, first]()
+      {
+        if (SetFirstView(view->getProxy(), first))
+        {
+          view->resetDisplay(true);
+        }
+      });
+  }
+  HideInputs(view->getProxy(), representation);
+  ExaggerateRepresentation(representation, view->getProxy());
+}
+
+//------------------------------------------------------------------------------
+void pqHorizonToolBar::refresh(pqView* view)
+{
+  for (vtkSMProxy* const representation : ListRepresentations(view->getProxy()))
+  {
+    if (FindShownData(representation) && vtkSMHorizonDisplayHelper::ShowLate(representation))
+    {
+      vtkSMPVRepresentationProxy::SetScalarBarVisibility(representation, view->getProxy(), true);
+      this->take(view, representation);
+    }
+  }
+  RefreshRanges(view->getProxy());
+  NameVerticalAxis(view->getProxy());
 }
 
 //------------------------------------------------------------------------------

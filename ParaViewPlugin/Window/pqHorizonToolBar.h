@@ -11,11 +11,13 @@
 #ifndef pqHorizonToolBar_h
 #define pqHorizonToolBar_h
 
+#include <QSet>
 #include <QToolBar>
 
 class QAction;
 class QComboBox;
 class pqView;
+class vtkSMProxy;
 
 class pqHorizonToolBar : public QToolBar
 {
@@ -34,6 +36,10 @@ private Q_SLOTS:
   void showAxes(bool areShown);
 
 private:
+  /// Shows in a view what has come into it as it looks best there.
+  void take(pqView* view, vtkSMProxy* representation);
+  /// Suits a view to data that have changed.
+  void refresh(pqView* view);
   void showFactor();
   void setFactor(double factor);
   /// Says why there are no axes that count lines.
@@ -41,6 +47,7 @@ private:
 
   QComboBox* Factor;
   QAction* Axes;
+  QSet<pqView*> Updated; // whose colours may not suit the data any more
 };
 
 #endif

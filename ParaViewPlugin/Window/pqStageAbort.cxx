@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
+#include <pqDataRepresentation.h>
+#include <pqOutputPort.h>
+#include <pqPipelineFilter.h>
 #include <pqPipelineSource.h>
 #include <pqProgressManager.h>
 #include <pqProgressWidget.h>
@@ -112,6 +115,7 @@ void pqStageAbort::forget(pqPipelineSource* source)
   vtkObject* const stage = this->Sources.key(source);
   this->Sources.remove(stage);
   this->Stopped.remove(stage);
+  this->Shown.remove(stage);
 }
 
 //------------------------------------------------------------------------------
@@ -126,13 +130,17 @@ void pqStageAbort::begin(vtkObject* stage)
 }
 
 //------------------------------------------------------------------------------
-void pqStageAbort::end(vtkObject*)
+void pqStageAbort::end(vtkObject* stage)
 {
   this->Running = nullptr;
   this->Manager->setEnableAbort(false);
   if (this->Stopping)
   {
     QTimer::singleShot(0, this, SLOT(allowApply()));
+  }
+  else if (this->Shown.contains(stage))
+  {
+    QTimer::singleShot(0, this, [this, stage]() { this->hideInputs(stage); });
   }
 }
 
@@ -144,6 +152,42 @@ void pqStageAbort::allowApply()
   {
     this->Stopped.insert(stage);
     source->setModifiedState(pqProxy::MODIFIED);
+    this->showInputs(source, stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::showInputs(pqPipelineSource* source, vtkObject* stage)
+{
+  const auto* const filter = qobject_cast<pqPipelineFilter*>(source);
+  const QList<pqOutputPort*> inputs = filter ? filter->getAllInputs() : QList<pqOutputPort*>();
+  const QList<pqDataRepresentation*> outputs = source->getRepresentations(nullptr);
+  for (pqDataRepresentation* const output : outputs)
+  {
+    for (pqOutputPort* const input : inputs)
+    {
+      pqDataRepresentation* const shown = input->getRepresentation(output->getView());
+      if (output->isVisible() && shown && !shown->isVisible())
+      {
+        shown->setVisible(true);
+        shown->renderViewEventually();
+        this->Shown[stage].append(shown);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqStageAbort::hideInputs(vtkObject* stage)
+{
+  const QList<QPointer<pqDataRepresentation>> inputs = this->Shown.take(stage);
+  for (const QPointer<pqDataRepresentation>& input : inputs)
+  {
+    if (input)
+    {
+      input->setVisible(false);
+      input->renderViewEventually();
+    }
   }
 }
 

@@ -17,10 +17,12 @@
 
 #include <QElapsedTimer>
 #include <QHash>
+#include <QList>
 #include <QObject>
 #include <QPointer>
 #include <QSet>
 
+class pqDataRepresentation;
 class pqPipelineSource;
 class pqProgressManager;
 class pqProxy;
@@ -58,6 +60,9 @@ private:
   bool eventFilter(QObject* receiver, QEvent* event) override;
   bool isOnButton(QObject* receiver, QEvent* event) const;
   void listen();
+  /// Shows the inputs of a stage that was stopped where the stage is shown, until it has run.
+  void showInputs(pqPipelineSource* source, vtkObject* stage);
+  void hideInputs(vtkObject* stage);
 
   pqProgressManager* Manager = nullptr;
   QPointer<QWidget> Button;
@@ -65,6 +70,7 @@ private:
   vtkAlgorithm* Stopping = nullptr; // until all that asked it to run has ended
   QHash<vtkObject*, pqPipelineSource*> Sources; // of the stages that are watched
   QSet<vtkObject*> Stopped; // stages, until they run again
+  QHash<vtkObject*, QList<QPointer<pqDataRepresentation>>> Shown; // inputs in place of what stages have not made
   QElapsedTimer SinceListened;
   bool IsShowingProgress = false;
   bool IsListening = false;

@@ -102,14 +102,23 @@ TextColumn ColumnOfName(std::string_view name)
 std::string_view UnitOfName(std::string_view name)
 {
   name = Trim(name);
-  const std::size_t opening = name.find_last_of("([");
-  if (opening == std::string_view::npos || (name.back() != ')' && name.back() != ']'))
+  const bool hasBrackets = !name.empty() && (name.back() == ')' || name.back() == ']');
+  const std::size_t before = name.find_last_of(hasBrackets ? "([" : "_ ");
+  if (before == std::string_view::npos)
   {
     return {};
   }
-  const std::string_view unit = Trim(name.substr(opening + 1, name.size() - opening - 2));
+  const std::string_view unit = Trim(name.substr(before + 1, name.size() - before - (hasBrackets ? 2 : 1)));
   const std::string brief = ShortUnit(unit);
   return brief == "m" || brief == "ft" || brief == "ms" || brief == "s" ? unit : std::string_view();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string_view DomainOfName(std::string_view name)
+{
+  const std::string lower = ToLower(name);
+  const auto has = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
+  return has("twt") || has("time") ? "time" : has("depth") || has("tvd") ? "depth" : "";
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -18,8 +18,11 @@ namespace SeismicHorizons
 /// is that of an attribute.
 TextColumn ColumnOfName(std::string_view name);
 
-/// The unit of length or time that a name ends with in brackets: "ms" of "TWT (ms)", "m" of "X [m]". Empty without one.
+/// The unit of length or time that a name ends with: "ms" of "TWT (ms)" and "TWT_ms", "m" of "X [m]". Empty without one.
 std::string_view UnitOfName(std::string_view name);
+
+/// "time" of "TWT" or "Time", "depth" of "TVDSS" or "Depth"; else empty.
+std::string_view DomainOfName(std::string_view name);
 
 /// The columns that a user names, separated by commas, or where there is none by blanks; "-" leaves one out. Throws
 /// InputError where a role is there twice, and where z or the place is missing.

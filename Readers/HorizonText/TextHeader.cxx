@@ -234,6 +234,10 @@ private:
     const ColumnRole role = this->Layout.Columns.back().Role;
     const std::string_view unit = UnitOfName(name);
     SurveyDescription& survey = this->Layout.Survey;
+    if (role == ColumnRole::Z && survey.VerticalDomain.empty())
+    {
+      survey.VerticalDomain = DomainOfName(name);
+    }
     if (role == ColumnRole::Z && !unit.empty() && survey.VerticalUnit.empty())
     {
       SetVerticalUnit(survey, unit);

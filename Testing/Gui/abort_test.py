@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """A filter is stopped in the middle of its work in the window, by the Escape key and by the button beside the progress bar:
-nothing is there then, and no error; the window goes on, and Apply gives the whole result, with the same parameters and with
+nothing is there then, the panel says so, the input is shown still, and there is no error; the window goes on, and Apply gives the whole result, with the same parameters and with
 others. Progress is told by the name of the filter.
 
 Arguments: ParaView, the generator of horizons, and a folder. The variable POINTS of the environment makes it larger.
@@ -99,6 +99,7 @@ def play(paraview, folder, path):
         events.macro("WatchProgress")
         events.apply()
         events.macro("Note")
+        events.macro("NoteView")
     progress = Progress(folder)
     threading.Thread(target=stop_runs, args=(progress,), daemon=True).start()
     return window.play(paraview, events, folder), progress.runs()
@@ -112,6 +113,13 @@ def main():
     path = folder / "large.vsm"
     subprocess.run([generator, "--points", POINTS, path], check=True, stdout=subprocess.PIPE)
     notes, runs = play(paraview, folder, path)
+    views = notes[1::2]
+    notes = notes[0::2]
+    for view in views[:2]:
+        assert [entry[0] for entry in view["shown"]] == ["HorizonSurface", "VerneySparseMatrixReader"], view
+        assert view["results"] == ["stopped before the end: nothing was made\n"], view
+    for view in views[2:]:
+        assert [entry[:2] for entry in view["shown"]] == [["HorizonSurface", "Depth"]], view
     for note in notes[:2]:
         assert note["name"] == "HorizonSurface" and (note["points"], note["cells"]) == (0, 0), note
     for note, error in zip(notes[2:], ERRORS):

@@ -23,6 +23,11 @@ PICKS = "Inline Crossline X Y Z\n" + "".join(
 TURNED = "Inline Crossline X Y Z\n" + "".join(
     "%d %d %d %d %d\n" % (10 + 2 * row, 20 + 2 * column, 1000 + 30 * column - 40 * row, 2000 + 40 * column + 30 * row,
                           500 + row % 5) for row in range(12) for column in range(15))
+FITTED = 50  # what makes its 4 units of height a quarter of its width
+# A line, and a survey in its direction whose heights are not flat.
+LINE = "40 1 60\n" + "".join("%d 1 1 0 0\n" % (10 + n) for n in range(40))
+STEEP = "Inline Crossline X Y TWT_ms\n" + "".join(
+    "%d %d %d %d %d\n" % (row, column, column, row, 1000 + row + column) for row in range(9) for column in range(9))
 MESSAGE = window.WINDOW + "/SurveyAxesMessage"
 NO_LATTICE = "No survey axes: nothing is shown that has a lattice; expected horizons or a cube."
 
@@ -116,7 +121,7 @@ def check_lines(notes):
     assert shown["axes"] == ["Crossline", "Inline"] and shown["counts lines"], shown
     assert shown["axes bounds"] == [20, 48, 10, 32, -504, -500], shown
     # Crossline 22 is the second one, and inline 14 the third.
-    assert place(shown, 22, 14, -500) == [1000 + 30 - 2 * 40, 2000 + 40 + 2 * 30, -500], shown
+    assert place(shown, 22, 14, -500) == [1000 + 30 - 2 * 40, 2000 + 40 + 2 * 30, -500 * FITTED], shown
     assert place(exaggerated, 20, 10, -500) == [1000, 2000, -1000], exaggerated
     assert higher["axes bounds"] == [20, 48, 10, 32, -504, -2] and higher["scales"] == [[1, 1, 2]] * 2, higher
 
@@ -126,6 +131,60 @@ def check_lines_southwards(notes):
     assert note["axes"] == ["Inline", "Crossline"], note  # right-handed
     assert note["axes bounds"][:4] == [100, 111, 300, 314], note
     assert place(note, 102, 301, 0) == [1025, 1950, 0], note
+
+
+def see_first(events, steep):
+    """An empty view looks obliquely, exaggerates what is flat until it is empty again, and has one scale of heights."""
+    folder = steep.parent
+    events.open(folder / "flat.vsm")
+    events.apply()
+    events.macro("NoteView")
+    events.add(window.PANEL + "/Delete", "activate")
+    events.macro("NoteView")
+    events.open(steep, several_readers=True)
+    events.apply()
+    events.macro("NoteView")
+    events.open(folder / "deep.xyz", several_readers=True)
+    events.apply()
+    events.macro("NoteView")
+    events.add(window.PANEL + "/Delete", "activate")
+    events.macro("NoteView")
+
+
+def check_first_sight(notes):
+    flat, emptied, steep, both, left = notes
+    assert flat["seen from"] == [0.35, -0.75, 0.56] and flat["axes scale"] == [1, 1, 5], flat
+    assert flat["shown"] == [["VerneySparseMatrixReader", "Depth", [2, 4]]], flat
+    assert emptied["axes scale"] == [1, 1, 1] and emptied["shown"] == [], emptied
+    assert steep["axes scale"] == [1, 1, 1] and steep["axis"] == "Z (ms)", steep
+    assert steep["shown"] == [["HorizonTextReader", "Time (ms)", [1000, 1016]]], steep
+    assert [entry[2] for entry in both["shown"]] == [[1000, 1116]] * 2, both
+    assert left["shown"] == steep["shown"], left
+
+
+def see_stages(events, line):
+    """A line from its side; outlines beside those they were made of; a mesh alone."""
+    events.open(line)
+    events.apply()
+    events.macro("NoteView")
+    events.add(window.PANEL + "/Delete", "activate")
+    events.open(line.parent / "steep.xyz", several_readers=True)
+    events.apply()
+    for stage in ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
+                  "HorizonTriangulation"):
+        events.filter(stage)
+        events.apply()
+        events.macro("NoteView")
+
+
+def check_stages(notes):
+    line, boundary, simplified, rough, mesh = notes
+    assert line["seen from"] == [0, -1, 0], line
+    names = [[entry[0] for entry in note["shown"]] for note in notes[1:]]
+    assert names == [["HorizonExteriorBoundary"], ["HorizonBoundarySimplification", "HorizonExteriorBoundary"],
+                     ["HorizonExteriorBoundary", "HorizonRoughSimplification"], ["HorizonTriangulation"]], names
+    assert {entry[1] for entry in simplified["shown"]} == {"Boundary", "Simplified Boundary"}, simplified
+    assert [note["axis"] for note in notes[1:]] == ["Z (ms)"] * 4, notes
 
 
 def load_exaggerated(events):
@@ -143,10 +202,13 @@ def main():
     sample = pathlib.Path(data).resolve() / "sample.vsm"
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
-    (folder / "turned.xyz").write_text(TURNED, encoding="ascii")
+    for name, text in (("turned.xyz", TURNED), ("steep.xyz", STEEP), ("deep.xyz", STEEP.replace(" 10", " 11")),
+                       ("line.vsm", LINE)):
+        (folder / name).write_text(text, encoding="ascii")
     scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 3),
               (count_lines, folder / "picks.xyz", check_lines, 5),
-              (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1))
+              (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
+              (see_first, folder / "steep.xyz", check_first_sight, 5), (see_stages, folder / "line.vsm", check_stages, 5))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
         play(events, file)

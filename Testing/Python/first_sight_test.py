@@ -33,6 +33,16 @@ def colored_by(display):
     return tuple(display.ColorArrayName)
 
 
+def shown_arrays(display):
+    points = display.SMProxy.GetRepresentedDataInformation().GetPointDataInformation()
+    return [points.GetArrayInformation(n).GetName() for n in range(points.GetNumberOfArrays())]
+
+
+def range_of(display):
+    values = list(display.LookupTable.RGBPoints)[0::4]
+    return [round(min(values), 3), round(max(values), 3)]
+
+
 def labels(display):
     """The legend by value; None where colours are not those of categories."""
     table = display.LookupTable
@@ -53,12 +63,13 @@ class FirstSightTest(unittest.TestCase):
 
     def show(self, source, port=0):
         display = simple.Show(simple.OutputPort(source, port), self.view)
-        self.assertEqual(display.Representation, "Surface")
+        has_edges = port == 0 and source.__class__.__name__ in ("HorizonSurface", "HorizonTriangulation", "HorizonDecimation")
+        self.assertEqual(display.Representation, "Surface With Edges" if has_edges else "Surface")
         return display
 
     def test_points(self):
         display = self.show(self.horizons)
-        self.assertEqual((display.PointSize, colored_by(display)), (3, ("POINTS", "VerticalIndex")))
+        self.assertEqual((display.PointSize, colored_by(display)), (3, ("POINTS", "Depth")))
 
     def test_volumes_are_seen_through(self):
         volume = simple.VerneySparseMatrixReader(FileName=self.horizons.FileName, OutputType="Volume")
@@ -89,40 +100,71 @@ class FirstSightTest(unittest.TestCase):
         self.horizons.UpdatePipelineInformation()
         self.assertEqual(list(self.horizons.GetProperty("HorizonSizes")), [SIDE * (SIDE - 1) - 9])
 
-    def test_outlines_are_thick_and_in_the_colours_of_their_patches(self):
+    def test_outlines_stand_out_from_the_points(self):
+        display = self.show(simple.HorizonExteriorBoundary(Input=self.horizons))
+        self.assertEqual((display.LineWidth, display.RenderLinesAsTubes, display.PointSize), (3, 1, 1))
+        self.assertEqual(colored_by(display), ("POINTS", "Boundary"))
+        self.assertEqual(labels(display), {"0": "inside", "1": "outline", "2": "hole"})
+
+    def test_simplified_outlines_differ_from_outlines(self):
         outlines = simple.HorizonExteriorBoundary(Input=self.horizons)
-        for source in (outlines, simple.HorizonBoundarySimplification(Input=outlines)):
-            display = self.show(source)
-            self.assertEqual((display.LineWidth, display.PointSize), (3, 1))
-            self.assertEqual(colored_by(display), ("POINTS", "PatchId"))
-            self.assertEqual(labels(display), {"0": "0", "1": "1"})
-
-    def test_one_patch_is_coloured_by_height(self):
-        display = self.show(simple.HorizonExteriorBoundary(Input=self.horizons, Radius=2))
-        self.assertEqual(colored_by(display), ("POINTS", "VerticalIndex"))
-        self.assertEqual(display.LineWidth, 3)
-
-    def test_the_legend_grows_with_the_number_of_patches(self):
-        self.show(simple.HorizonExteriorBoundary(Input=self.horizons))
-        cut = simple.HorizonFaults(Input=self.horizons)
-        display = self.show(simple.HorizonExteriorBoundary(Input=cut))
-        self.assertEqual(list(labels(display)), ["0", "1", "2"])
-
-    def test_many_patches_keep_colours_without_a_legend(self):
-        columns = "".join("%s\n" % ("3 1 1 0 0" if n % 2 == 0 and n // SIDE % 2 == 0 else "") for n in range(SIDE * SIDE))
-        path = FOLDER / "specks.vsm"
-        path.write_text("%d %d 9\n%s" % (SIDE, SIDE, columns))
-        specks = simple.VerneySparseMatrixReader(FileName=str(path))
-        display = self.show(simple.HorizonExteriorBoundary(Input=specks))
-        self.assertEqual(colored_by(display), ("POINTS", "PatchId"))
-        self.assertIsNone(labels(display))
+        first = self.show(outlines)
+        display = self.show(simple.HorizonBoundarySimplification(Input=outlines))
+        self.assertEqual(colored_by(display), ("POINTS", "Simplified Boundary"))
+        self.assertEqual(labels(display), {"0": "inside", "1": "simplified outline", "2": "hole"})
+        self.assertNotEqual(list(first.LookupTable.IndexedColors), list(display.LookupTable.IndexedColors))
+        simple.Render(self.view)
+        self.assertIn("Simplified Boundary", shown_arrays(display))
+        self.assertNotIn("Simplified Boundary", shown_arrays(first))
 
     def test_simplified_points_are_large(self):
         outlines = simple.HorizonExteriorBoundary(Input=self.horizons)
         for stage in (simple.HorizonRoughSimplification, simple.HorizonElaborateSimplification):
             display = self.show(stage(Input=outlines))
-            self.assertEqual((display.LineWidth, display.PointSize), (3, 3))
-            self.assertEqual(colored_by(display), ("POINTS", "PatchId"))
+            self.assertEqual((display.LineWidth, display.PointSize, display.RenderPointsAsSpheres), (3, 4, 1))
+            self.assertEqual(colored_by(display), ("POINTS", "Depth"))
+
+    def test_heights_of_all_files_are_on_one_scale_in_their_unit(self):
+        """The vertical index of each file counts from its own top."""
+        display = self.show(self.picks("ms", 1000))
+        self.assertEqual(colored_by(display), ("POINTS", "Time (ms)"))
+        self.assertEqual(range_of(display), [1000, 1022])
+        second = self.show(self.picks("ms", 1100))
+        self.assertEqual(colored_by(second), ("POINTS", "Time (ms)"))
+        self.assertEqual(range_of(display), [1000, 1122])
+        self.assertEqual(colored_by(self.show(self.picks("m", 1000))), ("POINTS", "Depth (m)"))
+        upwards = self.show(self.picks("m", 1000, "Up"))
+        self.assertEqual(colored_by(upwards), ("POINTS", "Elevation (m)"))
+        self.assertEqual(range_of(upwards), [1000, 1022])
+        # The top is bright on both.
+        for table, top in ((display.LookupTable, 1), (upwards.LookupTable, -3)):
+            self.assertGreater(list(table.RGBPoints)[top], 0.9)
+
+    def test_ranges_that_somebody_has_set_stay(self):
+        display = self.show(self.picks("ms", 1000))
+        display.LookupTable.RescaleTransferFunction(900, 1500)
+        self.show(self.picks("ms", 2000))
+        self.assertEqual(range_of(display), [900, 1500])
+
+    def picks(self, unit, top, direction="Down"):
+        path = FOLDER / ("picks%d.xyz" % top)
+        path.write_text("Inline Crossline X Y Z\n" + "".join(
+            "%d %d %d %d %d\n" % (row, column, 25 * column, 25 * row, top + row + column)
+            for row in range(12) for column in range(12)))
+        return simple.HorizonTextReader(FileName=[str(path)], VerticalUnit=unit, VerticalDirection=direction)
+
+    def test_heights_are_in_no_data(self):
+        self.show(self.horizons)
+        simple.Render(self.view)
+        self.assertNotIn("Depth", [array.Name for array in self.horizons.PointData])
+        self.assertIn("Depth", shown_arrays(self.view.Representations[0]))
+
+    def test_other_ways_to_draw_have_heights_too(self):
+        display = self.show(self.horizons)
+        for way in ("Points", "Point Gaussian", "Surface With Edges", "Surface"):
+            display.SetRepresentationType(way)
+            simple.Render(self.view)
+            self.assertIn("Depth", shown_arrays(display), way)
 
     def test_filled_points(self):
         display = self.show(simple.HorizonHoleFilling(Input=self.horizons))
@@ -131,7 +173,7 @@ class FirstSightTest(unittest.TestCase):
 
     def test_nothing_filled_is_coloured_by_height(self):
         display = self.show(simple.HorizonHoleFilling(Input=self.horizons, LargestHoleSize=1))
-        self.assertEqual(colored_by(display), ("POINTS", "VerticalIndex"))
+        self.assertEqual(colored_by(display), ("POINTS", "Depth"))
 
     def test_spikes(self):
         display = self.show(simple.HorizonDespiking(Input=self.horizons, Action="Flag", Threshold=0.5))
@@ -140,7 +182,7 @@ class FirstSightTest(unittest.TestCase):
 
     def test_faults_have_colours_around_zero(self):
         display = self.show(simple.HorizonFaults(Input=self.horizons), 1)
-        self.assertEqual((display.LineWidth, colored_by(display)), (4, ("POINTS", "Throw")))
+        self.assertEqual((display.LineWidth, colored_by(display)), (5, ("POINTS", "Throw")))
         values = list(display.LookupTable.RGBPoints)[0::4]
         self.assertEqual(values[0], -values[-1])
 
@@ -149,11 +191,11 @@ class FirstSightTest(unittest.TestCase):
         display = self.show(simple.HorizonSurface(Input=cut, CloseFaults=1))
         self.assertEqual(colored_by(display), ("CELLS", "Fault"))
         self.assertEqual(labels(display), {"0": "horizon", "1": "fault"})
-        self.assertEqual(colored_by(self.show(simple.HorizonSurface(Input=cut))), ("POINTS", "VerticalIndex"))
+        self.assertEqual(colored_by(self.show(simple.HorizonSurface(Input=cut))), ("POINTS", "Depth"))
 
     def test_meshes_are_coloured_by_height(self):
         surface = simple.HorizonSurface(Input=self.horizons)
-        self.assertEqual(colored_by(self.show(surface)), ("POINTS", "VerticalIndex"))
+        self.assertEqual(colored_by(self.show(surface)), ("POINTS", "Depth"))
         self.assertEqual(self.show(surface, 1).LineWidth, 3)
 
     def test_distances(self):
@@ -162,6 +204,22 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual(colored_by(display), ("POINTS", "Distance"))
         points = list(display.LookupTable.RGBPoints)
         self.assertEqual((points[0], len(points), points[1:4]), (0.0, 24, [0.957, 0.949, 0.918]))
+
+    def test_distances_end_where_one_percent_is_farther(self):
+        """One place is far off: without it nothing else would be told apart."""
+        points = "".join("%d 1 1 0 0\n" % (39 if n == 820 else 10) for n in range(SIDE * SIDE))
+        path = FOLDER / "spike.vsm"
+        path.write_text("%d %d 60\n%s" % (SIDE, SIDE, points))
+        spiked = simple.VerneySparseMatrixReader(FileName=str(path))
+        flat = simple.HorizonDespiking(Input=spiked, Threshold=5)
+        for unit, component in (("Lattice", 0), ("World", 1)):
+            distance = simple.HorizonSurfaceDistance(Reference=spiked, Mesh=simple.HorizonSurface(Input=flat),
+                                                     DistanceUnit=unit)
+            display = self.show(distance, 0)
+            figures = distance.FieldData["DistancePercentile99"].GetRange(component)
+            self.assertEqual(range_of(display), [0, round(figures[1], 3)])
+            self.assertEqual(display.LookupTable.UseAboveRangeColor, 1)
+            simple.Delete(display.LookupTable)
 
     def test_chosen_colours_are_left_alone(self):
         table = simple.GetColorTransferFunction("Filled")

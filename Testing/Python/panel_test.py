@@ -81,6 +81,7 @@ class PanelTest(unittest.TestCase):
         arrays = set(re.findall(r'= "(\w+)"', (TREE / "Common" / "DataModel.h").read_text(encoding="utf-8")))
         maps = colour_maps()
         used = set()
+        arrays.add("heights")  # of the representation
         for name, proxy in PROXIES.items():
             kinds = {hint.get("port"): hint.get("type") for hint in proxy.iter("Representation")}
             for hint in proxy.iter("FirstSight"):

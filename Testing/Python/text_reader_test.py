@@ -51,6 +51,21 @@ def check_panel(reader):
     assert data.GetArray("LatticeToWorld").GetValue(10) == 0.25
 
 
+def check_names_tell_units(folder):
+    """Unit and domain in the name of z: (name, unit, domain)."""
+    for name, unit, domain in (("TWT_ms", "ms", "time"), ("TVDSS (ft)", "ft", "depth"), ("DEPTH_MSL", None, "depth"),
+                               ("Time", None, "time"), ("Z", None, None)):
+        path = folder / "named.xyz"
+        path.write_text("Inline\tCrossline\tX\tY\t%s\n" % name + "".join(
+            "%d\t%d\t%d\t%d\t%d\n" % (row, column, 25 * column, 25 * row, 900 + row + column)
+            for row in range(9) for column in range(9)))
+        reader = simple.HorizonTextReader(FileName=[str(path)])
+        reader.UpdatePipeline()
+        data = mesh_checks.blocks(reader.GetClientSideObject().GetOutputDataObject(0))["named"].GetFieldData()
+        told = [data.GetAbstractArray(array) for array in ("VerticalUnit", "VerticalDomain")]
+        assert [text and text.GetValue(0) for text in told] == [unit, domain], (name, told)
+
+
 def check_surface(reader):
     surface = simple.HorizonSurface(Input=reader)
     surface.UpdatePipeline()
@@ -89,6 +104,7 @@ def main():
     check_panel(reader)
     check_surface(reader)
     check_series(folder)
+    check_names_tell_units(folder)
 
 
 main()

@@ -8,7 +8,23 @@ from paraview import simple
 
 view = simple.GetActiveView()
 axes = view.AxesGrid
-note = {"axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
+sight = [eye - focus for eye, focus in zip(view.CameraPosition, view.CameraFocalPoint)]
+length = sum(part * part for part in sight) ** 0.5
+shown = [(source, display) for source in simple.GetSources().values()
+         for display in [simple.GetRepresentation(source, view)] if display and display.Visibility]
+
+
+def range_of(table):
+    values = list(table.RGBPoints)[0::4] if table else []
+    return [round(min(values), 3), round(max(values), 3)] if values else []
+
+
+note = {
+        "seen from": [round(part / length, 2) for part in sight], "axis": axes.ZTitle,
+        "shown": [[source.GetXMLName(), display.ColorArrayName[1], range_of(display.LookupTable)]
+                  for source, display in shown],
+        "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
+        "axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
         "scales": [list(display.Scale) for display in view.Representations if hasattr(display, "Scale")],
         "horizons": [list(source.HorizonStatus) for source in simple.GetSources().values()

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ColorRange.h"
+
+#include "VerticalAxis.h"
+#include "ViewContents.h"
+
+#include "vtkDataObject.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr const char* OwnRange = "SeismicHorizons.Range";
+
+std::string DescribeRange(vtkSMProxy* table)
+{
+  double ends[2] = { 0.0, 0.0 };
+  vtkSMTransferFunctionProxy::GetRange(table, ends);
+  return std::to_string(ends[0]) + " " + std::to_string(ends[1]);
+}
+
+/// Whether colours have the range that SetRange has given them.
+bool HasOwnRange(vtkSMProxy* table)
+{
+  return table->HasAnnotation(OwnRange) && DescribeRange(table) == table->GetAnnotation(OwnRange);
+}
+
+/// Whether a hint is for data of this kind and size.
+bool IsFor(vtkPVXMLElement* hint, vtkPVDataInformation* data)
+{
+  const char* const kind = hint->GetAttribute("data");
+  double mostPoints = std::numeric_limits<double>::infinity();
+  hint->GetScalarAttribute("most_points", &mostPoints);
+  return (!kind || (data->DataSetTypeIsA(kind) && !data->IsCompositeDataSet())) &&
+    double(data->GetNumberOfPoints()) <= mostPoints;
+}
+
+bool FindHeights(vtkPVDataInformation* data, ColorRange& range)
+{
+  const VerticalAxis axis = ReadVerticalAxis(data);
+  const double* const bounds = data->GetBounds();
+  range.Array = axis.Name;
+  range.Association = vtkDataObject::POINT;
+  range.IsDownwards = axis.IsDownwards;
+  range.IsOfData = false; // the data do not have them
+  range.Ends =
+    axis.IsDownwards ? std::array<double, 2>{ -bounds[5], -bounds[4] } : std::array<double, 2>{ bounds[4], bounds[5] };
+  return !axis.Name.empty() && range.Ends[0] < range.Ends[1];
+}
+
+/// Ends a range that begins at zero at a figure of the data, which has a component for each unit.
+void Cut(ColorRange& range, vtkPVDataInformation* data, const char* figure, int unit)
+{
+  vtkPVArrayInformation* const array = data->GetArrayInformation(figure, vtkDataObject::FIELD);
+  double figures[2] = { 0.0, 0.0 };
+  if (array && unit < array->GetNumberOfComponents())
+  {
+    array->GetComponentRange(unit, figures); // the largest of all directions
+  }
+  if (figures[1] > 0.0 && figures[1] < range.Ends[1])
+  {
+    range.Ends = { 0.0, figures[1] };
+    range.IsCut = true;
+  }
+}
+
+/// Writes the ends of a legend with as many digits as tell them apart, unless somebody has chosen how.
+void FormatEnds(vtkSMProxy* legend, const std::array<double, 2>& range)
+{
+  const char* const format = range[1] - range[0] >= 10.0 ? "%.0f" : range[1] - range[0] >= 0.1 ? "%.2f" : "%.3g";
+  if (legend && std::strcmp(vtkSMPropertyHelper(legend, "RangeLabelFormat").GetAsString(), "%-#6.1e") == 0)
+  {
+    vtkSMPropertyHelper(legend, "RangeLabelFormat").Set(format);
+    legend->UpdateVTKObjects();
+  }
+}
+
+/// Finds the range of the array that a representation is coloured by, where a hint tells another one than that of the data.
+bool FindRange(vtkSMProxy* representation, ColorRange& range)
+{
+  const vtkSMPropertyHelper input(representation, "Input");
+  auto* const producer = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const int port = static_cast<int>(input.GetOutputPort());
+  const char* const array = vtkSMPropertyHelper(representation, "ColorArrayName").GetInputArrayNameToProcess();
+  const std::vector<vtkPVXMLElement*> hints = ListHints(producer, port);
+  return array &&
+    std::any_of(hints.begin(), hints.end(),
+      [&](vtkPVXMLElement* hint)
+      { return FindRange(hint, producer, port, range) && range.Array == array && !range.IsOfData; });
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port)
+{
+  std::vector<vtkPVXMLElement*> found;
+  vtkPVXMLElement* const hints = producer->GetHints();
+  for (unsigned int n = 0; hints && n < hints->GetNumberOfNestedElements(); ++n)
+  {
+    vtkPVXMLElement* const hint = hints->GetNestedElement(n);
+    int forPort = port;
+    hint->GetScalarAttribute("port", &forPort);
+    if (std::strcmp(hint->GetName(), "FirstSight") == 0 && forPort == port &&
+      IsFor(hint, producer->GetDataInformation(static_cast<unsigned int>(port))))
+    {
+      found.push_back(hint);
+    }
+  }
+  return found;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, ColorRange& range)
+{
+  vtkPVDataInformation* const data = producer->GetDataInformation(static_cast<unsigned int>(port));
+  const std::string name = hint->GetAttributeOrEmpty("array");
+  if (name.empty() || name == "heights")
+  {
+    return !name.empty() && FindHeights(data, range);
+  }
+  range.Array = name;
+  range.Association = std::strcmp(hint->GetAttributeOrDefault("association", "points"), "cells") == 0
+    ? vtkDataObject::CELL
+    : vtkDataObject::POINT;
+  vtkPVArrayInformation* const array = data->GetArrayInformation(name.c_str(), range.Association);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return false;
+  }
+  array->GetComponentRange(0, range.Ends.data());
+  range.Array = hint->GetAttributeOrDefault("shown_as", name.c_str());
+  const bool hasSeveral = range.Ends[0] < range.Ends[1];
+  const std::string kind = hint->GetAttributeOrDefault("range", "data");
+  range.IsOfData = kind == "data";
+  if (kind == "centred")
+  {
+    const double reach = std::max(std::fabs(range.Ends[0]), std::fabs(range.Ends[1]));
+    range.Ends = { -reach, reach };
+  }
+  else if (!range.IsOfData)
+  {
+    Cut(range, data, kind.c_str(), vtkSMPropertyHelper(producer, hint->GetAttributeOrEmpty("unit"), true).GetAsInt());
+  }
+  return hasSeveral;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SetRange(vtkSMProxy* table, const std::array<double, 2>& ends)
+{
+  vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").Set(vtkSMTransferFunctionManager::NEVER);
+  vtkSMTransferFunctionProxy::RescaleTransferFunction(table, ends[0], ends[1]);
+  table->UpdateVTKObjects();
+  table->SetAnnotation(OwnRange, DescribeRange(table).c_str());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ExtendRange(vtkSMProxy* table, const ColorRange& range)
+{
+  double ends[2];
+  if (HasOwnRange(table) && vtkSMTransferFunctionProxy::GetRange(table, ends))
+  {
+    SetRange(table, { std::min(ends[0], range.Ends[0]), std::max(ends[1], range.Ends[1]) });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RefreshRanges(vtkSMProxy* view)
+{
+  std::map<vtkSMProxy*, std::array<double, 2>> ranges;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy();
+    ColorRange range;
+    if (FindShownData(representation) && table && HasOwnRange(table) && FindRange(representation, range))
+    {
+      const auto [place, isNew] = ranges.insert({ table, range.Ends });
+      place->second = { std::min(place->second[0], range.Ends[0]), std::max(place->second[1], range.Ends[1]) };
+    }
+  }
+  for (const auto& [table, range] : ranges)
+  {
+    SetRange(table, range);
+    FormatEnds(vtkSMTransferFunctionProxy::FindScalarBarRepresentation(table, view), range);
+  }
+}
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FirstView.h"
+
+#include "ColorRange.h"
+#include "VerticalAxis.h"
+#include "VerticalExaggeration.h"
+#include "ViewContents.h"
+
+#include "Common/DataModel.h"
+
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMInputProperty.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+using Direction = std::array<double, 3>;
+
+constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // to the eye
+
+/// Where to look from: sideways where a lattice is one line.
+Direction FindDirection(const std::vector<double>& dimensions, const std::vector<double>& toWorld)
+{
+  if (std::min(dimensions[0], dimensions[1]) > 1.0)
+  {
+    return Oblique;
+  }
+  const std::size_t along = dimensions[0] > 1.0 ? 0 : 1;
+  const std::array<double, 2> line = { toWorld[along], toWorld[4 + along] };
+  const double length = std::hypot(line[0], line[1]);
+  // From the south, or from the east of a line that runs northwards: it begins on the left either way.
+  const double side = line[0] > 0.0 || (line[0] == 0.0 && line[1] > 0.0) ? 1.0 : -1.0;
+  return { side * line[1] / length, -side * line[0] / length, 0.0 };
+}
+
+vtkSMSourceProxy* FindProducer(vtkSMProxy* representation)
+{
+  return vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(representation, "Input", true).GetAsProxy());
+}
+
+/// Whether a source is among the inputs of another, or theirs.
+bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
+{
+  for (unsigned int n = 0; n < other->GetNumberOfProducers(); ++n)
+  {
+    vtkSMProxy* const input = other->GetProducerProxy(n);
+    if (vtkSMInputProperty::SafeDownCast(other->GetProducerProperty(n)) && (input == source || LeadsTo(source, input)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void LookFrom(vtkSMProxy* view, const Direction& direction)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view);
+  const Direction focus = { 0.0, 0.0, 0.0 };
+  const Direction up = { 0.0, 0.0, 1.0 };
+  vtkSMPropertyHelper(view, "CameraPosition").Set(direction.data(), 3);
+  vtkSMPropertyHelper(view, "CameraFocalPoint").Set(focus.data(), 3);
+  vtkSMPropertyHelper(view, "CameraViewUp").Set(up.data(), 3);
+  view->UpdateVTKObjects();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
+  return std::any_of(all.begin(), all.end(),
+    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkPVDataInformation* const data = FindShownData(representation);
+  if (!data)
+  {
+    return false;
+  }
+  const std::vector<double> dimensions = ReadField(data, FieldArray::LatticeDimensions, 3);
+  const std::vector<double> toWorld = ReadField(data, FieldArray::LatticeToWorld, 16);
+  if (dimensions.empty() || toWorld.empty())
+  {
+    return false;
+  }
+  LookFrom(view, FindDirection(dimensions, toWorld));
+  SetVerticalExaggeration(view, SuggestVerticalExaggeration(view));
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HideInputs(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkSMSourceProxy* const producer = FindProducer(representation);
+  const std::vector<vtkPVXMLElement*> hints = producer
+    ? ListHints(producer, static_cast<int>(vtkSMPropertyHelper(representation, "Input").GetOutputPort()))
+    : std::vector<vtkPVXMLElement*>();
+  if (std::none_of(
+        hints.begin(), hints.end(), [](vtkPVXMLElement* hint) { return hint->GetAttribute("hides_inputs"); }))
+  {
+    return;
+  }
+  for (vtkSMProxy* const other : ListRepresentations(view))
+  {
+    if (FindShownData(other) && LeadsTo(FindProducer(other), producer))
+    {
+      vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+      controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NameVerticalAxis(vtkSMProxy* view)
+{
+  std::set<std::string> units;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    vtkPVDataInformation* const data = FindShownData(representation);
+    const VerticalAxis axis = data ? ReadVerticalAxis(data) : VerticalAxis();
+    if (!axis.Name.empty())
+    {
+      units.insert(axis.Unit);
+    }
+  }
+  vtkSMProxy* const axes = FindAxes(view);
+  const std::string title = units.size() == 1 && !units.begin()->empty() ? "Z (" + *units.begin() + ")" : "Z Axis";
+  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : title;
+  const bool isOwn = present == "Z Axis" || present.rfind("Z (", 0) == 0;
+  if (isOwn && present != title)
+  {
+    vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());
+    axes->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ForgetEmptyView(vtkSMProxy* view)
+{
+  if (!ShowsOthers(view, nullptr) && GetVerticalExaggeration(view) != 1.0)
+  {
+    SetVerticalExaggeration(view, 1.0);
+  }
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonRepresentation
+ * @brief   shows horizons, which can be coloured by their heights
+ *
+ * All points get one more array on their way to the screen, with the name and the direction of the vertical axis: "Depth
+ * (m)", "Time (ms)" or "Elevation (m)". Horizons of all files are coloured on one scale so, whatever their vertical
+ * indices are counted from. The boundary of simplified outlines is also there as "Simplified Boundary", to have other
+ * colours than that of the outlines it was made of. The pipeline does not carry these arrays along: they take memory where
+ * points are shown alone.
+ */
+
+#ifndef vtkHorizonRepresentation_h
+#define vtkHorizonRepresentation_h
+
+#include "vtkPVCompositeRepresentation.h"
+#include "vtkSmartPointer.h"
+
+class vtkHorizonRepresentation : public vtkPVCompositeRepresentation
+{
+public:
+  static vtkHorizonRepresentation* New();
+  vtkTypeMacro(vtkHorizonRepresentation, vtkPVCompositeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Lets ParaView make objects of this class, by its name in the XML, and call them like those of the base.
+  static void Register();
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
+  vtkDataObject* GetRenderedDataObject(int port) override;
+
+protected:
+  vtkHorizonRepresentation();
+  ~vtkHorizonRepresentation() override;
+
+private:
+  vtkHorizonRepresentation(const vtkHorizonRepresentation&) = delete;
+  void operator=(const vtkHorizonRepresentation&) = delete;
+
+  /// Puts the heights between the pipeline and what draws; false where there is nothing to draw.
+  bool InsertHeights();
+
+  vtkSmartPointer<vtkAlgorithm> Heights;
+};
+
+#endif
