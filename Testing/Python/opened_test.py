@@ -122,12 +122,26 @@ def binary_files(generator, folder):
             (picture, "GDALRasterReader")]
 
 
+def check_states():
+    """States of earlier versions have proxies of other names, which only ask no file whether they read it."""
+    manager = servermanager.ProxyManager()
+    for name in ("HorizonTextReader", "HorizonGridReader", "SEGYCubeReader", "GOCADTSurfReader", "FaultLinesReader",
+                 "VerneySparseMatrixReader"):
+        old, new = (manager.NewProxy("sources", before + name) for before in ("", "ByContent"))
+        hints = [[proxy.GetHints().GetNestedElement(n).GetName() for n in range(proxy.GetHints().GetNumberOfNestedElements())]
+                 for proxy in (old, new)]
+        assert hints[0] == [hint for hint in hints[1] if hint != "ReaderFactory"] != hints[1], (name, hints)
+        assert old.GetVTKClassName() == new.GetVTKClassName() == "vtk" + name
+        assert old.GetXMLLabel() == new.GetXMLLabel()
+
+
 def main():
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     cases = [(write(folder / name, content), expected) for name, content, expected in FILES]
     cases += binary_files(generator, folder)
+    check_states()
     plane = simple.Plane(XResolution=9, YResolution=7)
     for name, expected, options in WRITTEN:
         simple.SaveData(str(folder / name), proxy=plane, **options)
