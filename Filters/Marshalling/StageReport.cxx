@@ -26,50 +26,53 @@ namespace
 // A panel has no room for more.
 constexpr std::size_t MostLines = 50;
 
+/// The unit of heights, which are told in that of z, too.
+constexpr const char* Heights = "vertical indices";
+
 /// What a number is called.
 struct Figure
 {
   const char* Array;
   const char* Name;
-  bool IsHeight = false; // in vertical indices, to be told in the unit of z, too
+  const char* Unit = "";
   bool IsToldAtZero = false;
 };
 
 /// Those that a reader looks for, in the order of the stages.
 constexpr std::array<Figure, 35> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
-  { FieldArray::SpikeThreshold, "threshold of spikes", true },
+  { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
-  { FieldArray::FaultNoise, "noise", true },
-  { FieldArray::SmallestFaultThrow, "smallest throw", true },
+  { FieldArray::FaultNoise, "noise", Heights },
+  { FieldArray::SmallestFaultThrow, "smallest throw", Heights },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
   { FieldArray::NumberOfOpenHoles, "holes left open" },
-  { FieldArray::RimSmoothing, "rim smoothing", false, true },
-  { FieldArray::RimWidth, "rim width" },
+  { FieldArray::RimSmoothing, "rim smoothing", "", true },
+  { FieldArray::RimWidth, "rim width", "columns" },
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
   { FieldArray::DroppedSpeckPoints, "points in specks left out" },
   { FieldArray::TriangleCount, "triangles" },
   { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
-  { FieldArray::SmallestAngle, "smallest angle" },
+  { FieldArray::SmallestAngle, "smallest angle", "degrees" },
   { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
-  { FieldArray::LargestError, "largest vertical error" },
-  { FieldArray::MeanError, "mean vertical error" },
-  { FieldArray::LargestLoopError, "largest vertical error of outlines" },
+  { FieldArray::LargestError, "largest vertical error", Heights },
+  { FieldArray::MeanError, "mean vertical error", Heights },
+  { FieldArray::LargestLoopError, "largest vertical error of outlines", Heights },
   { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
-  { FieldArray::OutlineDeviation, "outlines moved on the map by up to" },
-  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to" },
-  { FieldArray::BoundaryDeviation, "outlines off in space by up to" },
+  { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },
+  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", Heights },
+  { FieldArray::BoundaryDeviation, "outlines off in space by up to", "lattice units" },
   { FieldArray::NumberOfParts, "parts" },
   { FieldArray::SeamPoints, "vertices on seams" },
-  { FieldArray::ChosenRadius, "chosen radius" },
-  { FieldArray::ChosenSmallestHoleSize, "smallest open hole" },
-  { FieldArray::ChosenOutlineTolerance, "outline tolerance" },
-  { FieldArray::ChosenDistanceThreshold, "distance threshold" },
-  { FieldArray::ChosenMaximumError, "maximum error" },
+  { FieldArray::ChosenRadius, "chosen radius", "columns" },
+  { FieldArray::ChosenSmallestHoleSize, "smallest open hole", "columns" },
+  { FieldArray::ChosenOutlineTolerance, "outline tolerance", "columns" },
+  { FieldArray::ChosenDistanceThreshold, "distance threshold", "lattice units" },
+  { FieldArray::ChosenMaximumError, "maximum error", Heights },
   { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
-  { FieldArray::ChosenCellSize, "cell size" },
+  { FieldArray::ChosenCellSize, "cell size", "columns" },
   { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },
   { FieldArray::DroppedDuplicates, "points left out of columns with several" },
 } };
@@ -82,13 +85,17 @@ std::ostringstream MakeStream()
   return stream;
 }
 
-/// What a height in vertical indices is in the unit of z.
-std::string InWorld(double height, vtkPolyData* horizon)
+/// What stands behind a figure: its unit, and what a height is in the unit of z.
+std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
 {
+  const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
+  if (figure.Unit != Heights)
+  {
+    return ownUnit;
+  }
   const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
   std::ostringstream text = MakeStream();
-  text << " vertical indices, " << height * WorldPerIndex(ReadLattice(horizon))
-       << (unit.empty() ? " in z" : " " + unit);
+  text << ownUnit << ", " << height * WorldPerIndex(ReadLattice(horizon)) << (unit.empty() ? " in z" : " " + unit);
   return text.str();
 }
 
@@ -136,12 +143,13 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
       line << "\n  " << figure.Name << ' ';
       if (array->GetDataType() == VTK_DOUBLE)
       {
-        line << array->GetTuple1(0) << (figure.IsHeight ? InWorld(array->GetTuple1(0), output) : "");
+        line << array->GetTuple1(0);
       }
       else
       {
         line << vtkIdType(array->GetTuple1(0)); // counts are printed whole
       }
+      line << TellUnit(figure, array->GetTuple1(0), output);
     }
   }
   this->Entries.back().Lines = line.str() + "\n";

@@ -45,7 +45,7 @@ void TestTwoStages()
     "  patches 2\n");
   // Figures of the stage before are not told again; those that are 0 are not either.
   const std::string results = mesh->GetResults();
-  CHECK(results.find("\nTop: 120 points in, 120 out\n  triangles 198\n  smallest angle 45\n") != std::string::npos);
+  CHECK(results.find("\nTop: 120 points in, 120 out\n  triangles 198\n  smallest angle 45 degrees\n") != std::string::npos);
   CHECK(results.find("patches") == std::string::npos);
 }
 

@@ -16,7 +16,7 @@ def open_file(name):
     return simple.OpenDataFile(os.environ[name])
 
 
-def show(source, port=0, toward=None, beside=()):
+def show(source, port=0, toward=OBLIQUE, beside=()):
     """What Apply does: the output in the view with its colour legend, and the panel of the filter."""
     view = simple.GetActiveViewOrCreate("RenderView")
     for other in beside:
