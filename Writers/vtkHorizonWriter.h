@@ -55,6 +55,7 @@ public:
   vtkBooleanMacro(Gathered, vtkTypeBool);
   ///@}
 
+  /// Asks for the part of this process.
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:

@@ -90,11 +90,19 @@ bool HasMark(std::string_view text)
   {
     return true;
   }
-  while (!text.empty() && !IsEndOfPart(text.substr(0, text.find('\n'))))
+  // One at the end may be that of a file of picks.
+  bool hasEnd = false;
+  while (!text.empty())
   {
-    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (hasEnd && !IsSkipped(line))
+    {
+      return true;
+    }
+    hasEnd = hasEnd || IsEndOfPart(line);
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
   }
-  return !text.empty();
+  return false;
 }
 }
 

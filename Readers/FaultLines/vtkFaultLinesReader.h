@@ -32,7 +32,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// 1 for names that end in .pl, .pol or .flt, and for other files where they have what only fault lines have: GOCAD
-  /// PLine, segments of ZMAP+, names of CPS-3, sticks of Charisma, ends of polylines of IRAP; else 0.
+  /// PLine, segments of ZMAP+, names of CPS-3, sticks of Charisma, ends of polylines of IRAP, but for one at the end of
+  /// the file; else 0.
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{

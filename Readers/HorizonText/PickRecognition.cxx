@@ -118,7 +118,7 @@ bool IsOfOthers(const std::vector<std::string>& lines)
 {
   constexpr std::array<std::string_view, 6> beginnings = { "variables", "title", "zone", "ply", "off", "solid" };
   const std::string first = lines.empty() ? "" : ToLower(Trim(lines.front()));
-  return std::any_of(lines.begin(), lines.end(), IsEndOfLine) ||
+  return std::any_of(lines.begin(), lines.end() - 1, IsEndOfLine) ||
     std::any_of(beginnings.begin(), beginnings.end(),
       [&first](std::string_view beginning)
       {

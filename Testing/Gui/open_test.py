@@ -36,7 +36,7 @@ TEXTS = {
     "map.txt": (IRAP, "HorizonGridReader", 6, True),
     "map.horizon": (IRAP, "HorizonGridReader", 6, False),
     "top.dat": (TSURF, "GOCADTSurfReader", 3, True),
-    "fault.txt": (FAULT, "FaultLinesReader", 2, True),
+    "fault.txt": (2 * FAULT, "FaultLinesReader", 4, True),
     # A table of others.
     "table.txt": ("day,heat\n1,3\n2,5\n3,4\n", "CSVReader", 0, False),
 }

@@ -60,7 +60,8 @@ FILES = (
     ("zmap.txt", ZMAP, GRID), ("zmap.dat", ZMAP, GRID), ("esri.txt", ESRI, GRID), ("esri.grd", ESRI, GRID),
     ("mesh.txt", TSURF, MESH), ("mesh", TSURF, MESH), ("mesh.dat", TSURF, MESH), ("mesh.ts", TSURF, MESH),
     ("faults.txt", PLINE, LINES), ("faults", PLINE, LINES), ("faults.dat", IRAP_LINES, LINES), ("faults.ts", PLINE, LINES),
-    ("faults.csv", IRAP_LINES, LINES),
+    ("faults.csv", IRAP_LINES, LINES), ("ended.dat", picks() + "999.0 999.0 999.0\n", TEXT),
+    ("ended.txt", picks() + "999.0 999.0 999.0\n", TEXT),
     ("voxels.txt", MATRIX, VOXELS), ("voxels", MATRIX, VOXELS), ("voxels.csv", MATRIX, VOXELS), ("voxels.vsm", MATRIX, VOXELS),
     # What the reader refuses comes to it only where no other reader wants it: it says what to do.
     ("doubt.dat", DOUBT, TEXT), ("doubt", DOUBT, TEXT), ("doubt.txt", DOUBT, TABLE), ("scatter.dat", SCATTER, TEXT),
