@@ -48,8 +48,9 @@ std::vector<std::string> ListLines(std::istream& stream)
     }
   }
   lines.pop_back(); // which may be cut off
-  lines.erase(
-    std::remove_if(lines.begin(), lines.end(), [](const std::string& line) { return IsSkipped(line); }), lines.end());
+  lines.erase(std::remove_if(lines.begin(), lines.end(),
+                [](const std::string& line) { return IsSkipped(line) || line[0] == '%' || line[0] == '*'; }),
+    lines.end());
   return lines;
 }
 
@@ -154,13 +155,13 @@ bool AreCertain(PickTable picks, const TextLayout& layout, const std::vector<std
   }
   const int z = layout.Find(ColumnRole::Z);
   const bool hasNames = !layout.IsGuessed && layout.Kind == TextKind::Plain;
-  if (hasNames && (z < 0 || ColumnOfName(layout.Columns[std::size_t(z)].Name).Role != ColumnRole::Z))
+  const ColumnRole named = hasNames && z >= 0 ? ColumnOfName(layout.Columns[std::size_t(z)].Name).Role : ColumnRole::Z;
+  if (z < 0 || (named != ColumnRole::Z && named != ColumnRole::HorizonName)) // "SURFACE" may be that of heights
   {
     return false; // any column that was left
   }
-  // Nothing is above the picks but their names.
-  const std::size_t heads = layout.HasLineOfNames ? 1 : 0;
-  return lines.size() > heads && CountNumbers(lines[heads]).Numbers >= 3 && FormHorizons(std::move(picks));
+  // Nothing is above the picks but what names them, or comments.
+  return (hasNames || CountNumbers(lines.front()).Numbers >= 3) && FormHorizons(std::move(picks));
 }
 }
 
