@@ -324,7 +324,7 @@ void TestAutomatic()
   vtkFieldData* const figures = filling->GetPolyDataOutput()->GetFieldData();
   CHECK_EQUAL(figures->GetArray("RimSmoothing")->GetTuple1(0), 0.0); // a plane
   CHECK_EQUAL(figures->GetArray("RimWidth")->GetTuple1(0), 3.0);
-  CHECK(std::string(filling->GetResults()).find("rim smoothing 0\n  rim width 3\n") != std::string::npos);
+  CHECK(std::string(filling->GetResults()).find("rim smoothing 0\n  rim width 3 columns\n") != std::string::npos);
   filling->SetMethodToPlate();
   filling->Update();
   CHECK(!filling->GetPolyDataOutput()->GetFieldData()->HasArray("RimSmoothing"));
