@@ -33,6 +33,7 @@ using namespace SeismicHorizons;
 constexpr int ReferencePort = 0;
 constexpr int MeshPort = 1;
 constexpr int TablePort = 2;
+constexpr int HistogramPort = 3;
 
 void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
 {
@@ -50,7 +51,7 @@ vtkStandardNewMacro(vtkHorizonSurfaceDistance);
 vtkHorizonSurfaceDistance::vtkHorizonSurfaceDistance()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -67,7 +68,7 @@ void vtkHorizonSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == TablePort ? "vtkTable" : "vtkDataObject");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= TablePort ? "vtkTable" : "vtkDataObject");
   return 1;
 }
 
@@ -75,7 +76,7 @@ int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformatio
 int vtkHorizonSurfaceDistance::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (const int port : { ReferencePort, MeshPort }) // the executive makes the table
+  for (const int port : { ReferencePort, MeshPort }) // the executive makes the tables
   {
     MakeOutputLike(vtkDataObject::GetData(inputVector[port], 0), outputVector->GetInformationObject(port));
   }
@@ -92,8 +93,10 @@ int vtkHorizonSurfaceDistance::RequestData(
   const Ranks ranks(this->GetController(), request, outputVector);
   const auto work = [&](std::string& subject, const Monitor& monitor)
   {
-    auto* const table = vtkTable::SafeDownCast(outputs[TablePort]);
-    MakeColumns(table);
+    auto* const figures = vtkTable::SafeDownCast(outputs[TablePort]);
+    auto* const histogram = vtkTable::SafeDownCast(outputs[HistogramPort]);
+    MakeColumns(figures);
+    MakeBinColumns(histogram);
     HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeshPort], ranks);
     const std::vector<HorizonPair>& own = pairs.OwnPairs();
     const auto measure = [&]()
@@ -108,7 +111,7 @@ int vtkHorizonSurfaceDistance::RequestData(
       }
     };
     ranks.Together(measure);
-    pairs.Deliver(table);
+    pairs.Deliver({ figures, histogram });
   };
   return RunRequest(this, outputs, NotEnoughMemory, work, ranks);
 }
@@ -135,6 +138,8 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
   WriteFieldData(measured.Report, measured.Report.Surfaces[0], pair.ReferenceOutput);
   WriteFieldData(measured.Report, measured.Report.Surfaces[1], pair.MeshOutput);
-  MakeColumns(pair.Rows);
-  AppendRows(measured.Report, pair.Name, pair.Rows);
+  MakeColumns(pair.Rows[0]);
+  AppendRows(measured.Report, pair.Name, pair.Rows[0]);
+  MakeBinColumns(pair.Rows[1]);
+  AppendBins(measured.Report, this->DistanceUnit == World, pair.Name, pair.Rows[1]);
 }

@@ -27,6 +27,10 @@
  * Direction, Unit, those named above with GradingMedian and Grading95 of the surface where the direction begins, and
  * Samples, the number of places on its faces.
  *
+ * Output 3: a histogram of the distances of both directions in the DistanceUnit, as a vtkTable of 31 rows for each
+ * horizon: Horizon, Unit, bin_extents, where a bin begins, and Area (%), the share of the area of both surfaces. 30 bins
+ * go to the 99th percentile, the last one to the largest distance.
+ *
  * The measure is that of Metro (Cignoni, Rocchini and Scopigno 1998, "Metro: measuring error on simplified surfaces";
  * thesis 4.4). Vertices of a surface, and samples that are spread evenly over its edges and faces, are measured to the
  * other surface; the distance of each of them is exact. The largest distance is bounded from above by a search that
@@ -41,7 +45,7 @@
  * samples.
  *
  * In a program of several processes each of them measures the references it has; meshes that are elsewhere are sent to
- * it, and back. The table is on the first one, and a horizon must have all its points on one of them.
+ * it, and back. The tables are on the first one, and a horizon must have all its points on one of them.
  *
  * With InvalidHorizons set to LeaveOut, a pair that can not be measured has empty surfaces and no rows.
  *

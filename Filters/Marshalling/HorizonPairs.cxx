@@ -99,7 +99,7 @@ void HorizonPairs::Take(
   {
     const HorizonLeaf& reference = references[match.Reference.Leaf];
     HorizonPair pair{ reference.Name, reference.Input, nullptr, reference.Outputs.front(), nullptr,
-      vtkSmartPointer<vtkTable>::New() };
+      { vtkSmartPointer<vtkTable>::New(), vtkSmartPointer<vtkTable>::New() } };
     if (hasMesh)
     {
       pair.Mesh = meshes[match.Mesh.Leaf].Input;
@@ -121,7 +121,7 @@ void HorizonPairs::Take(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HorizonPairs::Deliver(vtkTable* table) const
+void HorizonPairs::Deliver(const std::array<vtkTable*, 2>& tables) const
 {
   const int own = this->Group.Own();
   auto pair = this->Own.begin();
@@ -135,13 +135,16 @@ void HorizonPairs::Deliver(vtkTable* table) const
       {
         this->Group.Send(pair->MeshOutput, match.Mesh.Rank);
       }
-      if (own == 0)
+      for (std::size_t n = 0; n < tables.size(); ++n)
       {
-        AppendRows(pair->Rows, table);
-      }
-      else
-      {
-        this->Group.Send(pair->Rows, 0);
+        if (own == 0)
+        {
+          AppendRows(pair->Rows[n], tables[n]);
+        }
+        else
+        {
+          this->Group.Send(pair->Rows[n], 0);
+        }
       }
       ++pair;
       continue;
@@ -150,11 +153,11 @@ void HorizonPairs::Deliver(vtkTable* table) const
     {
       this->Group.Receive(*away++, working);
     }
-    if (own == 0)
+    for (std::size_t n = 0; own == 0 && n < tables.size(); ++n)
     {
       vtkNew<vtkTable> rows;
       this->Group.Receive(rows, working);
-      AppendRows(rows, table);
+      AppendRows(rows, tables[n]);
     }
   }
 }

@@ -11,6 +11,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct HorizonPair
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkPolyData> ReferenceOutput;
   vtkSmartPointer<vtkPolyData> MeshOutput;
-  vtkSmartPointer<vtkTable> Rows; // of the pair in a table; empty
+  std::array<vtkSmartPointer<vtkTable>, 2> Rows; // of the pair in each of the tables; empty
 };
 
 /// Pairs the horizons of two datasets, each a vtkPolyData or a composite of them, in the order of the reference. One
@@ -51,9 +52,9 @@ public:
   /// The pairs that this rank works on.
   std::vector<HorizonPair>& OwnPairs() { return this->Own; }
 
-  /// When all are done: sends the outputs of meshes to the ranks that have these, and the rows of all pairs to `table`
-  /// on the first rank, in the order of pairs. Collective.
-  void Deliver(vtkTable* table) const;
+  /// When all are done: sends the outputs of meshes to the ranks that have these, and the rows of all pairs to the
+  /// tables on the first rank, in the order of pairs. Collective.
+  void Deliver(const std::array<vtkTable*, 2>& tables) const;
 
 private:
   /// A pair by the ranks of its two sides.

@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a pair of datasets to two triangle surfaces, their distances in lattice and in world units, and the figures of
-// these as field data and as a table.
+// From a pair of datasets to two triangle surfaces, and their distances in lattice and in world units.
 
 #ifndef SeismicHorizonsSurfacePair_h
 #define SeismicHorizonsSurfacePair_h
 
 #include "Common/Monitor.h"
+#include "DistanceReport.h"
 #include "SurfaceDistance/SurfaceDistance.h"
-
-#include <array>
-#include <string>
-
-class vtkPolyData;
-class vtkTable;
 
 namespace SeismicHorizons
 {
@@ -24,17 +18,6 @@ struct HorizonPair;
 /// with all its points: inside its loops, or where it has none, inside its exterior boundary of that radius. Throws
 /// InputError when it can not be meshed.
 void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor);
-
-/// From the reference to the mesh, from the mesh to the reference, both.
-constexpr std::size_t Directions = 3;
-
-struct DistanceReport
-{
-  std::array<DistanceFigures, Directions> Lattice;
-  std::array<DistanceFigures, Directions> World;
-  double Diagonal = 0.0; // of the reference, in lattice units
-  std::array<Grading, 2> Surfaces; // reference, mesh
-};
 
 struct MeasuredPair
 {
@@ -48,15 +31,6 @@ struct MeasuredPair
 /// triangles, and as MeasureSurfaceDistance does.
 MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptions& options, bool inWorldUnits,
   bool withFilledPoints, const Monitor& monitor);
-
-/// Adds the figures to the field data of one of the two surfaces.
-void WriteFieldData(const DistanceReport& report, const Grading& grading, vtkPolyData* output);
-
-/// Gives a table its columns.
-void MakeColumns(vtkTable* table);
-
-/// Adds the rows of a horizon.
-void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTable* table);
 }
 
 #endif

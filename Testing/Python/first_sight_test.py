@@ -102,7 +102,7 @@ class FirstSightTest(unittest.TestCase):
 
     def test_outlines_stand_out_from_the_points(self):
         display = self.show(simple.HorizonExteriorBoundary(Input=self.horizons))
-        self.assertEqual((display.LineWidth, display.RenderLinesAsTubes, display.PointSize), (3, 1, 1))
+        self.assertEqual((display.LineWidth, display.RenderLinesAsTubes, display.PointSize), (3, 1, 2))
         self.assertEqual(colored_by(display), ("POINTS", "Boundary"))
         self.assertEqual(labels(display), {"0": "inside", "1": "outline", "2": "hole"})
 
@@ -121,7 +121,7 @@ class FirstSightTest(unittest.TestCase):
         outlines = simple.HorizonExteriorBoundary(Input=self.horizons)
         for stage in (simple.HorizonRoughSimplification, simple.HorizonElaborateSimplification):
             display = self.show(stage(Input=outlines))
-            self.assertEqual((display.LineWidth, display.PointSize, display.RenderPointsAsSpheres), (3, 4, 1))
+            self.assertEqual((display.LineWidth, display.PointSize, display.RenderPointsAsSpheres), (3, 5, 1))
             self.assertEqual(colored_by(display), ("POINTS", "Depth"))
 
     def test_heights_of_all_files_are_on_one_scale_in_their_unit(self):

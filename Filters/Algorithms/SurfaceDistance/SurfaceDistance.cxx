@@ -89,6 +89,18 @@ public:
     return std::numeric_limits<double>::quiet_NaN();
   }
 
+  /// The part of the weight of values up to one, 0 to 1.
+  double PartUpTo(double value) const
+  {
+    const std::uint32_t last = BinOf(value);
+    const auto bin = this->Weights.begin() + std::ptrdiff_t(last);
+    const bool hasEnds = last > 0 && last < Bins - 1;
+    const double within = hasEnds ? (value - LowEnd(last)) / (LowEnd(last + 1) - LowEnd(last)) : 1.0;
+    const double below = double(std::accumulate(this->Weights.begin(), bin, std::uint64_t(0)));
+    const double all = double(std::accumulate(bin, this->Weights.end(), std::uint64_t(0))) + below;
+    return (below + within * double(*bin)) / all;
+  }
+
 private:
   static constexpr int LeastExponent = -64;
   static constexpr int GreatestExponent = 64;
@@ -512,6 +524,14 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   {
     // A bin of the histogram may end beyond the largest distance in it.
     figures.Percentile[n] = std::min(faces.Histogram[metric].Percentile(0.01 * Percentiles[n]), in.Largest);
+  }
+  double below = 0.0;
+  for (std::size_t bin = 0; bin < DistanceBins; ++bin)
+  {
+    const double end = figures.Percentile.back() * double(bin + 1) / double(DistanceBins - 1);
+    const double upTo = bin + 1 < DistanceBins ? faces.Histogram[metric].PartUpTo(end) : 1.0;
+    figures.Share[bin] = upTo - below;
+    below = upTo;
   }
 }
 

@@ -37,6 +37,9 @@ struct SurfaceDistanceOptions
 /// The percentiles that are measured.
 constexpr std::array<int, 4> Percentiles = { 50, 90, 95, 99 };
 
+/// Bins of a histogram of distances: of equal width up to the 99th percentile, and one for all above.
+constexpr std::size_t DistanceBins = 31;
+
 /// Distances from one surface to another, in the units of the coordinates.
 struct DistanceFigures
 {
@@ -48,6 +51,7 @@ struct DistanceFigures
   double Mean = 0.0;
   double Rms = 0.0; // the root of the mean square
   std::array<double, Percentiles.size()> Percentile = {}; // as of the constant; within a thousandth of their size
+  std::array<double, DistanceBins> Share = {}; // of the area, in each bin; sums up to 1
   /// The largest distance of the outline (edges of one triangle) to the other outline, in plan; nan when one of the
   /// surfaces has none.
   double Outline = 0.0;
