@@ -21,8 +21,8 @@ constexpr std::array<double, 20> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 999
 //----------------------------------------------------------------------------------------------------------------------
 std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_t>& picks)
 {
-  const auto ends = std::minmax_element(picks.begin(), picks.end(),
-    [&](std::int32_t a, std::int32_t b) { return z[std::size_t(a)] < z[std::size_t(b)]; });
+  const auto ends = std::minmax_element(
+    picks.begin(), picks.end(), [&](std::int32_t a, std::int32_t b) { return z[std::size_t(a)] < z[std::size_t(b)]; });
   if (ends.first == picks.end())
   {
     return {};
@@ -45,8 +45,8 @@ std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_
     {
       std::ostringstream text;
       text.precision(12);
-      text << count << " of " << picks.size() << " picks with z " << null << ", far from all others, " << least << " to "
-           << greatest << ": add " << null << " to NullValues if it means that there is no z";
+      text << count << " of " << picks.size() << " picks with z " << null << ", far from all others, " << least
+           << " to " << greatest << ": add " << null << " to NullValues if it means that there is no z";
       return text.str();
     }
   }

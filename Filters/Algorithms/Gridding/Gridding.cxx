@@ -76,6 +76,13 @@ struct Box
     this->Least = this->Least.cwiseMin(place);
     this->Greatest = this->Greatest.cwiseMax(place);
   }
+
+  int LongAxis() const { return (this->Greatest - this->Least).y() > (this->Greatest - this->Least).x() ? 1 : 0; }
+
+  double Distance(const Eigen::Vector2d& place) const
+  {
+    return (this->Least - place).cwiseMax(place - this->Greatest).cwiseMax(0.0).norm();
+  }
 };
 
 /// Along x and y, with steps that make about a column for each pick of their bounding box.
@@ -136,14 +143,14 @@ SurveyLattice FindGrid(
 //----------------------------------------------------------------------------------------------------------------------
 // Nearest picks
 
-/// A tree of picks in the world: each node is the middle one of its picks along the axis where these reach farther.
+/// A tree of picks in the world: each node is the middle one of its picks along the axis where their box is longer.
 class PickSearch
 {
 public:
   explicit PickSearch(const std::vector<Eigen::Vector2d>& places)
     : Places(places)
     , Order(places.size())
-    , Axis(places.size(), 0)
+    , Boxes(places.size())
   {
     std::iota(this->Order.begin(), this->Order.end(), 0);
     this->Build(0, this->Order.size());
@@ -167,55 +174,48 @@ private:
 
   void Build(std::size_t first, std::size_t last)
   {
-    if (last - first < 2)
+    if (first == last)
     {
       return;
     }
-    Box box;
+    const std::size_t middle = first + (last - first) / 2;
     for (std::size_t node = first; node < last; ++node)
     {
-      box.Add(this->PlaceAt(node));
+      this->Boxes[middle].Add(this->PlaceAt(node));
     }
-    const Eigen::Vector2d extent = box.Greatest - box.Least;
-    const int axis = extent.y() > extent.x() ? 1 : 0;
-    const std::size_t middle = first + (last - first) / 2;
+    const int axis = this->Boxes[middle].LongAxis();
     const auto begin = this->Order.begin();
     std::nth_element(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(middle), begin + std::ptrdiff_t(last),
       [&](std::int32_t a, std::int32_t b)
       { return this->Places[std::size_t(a)][axis] < this->Places[std::size_t(b)][axis]; });
-    this->Axis[middle] = std::int8_t(axis);
     this->Build(first, middle);
     this->Build(middle + 1, last);
   }
 
   void Look(std::size_t first, std::size_t last, const Eigen::Vector2d& place, Found& found) const
   {
-    if (first == last)
+    const std::size_t middle = first + (last - first) / 2;
+    if (first == last || this->Boxes[middle].Distance(place) > found.Distance)
     {
       return;
     }
-    const std::size_t middle = first + (last - first) / 2;
     const std::int32_t pick = this->Order[middle];
     const double distance = (this->PlaceAt(middle) - place).norm();
     if (distance < found.Distance || (distance == found.Distance && pick < found.Pick))
     {
       found = { pick, distance };
     }
-    const int axis = this->Axis[middle];
-    const double ahead = place[axis] - this->PlaceAt(middle)[axis];
-    for (const bool isNear : { true, false })
+    const int axis = this->Boxes[middle].LongAxis();
+    const bool isBelow = place[axis] < this->PlaceAt(middle)[axis];
+    for (const bool looksBelow : { isBelow, !isBelow })
     {
-      if (isNear || std::abs(ahead) <= found.Distance)
-      {
-        const bool isBelow = (ahead < 0.0) == isNear;
-        this->Look(isBelow ? first : middle + 1, isBelow ? middle : last, place, found);
-      }
+      this->Look(looksBelow ? first : middle + 1, looksBelow ? middle : last, place, found);
     }
   }
 
   const std::vector<Eigen::Vector2d>& Places;
   std::vector<std::int32_t> Order;
-  std::vector<std::int8_t> Axis;
+  std::vector<Box> Boxes; // of each node with all below it
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -279,8 +279,8 @@ std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)
 //----------------------------------------------------------------------------------------------------------------------
 // One horizon
 
-/// The plane next to all picks by least squares, and where these stand for the plate. Noise of picks on a line, or in two
-/// wells, would tilt both across it. So the plane is level in a direction in which picks spread (their standard
+/// The plane next to all picks by least squares, and where these stand for the plate. Noise of picks on a line, or in
+/// two wells, would tilt both across it. So the plane is level in a direction in which picks spread (their standard
 /// deviation) by less than half a step, or less than a fiftieth of what they do along the other; and where none is more
 /// than a step off the middle in it, all are moved there.
 struct Trend
@@ -345,8 +345,8 @@ struct Spring
   double Picks = 0.0;
 };
 
-/// Picks nearer than a part of a column to one of them are one spring: of what is so near the noise would tilt the plate,
-/// as in a well.
+/// Picks nearer than a part of a column to one of them are one spring: noise of what is so near would tilt the plate, as
+/// in a well.
 std::vector<Spring> MakeSprings(const std::vector<double>& z, const Trend& trend)
 {
   constexpr double near = 0.1;
@@ -564,7 +564,8 @@ private:
     {
       isIn[cell] = isIn[cell] && isHeld[std::size_t(pieces.Find(std::int32_t(cell)))] ? 1 : 0;
     }
-    this->Kept.erase(std::remove_if(this->Kept.begin(), this->Kept.end(), [&](std::size_t cell) { return !isIn[cell]; }),
+    this->Kept.erase(
+      std::remove_if(this->Kept.begin(), this->Kept.end(), [&](std::size_t cell) { return !isIn[cell]; }),
       this->Kept.end());
   }
 
@@ -592,21 +593,36 @@ private:
     this->AddEnergy(plate);
     std::vector<double> values = this->AddSprings(plate, springs);
     SiteSolver<2>(plate).Solve(values, monitor);
+    // Rounding would make steps of level pieces, of which the vertical step is found.
+    const double largest = std::max(std::abs(*std::min_element(this->Given.Z.begin(), this->Given.Z.end())),
+      std::abs(*std::max_element(this->Given.Z.begin(), this->Given.Z.end())));
+    const double unit = largest > 0.0 ? std::exp2(std::ceil(std::log2(largest)) - 32.0) : 1.0;
     for (const std::size_t column : this->Kept)
     {
       const int i = int(column % std::size_t(this->Width));
       const int j = int(column / std::size_t(this->Width));
-      this->Result[column] = trend.Plane[0] + trend.Plane[1] * i + trend.Plane[2] * j +
+      const double z = trend.Plane[0] + trend.Plane[1] * i + trend.Plane[2] * j +
         values[std::size_t(plate.Sites.Number[std::size_t(near->Find({ i, j }))])];
+      this->Result[column] = unit * std::round(z / unit);
     }
   }
 
   /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse of
-  /// the products of steps, times their area, so that it is 1 for equal ones.
+  /// the products of steps, times their area, so that it is 1 for equal ones. Steps more unequal than 1 to 8 count as such:
+  /// beyond multigrid hardly converges.
+  Eigen::Matrix2d Metric() const
+  {
+    constexpr double most = 8.0;
+    const Eigen::Matrix2d steps = this->Lattice.Steps();
+    const Eigen::Matrix2d squares = steps.transpose() * steps / std::abs(steps.determinant());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares.inverse());
+    return axes.eigenvectors() * axes.eigenvalues().cwiseMax(1.0 / most).cwiseMin(most).asDiagonal() *
+      axes.eigenvectors().transpose();
+  }
+
   void AddEnergy(SiteSystem<2>& plate) const
   {
-    const Eigen::Matrix2d steps = this->Lattice.Steps();
-    const Eigen::Matrix2d metric = (steps.transpose() * steps).inverse() * std::abs(steps.determinant());
+    const Eigen::Matrix2d metric = this->Metric();
     const double x = metric(0, 0);
     const double y = metric(1, 1);
     const double shear = std::abs(metric(0, 1)) > 1e-9 * std::max(x, y) ? metric(0, 1) : 0.0;
@@ -738,8 +754,8 @@ std::vector<Eigen::Vector2d> PlacesOf(const PickTable& picks)
   return places;
 }
 
-/// Numbers of all different places by x and then y, in the place of columns: what is at one place are duplicates, and the
-/// order of picks by them is independent of that of the file.
+/// Numbers of all different places by x and then y, in the place of columns: what is at one place are duplicates, and
+/// the order of picks by them is independent of that of the file.
 std::vector<PlanePoint> NumberPlaces(const std::vector<Eigen::Vector2d>& places)
 {
   std::vector<std::size_t> order(places.size());
@@ -840,8 +856,8 @@ SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const 
     LatticeHorizon horizon;
     if (!given.Z.empty())
     {
-      horizon = HorizonGridder(given, gridded.Lattice, options)
-                  .Run(monitor.Step(done, done + 1.0 / double(orders.size())));
+      horizon =
+        HorizonGridder(given, gridded.Lattice, options).Run(monitor.Step(done, done + 1.0 / double(orders.size())));
     }
     horizon.SurfaceId = int(number) + 1;
     horizon.DroppedDuplicates = orders[number].Duplicates;
