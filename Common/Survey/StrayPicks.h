@@ -33,8 +33,9 @@ std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double 
 /// least 8 places, else they are no strays.
 std::vector<std::size_t> FindFarPlaces(const std::vector<Eigen::Vector2d>& places);
 
-/// Picks with numbers of lines that are between those of nearly all others, which go by larger steps: one wrong digit makes
-/// the lattice finer, and its columns fall apart. Of crosslines, or where there are none, of inlines; by their numbers.
+/// Picks with numbers of lines that are between those of nearly all others, which go by larger steps: one wrong digit
+/// makes the lattice finer, and its columns fall apart. Of crosslines, or where there are none, of inlines; by their
+/// numbers.
 std::vector<std::size_t> FindBetweenLines(
   const PickTable& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor = Monitor());
 

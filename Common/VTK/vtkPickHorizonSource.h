@@ -135,9 +135,9 @@ public:
 
   ///@{
   /**
-   * What to do about picks that are off the lattice, or far from all others. Stop: an error, or a warning where those far
-   * away are on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning that names them. Default:
-   * Stop.
+   * What to do about picks that are off the lattice, or far from all others. Stop: an error, or a warning where those
+   * far away are on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning that names them.
+   * Default: Stop.
    *
    * With Gridding those far from all others are an error, but a warning where the lattice is given.
    */
@@ -184,9 +184,9 @@ public:
 
   ///@{
   /**
-   * How picks that stand on no lattice, as of 2D lines, wells or scattered points, become a horizon on one. NoGridding: they
-   * have to stand on a lattice. Plate: a thin plate that comes near to all of them. Nearest: each column has the z of the
-   * pick nearest to it. See "Gridding" in HorizonTextReader.md. Default: NoGridding.
+   * How picks that stand on no lattice, as of 2D lines, wells or scattered points, become a horizon on one.
+   * NoGridding: they have to stand on a lattice. Plate: a thin plate that comes near to all of them. Nearest: each
+   * column has the z of the pick nearest to it. See "Gridding" in HorizonTextReader.md. Default: NoGridding.
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
    */

@@ -345,8 +345,8 @@ struct Spring
   double Picks = 0.0;
 };
 
-/// Picks nearer than a part of a column to one of them are one spring: noise of what is so near would tilt the plate, as
-/// in a well.
+/// Picks nearer than a part of a column to one of them are one spring: noise of what is so near would tilt the plate,
+/// as in a well.
 std::vector<Spring> MakeSprings(const std::vector<double>& z, const Trend& trend)
 {
   constexpr double near = 0.1;
@@ -607,12 +607,12 @@ private:
     }
   }
 
-  /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse of
-  /// the products of steps, times their area, so that it is 1 for equal ones. Steps more unequal than 1 to 8 count as such:
-  /// beyond multigrid hardly converges.
+  /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse
+  /// of the products of steps, times their area, so that it is 1 for equal ones. Steps more unequal than 1 to 4 count
+  /// as such: beyond multigrid hardly converges.
   Eigen::Matrix2d Metric() const
   {
-    constexpr double most = 8.0;
+    constexpr double most = 4.0;
     const Eigen::Matrix2d steps = this->Lattice.Steps();
     const Eigen::Matrix2d squares = steps.transpose() * steps / std::abs(steps.determinant());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares.inverse());
