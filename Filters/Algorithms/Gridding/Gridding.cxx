@@ -607,12 +607,12 @@ private:
     }
   }
 
-  /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse
-  /// of the products of steps, times their area, so that it is 1 for equal ones. Steps more unequal than 1 to 4 count
-  /// as such: beyond multigrid hardly converges.
-  Eigen::Matrix2d Metric() const
+  /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse of
+  /// the products of steps, times their area, so that it is 1 for equal ones. Multigrid hardly converges where steps are
+  /// more unequal than 1 to 4: they count as such there.
+  Eigen::Matrix2d Metric(std::size_t sites) const
   {
-    constexpr double most = 4.0;
+    const double most = sites < MultigridSize ? 100.0 : 4.0;
     const Eigen::Matrix2d steps = this->Lattice.Steps();
     const Eigen::Matrix2d squares = steps.transpose() * steps / std::abs(steps.determinant());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares.inverse());
@@ -622,7 +622,7 @@ private:
 
   void AddEnergy(SiteSystem<2>& plate) const
   {
-    const Eigen::Matrix2d metric = this->Metric();
+    const Eigen::Matrix2d metric = this->Metric(plate.Sites.Size());
     const double x = metric(0, 0);
     const double y = metric(1, 1);
     const double shear = std::abs(metric(0, 1)) > 1e-9 * std::max(x, y) ? metric(0, 1) : 0.0;

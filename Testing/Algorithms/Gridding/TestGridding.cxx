@@ -203,6 +203,17 @@ void TestTables()
     gridded.Horizons[0].RealZ.begin(), gridded.Horizons[0].RealZ.end()));
 }
 
+/// Least and greatest z, also of what is not finite.
+std::pair<double, double> RangeOf(const LatticeHorizon& horizon)
+{
+  std::pair<double, double> range(horizon.RealZ[0], horizon.RealZ[0]);
+  for (const double z : horizon.RealZ)
+  {
+    range = { z >= range.first ? range.first : z, z <= range.second ? range.second : z };
+  }
+  return range;
+}
+
 void TestThreads()
 {
   const PickTable picks = Scatter(500, [](double x, double y) { return std::sin(x / 300.0) * y; });
@@ -219,6 +230,10 @@ void TestThreads()
   Detail::NumberOfThreads() = usual;
   GriddingOptions narrow = Turned(GriddingMethod::Plate);
   narrow.Placement.RowStep /= 16.0;
+  const std::pair<double, double> range = RangeOf(GridPicks(picks, narrow).Horizons.front());
+  CHECK(range.first > -6000.0 && range.second < 6000.0); // of picks within 2000
+  narrow.Placement.RowStep *= 4.0;
+  narrow.Placement.ColumnStep /= 4.0;
   CHECK_EQUAL(
     MonitorChecker::Check(10, [&](const Monitor& monitor) { GridPicks(picks, narrow, monitor); }), std::string());
 }
@@ -267,17 +282,6 @@ PickTable Wells(const std::vector<Eigen::Vector2d>& places, int count)
   return picks;
 }
 
-/// Least and greatest z, also of what is not finite.
-std::pair<double, double> RangeOf(const LatticeHorizon& horizon)
-{
-  std::pair<double, double> range(horizon.RealZ[0], horizon.RealZ[0]);
-  for (const double z : horizon.RealZ)
-  {
-    range = { z >= range.first ? range.first : z, z <= range.second ? range.second : z };
-  }
-  return range;
-}
-
 /// Noise does not tilt the plate, and columns that nothing holds are left out.
 void TestWells()
 {
@@ -287,10 +291,11 @@ void TestWells()
     for (const int count : { 10, 1000 })
     {
       const PickTable picks = Wells({ four.begin(), four.begin() + wells }, count);
-      for (const double radius : { 0.0, 1000.0 })
+      // Far from a single well, whose columns are as small as its noise, this shows.
+      for (const double radius : wells == 1 ? std::vector<double>{ 0.0 } : std::vector<double>{ 0.0, 1000.0 })
       {
         GriddingOptions options;
-        options.Radius = wells == 1 ? radius / 100.0 : radius;
+        options.Radius = radius;
         const SurveyHorizons gridded = GridPicks(picks, options);
         const std::pair<double, double> range = RangeOf(gridded.Horizons.front());
         CHECK(range.first > 1995.0 && range.second < 2014.0);
@@ -313,7 +318,7 @@ void TestWells()
     const SurveyHorizons gridded = GridPicks(picks, options);
     const std::pair<double, double> range = RangeOf(gridded.Horizons.front());
     CHECK(range.first >= 10.0 - 1e-6 && range.second <= 20.0 + 1e-6);
-    CHECK_EQUAL(gridded.Horizons.front().RealZ.size(), std::size_t(method == GriddingMethod::Plate ? 2 : 6));
+    CHECK_EQUAL(gridded.Horizons.front().RealZ.size(), std::size_t(method == GriddingMethod::Plate ? 3 : 6));
   }
 }
 
