@@ -6,6 +6,8 @@
 #include "GzipStream.h"
 #include "TextWords.h"
 
+#include <algorithm>
+#include <exception>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -55,6 +57,50 @@ std::string StemOf(const std::string& name)
     path.replace_extension();
   }
   return path.stem().u8string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string ExtensionOf(const std::string& name)
+{
+  std::filesystem::path path = std::filesystem::u8path(name);
+  if (ToLower(path.extension().u8string()) == ".gz")
+  {
+    path.replace_extension();
+  }
+  const std::string extension = ToLower(path.extension().u8string());
+  return extension.substr(std::min<std::size_t>(1, extension.size()));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string PeekText(std::istream& stream, std::size_t most)
+{
+  const std::istream::pos_type here = stream.tellg();
+  std::string bytes;
+  try
+  {
+    for (char c = 0; bytes.size() < most && stream.get(c);)
+    {
+      bytes += c;
+    }
+  }
+  catch (const std::exception&)
+  {
+    // What a compressed file was made from has an end before its own where it was cut; reading it tells.
+  }
+  stream.clear();
+  stream.seekg(here);
+  return std::string(WithoutByteOrderMark(bytes));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string PeekLines(std::istream& stream, std::size_t most)
+{
+  std::string text = PeekText(stream, most);
+  if (text.size() + ByteOrderMark.size() >= most)
+  {
+    text.resize(text.rfind('\n') + 1); // 0 where there is none
+  }
+  return text;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

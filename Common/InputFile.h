@@ -8,6 +8,7 @@
 
 #include "FileErrors.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <istream>
@@ -38,6 +39,15 @@ std::unique_ptr<std::istream> OpenInputFile(const std::string& name);
 
 /// The name of a file without its folder and extension: "a" for "b/a.vsm", and for "b/a.vsm.gz".
 std::string StemOf(const std::string& name);
+
+/// The extension of a name in lower case: "vsm" for "b/a.VSM", and for "b/a.vsm.gz"; empty where there is none.
+std::string ExtensionOf(const std::string& name);
+
+/// The first bytes of a stream, at most that many, without a byte order mark. Goes back to where it was.
+std::string PeekText(std::istream& stream, std::size_t most);
+
+/// The same without a last line that is cut off there.
+std::string PeekLines(std::istream& stream, std::size_t most);
 
 /// Refuses a name that was not set.
 void RequireFileName(const char* name);

@@ -61,30 +61,36 @@ int vtkHorizonAlgorithm::RequestData(
     std::vector<HorizonLeaf> horizons;
     ranks.Together([&]() { horizons = ListHorizons(input, outputs); });
     ListOnRanks(horizons, ranks); // throws when one is on several
-    const double size = double(horizons.size());
-    for (std::size_t n = 0; n < horizons.size(); ++n)
-    {
-      const HorizonLeaf& horizon = horizons[n];
-      subject = NameBySurfaceId(horizon.Input);
-      if (horizon.Input->GetNumberOfPoints() > 0)
+    ranks.Together(
+      [&]()
       {
-        const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
-        RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
-          { horizon.Outputs.begin(), horizon.Outputs.end() },
-          [&]()
+        const double size = double(horizons.size());
+        for (std::size_t n = 0; n < horizons.size(); ++n)
+        {
+          const HorizonLeaf& horizon = horizons[n];
+          subject = NameBySurfaceId(horizon.Input);
+          if (horizon.Input->GetNumberOfPoints() > 0)
           {
-            CheckArraySizes(horizon.Input);
-            if (CountVisiblePoints(horizon.Input) == 0)
-            {
-              vtkWarningMacro(<< (subject.empty() ? "" : subject + ": ") << "all " << horizon.Input->GetNumberOfPoints()
-                              << " points are hidden by the array vtkGhostType, so that nothing is left");
-              return;
-            }
-            this->ProcessHorizon(horizon.Input, horizon.Outputs, step);
-          });
-        report.Add(horizon.Name, horizon.Input, horizon.Outputs.front());
-      }
-    }
+            const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
+            RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
+              { horizon.Outputs.begin(), horizon.Outputs.end() },
+              [&]()
+              {
+                CheckArraySizes(horizon.Input);
+                if (CountVisiblePoints(horizon.Input) == 0)
+                {
+                  vtkWarningMacro(<< (subject.empty() ? "" : subject + ": ") << "all "
+                                  << horizon.Input->GetNumberOfPoints()
+                                  << " points are hidden by the array vtkGhostType, so that nothing is left");
+                  return;
+                }
+                this->ProcessHorizon(horizon.Input, horizon.Outputs, step);
+              });
+            report.Add(horizon.Position, horizon.Name, horizon.Input, horizon.Outputs.front());
+          }
+        }
+      });
+    report.Join(ranks);
   };
   this->Results.clear();
   const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);

@@ -190,8 +190,9 @@ def _add_reader_options(group):
                        help="length along world z from one vertical index to the next (default: 1 for sparse voxel "
                        "files, where a negative one turns the vertical direction around; for others one that suits "
                        "the data)")
-    group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=VERTICAL_DIRECTIONS[0],
-                       help="where vertical indices and z of the file grow to: time and depth do so downwards")
+    group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=NOT_GIVEN,
+                       help="where vertical indices and z of the file grow to: time and depth do so downwards (default: Up "
+                       "for GeoTIFF, unless it says otherwise, for others Down)")
     group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN,
                        help="the unit of z (default: what the file says)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",

@@ -7,10 +7,14 @@
 #include "Common/OutputFile.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
-#include "Marshalling/HorizonTree.h"
+#include "Common/VTK/Ranks.h"
+#include "Marshalling/RankedHorizons.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cctype>
@@ -21,6 +25,12 @@ using namespace SeismicHorizons;
 
 namespace
 {
+/// All processes where they write together, else this one alone.
+Ranks RanksOf(bool areTogether)
+{
+  return areTogether ? Ranks(vtkMultiProcessController::GetGlobalController()) : Ranks();
+}
+
 /// The same text with underscores for what names of files can not have on some system; bytes of other alphabets stay.
 std::string MakeFileName(std::string text)
 {
@@ -88,9 +98,48 @@ void vtkHorizonWriter::WriteFiles(const std::vector<std::string>& names, const s
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// As many pieces are asked for as there are processes: those of a writer without a word would all ask for everything.
+vtkTypeBool vtkHorizonWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* const input = inputVector[0]->GetInformationObject(0);
+  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && input)
+  {
+    const Ranks ranks = RanksOf(this->Gathered);
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Own());
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Size());
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonWriter::WriteHorizons(
+  const std::vector<NamedHorizon>& horizons, const Monitor& monitor, std::string& subject)
+{
+  for (const auto& [name, data] : horizons)
+  {
+    PrefixErrors(name, [&horizon = data]() { CheckArraySizes(horizon); });
+  }
+  if (horizons.empty())
+  {
+    throw InputError("no horizon with points, expected something to write");
+  }
+  if (!this->WritesFileForEach() || horizons.size() == 1)
+  {
+    WriteOutputFile(this->FileName, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
+  }
+  else
+  {
+    this->WriteFiles(NameFiles(this->FileName, horizons), horizons, monitor, subject);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonWriter::WriteData()
 {
   const std::string file = this->FileName ? this->FileName : "";
+  const Ranks ranks = RanksOf(this->Gathered);
   const auto write = [&](std::string& subject, const Monitor& monitor)
   {
     if (file.empty())
@@ -98,32 +147,39 @@ void vtkHorizonWriter::WriteData()
       throw FileError(FileProblem::NoName, "no FileName, expected the path of a file");
     }
     subject = file;
-    const std::vector<HorizonLeaf> leaves = ListHorizons(this->GetInput(), {});
+    std::vector<HorizonLeaf> leaves;
+    ranks.Together([&]() { leaves = ListHorizons(this->GetInput(), {}); });
     std::vector<NamedHorizon> horizons;
-    for (const HorizonLeaf& leaf : leaves)
+    std::vector<vtkSmartPointer<vtkPolyData>> received;
+    for (const RankedHorizon& horizon : ListOnRanks(leaves, ranks))
     {
-      if (leaf.Input->GetNumberOfPoints() > 0)
+      if (horizon.Points == 0)
       {
-        const std::string name = leaf.Name.empty() ? std::filesystem::u8path(file).stem().u8string() : leaf.Name;
-        PrefixErrors(name, [&]() { CheckArraySizes(leaf.Input); });
-        horizons.push_back({ name, leaf.Input });
+        continue;
       }
+      if (ranks.Own() > 0)
+      {
+        if (horizon.Rank == ranks.Own())
+        {
+          ranks.Send(leaves[horizon.Leaf].Input, 0);
+        }
+        continue;
+      }
+      received.push_back(horizon.Rank == 0 ? leaves[horizon.Leaf].Input : vtkSmartPointer<vtkPolyData>::New());
+      if (horizon.Rank > 0)
+      {
+        ranks.Receive(received.back(), horizon.Rank);
+      }
+      const std::string name = horizon.Name.empty() ? std::filesystem::u8path(file).stem().u8string() : horizon.Name;
+      horizons.push_back({ name, received.back() });
     }
-    if (horizons.empty())
+    if (ranks.Own() == 0)
     {
-      throw InputError("no horizon with points, expected something to write");
-    }
-    if (!this->WritesFileForEach() || horizons.size() == 1)
-    {
-      WriteOutputFile(file, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
-    }
-    else
-    {
-      this->WriteFiles(NameFiles(file, horizons), horizons, monitor, subject);
+      this->WriteHorizons(horizons, monitor, subject);
     }
   };
   RunRequest(
-    this, {}, file + ": more data than memory, expected fewer or smaller horizons", write, Ranks(), &this->ErrorCode);
+    this, {}, file + ": more data than memory, expected fewer or smaller horizons", write, ranks, &this->ErrorCode);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -131,4 +187,5 @@ void vtkHorizonWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "Gathered: " << (this->Gathered ? "on" : "off") << '\n';
 }

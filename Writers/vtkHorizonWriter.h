@@ -44,6 +44,20 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * Whether all processes of a program, ranks of MPI, write as one: each asks for its part of the horizons, and the first
+   * one writes those of all. All of them have to call Write() then, as ParaView makes them. Off: each process that calls it asks
+   * for all horizons, and writes them. Default: off.
+   */
+  vtkSetMacro(Gathered, vtkTypeBool);
+  vtkGetMacro(Gathered, vtkTypeBool);
+  vtkBooleanMacro(Gathered, vtkTypeBool);
+  ///@}
+
+  /// Asks for the part of this process.
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkHorizonWriter() = default;
   ~vtkHorizonWriter() override;
@@ -75,7 +89,11 @@ private:
   void WriteFiles(const std::vector<std::string>& names, const std::vector<NamedHorizon>& horizons,
     const SeismicHorizons::Monitor& monitor, std::string& subject);
 
+  void WriteHorizons(
+    const std::vector<NamedHorizon>& horizons, const SeismicHorizons::Monitor& monitor, std::string& subject);
+
   char* FileName = nullptr;
+  vtkTypeBool Gathered = 0;
 };
 
 #endif

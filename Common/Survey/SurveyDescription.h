@@ -15,6 +15,7 @@ struct SurveyDescription
   std::string VerticalDomain; // "time" or "depth"
   std::string HorizontalUnit; // "m" or "ft"; anything else as the file has it
   std::string CoordinateSystem; // its name, passed through
+  bool IsUpright = false; // z counts upwards for certain, as elevations do
 };
 }
 

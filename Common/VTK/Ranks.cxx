@@ -24,6 +24,17 @@ constexpr int DatasetTag = 5011; // of messages with datasets
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+Ranks::Ranks(vtkMultiProcessController* controller)
+{
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    this->Controller = controller;
+    this->Count = controller->GetNumberOfProcesses();
+    this->Number = controller->GetLocalProcessId();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 Ranks::Ranks(vtkMultiProcessController* controller, vtkInformation* request, vtkInformationVector* outputs)
 {
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));

@@ -26,6 +26,9 @@ public:
   /// This process alone.
   Ranks() = default;
 
+  /// All of a controller, which may be null. Keeps the pointer.
+  explicit Ranks(vtkMultiProcessController* controller);
+
   /// Those that answer a request of the pipeline together: all of a controller, which may be null, when the request is
   /// for as many pieces as it has processes, which is how ParaView asks; else this one alone, as when a program on one
   /// process calls Update(). Keeps the pointer.

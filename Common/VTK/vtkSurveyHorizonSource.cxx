@@ -11,6 +11,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <sstream>
 #include <utility>
 
@@ -109,7 +111,9 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const std::vector<VerticalSampling> samplings =
     FindVerticalSamplings(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
   using Direction = SeismicHorizons::VerticalDirection;
-  frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
+  const bool isUpright =
+    this->VerticalDirection == Up || (this->VerticalDirection == Automatic && survey.Survey.IsUpright);
+  frame.Direction = isUpright ? Direction::Up : Direction::Down;
   if (frame.Direction == Direction::Down && AreNegative(survey.Horizons))
   {
     vtkWarningMacro(
@@ -134,7 +138,8 @@ void vtkSurveyHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
   const auto text = [](const char* value) { return value ? value : "(none)"; };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
-  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
+  const std::array<const char*, 3> directions = { "Down", "Up", "Automatic" };
+  os << indent << "VerticalDirection: " << directions[std::size_t(this->VerticalDirection)] << '\n';
   os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
   os << indent << "VerticalDomain: " << text(this->VerticalDomain) << '\n';
   os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';

@@ -5,7 +5,7 @@
  * @brief   base of what makes horizons of data with z alone: their vertical indices, units and names
  *
  * Each horizon becomes a vtkPolyData with one point and one vertex cell for each column that has a z: what the stages
- * work on. World x and y are those of the column, world z is z with the sign of VerticalDirection.
+ * work on. World x and y are those of the column, world z is z, or its negative where that counts downwards.
  *
  * The thresholds of the stages are in lattice units, of which the vertical step is one, so that z becomes vertical
  * indices, too: index 0 is the multiple of the step at the least z, or just below; with VerticalStep 0 each horizon has a
@@ -64,22 +64,25 @@ public:
   enum VerticalSense
   {
     Down = 0,
-    Up = 1
+    Up = 1,
+    Automatic = 2
   };
 
   ///@{
   /**
    * The direction in which z of the data increases. Down: world z decreases with it, as for time and depth, so that
    * horizons are the right way up. Up: world z increases with it, as for elevation, which is negative below the sea.
-   * Default: Down.
+   * Automatic: Up where the data are elevations by their format, as images from GeoTIFF, BAG and DEM files are, else Down.
+   * Default: Automatic.
    *
-   * Data mostly do not say, and it is not guessed; where all z are negative and the direction is Down there is a
+   * Other data mostly do not say, and it is not guessed; where all z are negative and the direction is down there is a
    * warning.
    */
-  vtkSetClampMacro(VerticalDirection, int, Down, Up);
+  vtkSetClampMacro(VerticalDirection, int, Down, Automatic);
   vtkGetMacro(VerticalDirection, int);
   void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
   void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
+  void SetVerticalDirectionToAutomatic() { this->SetVerticalDirection(Automatic); }
   ///@}
 
   ///@{
@@ -141,7 +144,7 @@ private:
   void operator=(const vtkSurveyHorizonSource&) = delete;
 
   double VerticalStep = 0.0;
-  int VerticalDirection = Down;
+  int VerticalDirection = Automatic;
   char* VerticalUnit = nullptr;
   char* VerticalDomain = nullptr;
   char* HorizontalUnit = nullptr;

@@ -95,6 +95,13 @@ SurveyLattice MakeLattice(vtkImageData* image, bool areCells)
   return lattice;
 }
 
+/// ParaView's readers of GDAL rasters and of DEM files call the heights so, and that of TIFF files its only values.
+bool AreElevations(vtkDataArray* array)
+{
+  const std::string name = array->GetName() ? array->GetName() : "";
+  return name == "Elevation" || name == "Tiff Scalars";
+}
+
 std::vector<double> Values(vtkDataArray* array, int component, const NullValues& nulls)
 {
   std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
@@ -124,6 +131,7 @@ HorizonGrid MakeHorizonGrid(vtkImageData* image, const std::string& zArray, cons
   grid.Lattice = MakeLattice(image, areCells);
   const vtkIdType nodes = vtkIdType(grid.Lattice.Columns[0]) * grid.Lattice.Columns[1];
   RequireTuples(elevation.Data, nodes, areCells ? "cells" : "points");
+  grid.Survey.IsUpright = AreElevations(elevation.Array);
   grid.Z = Values(elevation.Array, 0, nulls);
   Blank(grid.Z, areCells ? image->GetCellGhostArray() : image->GetPointGhostArray(),
     areCells ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL)

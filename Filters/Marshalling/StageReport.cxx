@@ -4,6 +4,7 @@
 #include "StageReport.h"
 
 #include "Common/DataModel.h"
+#include "Common/VTK/Ranks.h"
 #include "Common/VTK/SurveyFields.h"
 #include "HeightUnit.h"
 #include "HorizonData.h"
@@ -12,6 +13,7 @@
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <iomanip>
 #include <locale>
@@ -22,7 +24,7 @@ namespace SeismicHorizons
 namespace
 {
 // A panel has no room for more.
-constexpr std::int64_t MostLines = 50;
+constexpr std::size_t MostLines = 50;
 
 /// The unit of heights, which are told in that of z, too.
 constexpr const char* Heights = "vertical indices";
@@ -123,12 +125,10 @@ vtkDataArray* FindFigure(const Figure& figure, vtkPolyData* input, vtkPolyData* 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* output)
+void StageReport::Add(int position, const std::string& name, vtkPolyData* input, vtkPolyData* output)
 {
-  ++this->Horizons;
-  this->PointsIn += input->GetNumberOfPoints();
-  this->PointsOut += output->GetNumberOfPoints();
-  if (this->Horizons > MostLines)
+  this->Entries.push_back({ position, input->GetNumberOfPoints(), output->GetNumberOfPoints(), std::string() });
+  if (this->Entries.size() > MostLines)
   {
     return;
   }
@@ -152,21 +152,55 @@ void StageReport::Add(const std::string& name, vtkPolyData* input, vtkPolyData* 
       line << TellUnit(figure, array->GetTuple1(0), output);
     }
   }
-  this->Lines += line.str() + "\n";
+  this->Entries.back().Lines = line.str() + "\n";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void StageReport::Join(const Ranks& ranks)
+{
+  constexpr char separator = '\0'; // which names can not have
+  std::ostringstream own = MakeStream();
+  for (const Entry& entry : this->Entries)
+  {
+    own << entry.Position << ' ' << entry.PointsIn << ' ' << entry.PointsOut << ' ' << entry.Lines << separator;
+  }
+  this->Entries.clear();
+  for (const std::string& others : ranks.Gather(own.str()))
+  {
+    std::istringstream text(others);
+    text.imbue(std::locale::classic());
+    Entry entry{};
+    while (text >> entry.Position >> entry.PointsIn >> entry.PointsOut && text.get() == ' ' &&
+      std::getline(text, entry.Lines, separator))
+    {
+      this->Entries.push_back(entry);
+    }
+  }
+  std::stable_sort(
+    this->Entries.begin(), this->Entries.end(), [](const Entry& a, const Entry& b) { return a.Position < b.Position; });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::string StageReport::Text() const
 {
   std::ostringstream text = MakeStream();
-  if (this->Horizons > 1)
+  std::int64_t pointsIn = 0;
+  std::int64_t pointsOut = 0;
+  std::string lines;
+  for (std::size_t n = 0; n < this->Entries.size(); ++n)
   {
-    text << this->Horizons << " horizons: " << this->PointsIn << " points in, " << this->PointsOut << " out\n";
+    pointsIn += this->Entries[n].PointsIn;
+    pointsOut += this->Entries[n].PointsOut;
+    lines += n < MostLines ? this->Entries[n].Lines : "";
   }
-  text << this->Lines;
-  if (this->Horizons > MostLines)
+  if (this->Entries.size() > 1)
   {
-    text << "and " << this->Horizons - MostLines << " more\n";
+    text << this->Entries.size() << " horizons: " << pointsIn << " points in, " << pointsOut << " out\n";
+  }
+  text << lines;
+  if (this->Entries.size() > MostLines)
+  {
+    text << "and " << this->Entries.size() - MostLines << " more\n";
   }
   return text.str();
 }

@@ -8,26 +8,36 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 
 namespace SeismicHorizons
 {
+class Ranks;
+
 class StageReport
 {
 public:
-  /// Adds a horizon with the figures that the stage put into its field data.
-  void Add(const std::string& name, vtkPolyData* input, vtkPolyData* output);
+  /// Adds a horizon with the figures that the stage put into its field data. `position` is as in HorizonLeaf.
+  void Add(int position, const std::string& name, vtkPolyData* input, vtkPolyData* output);
+
+  /// Makes this that of the horizons of all ranks, by their positions. Collective.
+  void Join(const Ranks& ranks);
 
   /// "3 horizons: 900 points in, 100 out", and below it "Horizon 1: 300 points in, 40 out" and so on, each with its
   /// figures on lines of their own, as panels are narrow. Of many horizons the first ones. Empty without any.
   std::string Text() const;
 
 private:
-  std::int64_t Horizons = 0;
-  std::int64_t PointsIn = 0;
-  std::int64_t PointsOut = 0;
-  std::string Lines;
+  struct Entry
+  {
+    int Position;
+    std::int64_t PointsIn;
+    std::int64_t PointsOut;
+    std::string Lines; // empty behind the first horizons
+  };
+  std::vector<Entry> Entries;
 };
 }
 

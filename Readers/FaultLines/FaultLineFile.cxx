@@ -3,6 +3,7 @@
 
 #include "FaultLineFile.h"
 
+#include "Common/InputFile.h"
 #include "Common/LineBuffer.h"
 #include "FaultLineFormats.h"
 
@@ -48,6 +49,61 @@ public:
     }
   }
 };
+
+/// The first line that says anything.
+std::string_view FirstLine(std::string_view text)
+{
+  while (!text.empty() && IsSkipped(text.substr(0, text.find('\n'))))
+  {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+/// "999.0 999.0 999.0", which ends a polyline of IRAP and RMS.
+bool IsEndOfPart(std::string_view line)
+{
+  FieldCursor cursor(line, FieldSeparator::Blanks);
+  std::string_view field;
+  int fields = 0;
+  for (double value = 0.0; cursor.Next(field); ++fields)
+  {
+    constexpr double endOfPart = 999.0;
+    if (ReadNumber(field, value) != NumberKind::Finite || value != endOfPart)
+    {
+      return false;
+    }
+  }
+  return fields == 3;
+}
+
+/// Whether lines have what only files of fault lines have. Lines of x y z alone may be anything.
+bool HasMark(std::string_view text)
+{
+  const std::string_view first = Trim(FirstLine(text));
+  if (StartsWith(first, "GOCAD"))
+  {
+    return ToLower(Trim(first.substr(5))).substr(0, 5) == "pline";
+  }
+  if (StartsWith(first, "@") || StartsWith(first, "->") || StartsWith(first, "FFASCI") ||
+    StartsWith(first, "INLINE-") || StartsWith(first, "CROSSLINE-"))
+  {
+    return true;
+  }
+  // One at the end may be that of a file of picks.
+  bool hasEnd = false;
+  while (!text.empty())
+  {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (hasEnd && !IsSkipped(line))
+    {
+      return true;
+    }
+    hasEnd = hasEnd || IsEndOfPart(line);
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return false;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -59,6 +115,26 @@ double ReadFinite(std::string_view field, std::int64_t line, const char* what)
     throw ErrorAt(line, Quote(field) + ", expected a finite number, " + what);
   }
   return value;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool BeginsAsFaultLines(std::istream& stream)
+{
+  constexpr std::size_t lookedAt = 64 * 1024; // bytes
+  const std::string text = PeekLines(stream, lookedAt);
+  if (text.find('\0') != std::string::npos || !HasMark(text))
+  {
+    return false;
+  }
+  LineDealer dealer;
+  dealer.Deal(text);
+  if (StartsWith(Trim(FirstLine(text)), "GOCAD"))
+  {
+    return true; // the lines may come far behind
+  }
+  const FaultLineFile file = dealer.Parser->Finish();
+  // Points of ZMAP+ that belong to no segment are no lines.
+  return !file.Ends.empty() && (!StartsWith(Trim(FirstLine(text)), "@") || !file.Names.front().empty());
 }
 
 //----------------------------------------------------------------------------------------------------------------------

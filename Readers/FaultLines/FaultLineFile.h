@@ -44,6 +44,9 @@ public:
   }
 };
 
+/// Whether a file has fault lines for certain, by its beginning: marks of its format, and lines of them.
+bool BeginsAsFaultLines(std::istream& stream);
+
 /// Reads a file. `bufferSize` is how many bytes are held at a time.
 FaultLineFile ReadFaultLines(
   std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = 1024 * 1024);

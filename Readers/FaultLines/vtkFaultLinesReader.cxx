@@ -73,6 +73,14 @@ vtkFaultLinesReader::vtkFaultLinesReader()
 vtkFaultLinesReader::~vtkFaultLinesReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
+int vtkFaultLinesReader::CanReadFile(const char* fileName)
+{
+  const std::string extension = ExtensionOf(fileName ? fileName : "");
+  const bool isOwn = extension == "pl" || extension == "pol" || extension == "flt";
+  return IsRecognised(fileName, [isOwn](std::istream& stream) { return isOwn || BeginsAsFaultLines(stream); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int vtkFaultLinesReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->Files.Announce(outputVector->GetInformationObject(0));

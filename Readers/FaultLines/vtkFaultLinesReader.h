@@ -31,6 +31,11 @@ public:
   vtkTypeMacro(vtkFaultLinesReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// 1 for names that end in .pl, .pol or .flt, and for other files where they have what only fault lines have: GOCAD
+  /// PLine, segments of ZMAP+, names of CPS-3, sticks of Charisma, ends of polylines of IRAP, but for one at the end of
+  /// the file; else 0.
+  int CanReadFile(VTK_FILEPATH const char* fileName);
+
   ///@{
   /**
    * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so

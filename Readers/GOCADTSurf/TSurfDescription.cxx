@@ -55,6 +55,13 @@ std::optional<std::array<double, 3>> ReadColour(std::string_view text)
   return colour;
 }
 
+/// Words of programs for none are no unit.
+std::string UnitOf(std::string_view text)
+{
+  const std::string unit = ToLower(text);
+  return unit == "none" || unit == "unitless" || unit == "unknown" ? std::string() : std::string(text);
+}
+
 /// What z measures when it has that unit; empty for units that do not tell.
 std::string DomainOf(const std::string& text)
 {
@@ -102,9 +109,9 @@ void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& l
   }
   else if (keyword == "AXIS_UNIT")
   {
-    this->Survey.HorizontalUnit = std::string(line.NextQuoted());
+    this->Survey.HorizontalUnit = UnitOf(line.NextQuoted());
     line.NextQuoted(); // of y, which is that of x
-    this->Survey.VerticalUnit = std::string(line.NextQuoted());
+    this->Survey.VerticalUnit = UnitOf(line.NextQuoted());
     this->Survey.VerticalDomain = DomainOf(this->Survey.VerticalUnit);
   }
   else if (keyword == "ZPOSITIVE")

@@ -5,6 +5,7 @@
 
 #include "TSurfParser.h"
 
+#include "Common/InputFile.h"
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
 #include "LineTokens.h"
@@ -281,18 +282,6 @@ private:
   std::optional<TSurfBuilder> Builder; // for a TSurf that is to be loaded
 };
 
-/// The first bytes of a stream, which is left where it was.
-std::string ReadHead(std::istream& stream)
-{
-  const std::istream::pos_type here = stream.tellg();
-  std::array<char, HeadSize> bytes;
-  stream.read(bytes.data(), bytes.size());
-  const std::string head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  stream.clear();
-  stream.seekg(here);
-  return std::string(WithoutByteOrderMark(head));
-}
-
 void SkipByteOrderMark(std::istream& stream)
 {
   const std::istream::pos_type here = stream.tellg();
@@ -305,7 +294,8 @@ void SkipByteOrderMark(std::istream& stream)
   }
 }
 
-bool BeginsAsGOCAD(const std::string& head)
+/// The type of the first object, in lower case; nothing where the file is not of GOCAD.
+std::optional<std::string> FirstTypeOfGOCAD(const std::string& head)
 {
   const std::string text = head + '\n';
   for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
@@ -313,18 +303,18 @@ bool BeginsAsGOCAD(const std::string& head)
     LineTokens line(text.data() + start);
     if (!SaysNothing(line))
     {
-      return IsGOCAD(line.Next());
+      return IsGOCAD(line.Next()) ? std::optional(ToLower(line.Next())) : std::nullopt;
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 ObjectParser ParseObjects(
   std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize)
 {
   ObjectParser parser(choice);
-  const std::string head = ReadHead(stream);
-  if (!BeginsAsGOCAD(head))
+  const std::string head = PeekText(stream, HeadSize);
+  if (!FirstTypeOfGOCAD(head))
   {
     // A file of another kind may have no newline at all, so its first lines have to do for the error.
     const std::size_t newline = head.rfind('\n');
@@ -348,9 +338,9 @@ ObjectParser ParseObjects(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool BeginsAsGOCAD(std::istream& stream)
+std::optional<std::string> FirstTypeOfGOCAD(std::istream& stream)
 {
-  return BeginsAsGOCAD(ReadHead(stream));
+  return FirstTypeOfGOCAD(PeekText(stream, HeadSize));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <istream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,9 @@ namespace SeismicHorizons
 /// How many bytes of a file are held at a time. A longer line makes the buffer grow.
 constexpr std::size_t TSurfBufferSize = 4 * 1024 * 1024;
 
-/// Whether the first line that is neither blank nor a comment begins with the word GOCAD, within the first 4096 bytes.
-/// Leaves the stream where it was.
-bool BeginsAsGOCAD(std::istream& stream);
+/// The type of the first object, in lower case, where the first line that is neither blank nor a comment begins with the
+/// word GOCAD, within the first 4096 bytes. Leaves the stream where it was.
+std::optional<std::string> FirstTypeOfGOCAD(std::istream& stream);
 
 struct TSurfList
 {

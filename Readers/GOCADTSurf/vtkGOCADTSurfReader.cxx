@@ -60,7 +60,13 @@ vtkGOCADTSurfReader::~vtkGOCADTSurfReader() = default;
 //----------------------------------------------------------------------------------------------------------------------
 int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
 {
-  return IsRecognised(fileName, [](std::istream& stream) { return BeginsAsGOCAD(stream); });
+  const bool isOwn = ExtensionOf(fileName ? fileName : "") == "ts";
+  return IsRecognised(fileName,
+    [isOwn](std::istream& stream)
+    {
+      const std::optional<std::string> type = FirstTypeOfGOCAD(stream);
+      return type && (isOwn || *type != "pline");
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

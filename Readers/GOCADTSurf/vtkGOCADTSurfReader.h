@@ -56,7 +56,7 @@ public:
 
   /**
    * 1 when the first line that is neither blank nor a comment begins with the word GOCAD, within the first 4096 bytes;
-   * else 0. The name does not matter, as files of other kinds end in .ts, too. Nothing else of the file is looked at.
+   * else 0. Where its first object is a PLine only names that end in .ts will do, as vtkFaultLinesReader reads these.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

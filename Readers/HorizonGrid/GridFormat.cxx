@@ -51,7 +51,7 @@ std::optional<GridFormat> RecogniseFirstLine(std::string_view line)
   {
     return GridFormat::Cps3;
   }
-  if (IsSameWord(words[0], "ncols") || IsSameWord(words[0], "nrows"))
+  if (words.size() <= 2 && (IsSameWord(words[0], "ncols") || IsSameWord(words[0], "nrows"))) // no names of columns
   {
     return GridFormat::EsriGrid;
   }

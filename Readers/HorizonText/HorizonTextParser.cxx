@@ -6,7 +6,6 @@
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
 #include "Common/Parallel.h"
-#include "Common/Survey/PickPlacement.h"
 #include "Common/TextEncoding.h"
 #include "Common/TextWords.h"
 #include "IesxParser.h"
@@ -352,7 +351,7 @@ TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckFirstPicks(std::istream& stream, const TextLayout& layout)
+PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
 {
   const std::string text = ReadBeginning(stream);
   std::int64_t headerLines = layout.HeaderLines;
@@ -360,18 +359,13 @@ void CheckFirstPicks(std::istream& stream, const TextLayout& layout)
   if (layout.Kind == TextKind::Iesx)
   {
     IesxParser(layout).Parse(lines);
-    return;
+    return {};
   }
-  PickCollector picks(layout);
-  picks.Add(ParsePicks(lines, layout));
-  if (layout.IsGuessed && layout.HasLineOfNames)
-  {
-    throw InputError("names over the columns that do not say where picks are, expected those of a horizon");
-  }
-  if (layout.IsGuessed && layout.Find(ColumnRole::Inline) < 0)
-  {
-    PlacePicks(picks.Take(), PlacementOptions());
-  }
+  TextLayout first = layout;
+  first.Picks = -1; // there are more
+  PickCollector picks(first);
+  picks.Add(ParsePicks(lines, first));
+  return picks.Take();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -21,10 +21,9 @@ namespace SeismicHorizons
 /// Looks at the beginning of a file, and goes back there.
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
 
-/// Throws InputError where the first picks of a file are not as its layout says, or, where that is only guessed, do not
-/// look like those of a horizon: under names of other things, or with x and y that are on no lattice. Goes back to the
-/// beginning.
-void CheckFirstPicks(std::istream& stream, const TextLayout& layout);
+/// The picks of the beginning of a file, to which it goes back; none of IESX, which are only looked at. Throws InputError
+/// where they are not as its layout says.
+PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout);
 
 /// How a file is cut into pieces. They do not matter for what is read.
 struct TextPieces

@@ -8,6 +8,7 @@
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "HorizonTextParser.h"
+#include "PickRecognition.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkTimeStamp.h"
@@ -50,12 +51,7 @@ vtkHorizonTextReader::~vtkHorizonTextReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonTextReader::CanReadFile(const char* fileName)
 {
-  return IsRecognised(fileName,
-    [](std::istream& stream)
-    {
-      CheckFirstPicks(stream, ReadTextLayout(stream, {}));
-      return true;
-    });
+  return IsRecognised(fileName, [fileName](std::istream& stream) { return ArePicks(stream, ExtensionOf(fileName)); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -44,8 +44,11 @@ public:
   ///@}
 
   /**
-   * 1 when the beginning of the file is that of one that this reader reads: lines of picks whose columns are
-   * recognised. Where neither names nor line numbers say so, x and y have to be on a lattice.
+   * 1 when the beginning of the file is that of one that this reader reads, under any name: lines of picks whose columns
+   * are recognised. Where neither names nor line numbers say so, x and y have to be on a lattice. Under names that
+   * belong to other files, such as .csv and .txt, they always have to, and columns that have names need one of z. Where
+   * a name has no extension, or one that only picks have, it is also 1 for columns of numbers of which it is doubtful
+   * what they are: reading them says what to do.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

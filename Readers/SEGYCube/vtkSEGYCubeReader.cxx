@@ -51,6 +51,17 @@ bool AreSame(const SEGYOptions& a, const SEGYOptions& b)
     a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates && a.Delays == b.Delays;
 }
 
+/// Whether there are hardly any control characters among the first 3200 bytes, neither as ASCII nor as EBCDIC.
+bool BeginsWithText(std::istream& stream)
+{
+  stream.seekg(0);
+  const std::string text = PeekText(stream, SEGYTextSize);
+  const auto isControl = [](char c)
+  { return c > 0 && c < ' ' && std::string_view("\n\r\t\x15\x05").find(c) == std::string_view::npos; };
+  constexpr std::size_t most = SEGYTextSize / 100;
+  return std::size_t(std::count_if(text.begin(), text.end(), isControl)) <= most;
+}
+
 std::string NoMemory(const char* fileName)
 {
   return FilePrefix(fileName) + "more data than memory, expected a smaller InlineRange, CrosslineRange or SampleRange";
@@ -93,11 +104,17 @@ int vtkSEGYCubeReader::FillOutputPortInformation(int port, vtkInformation* info)
 //----------------------------------------------------------------------------------------------------------------------
 int vtkSEGYCubeReader::CanReadFile(const char* fileName)
 {
+  const std::string extension = ExtensionOf(fileName ? fileName : "");
+  const bool isOwn = extension == "sgy" || extension == "segy" || extension == "seg";
   return IsRecognised(fileName,
-    [fileName](std::istream&)
+    [fileName, isOwn](std::istream&)
     {
-      std::ifstream stream(std::filesystem::u8path(fileName), std::ios::binary); // not what gzip made it from
-      return IsSEGY(stream);
+      const auto path = std::filesystem::u8path(fileName);
+      std::ifstream stream(path, std::ios::binary); // not what gzip made it from
+      return IsSEGY(stream) &&
+        (isOwn ||
+          (BeginsWithText(stream) &&
+            ReadSEGYHeader(stream, std::int64_t(std::filesystem::file_size(path))).Traces > 0));
     });
 }
 

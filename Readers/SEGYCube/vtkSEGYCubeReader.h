@@ -75,7 +75,8 @@ public:
 
   /**
    * 1 when the file begins as SEG-Y files do: 3600 bytes and the header of a trace, with a format code there is, in
-   * either byte order, and a number of samples.
+   * either byte order, and a number of samples. Where its name does not end in .sgy, .segy or .seg, it has to begin with
+   * text, and end with a trace, as other binary files may have such numbers there.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

@@ -32,6 +32,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <memory>
@@ -44,31 +46,45 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// Whether the next line has three numbers, as picks of whole numbers have, of which the first line is one as well. Lines
-/// of this format have none, or a multiple of five.
-bool IsNextOfThree(std::istream& stream)
+/// The number of voxels in a line; -1 where it is none of this format, in which lines have five numbers for each.
+int CountVoxels(std::string_view line, int indices)
 {
-  std::array<char, 256> text{};
-  stream.getline(text.data(), text.size());
-  FieldCursor fields(std::string_view(text.data()), FieldSeparator::Blanks);
+  FieldCursor fields(line, FieldSeparator::Blanks);
   std::string_view field;
-  std::size_t numbers = 0;
+  int numbers = 0;
   for (double value = 0.0; fields.Next(field); ++numbers)
   {
-    if (ReadNumber(field, value) != NumberKind::Finite)
+    const int place = numbers % 5;
+    if (ReadNumber(field, value) != NumberKind::Finite || (place < 2 && value != std::round(value)) ||
+      (place == 0 && (value < 0.0 || value >= indices)))
+    {
+      return -1;
+    }
+  }
+  return numbers % 5 == 0 ? numbers / 5 : -1;
+}
+
+/// Whether the lines behind the header have voxels, and nothing else, as far as one looks.
+bool HasVoxels(std::istream& stream, int indices)
+{
+  constexpr std::size_t lookedAt = 64 * 1024; // bytes
+  const std::string text = PeekLines(stream, lookedAt);
+  int voxels = 0;
+  for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
+  {
+    const std::size_t end = text.find('\n', start);
+    const int found = CountVoxels(std::string_view(text).substr(start, end - start), indices);
+    if (end == std::string::npos)
+    {
+      return voxels + std::max(found, 0) > 0; // the last line of a file that was cut may be of any length
+    }
+    if (found < 0)
     {
       return false;
     }
+    voxels += found;
   }
-  return numbers == 3;
-}
-
-/// Whether a name ends in .vsm or .vsm.gz, in letters of either case.
-bool HasOwnExtension(const std::string& name)
-{
-  const auto endsIn = [&name](const std::string& extension)
-  { return name.size() >= extension.size() && ToLower(name.substr(name.size() - extension.size())) == extension; };
-  return endsIn(".vsm") || endsIn(".vsm.gz");
+  return voxels > 0;
 }
 
 /// Nothing of a range would be there, without a word, when it begins behind the lattice.
@@ -123,13 +139,8 @@ vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader() = default;
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 {
-  return HasOwnExtension(fileName ? fileName : "") ||
-    IsRecognised(fileName,
-      [](std::istream& stream)
-      {
-        ReadSparseMatrixHeader(stream);
-        return !IsNextOfThree(stream);
-      });
+  return ExtensionOf(fileName ? fileName : "") == "vsm" ||
+    IsRecognised(fileName, [](std::istream& stream) { return HasVoxels(stream, ReadSparseMatrixHeader(stream)[2]); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -91,8 +91,8 @@ public:
   /**
    * 1 for any name that ends in .vsm or .vsm.gz, in letters of either case: when something is wrong with the file,
    * reading it says what. For other names 1 when the first line of the file is what the format asks for: three positive
-   * integers, separated by blanks, within the first 4095 bytes; else 0. A byte order mark before them is skipped.
-   * Nothing else of the file is looked at.
+   * integers, separated by blanks, within the first 4095 bytes, and the lines behind it have voxels and nothing else, as
+   * far as 64 kilobytes go; else 0. A byte order mark is skipped.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

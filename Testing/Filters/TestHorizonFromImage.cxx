@@ -105,11 +105,19 @@ void TestCells()
   image->GetCellData()->SetScalars(MakeArray("Elevation", { 1, 2, 3, 4, 5, 6 }));
   vtkNew<vtkHorizonFromImage> filter;
   filter->SetInputDataObject(image);
-  filter->SetVerticalDirectionToUp();
   filter->Update();
   CHECK_EQUAL(Horizon(filter)->GetNumberOfPoints(), 6);
-  CHECK(IsAt(Horizon(filter), 0, 115.0, 215.0, 1.0));
+  CHECK(IsAt(Horizon(filter), 0, 115.0, 215.0, 1.0)); // elevations by the name of the array
   CHECK(IsAt(Horizon(filter), 5, 175.0, 245.0, 6.0));
+  CHECK(std::string(filter->GetDescription()).find("larger world z") != std::string::npos);
+  filter->SetVerticalDirectionToDown();
+  filter->Update();
+  CHECK(IsAt(Horizon(filter), 5, 175.0, 245.0, -6.0));
+  filter->SetVerticalDirectionToAutomatic();
+  image->GetCellData()->GetScalars()->SetName("TWT");
+  image->Modified();
+  filter->Update();
+  CHECK(IsAt(Horizon(filter), 5, 175.0, 245.0, -6.0));
 }
 
 void CheckRefused(vtkImageData* image, const char* zArray, const std::string& message)

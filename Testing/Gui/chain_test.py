@@ -59,7 +59,8 @@ def in_state(path):
     state = ElementTree.parse(path).getroot()
     listed = {item.get("id") for collection in state.iter("ProxyCollection") if collection.get("name") == "sources"
               for item in collection}
-    kinds = [proxy.get("type") for proxy in state.iter("Proxy") if proxy.get("id") in listed]
+    # Readers that were chosen by what is in the file say so in their names.
+    kinds = [proxy.get("type").replace("ByContent", "") for proxy in state.iter("Proxy") if proxy.get("id") in listed]
     hulls = [prop.find("Element").get("value") for prop in state.iter("Property") if prop.get("name") == "ConvexHull"]
     return sorted(kinds), hulls
 

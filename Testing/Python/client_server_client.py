@@ -11,6 +11,7 @@ import pathlib
 import sys
 
 from paraview import servermanager, simple
+from seismichorizons import client
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
 
 import errors_test
@@ -34,7 +35,13 @@ def results(path, folder):
     rows = [[str(table.GetValue(row, column)) for column in range(table.GetNumberOfColumns())]
             for row in range(table.GetNumberOfRows())]
     told = [list(horizons.GetProperty("HorizonStatus").Available), surface.GetDataInformation().GetNumberOfPoints()]
-    return mesh_checks.blocks(reader.GetOutputDataObject(0)), rows, told
+    meshes = mesh_checks.blocks(reader.GetOutputDataObject(0))
+    fetched = client.fetch(distance, 1)
+    assert list(fetched) == list(meshes), (list(fetched), list(meshes))
+    for name, mesh in meshes.items():
+        pipelines.assert_same(fetched[name], mesh)
+    assert client.fetch(distance, 2).GetNumberOfRows() == table.GetNumberOfRows()
+    return meshes, rows, told
 
 
 def check_errors(folder):
@@ -52,10 +59,14 @@ def check_errors(folder):
 def main():
     sample, folder = pathlib.Path(sys.argv[1]) / "sample.vsm", pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
+    for _ in range(2):
+        client.load_plugin()
     expected, expected_rows, expected_told = results(sample, folder)
     assert len(expected) == 3 and len(expected_rows) == 27 and len(expected_told[0]) == 3
     simple.Connect("127.0.0.1", int(sys.argv[3]))
     assert servermanager.ActiveConnection.IsRemote()
+    client.load_plugin()  # on both sides: neither has it by itself
+    client.load_plugin()
     found, rows, told = results(sample, folder)
     assert told == expected_told, (told, expected_told)
     assert rows == expected_rows, (rows, expected_rows)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Starts a server of ParaView and a client of it over loopback (client_server_client.py), with the plugin on both sides,
-and ends both, whatever happens.
+"""Starts a server of ParaView and a client of it over loopback (client_server_client.py), without the plugin on either
+side until the client loads it, and ends both, whatever happens.
 
 Arguments: the folder of the data, a folder for results, pvpython, the server, and on how many processes it runs. Exits
 with 77 where the server is not installed.
@@ -55,6 +55,7 @@ def main():
         sys.exit(77)
     port = str(find_port())
     script = pathlib.Path(__file__).with_name("client_server_client.py")
+    os.environ.pop("PV_PLUGIN_PATH", None)
     server = start([*command, "--server-port=" + port], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                    errors="replace")
     processes = [server]

@@ -12,7 +12,7 @@ import numpy as np
 from vtkmodules.util import numpy_support
 
 import seismichorizons as sh
-from seismichorizons import reading, writing
+from seismichorizons import pipeline, reading, stage, writing
 
 FOLDER = pathlib.Path(sys.argv[1])
 # Formats of GDAL that we read, with the extension of their files and how exact their numbers are.
@@ -101,6 +101,27 @@ def check_geotiff():
     assert again.GetFieldData().GetAbstractArray("CoordinateSystem").GetValue(0) == "EPSG:23031"
     assert np.allclose(places(again), places(horizon), atol=1e-6, rtol=0.0)
     print("GeoTIFF: %d points" % again.GetNumberOfPoints())
+    check_elevations()
+
+
+def check_elevations():
+    """GeoTIFF of terrain models, as GDAL writes it, is upright; what we wrote of depths says so, and is, too (above)."""
+    translate(FOLDER / "ours.zmap", FOLDER / "terrain.tif", "GTiff")
+    for properties, sign in (({}, 1.0), ({"VerticalDirection": "Down"}, -1.0)):
+        ((_, terrain),), _ = reading.read(FOLDER / "terrain.tif", **properties)
+        assert sign * terrain.GetCenter()[2] > 1000.0, terrain.GetCenter()
+    (FOLDER / "sticks.txt").write_text("459650 5934850 900 F 1\n459660 5934900 2100 F 1\n459900 5934850 900 F 2\n"
+                                       "459910 5934900 2100 F 2\n", encoding="ascii")
+    ((name, terrain),), _ = reading.read(FOLDER / "terrain.tif")
+    for direction in (None, "Up"):
+        settings = pipeline.Settings(reader={"VerticalDirection": direction} if direction else {})
+        settings.torn, settings.fault_lines = pipeline.fault_settings(
+            "World", direction, sticks=FOLDER / "sticks.txt")
+        try:
+            pipeline.run("terrain.tif", name, terrain, settings)
+            assert direction == "Up"
+        except stage.HorizonError as error:
+            assert direction is None and "expected --vertical-direction" in str(error), error
 
 
 main()

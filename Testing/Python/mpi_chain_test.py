@@ -101,6 +101,8 @@ def check_chain(**properties):
         stage.UpdatePiece(OWN, SIZE, 0)
         for data, serial_data in zip(outputs(stage), outputs(serial)):
             check_same(data, serial_data, stage.GetClassName())
+        if hasattr(stage, "GetResults") and stage.IsA("vtkHorizonAlgorithm"):  # of all horizons, on each rank
+            assert stage.GetResults() == serial.GetResults() != "", (OWN, stage.GetResults(), serial.GetResults())
 
 
 def check_places(horizons):

@@ -6,9 +6,11 @@ Arguments: the folder of the data and a folder for results.
 """
 
 import pathlib
+import shutil
 import sys
 
 from paraview import servermanager, simple
+from seismichorizons import vtkGOCADTSurfReader
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
 
 import mesh_checks
@@ -34,9 +36,28 @@ def read(path):
     return mesh_checks.blocks(reader.GetOutputDataObject(0))
 
 
+def check_writers(meshes, folder):
+    """The first rank writes the horizons of all, in their order."""
+    simple.SaveData(str(folder / "all.ts"), proxy=meshes)
+    reader = vtkGOCADTSurfReader()
+    reader.SetFileName(str(folder / "all.ts"))
+    reader.Update()
+    found = mesh_checks.blocks(reader.GetOutputDataObject(0))
+    expected = read(folder / (meshes.GetXMLName() + ".vtpc"))
+    assert list(found) == list(expected) and len(found) == 3, list(found)
+    for name, mesh in expected.items():
+        assert len(mesh_checks.triangles(found[name])) == len(mesh_checks.triangles(mesh)) > 0
+    for extension in ("stl", "dxf", "irap", "dat", "vsm"):
+        simple.SaveData(str(folder / ("each." + extension)), proxy=meshes)
+    assert len(list(folder.glob("each_*.stl"))) == len(list(folder.glob("each_*.irap"))) == 3
+    assert (folder / "each.dxf").read_text().count("\nLAYER\n") == 4
+    assert not list(folder.glob(".*")), list(folder.iterdir())
+
+
 def main():
     folder = pathlib.Path(sys.argv[2])
-    folder.mkdir(exist_ok=True)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
     sample = pathlib.Path(sys.argv[1]) / "sample.vsm"
     ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
     assert ranks == 2, "%d ranks, expected 2" % ranks
@@ -66,6 +87,7 @@ def main():
     for name, mesh in read(folder / "distance.vtpc").items():
         assert len(mesh_checks.array(mesh, "Distance")) == expected.pop(name).GetNumberOfPoints()
     assert not expected, expected.keys()
+    check_writers(proxies[-1], folder)
 
 
 main()

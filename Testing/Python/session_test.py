@@ -81,7 +81,7 @@ def check_states(expected, folder, trace):
 def check_opened(path, expected, reader):
     """The points of horizons are in the file under their names."""
     opened = simple.OpenDataFile(str(path))
-    assert opened.GetXMLName() == reader, opened.GetXMLName()
+    assert type(opened).__name__ == reader, opened
     found = fetch(opened)
     assert sorted(found) == sorted(expected), (path.name, sorted(found))
     for name, horizon in expected.items():
@@ -94,8 +94,8 @@ def check_saved_data(points, surface, folder):
     horizons, meshes = fetch(points), fetch(surface)
     for extension, proxy, expected, reader in (
             ("vsm", points, horizons, "VerneySparseMatrixReader"), ("dat", points, horizons, "HorizonTextReader"),
-            ("vtpc", points, horizons, "XMLPartitionedDataSetCollectionReader"),
-            ("vtpc", surface, meshes, "XMLPartitionedDataSetCollectionReader")):
+            ("vtpc", points, horizons, "XMLPartitionedDatasetCollectionReader"),
+            ("vtpc", surface, meshes, "XMLPartitionedDatasetCollectionReader")):
         path = folder / ("%s.%s" % ("points" if proxy is points else "surface", extension))
         mode = {"DataMode": "Binary"} if extension == "vtpc" else {}  # some readers of VTK stumble over appended data
         simple.SaveData(str(path), proxy=proxy, **mode)

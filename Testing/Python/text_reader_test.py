@@ -29,7 +29,7 @@ def write(path, text):
 def check_factory(folder):
     """Files are looked into, and those of others stay theirs."""
     for name, text, is_ours in [("top.dat", OPENDTECT, True), ("top.xyz", PICKS, True), ("top.pts", PICKS, True),
-                                ("top.csv", PICKS.replace(" ", ","), False), ("scatter.dat", SCATTER, False),
+                                ("top.csv", PICKS.replace(" ", ","), True), ("scatter.txt", SCATTER, False),
                                 ("letter.txt", "Dear all,\nsee you at 10 o'clock\n", False)]:
         reader = simple.OpenDataFile(write(folder / name, text))
         assert (type(reader).__name__ == "HorizonTextReader") == is_ours, (name, reader)

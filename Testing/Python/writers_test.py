@@ -8,7 +8,9 @@ import sys
 
 # Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
 import seismichorizons  # noqa: F401
+import numpy as np
 from paraview import simple
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import mesh_checks
 
@@ -22,7 +24,7 @@ def fetch(proxy):
 def open_file(path, name):
     """What File > Open makes of a file, which has to be a proxy of that name."""
     proxy = simple.OpenDataFile(str(path))
-    assert proxy is not None and proxy.GetXMLName() == name, (path, proxy)
+    assert proxy is not None and type(proxy).__name__ == name, (path, proxy)
     return proxy
 
 
@@ -90,6 +92,53 @@ def check_dxf_and_gri(sample, folder):
     assert all(path.read_bytes()[:8] == b"\x00\x00\x00\x20\xff\xff\xfc\x1c" for path in grids)
 
 
+def read_obj(path):
+    lines = [line.split() for line in path.read_text().splitlines()]
+    places = np.array([[float(word) for word in line[1:]] for line in lines if line[0] == "v"])
+    return places, np.array([[int(word) - 1 for word in line[1:]] for line in lines if line[0] == "f"])
+
+
+def read_ply(path):
+    head, _, body = path.read_bytes().partition(b"end_header\n")
+    points, faces = (int(line.split()[2]) for line in head.decode().splitlines() if line.startswith("element"))
+    found = np.frombuffer(body[24 * points:], dtype=[("size", "u1"), ("corners", "=i4", 3)])
+    assert len(found) == faces and (found["size"] == 3).all()
+    return np.frombuffer(body[:24 * points], dtype="=f8").reshape(-1, 3), found["corners"]
+
+
+def read_stl(path):
+    places = np.array([[float(word) for word in line.split()[1:]] for line in path.read_text().splitlines()
+                       if line.split()[0] == "vertex"])
+    return places, np.arange(len(places)).reshape(-1, 3)
+
+
+def read_vtp(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return mesh_checks.coordinates(reader.GetOutput()), mesh_checks.triangles(reader.GetOutput())
+
+
+def check_meshes(sample, folder):
+    """A file for each mesh, with its name, and all digits."""
+    surface = simple.HorizonSurface(Input=sample)
+    meshes = fetch(surface)
+    for extension, read in (("vtp", read_vtp), ("stl", read_stl), ("ply", read_ply), ("obj", read_obj)):
+        simple.SaveData(str(folder / ("mesh." + extension)), proxy=surface)
+        expected = {"mesh_%s.%s" % (name.replace(" ", "_"), extension): mesh for name, mesh in meshes.items()}
+        assert {path.name for path in folder.glob("mesh*." + extension)} == set(expected)
+        for name, mesh in expected.items():
+            places, corners = read(folder / name)
+            assert (places[corners] == mesh_checks.coordinates(mesh)[mesh_checks.triangles(mesh)]).all(), name
+        opened = simple.OpenDataFile(str(folder / next(iter(expected))))  # ParaView's own readers take them
+        opened.UpdatePipeline()
+        assert opened.GetDataInformation().DataInformation.GetNumberOfCells() > 0
+    assert read_vtp(folder / "mesh_Horizon_1.vtp")[0].dtype == np.float64
+    one = simple.Plane()  # for ParaView's own writers
+    simple.SaveData(str(folder / "plane.stl"), proxy=one)
+    assert (folder / "plane.stl").is_file()
+
+
 def check_selection(path):
     """Only the surfaces that are switched on are loaded."""
     reader = open_file(path, "GOCADTSurfReader")
@@ -130,6 +179,7 @@ def main():
     check_tsurf(sample, folder)
     check_selection(folder / "x.ts")
     check_dxf_and_gri(sample, folder)
+    check_meshes(sample, folder)
     check_vsm(sample, folder)
     check_others(folder)
 

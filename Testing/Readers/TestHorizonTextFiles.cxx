@@ -68,7 +68,9 @@ void CanReadFileLooksInside()
   CHECK(!can("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2 3\n4 5 6\n"));
   CHECK(!can("GOCAD TSurf 1\nHEADER {\nname: a\n}\nTFACE\nVRTX 1 0 0 0\n"));
   CHECK(!can("temperature,pressure,day\n1,2,3\n2,3,4\n"));
-  CHECK(!can("0.1 0.7 3\n0.35 0.2 4\n0.93 0.11 5\n0.42 0.87 1\n0.66 0.45 1\n0.71 0.93 2\n"));
+  const std::string scatter = "0.1 0.7 3\n0.35 0.2 4\n0.93 0.11 5\n0.42 0.87 1\n0.66 0.45 1\n0.71 0.93 2\n";
+  CHECK(can(scatter)); // so that it says what is wrong
+  CHECK(!reader->CanReadFile(WriteFile("some.txt", scatter).c_str())); // which may be any table
   CHECK(!reader->CanReadFile(nullptr) && !reader->CanReadFile(Folder.c_str()));
   CHECK(!reader->CanReadFile((Folder + "/nothing").c_str()));
 }

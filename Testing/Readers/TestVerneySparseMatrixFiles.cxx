@@ -21,8 +21,12 @@ namespace
 void CanReadFileLooksAtTheHeader()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
-  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\nwhatever").c_str()) == 1);
-  CHECK(reader->CanReadFile(WriteFile("header.txt", "\xEF\xBB\xBF 2 2 10").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\n\n3 1 1 5 6.5\n").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\n\n3 1 1 5 6.5 4 1 1\n3 1").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\n\n3 1 1 5 6.5 4 1 1 2 2\n3 1").c_str()) == 1);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\nwhatever").c_str()) == 0);
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10\n10 1 1 5 6.5\n").c_str()) == 0); // no such index
+  CHECK(reader->CanReadFile(WriteFile("header.txt", "\xEF\xBB\xBF 2 2 10\n3 1 1 5 6.5\n").c_str()) == 1);
   CHECK(reader->CanReadFile(WriteFile("header.txt", "2 2 10 4\n").c_str()) == 0);
   // Picks in whole metres and milliseconds, and by whole line numbers.
   CHECK(reader->CanReadFile(WriteFile("header.txt", "600000 6000000 1500\n600025 6000000 1501\n").c_str()) == 0);

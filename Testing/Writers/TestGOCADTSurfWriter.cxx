@@ -175,7 +175,14 @@ void ParametersAreObeyed()
 {
   const auto mesh = MakeMesh(0);
   const auto writer = MakeWriter(mesh, "parameters.ts");
-  CHECK(Has(Write(writer), "NAME Default\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT \"m\" \"m\" \"m\"\n"));
+  CHECK(Has(Write(writer), "NAME Default\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT \"none\" \"none\" \"none\"\n"));
+  vtkNew<vtkGOCADTSurfReader> reader;
+  reader->SetFileName(writer->GetFileName());
+  reader->Update();
+  for (const char* const unit : { "VerticalUnit", "HorizontalUnit", "VerticalDomain" })
+  {
+    CHECK(!GetHorizon(reader->GetOutput(), 0)->GetFieldData()->GetAbstractArray(unit));
+  }
   const auto addText = [&mesh](const char* name, const char* text)
   {
     vtkNew<vtkStringArray> array;

@@ -14,10 +14,16 @@ class. Names of properties, values and classes are written as in C++; the panel 
 and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is left out of the panel. What a class has no
 method of its own for (inputs) keeps its text in the XML file, in the same form. The brief of a class is the short help of
 its proxy.
+
+Of each reader there are two proxies in the plugin, the one in the XML file and one that differs in its name: ParaView asks
+readers for a file in the order of these names, and takes the first that says yes. The second one comes before all readers
+of ParaView that do not look into files, as that of CSV. Python, which goes by labels, makes it, too; states of earlier
+versions have the first.
 """
 
 import argparse
 import collections
+import copy
 import pathlib
 import re
 import sys
@@ -27,6 +33,7 @@ TREE = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("Property", "Default", "Range", "Unit", "Meaning")
 NAME = r"(?<!array )(?<!field data )\b[A-Z]\w*\b"
 COMPOUND = r"[A-Z]\w*[a-z0-9][A-Z]\w*$|[A-Z]{2}[a-z]{2}\w*$"
+FIRST = "ByContent"  # before the name of a reader
 SEE = r'See "([^"]+)" in (\w+\.md)\.'
 
 Text = collections.namedtuple("Text", "meaning unit range default")
@@ -73,6 +80,18 @@ class Proxy:
         self.label = element.get("label", self.name)
         self.element = element
         self.properties = (base.properties if base else []) + [e for e in element if e.tag.endswith("Property")]
+
+
+def first_asked(element):
+    """The proxy of a reader that ParaView asks before others, and for any name; it is no longer asked for the given one."""
+    hints = element.find("Hints")
+    first = ElementTree.Element("SourceProxy", name=FIRST + element.get("name"), label=element.get("label"),
+                                base_proxygroup="sources", base_proxyname=element.get("name"))
+    first.set("class", element.get("class"))
+    first.extend([copy.deepcopy(element.find("Documentation")), copy.deepcopy(hints)])
+    hints.remove(hints.find("ReaderFactory"))
+    first.find("Hints/ReaderFactory").set("filename_patterns", "*")
+    return first
 
 
 def label_of(prop):
@@ -211,6 +230,10 @@ class Texts:
                 brief = self.headers[proxy.class_name].brief
                 proxy.element.find("Documentation").set("short_help", brief[0].upper() + brief[1:] + ".")
         folder.mkdir(parents=True, exist_ok=True)
+        for group in (group for document in self.files.values() for group in document.iter("ProxyGroup")):
+            for element in group.findall("SourceProxy[Hints]"):
+                if element.find("Hints/ReaderFactory") is not None:
+                    group.append(first_asked(element))
         for name, document in self.files.items():
             path = folder / name
             text = ElementTree.tostring(document.getroot(), encoding="unicode") + "\n"

@@ -13,6 +13,7 @@ from .stage import HorizonError, make, update
 SOURCE = "vtkHorizonFromPoints"
 BEGINNINGS = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 NULL = 1e30
+POSITIVE = "positive"  # metadata of a band: up or down, as in the conventions of netCDF; elevations do without
 
 
 def _load(path):
@@ -59,6 +60,8 @@ def open_file(path):
     points.SetPoints(vtkPoints())
     points.GetPoints().SetData(numpy_to_vtk(places, deep=True))
     source = make(SOURCE, LatticeSource="OriginAndSteps", Origin=places[0, :2], ColumnStep=(dx, dy), RowStep=(rx, ry))
+    is_down = str(file.GetRasterBand(1).GetMetadataItem(POSITIVE)).lower() == "down"
+    source.SetVerticalDirection(0 if is_down else 1)
     source.SetInputDataObject(points)
     if system is not None:
         authority = system.GetAuthorityCode(None)
@@ -89,6 +92,7 @@ def write(mesh, path):
         # The lattice has the middle of its first cell, a transform its corner.
         file.SetGeoTransform((x - (step_x + row_x) / 2.0, step_x, row_x, y - (step_y + row_y) / 2.0, step_y, row_y))
         file.GetRasterBand(1).SetNoDataValue(NULL)
+        file.GetRasterBand(1).SetMetadataItem(POSITIVE, "down" if _counts_down(mesh) else "up")
         file.GetRasterBand(1).WriteArray(values)
         warnings = _set_system(file, mesh, osr)
         file.FlushCache()
@@ -96,6 +100,12 @@ def write(mesh, path):
     except RuntimeError as error:
         raise HorizonError("%s can not be written: %s" % (path.name, error)) from None
     return warnings
+
+
+def _counts_down(mesh):
+    """Whether z of the file that a mesh comes from, which grids are written in, counts downwards."""
+    direction = mesh.GetFieldData().GetArray("VerticalDirection")
+    return direction is not None and direction.GetValue(0) < 0
 
 
 def _set_system(file, mesh, osr):

@@ -7,7 +7,7 @@ from .pipeline import CHOSEN, Settings, fault_settings, surface_properties
 BEST_ERROR = 0.75  # of a vertical index: what suits horizons of whole voxels
 # Properties of readers by the names of their options.
 OF_READERS = {
-    "VerticalStep": "vertical_step", "VerticalUnit": "vertical_unit", "CoordinateSystem": "coordinate_system",
+    "VerticalDirection": "vertical_direction", "VerticalStep": "vertical_step", "VerticalUnit": "vertical_unit", "CoordinateSystem": "coordinate_system",
     "Elevation": "elevation", "DuplicatePolicy": "duplicate_policy", "Columns": "columns", "NullValues": "null_values",
     "HeaderLines": "header_lines", "StrayPicks": "stray_picks", "LatticeTolerance": "lattice_tolerance", "Origin": "origin",
     "ColumnStep": "column_step", "RowStep": "row_step", "LargestNumber": "surfaces", "SmallestSize": "smallest_surface",
@@ -28,7 +28,7 @@ def _unit(height):
 
 
 def _reader(options):
-    properties = {"VerticalDirection": options.vertical_direction, **given(options, **OF_READERS)}
+    properties = given(options, **OF_READERS)
     if hasattr(options, "corners"):
         corners = options.corners
         properties.update(LatticeSource="CornerPoints",
@@ -60,7 +60,7 @@ def make_settings(options):
         settings.despiked = {"Threshold": options.despike, "ThresholdUnit": _unit(options.despike)}
     throw = getattr(options, "cut_faults", None)
     settings.torn, settings.fault_lines = fault_settings(
-        throw and _unit(throw), options.vertical_direction, throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
+        throw and _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,

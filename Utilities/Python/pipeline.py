@@ -171,7 +171,17 @@ def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=Non
     if path is None:
         return torn, None
     torn["LineType"] = "Traces" if sticks is None else "Sticks"
-    return torn, apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction))
+    return torn, apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction or "Down"))
+
+
+def _require_same_direction(result, points, settings):
+    """Raises HorizonError where z of the horizon counts upwards by its format, and nobody said so of fault sticks, whose z
+    would count downwards."""
+    direction = points.GetFieldData().GetArray("VerticalDirection")
+    if (settings.torn.get("LineType") == "Sticks" and "VerticalDirection" not in settings.reader
+            and direction is not None and direction.GetValue(0) > 0):
+        raise HorizonError("%s: %s: z of elevations, which count upwards, beside fault sticks, expected --vertical-direction, "
+                           "which is for both" % (result.source, result.name))
 
 
 def run(source, name, points, settings):
@@ -185,6 +195,7 @@ def run(source, name, points, settings):
     for stage, algorithm in settings.make_stages():
         algorithm.SetInputDataObject(0, data)
         if stage == "torn" and settings.fault_lines is not None:
+            _require_same_direction(result, points, settings)
             algorithm.SetInputDataObject(1, settings.fault_lines)
         result.run_stage(stage, algorithm)
         data = result.data[stage] = algorithm.GetOutputDataObject(0)

@@ -20,6 +20,8 @@ using namespace SeismicHorizons;
 
 namespace
 {
+constexpr const char* NoUnit = "none"; // as GOCAD has it for properties
+
 /// The first of these that says something.
 std::string Choose(const char* parameter, const std::string& field, const std::string& otherwise)
 {
@@ -62,8 +64,8 @@ void vtkGOCADTSurfWriter::PrintHorizons(
           surface.Properties = ReadProperties(horizons[n].Data, this->WriteAttributes == AllArrays);
         }
         SurveyDescription& survey = surface.Survey;
-        survey.VerticalUnit = Choose(this->VerticalUnit, survey.VerticalUnit, "m");
-        survey.HorizontalUnit = Choose(this->HorizontalUnit, survey.HorizontalUnit, "m");
+        survey.VerticalUnit = Choose(this->VerticalUnit, survey.VerticalUnit, NoUnit);
+        survey.HorizontalUnit = Choose(this->HorizontalUnit, survey.HorizontalUnit, NoUnit);
         survey.CoordinateSystem = Choose(this->CoordinateSystemName, survey.CoordinateSystem, "Default");
         const Monitor step = monitor.Step(static_cast<double>(n) / size, static_cast<double>(n + 1) / size);
         PrintTSurf(surface, this->WriteBorders, stream, step);

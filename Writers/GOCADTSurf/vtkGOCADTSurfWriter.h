@@ -66,7 +66,7 @@ public:
   ///@{
   /**
    * The unit of z that the file states, such as m, ft, ms or s; numbers are not converted. Empty: that of the data
-   * (field data VerticalUnit), else m. Range: any text. Default: empty.
+   * (field data VerticalUnit), else none, as where the unit is unknown. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * The unit of x and y that the file states, such as m or ft; numbers are not converted. Empty: that of the data
-   * (field data HorizontalUnit), else m. Range: any text. Default: empty.
+   * (field data HorizontalUnit), else none, as where the unit is unknown. Range: any text. Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);

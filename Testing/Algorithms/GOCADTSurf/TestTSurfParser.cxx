@@ -252,16 +252,16 @@ void NumbersKeepAllDigits()
 
 void FilesAreRecognisedByTheirFirstLine()
 {
-  const auto isOne = [](const std::string& text)
+  const auto typeOf = [](const std::string& text)
   {
     std::istringstream stream(text);
-    const bool begins = BeginsAsGOCAD(stream);
+    const std::optional<std::string> type = FirstTypeOfGOCAD(stream);
     CHECK_EQUAL(stream.tellg(), std::istream::pos_type(0));
-    return begins;
+    return type;
   };
-  CHECK(isOne(Small) && isOne("\xEF\xBB\xBF \n#\n\tGOCAD\tVSet 1\r\n") && isOne("GOCAD"));
-  CHECK(!isOne("") && !isOne("GOCADX\n") && !isOne("G\x47\n") && !isOne("import x from 'y'\nGOCAD TSurf 1\n"));
-  CHECK(!isOne(std::string(5000, '\n') + Small));
+  CHECK(typeOf(Small) == "tsurf" && typeOf("\xEF\xBB\xBF \n#\n\tGOCAD\tVSet 1\r\n") == "vset" && typeOf("GOCAD") == "");
+  CHECK(!typeOf("") && !typeOf("GOCADX\n") && !typeOf("G\x47\n") && !typeOf("import x from 'y'\nGOCAD TSurf 1\n"));
+  CHECK(!typeOf(std::string(5000, '\n') + Small));
 }
 
 /// As programs write them that know the format by hearsay.

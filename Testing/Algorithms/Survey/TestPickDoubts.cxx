@@ -98,7 +98,7 @@ void TestBetweenLines()
   CHECK(DoubtsOf(picks).empty());
   PickTable wrong = picks;
   wrong.Inline[150] += 1.0;
-  for (const bool hasPlaces : { true, false })
+  for (int round = 0; round < 2; ++round) // with places, and without
   {
     CHECK_THROWS_WITH(
       DoubtsOf(wrong), "1 of 400 picks between the lines of the others, line 154; expected line numbers");

@@ -11,7 +11,7 @@ note = {"sources": len(simple.GetSources())}
 if source:
     information = source.GetDataInformation()
     display = simple.GetRepresentation(source, simple.GetActiveView())
-    note.update(name=source.GetXMLName(), points=information.GetNumberOfPoints(), cells=information.GetNumberOfCells(),
+    note.update(name=type(source).__name__, points=information.GetNumberOfPoints(), cells=information.GetNumberOfCells(),
                 bounds=information.GetBounds(), shown=bool(display and display.Visibility))
 with open("notes.txt", "a", encoding="utf-8") as notes:
     notes.write(json.dumps(note) + "\n")

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PickRecognition.h"
+
+#include "ColumnGuess.h"
+#include "ColumnNames.h"
+#include "Common/InputFile.h"
+#include "Common/Survey/PickPlacement.h"
+#include "Common/TextFields.h"
+#include "HorizonTextParser.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::size_t LookedAt = 64 * 1024; // bytes, for what is no certain format
+
+/// Extensions of picks that no other program has for tables of numbers.
+bool IsOfPicks(const std::string& extension)
+{
+  constexpr std::array<std::string_view, 8> extensions = { "", "dat", "xyz", "asc", "ijz", "ijk", "rmsattr", "map" };
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+/// Lines without their ends, also where these are carriage returns alone, or text is in UTF-16.
+std::vector<std::string> ListLines(std::istream& stream)
+{
+  std::string text = PeekText(stream, LookedAt);
+  text.erase(std::remove(text.begin(), text.end(), '\0'), text.end());
+  std::vector<std::string> lines(1);
+  for (const char c : text)
+  {
+    if (c == '\n' || c == '\r')
+    {
+      lines.emplace_back();
+    }
+    else
+    {
+      lines.back() += c;
+    }
+  }
+  lines.pop_back(); // which may be cut off
+  lines.erase(std::remove_if(lines.begin(), lines.end(),
+                [](const std::string& line) { return IsSkipped(line) || line[0] == '%' || line[0] == '*'; }),
+    lines.end());
+  return lines;
+}
+
+/// How many fields of a line there are, and how many of them are numbers, with points or commas.
+struct FieldCount
+{
+  std::size_t Fields = 0;
+  std::size_t Numbers = 0;
+};
+
+FieldCount CountNumbers(const std::string& line)
+{
+  const bool hasTabs = line.find('\t') != std::string::npos;
+  const FieldSeparator separator = line.find(';') != std::string::npos            ? FieldSeparator::Semicolon
+    : hasTabs                                                                     ? FieldSeparator::Tab
+    : line.find(", ") != std::string::npos || line.find(' ') == std::string::npos ? FieldSeparator::Comma
+                                                                                  : FieldSeparator::Blanks;
+  FieldCount count;
+  for (const std::string_view field : Split(line, separator))
+  {
+    std::string number(field);
+    std::replace(number.begin(), number.end(), ',', '.');
+    double value = 0.0;
+    ++count.Fields;
+    count.Numbers += ReadNumber(number, value) == NumberKind::Finite ? 1 : 0;
+  }
+  return count;
+}
+
+/// "999.0 999.0 999.0", which ends fault lines.
+bool IsEndOfLine(const std::string& line)
+{
+  const Fields fields = Split(line, FieldSeparator::Blanks);
+  return fields.size() == 3 && fields[0] == fields[1] && fields[1] == fields[2] &&
+    ReadPositiveInteger(fields[0].substr(0, 3)) == 999;
+}
+
+/// Whether there are some lines of equally many fields, three of them numbers at least, below a few of words at most:
+/// grids have numbers in their headers.
+bool AreColumns(const std::vector<std::string>& lines)
+{
+  constexpr std::size_t mostTitles = 5;
+  constexpr std::size_t fewestLines = 4;
+  constexpr std::size_t mostLines = 200;
+  std::size_t first = 0;
+  while (first < lines.size() && first <= mostTitles && CountNumbers(lines[first]).Numbers == 0)
+  {
+    ++first;
+  }
+  if (first > mostTitles || first + fewestLines > lines.size())
+  {
+    return false;
+  }
+  const std::size_t fields = CountNumbers(lines[first]).Fields;
+  const std::size_t last = std::min(lines.size(), first + mostLines);
+  return std::count_if(lines.begin() + std::ptrdiff_t(first), lines.begin() + std::ptrdiff_t(last),
+           [fields](const std::string& line)
+           {
+             const FieldCount count = CountNumbers(line);
+             return count.Fields == fields && count.Numbers >= 3;
+           }) >= std::ptrdiff_t((last - first) * 9 / 10);
+}
+
+/// Whether text is that of other programs, which have columns of numbers as well, below words, or of fault lines.
+bool IsOfOthers(const std::vector<std::string>& lines)
+{
+  constexpr std::array<std::string_view, 6> beginnings = { "variables", "title", "zone", "ply", "off", "solid" };
+  const std::string first = lines.empty() ? "" : ToLower(Trim(lines.front()));
+  return std::any_of(lines.begin(), lines.end() - 1, IsEndOfLine) ||
+    std::any_of(beginnings.begin(), beginnings.end(),
+      [&first](std::string_view beginning)
+      {
+        return StartsWith(first, beginning) &&
+          (first.size() == beginning.size() || std::string_view(" \t=").find(first[beginning.size()]) < 3);
+      });
+}
+
+/// Whether picks are on a lattice of two directions, with hardly more than one in a column, as those of a cube have.
+bool FormHorizons(PickTable picks)
+{
+  const SurveyHorizons found = PlacePicks(std::move(picks), PlacementOptions());
+  std::int64_t points = 0;
+  std::int64_t duplicates = 0;
+  for (const LatticeHorizon& horizon : found.Horizons)
+  {
+    points += std::int64_t(horizon.Column.size());
+    duplicates += horizon.DroppedDuplicates;
+  }
+  constexpr std::int64_t fewest = 4;
+  constexpr double leastCover = 0.1; // of the columns within the bounds of the picks
+  const auto [i, j] = found.Lattice.Columns;
+  return points >= fewest && 10 * duplicates <= points && std::min(i, j) >= 2 &&
+    double(points) >= leastCover * double(i) * double(j);
+}
+
+/// Whether picks are certain under a name that is one of other files.
+bool AreCertain(PickTable picks, const TextLayout& layout, const std::vector<std::string>& lines)
+{
+  if (layout.Kind != TextKind::Plain && layout.Kind != TextKind::LatticeIndices)
+  {
+    return true;
+  }
+  const int z = layout.Find(ColumnRole::Z);
+  const bool hasNames = !layout.IsGuessed && layout.Kind == TextKind::Plain;
+  const ColumnRole named = hasNames && z >= 0 ? ColumnOfName(layout.Columns[std::size_t(z)].Name).Role : ColumnRole::Z;
+  if (z < 0 || (named != ColumnRole::Z && named != ColumnRole::HorizonName)) // "SURFACE" may be that of heights
+  {
+    return false; // any column that was left
+  }
+  // Nothing is above the picks but what names them, or comments.
+  return (hasNames || CountNumbers(lines.front()).Numbers >= 3) && FormHorizons(std::move(picks));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool ArePicks(std::istream& stream, const std::string& extension)
+{
+  const std::vector<std::string> lines = ListLines(stream);
+  if (lines.empty() || IsOfOthers(lines))
+  {
+    return false;
+  }
+  try
+  {
+    const TextLayout layout = ReadTextLayout(stream, {});
+    if (layout.IsGuessed && layout.HasLineOfNames)
+    {
+      return false; // the names do not say where picks are
+    }
+    PickTable picks = ReadFirstPicks(stream, layout);
+    if (!IsOfPicks(extension))
+    {
+      return AreCertain(std::move(picks), layout, lines);
+    }
+    if (layout.IsGuessed && layout.Find(ColumnRole::Inline) < 0)
+    {
+      PlacePicks(std::move(picks), PlacementOptions());
+    }
+    return true;
+  }
+  catch (const InputError&)
+  {
+    return IsOfPicks(extension) && AreColumns(lines);
+  }
+}
+}

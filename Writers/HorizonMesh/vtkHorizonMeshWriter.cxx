@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonMeshWriter.h"
+
+#include "Common/Errors.h"
+#include "Common/InputFile.h"
+#include "Common/Monitor.h"
+#include "GOCADTSurf/HorizonTSurf.h"
+#include "MeshPrinter.h"
+
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
+
+using namespace SeismicHorizons;
+
+namespace
+{
+/// Not with appended bytes, the default: readers of VTK up to 9.2 stumble over them with a recent Expat library.
+void PrintVTP(vtkPolyData* horizon, std::ostream& stream)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputDataObject(horizon);
+  writer->SetDataModeToBinary();
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  stream << writer->GetOutputString();
+}
+}
+
+vtkStandardNewMacro(vtkHorizonMeshWriter);
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonMeshWriter::PrintHorizons(
+  const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+{
+  const std::string format = ExtensionOf(this->GetFileName());
+  const auto [name, horizon] = horizons.front();
+  if (format == "vtp")
+  {
+    PrintVTP(horizon, stream);
+    return;
+  }
+  const auto print = format == "stl" ? PrintSTL : format == "ply" ? PrintPLY : format == "obj" ? PrintOBJ : nullptr;
+  if (!print)
+  {
+    throw InputError("extension \"" + format + "\", expected vtp, stl, ply or obj");
+  }
+  PrefixErrors(name, [&]() { print(MakeTSurf(horizon, name, VerticalPositive::Elevation), stream, monitor); });
+}

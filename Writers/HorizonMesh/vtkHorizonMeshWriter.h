@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonMeshWriter
+ * @brief   writes horizon meshes for other programs (.vtp, .stl, .ply, .obj), one file for each
+ *
+ * The extension of the file says the format. Of several horizons each goes into a file of its own, whose name is that of
+ * the file with that of the horizon behind an underscore: "reek_Top.stl" for "reek.stl". Horizons without points are left
+ * out.
+ *
+ * .vtp has all that a horizon has, with its arrays, also points and outlines. The others have triangles alone, with z
+ * upwards: .stl and .obj as text, .ply as bytes, all in double precision (Documentation/HorizonMeshWriter.md).
+ *
+ * @sa vtkGOCADTSurfWriter vtkHorizonDXFWriter
+ */
+
+#ifndef vtkHorizonMeshWriter_h
+#define vtkHorizonMeshWriter_h
+
+#include "vtkHorizonWriter.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonMeshWriter : public vtkHorizonWriter
+{
+public:
+  static vtkHorizonMeshWriter* New();
+  vtkTypeMacro(vtkHorizonMeshWriter, vtkHorizonWriter);
+
+protected:
+  vtkHorizonMeshWriter() = default;
+  ~vtkHorizonMeshWriter() override = default;
+
+  bool WritesFileForEach() const override { return true; }
+  void PrintHorizons(
+    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonMeshWriter(const vtkHorizonMeshWriter&) = delete;
+  void operator=(const vtkHorizonMeshWriter&) = delete;
+};
+
+#endif
