@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -13,42 +14,43 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<double, 14> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0, -99.0,
-  -32767.0, 99999.0, -99999.0, 999999.0, -999999.0 };
+constexpr std::array<double, 20> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0, -99.0,
+  -32767.0, 99999.0, -99999.0, 999999.0, -999999.0, -999.25, 999.25, -9999.25, -999.99, -9999.99, 9999900.0 };
+}
 
-/// A number for no value that is farther from all other z than these are from each other: the least or the greatest z,
-/// where it is a usual one, or one of several picks.
-std::string FindNull(const LatticeHorizon& horizon)
+//----------------------------------------------------------------------------------------------------------------------
+std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_t>& picks)
 {
-  const auto ends = std::minmax_element(horizon.RealZ.begin(), horizon.RealZ.end());
-  if (ends.first == horizon.RealZ.end())
+  const auto ends = std::minmax_element(
+    picks.begin(), picks.end(), [&](std::int32_t a, std::int32_t b) { return z[std::size_t(a)] < z[std::size_t(b)]; });
+  if (ends.first == picks.end())
   {
     return {};
   }
-  for (const double null : { *ends.first, *ends.second })
+  for (const double null : { z[std::size_t(*ends.first)], z[std::size_t(*ends.second)] })
   {
     const bool isUsual = std::find(UsualNulls.begin(), UsualNulls.end(), null) != UsualNulls.end();
     std::int64_t count = 0;
     double least = std::numeric_limits<double>::infinity();
     double greatest = -least;
-    for (const double z : horizon.RealZ)
+    for (const std::int32_t pick : picks)
     {
-      count += z == null ? 1 : 0;
-      least = z == null ? least : std::min(least, z);
-      greatest = z == null ? greatest : std::max(greatest, z);
+      const double value = z[std::size_t(pick)];
+      count += value == null ? 1 : 0;
+      least = value == null ? least : std::min(least, value);
+      greatest = value == null ? greatest : std::max(greatest, value);
     }
     const double range = greatest - least;
     if (count > (isUsual ? 0 : 1) && range >= 0.0 && (null < least - range || null > greatest + range))
     {
       std::ostringstream text;
       text.precision(12);
-      text << count << " of " << horizon.RealZ.size() << " picks with z " << null << ", far from all others, " << least
+      text << count << " of " << picks.size() << " picks with z " << null << ", far from all others, " << least
            << " to " << greatest << ": add " << null << " to NullValues if it means that there is no z";
       return text.str();
     }
   }
   return {};
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -61,11 +63,6 @@ std::vector<std::string> FindDoubts(const SurveyHorizons& horizons)
   {
     duplicates += horizon.DroppedDuplicates;
     picks += horizon.DroppedDuplicates + std::int64_t(horizon.RealZ.size());
-    const std::string null = FindNull(horizon);
-    if (!null.empty())
-    {
-      doubts.push_back(null);
-    }
   }
   if (100 * duplicates > picks)
   {

@@ -8,13 +8,18 @@
 
 #include "SurveyHorizons.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Warnings: picks that were left out, by their numbers; more than a hundredth of picks in columns that have another one, as where several horizons have no names;
-/// and a usual number for no value, such as -999, as z far from all others of its horizon.
+/// A warning of a usual number for no value, such as -999, or one that several picks have, as z farther from all others
+/// of some picks than these are from each other; of picks that are not gridded yet, which are by their numbers.
+std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_t>& picks);
+
+/// Warnings: those that the horizons have already, and of more than a hundredth of picks in columns that have another
+/// one, as where several horizons have no names.
 std::vector<std::string> FindDoubts(const SurveyHorizons& horizons);
 }
 

@@ -8,6 +8,7 @@
 #include "Common/FixedChunks.h"
 #include "Common/Lattice.h"
 #include "LineLattice.h"
+#include "PickDoubts.h"
 #include "ShortSteps.h"
 #include "StrayPicks.h"
 #include "SurveyMap.h"
@@ -383,6 +384,11 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     const bool isSplit = options.Policy == DuplicatePolicy::Sheets;
     for (const ColumnOrder& sheet : isSplit ? SplitIntoSheets(order, picks, columns) : std::vector{ std::move(order) })
     {
+      const std::string null = FindNull(picks.Z, sheet.Picks);
+      if (!null.empty())
+      {
+        placed.Doubts.push_back(null);
+      }
       placed.Horizons.push_back(MakeHorizon(picks, columns, sheet));
       placed.Horizons.back().SurfaceId = int(number) + 1;
     }

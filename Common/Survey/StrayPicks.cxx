@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 
 namespace SeismicHorizons
@@ -133,6 +134,49 @@ std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double 
     }
   }
   return far.empty() ? off : far;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::size_t> FindFarPlaces(const std::vector<Eigen::Vector2d>& places)
+{
+  constexpr std::size_t fewest = 8;
+  if (places.size() < fewest)
+  {
+    return {};
+  }
+  Eigen::Matrix2d least = Eigen::Matrix2d::Constant(-std::numeric_limits<double>::infinity()); // of both, in columns
+  Eigen::Matrix2d greatest = -least;
+  std::vector<double> along(places.size());
+  const std::array<std::size_t, 2> outer = { places.size() / 50, std::max<std::size_t>(1, places.size() / 10) };
+  for (const int rule : { 0, 1 })
+  {
+    Eigen::Vector2d low;
+    Eigen::Vector2d high;
+    for (const int axis : { 0, 1 })
+    {
+      std::transform(places.begin(), places.end(), along.begin(), [&](const auto& place) { return place[axis]; });
+      std::sort(along.begin(), along.end());
+      low[axis] = along[outer[std::size_t(rule)]];
+      high[axis] = along[along.size() - 1 - outer[std::size_t(rule)]];
+    }
+    const double length = (rule == 0 ? 1.0 : 10.0) * (high - low).maxCoeff();
+    if (length > 0.0)
+    {
+      least.col(rule) = low.array() - length;
+      greatest.col(rule) = high.array() + length;
+    }
+  }
+  const Eigen::Vector2d first = least.rowwise().maxCoeff();
+  const Eigen::Vector2d last = greatest.rowwise().minCoeff();
+  std::vector<std::size_t> far;
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    if ((places[n].array() < first.array()).any() || (places[n].array() > last.array()).any())
+    {
+      far.push_back(n);
+    }
+  }
+  return far.size() <= std::max<std::size_t>(1, places.size() / 10) ? far : std::vector<std::size_t>();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

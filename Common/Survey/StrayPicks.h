@@ -28,8 +28,14 @@ struct PickPlace
 /// lattice, so that others seem off as well: only those at least half as far off as the farthest count.
 std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double tolerance);
 
-/// Picks with numbers of lines that are between those of nearly all others, which go by larger steps: one wrong digit makes
-/// the lattice finer, and its columns fall apart. Of crosslines, or where there are none, of inlines; by their numbers.
+/// Of places that stand on no lattice those far from all others, by their numbers: farther from the box of all but the
+/// outer fiftieths than it is long, or from that of all but the outer tenths than ten times this. At most a tenth of at
+/// least 8 places, else they are no strays.
+std::vector<std::size_t> FindFarPlaces(const std::vector<Eigen::Vector2d>& places);
+
+/// Picks with numbers of lines that are between those of nearly all others, which go by larger steps: one wrong digit
+/// makes the lattice finer, and its columns fall apart. Of crosslines, or where there are none, of inlines; by their
+/// numbers.
 std::vector<std::size_t> FindBetweenLines(
   const PickTable& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor = Monitor());
 

@@ -135,9 +135,11 @@ public:
 
   ///@{
   /**
-   * What to do about picks that are off the lattice, or far from all others. Stop: an error, or a warning where those far
-   * away are on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning that names them. Default:
-   * Stop.
+   * What to do about picks that are off the lattice, or far from all others. Stop: an error, or a warning where those
+   * far away are on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning that names them.
+   * Default: Stop.
+   *
+   * With Gridding those far from all others are an error, but a warning where the lattice is given.
    */
   vtkSetClampMacro(StrayPicks, int, Stop, LeaveOut);
   vtkGetMacro(StrayPicks, int);
@@ -160,7 +162,7 @@ public:
    * with the largest absolute value of the attribute Amplitude; of equal ones, and without that attribute, the topmost.
    * Topmost, Lowest: the highest, the lowest one. Sheets: all of them, as at reverse faults; what is connected in space
    * is a sheet, and each becomes a horizon of its own. Points left out are counted in the field data DroppedDuplicates.
-   * See "Sheets" in HorizonTextReader.md. Default: StrongestAmplitude.
+   * With Gridding, of several at one place. See "Sheets" in HorizonTextReader.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
@@ -182,9 +184,9 @@ public:
 
   ///@{
   /**
-   * How picks that stand on no lattice, as of 2D lines, wells or scattered points, become a horizon on one. NoGridding: they
-   * have to stand on a lattice. Plate: a thin plate that comes near to all of them. Nearest: each column has the z of the
-   * pick nearest to it. See "Gridding" in HorizonTextReader.md. Default: NoGridding.
+   * How picks that stand on no lattice, as of 2D lines, wells or scattered points, become a horizon on one.
+   * NoGridding: they have to stand on a lattice. Plate: a thin plate that comes near to all of them. Nearest: each
+   * column has the z of the pick nearest to it. See "Gridding" in HorizonTextReader.md. Default: NoGridding.
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
    */
@@ -198,7 +200,7 @@ public:
   ///@{
   /**
    * With Gridding, columns farther than this from all picks stay empty. 0: columns outside the convex hull of the picks
-   * stay empty. Unit: world units. Range: 0 to 1e12. Default: 0.
+   * stay empty. Picks with line numbers alone are so many lines apart. Unit: world units. Range: 0 to 1e12. Default: 0.
    */
   vtkSetMacro(GriddingRadius, double);
   vtkGetMacro(GriddingRadius, double);

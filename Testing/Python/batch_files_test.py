@@ -173,6 +173,22 @@ class FilesTest(unittest.TestCase):
             x, y, z = vtk_to_numpy(points.GetPoints().GetData()).T
             self.assertLess(np.abs(-z - (1500 + 0.02 * (x - 431000) - 0.03 * (y - 6348000))).max(), off)
 
+    def test_gridding_of_strays(self):
+        """One wrong place does not make steps of kilometres, and a number for no value is told of, not smeared."""
+        picks = [(431000 + 37.7 * n % 2000, 6348000 + 91.3 * n % 1900, 1500 + 0.01 * n) for n in range(800)]
+        stray = self.write("stray.xyz", ("%.2f %.2f %.2f" % pick for pick in [*picks, (0, 0, 1510)]))
+        code, messages, _ = self.run_program("--gridding", "Plate", stray)
+        self.assertEqual((code, len(messages)), (1, 1))
+        self.assertIn("1 of 801 picks far from all others, line 801; expected StrayPicks", messages[0])
+        code, messages, told = self.run_program("--gridding", "Plate", "--stray-picks", "LeaveOut", stray)
+        self.assertEqual((code, len(messages)), (0, 1))
+        self.assertIn("1 stray picks left out: line 801", messages[0])
+        self.assertIn("50 x 50 apart", told)
+        null = self.write("null.xyz", ("%.2f %.2f %.2f" % pick for pick in [*picks[:-1], (431500, 6348500, -9999)]))
+        code, messages, _ = self.run_program("--gridding", "Plate", null)
+        self.assertEqual((code, len(messages)), (0, 1))
+        self.assertIn("1 of 800 picks with z -9999, far from all others", messages[0])
+
     def test_back_to_points(self):
         """Grids and picks of a mesh have the places of the picks, to the error; sparse files have their columns."""
         dome = self.write_turned()

@@ -6,9 +6,13 @@
 
 #include "Gridding.h"
 
+#include "Common/DisjointSets.h"
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "Common/Survey/ColumnOrder.h"
+#include "Common/Survey/PickDoubts.h"
+#include "Common/Survey/StrayPicks.h"
 #include "HoleFilling/PlateEnergy.h"
 
 #include <Eigen/Dense>
@@ -20,7 +24,12 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <sstream>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -34,7 +43,8 @@ constexpr double LeastSmoothing = 1e-6;
 // What holds a plate where picks leave it free, as beside a single line: too weak to show elsewhere.
 constexpr double Tension = 1e-6;
 
-/// The picks of one horizon, in columns of the lattice.
+/// The picks of one horizon, in columns of the lattice, in the order of their x and then y in the world: of equals that
+/// comes first, whatever the order of the file.
 struct Picks
 {
   std::vector<Eigen::Vector2d> Place;
@@ -66,6 +76,13 @@ struct Box
     this->Least = this->Least.cwiseMin(place);
     this->Greatest = this->Greatest.cwiseMax(place);
   }
+
+  int LongAxis() const { return (this->Greatest - this->Least).y() > (this->Greatest - this->Least).x() ? 1 : 0; }
+
+  double Distance(const Eigen::Vector2d& place) const
+  {
+    return (this->Least - place).cwiseMax(place - this->Greatest).cwiseMax(0.0).norm();
+  }
 };
 
 /// Along x and y, with steps that make about a column for each pick of their bounding box.
@@ -83,7 +100,8 @@ SurveyLattice AutomaticLattice(const Box& box, std::size_t picks)
 }
 
 /// The lattice that is given or chosen, as large as the picks, and with a radius as it takes for that.
-SurveyLattice FindGrid(const std::vector<Eigen::Vector2d>& places, const GriddingOptions& options)
+SurveyLattice FindGrid(
+  const std::vector<Eigen::Vector2d>& places, const GriddingOptions& options, const std::string& strays)
 {
   Box box;
   for (const Eigen::Vector2d& place : places)
@@ -113,7 +131,8 @@ SurveyLattice FindGrid(const std::vector<Eigen::Vector2d>& places, const Griddin
     text.precision(12);
     text << "grid of " << size.x() << " x " << size.y() << " columns for " << places.size()
          << " picks, expected at most " << MostColumnsPerPick
-         << " columns a pick and 2^28 in all: choose longer steps, or a smaller GriddingRadius";
+         << " columns a pick and 2^28 in all: choose longer steps, or a smaller GriddingRadius"
+         << (strays.empty() ? "" : "; StrayPicks leaves out what is far from all others, " + strays);
     throw InputError(text.str());
   }
   lattice.Origin += lattice.Steps() * first;
@@ -124,47 +143,17 @@ SurveyLattice FindGrid(const std::vector<Eigen::Vector2d>& places, const Griddin
 //----------------------------------------------------------------------------------------------------------------------
 // Nearest picks
 
-/// Picks in square buckets of the world, of about two each.
+/// A tree of picks in the world: each node is the middle one of its picks along the axis where their box is longer.
 class PickSearch
 {
 public:
   explicit PickSearch(const std::vector<Eigen::Vector2d>& places)
     : Places(places)
+    , Order(places.size())
+    , Boxes(places.size())
   {
-    Box box;
-    for (const Eigen::Vector2d& place : places)
-    {
-      box.Add(place);
-    }
-    const Eigen::Vector2d extent = box.Greatest - box.Least;
-    const double area = extent.x() * extent.y();
-    const double count = double(places.size());
-    this->Size = std::max({ std::sqrt(2.0 * area / count), 2.0 * extent.maxCoeff() / count, 1e-9 * extent.maxCoeff() });
-    this->Size = this->Size > 0.0 ? this->Size : 1.0;
-    this->First = box.Least;
-    this->Columns = std::int64_t(extent.x() / this->Size) + 1;
-    this->Rows = std::int64_t(extent.y() / this->Size) + 1;
-    this->Begin.assign(std::size_t(this->Columns * this->Rows) + 1, 0);
-    const auto bucket = [&](const Eigen::Vector2d& place)
-    {
-      const auto x = std::int64_t((place.x() - this->First.x()) / this->Size);
-      const auto y = std::int64_t((place.y() - this->First.y()) / this->Size);
-      return std::size_t(std::min(y, this->Rows - 1) * this->Columns + std::min(x, this->Columns - 1));
-    };
-    for (const Eigen::Vector2d& place : places)
-    {
-      ++this->Begin[bucket(place) + 1];
-    }
-    for (std::size_t n = 1; n < this->Begin.size(); ++n)
-    {
-      this->Begin[n] += this->Begin[n - 1];
-    }
-    this->Order.resize(places.size());
-    std::vector<std::int32_t> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (std::size_t pick = 0; pick < places.size(); ++pick)
-    {
-      this->Order[std::size_t(next[bucket(places[pick])]++)] = std::int32_t(pick);
-    }
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Build(0, this->Order.size());
   }
 
   struct Found
@@ -175,51 +164,58 @@ public:
 
   Found Find(const Eigen::Vector2d& place) const
   {
-    const auto x = std::int64_t(std::floor((place.x() - this->First.x()) / this->Size));
-    const auto y = std::int64_t(std::floor((place.y() - this->First.y()) / this->Size));
-    const std::int64_t outside = std::max({ -x, x - this->Columns + 1, -y, y - this->Rows + 1, std::int64_t(0) });
-    const std::int64_t last = outside + std::max(this->Columns, this->Rows);
     Found found;
-    // Buckets so many rings away have nothing nearer than one ring less.
-    for (std::int64_t ring = outside; ring <= last && found.Distance >= double(ring - 1) * this->Size; ++ring)
-    {
-      for (std::int64_t row = std::max<std::int64_t>(y - ring, 0); row <= std::min(y + ring, this->Rows - 1); ++row)
-      {
-        const bool isWhole = row == y - ring || row == y + ring;
-        for (std::int64_t column = x - ring; column <= x + ring;
-             column += isWhole ? 1 : std::max<std::int64_t>(2 * ring, 1))
-        {
-          if (column >= 0 && column < this->Columns)
-          {
-            this->Look(std::size_t(row * this->Columns + column), place, found);
-          }
-        }
-      }
-    }
+    this->Look(0, this->Order.size(), place, found);
     return found;
   }
 
 private:
-  void Look(std::size_t bucket, const Eigen::Vector2d& place, Found& found) const
+  const Eigen::Vector2d& PlaceAt(std::size_t node) const { return this->Places[std::size_t(this->Order[node])]; }
+
+  void Build(std::size_t first, std::size_t last)
   {
-    for (std::int32_t n = this->Begin[bucket]; n < this->Begin[bucket + 1]; ++n)
+    if (first == last)
     {
-      const std::int32_t pick = this->Order[std::size_t(n)];
-      const double distance = (this->Places[std::size_t(pick)] - place).norm();
-      if (distance < found.Distance || (distance == found.Distance && pick < found.Pick))
-      {
-        found = { pick, distance };
-      }
+      return;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    for (std::size_t node = first; node < last; ++node)
+    {
+      this->Boxes[middle].Add(this->PlaceAt(node));
+    }
+    const int axis = this->Boxes[middle].LongAxis();
+    const auto begin = this->Order.begin();
+    std::nth_element(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(middle), begin + std::ptrdiff_t(last),
+      [&](std::int32_t a, std::int32_t b)
+      { return this->Places[std::size_t(a)][axis] < this->Places[std::size_t(b)][axis]; });
+    this->Build(first, middle);
+    this->Build(middle + 1, last);
+  }
+
+  void Look(std::size_t first, std::size_t last, const Eigen::Vector2d& place, Found& found) const
+  {
+    const std::size_t middle = first + (last - first) / 2;
+    if (first == last || this->Boxes[middle].Distance(place) > found.Distance)
+    {
+      return;
+    }
+    const std::int32_t pick = this->Order[middle];
+    const double distance = (this->PlaceAt(middle) - place).norm();
+    if (distance < found.Distance || (distance == found.Distance && pick < found.Pick))
+    {
+      found = { pick, distance };
+    }
+    const int axis = this->Boxes[middle].LongAxis();
+    const bool isBelow = place[axis] < this->PlaceAt(middle)[axis];
+    for (const bool looksBelow : { isBelow, !isBelow })
+    {
+      this->Look(looksBelow ? first : middle + 1, looksBelow ? middle : last, place, found);
     }
   }
 
   const std::vector<Eigen::Vector2d>& Places;
-  double Size = 1.0;
-  Eigen::Vector2d First = Eigen::Vector2d::Zero();
-  std::int64_t Columns = 1;
-  std::int64_t Rows = 1;
-  std::vector<std::int32_t> Begin;
   std::vector<std::int32_t> Order;
+  std::vector<Box> Boxes; // of each node with all below it
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -283,30 +279,130 @@ std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)
 //----------------------------------------------------------------------------------------------------------------------
 // One horizon
 
-/// The plane next to all picks by least squares: z at (0, 0), and its slopes. Across a line of picks it is level.
-Eigen::Vector3d FitPlane(const Picks& picks)
+/// The plane next to all picks by least squares, and where these stand for the plate. Noise of picks on a line, or in
+/// two wells, would tilt both across it. So the plane is level in a direction in which picks spread (their standard
+/// deviation) by less than half a step, or less than a fiftieth of what they do along the other; and where none is more
+/// than a step off the middle in it, all are moved there.
+struct Trend
 {
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  double mean = 0.0;
-  const double count = double(picks.Z.size());
-  for (std::size_t n = 0; n < picks.Z.size(); ++n)
+  Eigen::Vector3d Plane; // z at column (0, 0), and its slopes
+  std::vector<Eigen::Vector2d> Places; // of the picks, in columns
+
+  Trend(const Picks& picks, const Eigen::Matrix2d& steps)
   {
-    middle += picks.Place[n] / count;
-    mean += picks.Z[n] / count;
+    constexpr double leastSteps = 0.5;
+    constexpr double leastPart = 0.02;
+    const double count = double(picks.Z.size());
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    double mean = 0.0;
+    for (std::size_t n = 0; n < picks.Z.size(); ++n)
+    {
+      middle += picks.Place[n] / count;
+      mean += picks.Z[n] / count;
+    }
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d side = Eigen::Vector2d::Zero();
+    for (std::size_t n = 0; n < picks.Z.size(); ++n)
+    {
+      const Eigen::Vector2d off = steps * (picks.Place[n] - middle);
+      spread += off * off.transpose() / count;
+      side += off * (picks.Z[n] - mean) / count;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread); // the shorter one first
+    const Eigen::Vector2d deviation = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const double step = std::sqrt(std::abs(steps.determinant()));
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero(); // in the world
+    this->Places = picks.Place;
+    for (const int n : { 0, 1 })
+    {
+      const Eigen::Vector2d axis = axes.eigenvectors().col(n);
+      if (deviation[n] >= std::max(leastSteps * step, leastPart * deviation[1]))
+      {
+        slope += axis * (axis.dot(side) / axes.eigenvalues()[n]);
+        continue;
+      }
+      const auto off = [&](const Eigen::Vector2d& place) { return axis.dot(steps * (place - middle)); };
+      if (std::all_of(picks.Place.begin(), picks.Place.end(),
+            [&](const Eigen::Vector2d& place) { return std::abs(off(place)) <= step; }))
+      {
+        const Eigen::Vector2d across = steps.inverse() * axis;
+        for (Eigen::Vector2d& place : this->Places)
+        {
+          place -= off(place) * across;
+        }
+      }
+    }
+    slope = steps.transpose() * slope; // in columns
+    this->Plane = { mean - slope.dot(middle), slope.x(), slope.y() };
   }
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d side = Eigen::Vector2d::Zero();
-  for (std::size_t n = 0; n < picks.Z.size(); ++n)
+};
+
+/// What pulls the plate to a z at a place: a pick, or the mean of several.
+struct Spring
+{
+  Eigen::Vector2d Place = Eigen::Vector2d::Zero();
+  double Z = 0.0; // above the plane
+  double Picks = 0.0;
+};
+
+/// Picks nearer than a part of a column to one of them are one spring: noise of what is so near would tilt the plate,
+/// as in a well.
+std::vector<Spring> MakeSprings(const std::vector<double>& z, const Trend& trend)
+{
+  constexpr double near = 0.1;
+  std::vector<Spring> springs;
+  std::vector<Eigen::Vector2d> firsts; // of each
+  std::unordered_multimap<std::int64_t, std::size_t> found; // springs, by squares as large as what is near
+  const auto square = [](double x, double y) { return (std::int64_t(y) << 32) + std::int64_t(x); };
+  for (std::size_t pick = 0; pick < z.size(); ++pick)
   {
-    const Eigen::Vector2d place = picks.Place[n] - middle;
-    spread += place * place.transpose();
-    side += place * (picks.Z[n] - mean);
+    const Eigen::Vector2d& place = trend.Places[pick];
+    const Eigen::Vector2d at = (place / near).array().floor();
+    std::size_t best = springs.size();
+    for (int n = 0; n < 9; ++n)
+    {
+      const auto range = found.equal_range(square(at.x() + n % 3 - 1, at.y() + n / 3 - 1));
+      for (auto spring = range.first; spring != range.second; ++spring)
+      {
+        best = (firsts[spring->second] - place).norm() < near ? std::min(best, spring->second) : best;
+      }
+    }
+    if (best == springs.size())
+    {
+      found.emplace(square(at.x(), at.y()), best);
+      firsts.push_back(place);
+      springs.emplace_back();
+    }
+    springs[best].Place += place;
+    springs[best].Z += z[pick] - trend.Plane[0] - trend.Plane[1] * place.x() - trend.Plane[2] * place.y();
+    springs[best].Picks += 1.0;
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d> solver;
-  solver.setThreshold(1e-12);
-  solver.compute(spread);
-  const Eigen::Vector2d slope = solver.solve(side);
-  return { mean - slope.dot(middle), slope.x(), slope.y() };
+  for (Spring& spring : springs)
+  {
+    spring.Place = (spring.Place / spring.Picks).cwiseMax(0.0);
+    spring.Z /= spring.Picks;
+  }
+  return springs;
+}
+
+/// Adds the product of two sums of terms at a place, times a weight, to the matrix. All places have sites.
+template <typename Left, typename Right>
+void AddProduct(SiteSystem<2>& system, std::int64_t place, const Left& left, const Right& right, double weight)
+{
+  const auto add = [&](const PlateTerm& from, const PlateTerm& to)
+  {
+    const std::int32_t site = system.Sites.Number[std::size_t(system.Sites.Near->Beside(place, from.X, from.Y))];
+    system.Matrix[std::size_t(site)][StencilMatrix<2>::Index(to.X - from.X, to.Y - from.Y)] +=
+      0.5 * weight * from.Coefficient * to.Coefficient;
+  };
+  for (const PlateTerm& a : left)
+  {
+    for (const PlateTerm& b : right)
+    {
+      add(a, b);
+      add(b, a);
+    }
+  }
 }
 
 class HorizonGridder
@@ -405,18 +501,18 @@ private:
     this->Result.assign(this->Nearest.size(), 0.0);
   }
 
-  /// The columns of the plate: those that are kept, and the four around each pick.
-  std::vector<BoxRun> PlateRuns() const
+  /// The columns of the plate: those that are kept, and the four around each spring. What these are not connected to is
+  /// left out, also of what is kept: nothing holds it.
+  std::vector<BoxRun> PlateRuns(const std::vector<Spring>& springs)
   {
     std::vector<char> isIn(this->Nearest.size(), 0);
     for (const std::size_t column : this->Kept)
     {
       isIn[column] = 1;
     }
-    for (const Eigen::Vector2d& place : this->Given.Place)
+    for (const Spring& spring : springs)
     {
-      const int i = int(std::floor(place.x()));
-      const int j = int(std::floor(place.y()));
+      const auto [i, j] = Corner(spring.Place);
       for (const int dj : { 0, 1 })
       {
         for (const int di : { 0, 1 })
@@ -425,6 +521,7 @@ private:
         }
       }
     }
+    this->DropLoose(isIn, springs);
     std::vector<BoxRun> runs;
     for (int j = 0; j < this->Height; ++j)
     {
@@ -443,9 +540,45 @@ private:
     return runs;
   }
 
+  void DropLoose(std::vector<char>& isIn, const std::vector<Spring>& springs)
+  {
+    DisjointSets pieces(isIn.size());
+    for (std::size_t cell = 0; cell < isIn.size(); ++cell)
+    {
+      if (isIn[cell] && (cell + 1) % std::size_t(this->Width) != 0 && isIn[cell + 1])
+      {
+        pieces.Join(std::int32_t(cell), std::int32_t(cell + 1));
+      }
+      if (isIn[cell] && cell + std::size_t(this->Width) < isIn.size() && isIn[cell + std::size_t(this->Width)])
+      {
+        pieces.Join(std::int32_t(cell), std::int32_t(cell + std::size_t(this->Width)));
+      }
+    }
+    std::vector<char> isHeld(isIn.size(), 0);
+    for (const Spring& spring : springs)
+    {
+      const auto [i, j] = Corner(spring.Place);
+      isHeld[std::size_t(pieces.Find(std::int32_t(this->CellOf(i, j))))] = 1;
+    }
+    for (std::size_t cell = 0; cell < isIn.size(); ++cell)
+    {
+      isIn[cell] = isIn[cell] && isHeld[std::size_t(pieces.Find(std::int32_t(cell)))] ? 1 : 0;
+    }
+    this->Kept.erase(
+      std::remove_if(this->Kept.begin(), this->Kept.end(), [&](std::size_t cell) { return !isIn[cell]; }),
+      this->Kept.end());
+  }
+
+  static std::array<int, 2> Corner(const Eigen::Vector2d& place)
+  {
+    return { int(std::floor(place.x())), int(std::floor(place.y())) };
+  }
+
   void SolvePlate(const Monitor& monitor)
   {
-    const std::vector<BoxRun> runs = this->PlateRuns();
+    const Trend trend(this->Given, this->Lattice.Steps());
+    const std::vector<Spring> springs = MakeSprings(this->Given.Z, trend);
+    const std::vector<BoxRun> runs = this->PlateRuns(springs);
     const auto near = std::make_shared<const BoxPlaces>(runs, SiteBox::Margin);
     SiteBox sites(near);
     for (const BoxRun& run : runs)
@@ -458,24 +591,49 @@ private:
     }
     SiteSystem<2> plate(std::move(sites));
     this->AddEnergy(plate);
-    const Eigen::Vector3d plane = FitPlane(this->Given);
-    std::vector<double> values = this->AddPicks(plate, plane);
+    std::vector<double> values = this->AddSprings(plate, springs);
     SiteSolver<2>(plate).Solve(values, monitor);
+    // Rounding would make steps of level pieces, of which the vertical step is found.
+    const double largest = std::max(std::abs(*std::min_element(this->Given.Z.begin(), this->Given.Z.end())),
+      std::abs(*std::max_element(this->Given.Z.begin(), this->Given.Z.end())));
+    const double unit = largest > 0.0 ? std::exp2(std::ceil(std::log2(largest)) - 32.0) : 1.0;
     for (const std::size_t column : this->Kept)
     {
       const int i = int(column % std::size_t(this->Width));
       const int j = int(column / std::size_t(this->Width));
-      this->Result[column] = plane[0] + plane[1] * i + plane[2] * j +
+      const double z = trend.Plane[0] + trend.Plane[1] * i + trend.Plane[2] * j +
         values[std::size_t(plate.Sites.Number[std::size_t(near->Find({ i, j }))])];
+      this->Result[column] = unit * std::round(z / unit);
     }
   }
 
-  static void AddEnergy(SiteSystem<2>& plate)
+  /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse of
+  /// the products of steps, times their area, so that it is 1 for equal ones. Multigrid hardly converges where steps are
+  /// more unequal than 1 to 4: they count as such there.
+  Eigen::Matrix2d Metric(std::size_t sites) const
   {
+    const double most = sites < MultigridSize ? 100.0 : 4.0;
+    const Eigen::Matrix2d steps = this->Lattice.Steps();
+    const Eigen::Matrix2d squares = steps.transpose() * steps / std::abs(steps.determinant());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares.inverse());
+    return axes.eigenvectors() * axes.eigenvalues().cwiseMax(1.0 / most).cwiseMin(most).asDiagonal() *
+      axes.eigenvectors().transpose();
+  }
+
+  void AddEnergy(SiteSystem<2>& plate) const
+  {
+    const Eigen::Matrix2d metric = this->Metric(plate.Sites.Size());
+    const double x = metric(0, 0);
+    const double y = metric(1, 1);
+    const double shear = std::abs(metric(0, 1)) > 1e-9 * std::max(x, y) ? metric(0, 1) : 0.0;
     const auto isIn = [&](std::int64_t place) { return plate.Sites.Number[std::size_t(place)] != NoSite; };
     ForEachPlateStencil(
       *plate.Sites.Near, isIn, [](std::int64_t, std::int64_t) { return true; }, [](std::int64_t) { return true; },
-      [&](std::int64_t place, const auto& terms, double weight) { AddSquare(plate, place, terms, weight); });
+      [&](std::int64_t place, const auto& terms, double weight)
+      {
+        const double square = terms.size() == 4 ? x * y + shear * shear : terms[0].X != 0 ? x * x : y * y;
+        AddSquare(plate, place, terms, weight * square);
+      });
     static constexpr std::array<PlateTerm, 2> alongX = { { { 0, 0, -1.0 }, { 1, 0, 1.0 } } };
     static constexpr std::array<PlateTerm, 2> alongY = { { { 0, 0, -1.0 }, { 0, 1, 1.0 } } };
     for (std::size_t site = 0; site < plate.Sites.Size(); ++site)
@@ -483,38 +641,60 @@ private:
       const std::int64_t place = plate.Sites.Place[site];
       if (isIn(place + 1))
       {
-        AddSquare(plate, place, alongX, Tension);
+        AddSquare(plate, place, alongX, Tension * x);
       }
       if (isIn(plate.Sites.Near->Above(place)))
       {
-        AddSquare(plate, place, alongY, Tension);
+        AddSquare(plate, place, alongY, Tension * y);
+      }
+      if (shear != 0.0)
+      {
+        AddShear(plate, place, x, y, shear);
       }
     }
   }
 
-  /// A spring between each pick and the plate, bilinear between its four columns. Returns the right side.
-  std::vector<double> AddPicks(SiteSystem<2>& plate, const Eigen::Vector3d& plane) const
+  /// The mixed terms, where all eight neighbours are in. The twist of a column is the mean of those of four blocks, so
+  /// that the whole stays a sum of squares.
+  static void AddShear(SiteSystem<2>& plate, std::int64_t place, double x, double y, double shear)
   {
-    const double weight = 1.0 / std::max(this->Options.Smoothing, LeastSmoothing);
-    std::vector<double> side(plate.Sites.Size(), 0.0);
-    for (std::size_t pick = 0; pick < this->Given.Z.size(); ++pick)
+    static constexpr std::array<PlateTerm, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
+    static constexpr std::array<PlateTerm, 3> alongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
+    static constexpr std::array<PlateTerm, 4> twist = { { { 1, 1, 0.25 }, { -1, 1, -0.25 }, { 1, -1, -0.25 },
+      { -1, -1, 0.25 } } };
+    for (int n = 0; n < 9; ++n)
     {
-      const Eigen::Vector2d& place = this->Given.Place[pick];
-      const int i = int(std::floor(place.x()));
-      const int j = int(std::floor(place.y()));
-      const double x = place.x() - i;
-      const double y = place.y() - j;
+      if (plate.Sites.Number[std::size_t(plate.Sites.Near->Beside(place, n % 3 - 1, n / 3 - 1))] == NoSite)
+      {
+        return;
+      }
+    }
+    AddProduct(plate, place, alongX, twist, 4.0 * x * shear);
+    AddProduct(plate, place, alongY, twist, 4.0 * y * shear);
+    AddProduct(plate, place, alongX, alongY, 2.0 * shear * shear);
+  }
+
+  /// Springs between z and the plate, bilinear between its four columns. Returns the right side.
+  std::vector<double> AddSprings(SiteSystem<2>& plate, const std::vector<Spring>& springs) const
+  {
+    const double strength = 1.0 / std::max(this->Options.Smoothing, LeastSmoothing);
+    std::vector<double> side(plate.Sites.Size(), 0.0);
+    for (const Spring& spring : springs)
+    {
+      const auto [i, j] = Corner(spring.Place);
+      const double x = spring.Place.x() - i;
+      const double y = spring.Place.y() - j;
       const std::array<PlateTerm, 4> terms = { { { 0, 0, (1.0 - x) * (1.0 - y) }, { 1, 0, x * (1.0 - y) },
         { 0, 1, (1.0 - x) * y }, { 1, 1, x * y } } };
       const std::int64_t at = plate.Sites.Near->Find({ i, j });
-      const double z = this->Given.Z[pick] - plane[0] - plane[1] * place.x() - plane[2] * place.y();
+      const double weight = std::min(spring.Picks * strength, 1.0 / LeastSmoothing);
       AddSquare(plate, at, terms, weight);
       for (const PlateTerm& term : terms)
       {
         const std::int32_t site = plate.Sites.Number[std::size_t(plate.Sites.Near->Beside(at, term.X, term.Y))];
         if (site != NoSite)
         {
-          side[std::size_t(site)] += weight * term.Coefficient * z;
+          side[std::size_t(site)] += weight * term.Coefficient * spring.Z;
         }
       }
     }
@@ -562,54 +742,126 @@ void CheckOptions(const GriddingOptions& options)
     throw InputError("LatticeSource CornerPoints with Gridding, expected FromPoints or OriginAndSteps");
   }
 }
+
+std::vector<Eigen::Vector2d> PlacesOf(const PickTable& picks)
+{
+  std::vector<Eigen::Vector2d> places;
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    places.emplace_back(picks.HasPlaces() ? Eigen::Vector2d(picks.X[pick], picks.Y[pick])
+                                          : Eigen::Vector2d(picks.Crossline[pick], picks.Inline[pick]));
+  }
+  return places;
+}
+
+/// Numbers of all different places by x and then y, in the place of columns: what is at one place are duplicates, and
+/// the order of picks by them is independent of that of the file.
+std::vector<PlanePoint> NumberPlaces(const std::vector<Eigen::Vector2d>& places)
+{
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto isBefore = [&](std::size_t a, std::size_t b)
+  { return std::tie(places[a].x(), places[a].y()) < std::tie(places[b].x(), places[b].y()); };
+  std::sort(order.begin(), order.end(), isBefore);
+  std::vector<PlanePoint> numbers(places.size(), PlanePoint{ 0, 0 });
+  for (std::size_t n = 1; n < order.size(); ++n)
+  {
+    numbers[order[n]].X = numbers[order[n - 1]].X + (isBefore(order[n - 1], order[n]) ? 1 : 0);
+  }
+  return numbers;
+}
+
+/// Picks far from all others would make steps as long as the others reach: they are left out, or an error, or where the
+/// lattice is given only told of. Returns how to say those that stay.
+std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::vector<std::string>& doubts)
+{
+  std::vector<std::size_t> withZ;
+  std::vector<Eigen::Vector2d> places = PlacesOf(picks);
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    if (!std::isnan(picks.Z[pick]))
+    {
+      places[withZ.size()] = places[pick];
+      withZ.push_back(pick);
+    }
+  }
+  places.resize(withZ.size());
+  std::vector<std::size_t> strays = FindFarPlaces(places);
+  std::transform(strays.begin(), strays.end(), strays.begin(), [&](std::size_t n) { return withZ[n]; });
+  if (strays.empty())
+  {
+    return {};
+  }
+  const std::string said = SayPicks(picks, strays);
+  const std::string number = std::to_string(strays.size());
+  if (options.LeaveOutStrays)
+  {
+    doubts.push_back(number + " stray picks left out: " + said);
+    picks = WithoutPicks(std::move(picks), strays);
+    return {};
+  }
+  if (options.Source != LatticeSource::OriginAndSteps)
+  {
+    throw InputError(number + " of " + std::to_string(picks.Size()) + " picks far from all others, " + said +
+      "; expected StrayPicks that are left out, or LatticeSource OriginAndSteps");
+  }
+  doubts.push_back(number + " picks far from all others, " + said + ": StrayPicks leaves them out");
+  return said;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);
-  std::vector<Eigen::Vector2d> places;
-  std::vector<std::size_t> withZ;
-  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
-  {
-    if (!std::isnan(picks.Z[pick]))
-    {
-      withZ.push_back(pick);
-      places.emplace_back(picks.HasPlaces() ? Eigen::Vector2d(picks.X[pick], picks.Y[pick])
-                                            : Eigen::Vector2d(picks.Crossline[pick], picks.Inline[pick]));
-    }
-  }
-  if (places.empty() || places.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
-  {
-    throw InputError(std::to_string(places.size()) + " picks with z, expected at least 1 and less than 2^31");
-  }
   SurveyHorizons gridded;
   gridded.Survey = picks.Survey;
   gridded.Doubts = std::move(picks.Doubts);
-  gridded.Lattice = FindGrid(places, options);
-  const Eigen::Matrix2d toColumns = gridded.Lattice.Steps().inverse();
-  std::vector<Picks> horizons(picks.Names.size());
-  for (std::size_t n = 0; n < withZ.size(); ++n)
+  const std::string strays = TreatStrays(picks, options.Placement, gridded.Doubts);
+  const std::vector<Eigen::Vector2d> places = PlacesOf(picks);
+  std::vector<ColumnOrder> orders = ListPicks(picks);
+  const std::vector<PlanePoint> numbers = NumberPlaces(places);
+  std::vector<Eigen::Vector2d> used;
+  for (ColumnOrder& order : orders)
   {
-    const std::size_t horizon = picks.Horizon.empty() ? 0 : std::size_t(picks.Horizon[withZ[n]]);
-    const Eigen::Vector2d place = toColumns * (places[n] - gridded.Lattice.Origin);
-    horizons[horizon].Place.push_back(place.cwiseMax(0.0));
-    horizons[horizon].Z.push_back(picks.Z[withZ[n]]);
-    const Eigen::Vector2d off = place.array() - place.array().round();
-    gridded.LargestDistance = std::max(gridded.LargestDistance, off.cwiseAbs().maxCoeff());
-  }
-  const std::vector<std::int64_t> counts = picks.CountPicks();
-  for (std::size_t number = 0; number < horizons.size(); ++number)
-  {
-    const double done = double(number) / double(horizons.size());
-    LatticeHorizon horizon;
-    if (!horizons[number].Z.empty())
+    const std::string null = FindNull(picks.Z, order.Picks);
+    if (!null.empty())
     {
-      horizon = HorizonGridder(horizons[number], gridded.Lattice, options)
-                  .Run(monitor.Step(done, done + 1.0 / double(horizons.size())));
+      gridded.Doubts.push_back(null);
+    }
+    OrderPicks(order, picks, numbers, options.Placement);
+    for (const std::int32_t pick : order.Picks)
+    {
+      used.push_back(places[std::size_t(pick)]);
+    }
+  }
+  if (used.empty() || picks.Size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw InputError(std::to_string(used.size()) + " picks with z, expected at least 1 and less than 2^31");
+  }
+  gridded.Lattice = FindGrid(used, options, strays);
+  const Eigen::Matrix2d toColumns = gridded.Lattice.Steps().inverse();
+  for (std::size_t number = 0; number < orders.size(); ++number)
+  {
+    Picks given;
+    for (const std::int32_t pick : orders[number].Picks)
+    {
+      const Eigen::Vector2d place = toColumns * (places[std::size_t(pick)] - gridded.Lattice.Origin);
+      given.Place.push_back(place.cwiseMax(0.0));
+      given.Z.push_back(picks.Z[std::size_t(pick)]);
+      const Eigen::Vector2d off = place.array() - place.array().round();
+      gridded.LargestDistance = std::max(gridded.LargestDistance, off.cwiseAbs().maxCoeff());
+    }
+    const double done = double(number) / double(orders.size());
+    LatticeHorizon horizon;
+    if (!given.Z.empty())
+    {
+      horizon =
+        HorizonGridder(given, gridded.Lattice, options).Run(monitor.Step(done, done + 1.0 / double(orders.size())));
     }
     horizon.SurfaceId = int(number) + 1;
-    horizon.DroppedNulls = counts[number] - std::int64_t(horizons[number].Z.size());
+    horizon.DroppedDuplicates = orders[number].Duplicates;
+    horizon.DroppedNulls = orders[number].Nulls;
     gridded.Horizons.push_back(std::move(horizon));
   }
   return gridded;

@@ -3,9 +3,11 @@
 //
 // A horizon on the columns of a lattice from picks that stand on none: 2D lines, wells, scattered points.
 //
-//  - Plate: the thin plate (Briggs 1974) that comes near to all picks where they stand, also between columns. A plane, by
-//    least squares, is taken off before and put back, so that picks of a plane give that plane.
-//  - Nearest: the height of the pick nearest to a column.
+//  - Plate: the thin plate (Briggs 1974) that comes near to all picks where they stand, also between columns; picks
+//    nearer than a tenth of a column to each other count as one. Bending is that in the world, whatever the steps. A
+//    plane, by least squares, is taken off before and put back, so that picks of a plane give that plane; across picks
+//    on a line it is level. Columns that are connected to no pick are left out.
+//  - Nearest: the height of the pick nearest to a column, of equally near ones of that with the least x, then y.
 
 #ifndef SeismicHorizonsGridding_h
 #define SeismicHorizonsGridding_h
@@ -26,7 +28,8 @@ enum class GriddingMethod
 struct GriddingOptions
 {
   GriddingMethod Method = GriddingMethod::Plate;
-  /// Columns farther from all picks stay empty, in world units; 0: columns outside the convex hull of the picks do.
+  /// Columns farther from all picks stay empty, in world units, or where there are no places in lines; 0: columns
+  /// outside the convex hull of the picks do.
   double Radius = 0.0;
   /// Of Plate. How much it may differ from picks: the inverse of the strength of the springs between them.
   double Smoothing = 0.01;
@@ -36,11 +39,13 @@ struct GriddingOptions
 
 constexpr double LargestSmoothing = 1e6;
 
-/// Each horizon by itself, all on one lattice, which begins and ends where picks, and with a radius columns near these,
-/// do. Places are x and y, or where there are none the numbers of crosslines and inlines. Attributes are Filled (0 where a
-/// pick is in the column, else 1), PickCount (how many are), and PickDistance (from the column to the nearest pick, in
-/// world units). The result does not depend on the number of threads. Throws InputError on picks without z, options out of
-/// their ranges, and lattices of more than 1000 columns a pick. Memory is about 600 bytes a column.
+/// Each horizon by itself, all on one lattice, which begins and ends where picks, and with a radius columns near
+/// these, do. Places are x and y, or where there are none the numbers of crosslines and inlines. Of picks at one
+/// place the policy says which stays. Attributes are Filled (0 where a pick is in the column, else 1), PickCount (how
+/// many are), and PickDistance (from the column to the nearest pick, in world units). The result depends neither on
+/// the number of threads nor on the order of picks. Throws InputError on picks without z, options out of their
+/// ranges, lattices of more than 1000 columns a pick, and picks far from all others where these are not left out and
+/// the lattice is not given, else they are a doubt. Memory is about 600 bytes a column.
 SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const Monitor& monitor = Monitor());
 }
 

@@ -129,6 +129,9 @@ void TestUsualNulls()
   picks.Z[7] = picks.Z[8] = -999.0;
   CHECK(
     IsOne(DoubtsOf(picks), "2 of 400 picks with z -999, far from all others, 1000 to 1019: add -999 to NullValues"));
+  picks = Dip();
+  picks.Z[7] = -999.25;
+  CHECK(IsOne(DoubtsOf(picks), "1 of 400 picks with z -999.25, far from all others, 1000 to 1019"));
   picks.Z[7] = picks.Z[8] = 999.0;
   CHECK(DoubtsOf(picks).empty()); // one more than the range of all others is not far
   picks.Z[7] = picks.Z[8] = 0.01;
