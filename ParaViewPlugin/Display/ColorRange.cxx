@@ -152,6 +152,7 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
   {
     const double reach = std::max(std::fabs(range.Ends[0]), std::fabs(range.Ends[1]));
     range.Ends = { -reach, reach };
+    return reach > 0.0; // one value may be told from zero
   }
   else if (!range.IsOfData)
   {

@@ -186,6 +186,17 @@ class FirstSightTest(unittest.TestCase):
         values = list(display.LookupTable.RGBPoints)[0::4]
         self.assertEqual(values[0], -values[-1])
 
+    def test_colours_around_zero_stay_so_with_a_second_file(self):
+        first = self.show(simple.HorizonFaults(Input=self.horizons), 1)
+        path = FOLDER / "deeper.vsm"
+        path.write_text("%d %d 90\n%s" % (SIDE, SIDE, "".join(
+            "%d 1 1 0 0\n" % (10 if n % SIDE < 12 else 60) for n in range(SIDE * SIDE))))
+        reach = range_of(first)[1]
+        self.show(simple.HorizonFaults(Input=simple.VerneySparseMatrixReader(FileName=str(path))), 1)
+        low, high = range_of(first)
+        self.assertEqual(low, -high)
+        self.assertGreater(high, 2 * reach)
+
     def test_closed_faults(self):
         cut = simple.HorizonFaults(Input=self.horizons)
         display = self.show(simple.HorizonSurface(Input=cut, CloseFaults=1))
