@@ -56,6 +56,16 @@ def check_errors(folder):
     assert 'wrong.vsm: line 3: vertical index "x", expected a number' in text, text
 
 
+def check_heights(path):
+    """What is shown has heights, which the server makes; all of its ranks have a part of the range."""
+    horizons = simple.OpenDataFile(str(path))
+    display = simple.Show(horizons)
+    simple.Render()
+    low, high = horizons.GetDataInformation().GetBounds()[4:]
+    shown = display.SMProxy.GetRepresentedDataInformation().GetArrayInformation("Depth", 0)
+    assert list(shown.GetComponentRange(0)) == [-high, -low], (shown.GetComponentRange(0), low, high)
+
+
 def main():
     sample, folder = pathlib.Path(sys.argv[1]) / "sample.vsm", pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
@@ -75,6 +85,7 @@ def main():
         pipelines.assert_same(found[name], mesh)
         pipelines.assert_same_fields(found[name], mesh)
     check_errors(folder)
+    check_heights(sample)
     print("client: done", flush=True)
     simple.Disconnect()
     os._exit(0)  # what the interpreter would still tidy up has gone with the server
