@@ -27,7 +27,8 @@ VerticalAxis NameAxis(double direction, const std::string& unit, const std::stri
   VerticalAxis axis;
   axis.Unit = unit;
   axis.IsDownwards = direction < 0.0;
-  axis.Name = isTime ? "Time" : axis.IsDownwards ? "Depth" : "Elevation";
+  // Rasters have an array Elevation with colours of its own.
+  axis.Name = isTime ? "Time" : axis.IsDownwards ? "Depth" : unit.empty() ? "Height" : "Elevation";
   axis.Name += unit.empty() ? "" : " (" + unit + ")";
   return axis;
 }

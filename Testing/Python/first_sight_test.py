@@ -136,6 +136,7 @@ class FirstSightTest(unittest.TestCase):
         upwards = self.show(self.picks("m", 1000, "Up"))
         self.assertEqual(colored_by(upwards), ("POINTS", "Elevation (m)"))
         self.assertEqual(range_of(upwards), [1000, 1022])
+        self.assertEqual(colored_by(self.show(self.picks("", 1000, "Up"))), ("POINTS", "Height"))
         # The top is bright on both.
         for table, top in ((display.LookupTable, 1), (upwards.LookupTable, -3)):
             self.assertGreater(list(table.RGBPoints)[top], 0.9)
