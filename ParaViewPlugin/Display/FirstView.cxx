@@ -36,6 +36,11 @@ using Direction = std::array<double, 3>;
 
 constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // to the eye
 
+bool IsOfSurvey(vtkPVDataInformation* data)
+{
+  return !ReadField(data, FieldArray::LatticeDimensions, 3).empty();
+}
+
 /// Where to look from: sideways where a lattice is one line.
 Direction FindDirection(const std::vector<double>& dimensions, const std::vector<double>& toWorld)
 {
@@ -85,9 +90,16 @@ void LookFrom(vtkSMProxy* view, const Direction& direction)
 //----------------------------------------------------------------------------------------------------------------------
 bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
 {
+  vtkSMProxy* const producer = representation ? FindProducer(representation) : nullptr;
   const std::vector<vtkSMProxy*> all = ListRepresentations(view);
   return std::any_of(all.begin(), all.end(),
-    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
+    [representation, producer](vtkSMProxy* other)
+    {
+      vtkPVDataInformation* const data = other == representation ? nullptr : FindShownData(other);
+      // The map or the points that a horizon was made of were seen from above.
+      const bool isRaw = data && producer && !IsOfSurvey(data) && LeadsTo(FindProducer(other), producer);
+      return data && !isRaw;
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ class vtkSMProxy;
 
 namespace SeismicHorizons
 {
-/// Whether a view shows data besides those of one representation.
+/// Whether a view shows data besides those of one representation, and a map or points that these were made of.
 bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation);
 
 /// Looks obliquely at what has come into an empty view, and exaggerates its heights where it is flat; at a line of a
