@@ -32,6 +32,8 @@ STEEP = "Inline Crossline X Y TWT_ms\n" + "".join(
 STEPS = "Name Inline Crossline X Y Z\n" + "".join(
     "%s %d %d %d %d %g\n" % (name, row, column, 25 * column, 25 * row, 100 + step * ((row * column) % 9))
     for name, step in (("top", 4.0), ("base", 0.5)) for row in range(9) for column in range(9))
+# A fault along the middle, of a throw that is to be filled in.
+FAULT = "40 40 99\n" + "".join(("10" if n % 40 < 20 else "THROW") + " 1 1 0 0\n" for n in range(1600))
 MESSAGE = window.WINDOW + "/SurveyAxesMessage"
 NO_LATTICE = "No survey axes: nothing is shown that has a lattice; expected horizons or a cube."
 
@@ -53,6 +55,14 @@ def choose_horizons(events, sample):
     events.filter("HorizonSurface")
     events.apply()
     events.macro("NoteView")
+    # Numbers that stand for something else say so.
+    events.filter("HorizonDespiking")
+    field = "DoubleRangeWidget/DoubleLineEdit"
+    text = window.FIELDS + "ProxyPanel/Threshold/%s/SpecialValue" % field
+    events.check(text, "text", "by the noise")
+    for value, is_shown in (("3", "false"), ("0.0", "true"), ("", "false")):
+        events.set_number("Threshold", value, field)
+        events.check(text, "visible", is_shown)
 
 
 def check_horizons(notes):
@@ -187,6 +197,23 @@ def check_two(notes):
     assert note["seen from"] == [0.35, -0.75, 0.56] and note["axes"] == ["Crossline", "Inline"], note
 
 
+def see_throws(events, fault):
+    """Colours around zero stay so when a second file widens them, and when it goes."""
+    for name in ("fault.vsm", "larger.vsm"):
+        events.open(fault.parent / name)
+        events.apply()
+        events.filter("HorizonFaults")
+        events.apply()
+        events.macro("NoteView")
+    events.add(window.PANEL + "/Delete", "activate")
+    events.macro("NoteView")
+
+
+def check_throws(notes):
+    ranges = [[ends for array, ends in note["colours"] if array == "Throw"] for note in notes]
+    assert ranges == [[[-20, 20]], [[-70, 70]] * 2, [[-20, 20]]], ranges
+
+
 def see_stages(events, line):
     """A line from its side; outlines beside those they were made of; a mesh alone."""
     events.open(line)
@@ -228,12 +255,14 @@ def main():
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
     for name, text in (("turned.xyz", TURNED), ("steep.xyz", STEEP), ("deep.xyz", STEEP.replace(" 10", " 11")),
-                       ("line.vsm", LINE), ("steps.xyz", STEPS)):
+                       ("line.vsm", LINE), ("steps.xyz", STEPS), ("fault.vsm", FAULT.replace("THROW", "30")),
+                       ("larger.vsm", FAULT.replace("THROW", "80"))):
         (folder / name).write_text(text, encoding="ascii")
     scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 3),
               (count_lines, folder / "picks.xyz", check_lines, 5),
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
               (see_first, folder / "steep.xyz", check_first_sight, 6), (see_two, folder / "steps.xyz", check_two, 1),
+              (see_throws, folder / "fault.vsm", check_throws, 3),
               (see_stages, folder / "line.vsm", check_stages, 5))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()

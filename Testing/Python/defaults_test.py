@@ -85,7 +85,7 @@ def check_range(where, prop, text, values):
                 low, high = ends.group(1), ends.group(2)
                 expect(numbers(domain.get("min", "-inf"))[:1] >= numbers(low),
                        "%s: from %s in the XML, %s in its text" % (where, domain.get("min"), low))
-                if high and "/" not in high:
+                if high and "/" not in high and not prop.get("name").endswith("Byte"):  # a field without a slider
                     expect(numbers(domain.get("max", "inf"))[:1] <= numbers(high) and domain.get("max"),
                            "%s: to %s in the XML, %s in its text" % (where, domain.get("max"), high))
 

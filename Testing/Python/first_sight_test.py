@@ -194,12 +194,19 @@ class FirstSightTest(unittest.TestCase):
             self.assertIn("Depth", shown_arrays(display), way)
 
     def test_cubes_are_a_section_whose_colours_show_more_than_the_strongest_sample(self):
-        for columns, rows, mode, index in ((40, 9, "XZ Plane", 4), (9, 40, "YZ Plane", 4)):
+        for columns, rows, mode, index in ((40, 9, "XZ Plane", 4), (9, 41, "YZ Plane", 4)):
             cube = FOLDER / ("cube%d.sgy" % columns)
             write_cube(cube, columns, rows)
             display = simple.Show(simple.SEGYCubeReader(FileName=str(cube)), self.view)
             self.assertEqual((display.Representation, display.SliceMode, display.Slice), ("Slice", mode, index))
             self.assertEqual(range_of(display), [-1.96, 1.96])  # of sizes up to 2, and one of 1,000
+
+    def test_lines_are_not_shaded(self):
+        line = FOLDER / "line.sgy"
+        write_cube(line, 40, 1)
+        display = self.show(simple.SEGYCubeReader(FileName=str(line)), 1)
+        self.assertEqual(colored_by(display), ("POINTS", "Amplitude"))
+        self.assertEqual((display.Ambient, display.Diffuse), (1, 0))
 
     def test_filled_points(self):
         display = self.show(simple.HorizonHoleFilling(Input=self.horizons))

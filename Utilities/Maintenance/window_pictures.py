@@ -1,37 +1,144 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Takes the pictures of the gallery from the real window of ParaView, a process for each.
+"""Takes the pictures of the gallery: what the window of ParaView shows after File > Open, filters and Apply, with all
+parameters at their defaults where a scene sets none. A process for each.
 
-    Utilities/with-xvfb.sh window_pictures.py PARAVIEW BIN FOLDER [SCENE ...]
+    Utilities/with-xvfb.sh window_pictures.py PARAVIEW BIN DATA FOLDER [SCENE ...]
 
-PARAVIEW is the program, BIN the folder with generate_cube. Needs PV_PLUGIN_PATH, the package seismichorizons in
-PYTHONPATH, and xdotool and ImageMagick.
+PARAVIEW is the program, BIN the folder with generate_cube, DATA the one with real horizons (CONTRIBUTING.md). Needs
+PV_PLUGIN_PATH, the package seismichorizons in PYTHONPATH, and xdotool and ImageMagick.
 """
 
-import os
+import math
 import pathlib
+import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 import fault_pictures
 
 HERE = pathlib.Path(__file__).resolve().parent
-SAMPLE = HERE.parents[1] / "Data" / "sample.vsm"
-SCENES = ("points seismic_cube reflections despiking faults hole_filling boundary boundary_simplification rough elaborate "
-          "triangulation decimation surface closed_faults distance exaggeration").split()
-SIZE = (1400, 900)
-EDGES = (294, 296, 298, 300)  # where the right edge of the panel may be
-EDGE = 380  # where it is to be
+sys.path.insert(0, str(HERE.parents[1] / "Testing" / "Gui"))
+import window  # noqa: E402
+
+SIZE = (1600, 1000)
+EDGES = (292, 294, 296, 298, 300)  # where the right edge of the panel may be
+EDGE = 420  # where it is to be
 QUIET = 350  # down there nothing can be dragged but the edge
 COLORS = 128  # keeps pictures small
-LONGEST = 60  # seconds until a scene has to be there
+LONGEST = 60  # seconds until the window has to be there
+TURNS = 200  # of a macro that waits, between which the window answers to the mouse
+AFTERWARDS = 5  # the same before the picture: what has been asked for is drawn then
+
+WAIT = """import os, time
+if not os.path.exists("ready"):
+    time.sleep(0.1)
+"""
+PAUSE = """import time
+time.sleep(0.3)
+"""
+PICTURE = """import subprocess
+subprocess.run(["import", "-window", "root", "-crop", "%dx%d+0+0", "+repage", "picture.png"], check=True)
+""" % SIZE
 
 
 def run(*command):
     return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
+
+
+def write_picks(source, path, first, unit):
+    """Picks of the survey Penobscot, which has bins of 25 by 12 m, as a program of interpretation exports them."""
+    turn = math.radians(7.0)
+    lines = [line.split() for line in source.read_text().splitlines() if not line.startswith("#")][1:]
+    with path.open("w") as picks:
+        picks.write("Inline Crossline X Y TWT_ms\n")
+        for i, j, z in lines:
+            crossline, inline = int(i) + first[0], int(j) + first[1]
+            across, along = 25.0 * (crossline - 1000), 12.0 * (inline - 1000)
+            picks.write("%d %d %.2f %.2f %.2f\n" % (
+                inline, crossline, 732000 + across * math.cos(turn) - along * math.sin(turn),
+                4894000 + across * math.sin(turn) + along * math.cos(turn), float(z) * unit))
+
+
+def write_geotiff(source, path):
+    """Elevations in metres, 30 m apart."""
+    lines = [line.split() for line in source.read_text().splitlines() if not line.startswith("#")]
+    columns, rows = int(lines[0][0]), int(lines[0][1])
+    values = [-9999.0] * (columns * rows)
+    for i, j, z in lines[1:]:
+        values[(rows - 1 - int(j)) * columns + int(i)] = float(z)
+    pixels = struct.pack("<%df" % len(values), *values)
+    scale, corner = struct.pack("<3d", 30, 30, 0), struct.pack("<6d", 0, 0, 0, 557820, 5108010 + 30 * rows, 0)
+    entries = [(256, 4, 1, columns), (257, 4, 1, rows), (258, 3, 1, 32), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, 8),
+               (277, 3, 1, 1), (278, 4, 1, rows), (279, 4, 1, len(pixels)), (339, 3, 1, 3),
+               (33550, 12, 3, 8 + len(pixels)), (33922, 12, 6, 8 + len(pixels) + len(scale)),
+               (42113, 2, 6, 8 + len(pixels) + len(scale) + len(corner))]
+    data = pixels + scale + corner + b"-9999\0"
+    table = struct.pack("<H", len(entries)) + b"".join(struct.pack("<HHII", *entry) for entry in entries) + bytes(4)
+    path.write_bytes(struct.pack("<2sHI", b"II", 42, 8 + len(data)) + data + table)
+
+
+def opened(name, several=True):
+    return lambda events, files: (events.open(files / name, several_readers=several), events.apply())
+
+
+def stage(name):
+    return lambda events, files: (events.filter(name), events.apply())
+
+
+def number(name, value):
+    return lambda events, files: (events.set_number(name, value, "DoubleRangeWidget/DoubleLineEdit"), events.apply())
+
+
+def checked(name):
+    return lambda events, files: (events.set_check(name, True), events.apply())
+
+
+def chosen(name, text):
+    return lambda events, files: (events.add(window.FIELDS + "ProxyPanel/%s/ComboBox" % name, "set_string", text),
+                                  events.apply())
+
+
+def measured(events, files):
+    events.filter_of_two("HorizonSurfaceDistance", [("Mesh", 3), ("Reference", 1)])
+    events.apply()
+
+
+def survey_axes(events, files):
+    events.add(window.WINDOW + "/HorizonToolBar/SurveyAxes", "set_boolean", "true")
+
+
+B = opened("HorizonB.dat")
+OUTLINED = [B, stage("HorizonExteriorBoundary")]
+SIMPLIFIED = OUTLINED + [stage("HorizonBoundarySimplification")]
+ROUGH = SIMPLIFIED + [stage("HorizonRoughSimplification")]
+ELABORATE = ROUGH + [stage("HorizonElaborateSimplification")]
+FAULTED = [opened("faulted.vsm", False), stage("HorizonFaults")]
+SCENES = {
+    "points": [B, opened("SeaBed.dat")],
+    "elevation": [opened("StHelens.tif"), stage("HorizonFromImage"), stage("HorizonSurface")],
+    "seismic_line": [opened("penobscot_xl1155.sgy"), stage("SeismicReflectionExtraction")],
+    "seismic_cube": [opened("cube.sgy")],
+    "reflections": [opened("cube.sgy"), stage("SeismicReflectionExtraction")],
+    "despiking": [B, stage("HorizonDespiking"), chosen("Action", "Flag")],
+    "faults": [B, stage("HorizonFaults")],
+    "hole_filling": [B, stage("HorizonHoleFilling")],
+    "boundary": OUTLINED,
+    "boundary_simplification": SIMPLIFIED,
+    "rough": ROUGH,
+    "elaborate": ELABORATE,
+    "triangulation": ELABORATE + [stage("HorizonTriangulation")],
+    "decimation": SIMPLIFIED + [stage("HorizonDecimation")],
+    "surface": [B, stage("HorizonSurface")],
+    "closed_faults": FAULTED + [stage("HorizonSurface"), number("MaximumError", "1.5"), checked("CloseFaults")],
+    "distance": [B, stage("HorizonSurface"), measured],
+    "exaggeration": [opened("SeaBed.dat"), stage("HorizonSurface"), survey_axes],
+}
 
 
 def find_window():
@@ -45,54 +152,53 @@ def find_window():
     sys.exit("window_pictures: no window of ParaView")
 
 
-def widen_panel():
-    """Drags its edge, which is at one of a few places; beside it the drag does nothing."""
+def arrange(folder):
+    """Gives the window its size, and drags the edge of the panel, which is at one of a few places; beside it the drag does
+    nothing. Meanwhile the first events wait."""
+    run("xdotool", "windowmove", find_window(), 0, 0, "windowsize", find_window(), *SIZE)
+    time.sleep(4.0)
     for place in EDGES:
         run("xdotool", "mousemove", place, QUIET, "sleep", 0.3, "mousedown", 1, "sleep", 0.3, "mousemove", place + 20, QUIET,
             "sleep", 0.3, "mousemove", EDGE, QUIET, "sleep", 0.3, "mouseup", 1, "mousemove", *SIZE)
+    (folder / "ready").touch()
 
 
-def take(path):
-    """The screen, once it stays as it is."""
-    before = None
-    end = time.monotonic() + LONGEST
-    while time.monotonic() < end:
-        time.sleep(2.0)
-        run("import", "-window", "root", "-crop", "%dx%d+0+0" % SIZE, "+repage", path)
-        now = run("identify", "-format", "%#", path)
-        if now == before:
-            break
-        before = now
-    run("convert", path, "-dither", "None", "-colors", COLORS, "-strip", "-define", "png:compression-level=9", path)
-
-
-def picture(paraview, scene, files, home, path):
-    environment = dict(os.environ, SCENE=scene, HOME=str(home), XDG_CONFIG_HOME=str(home), XDG_RUNTIME_DIR=str(home),
-                       **{name: str(file) for name, file in files.items()})
-    script = HERE / "window_scenes.py"
-    program = subprocess.Popen([paraview, "--dr", "--script=%s" % script], env=environment)
-    try:
-        window = find_window()
-        run("xdotool", "windowmove", window, 0, 0, "windowsize", window, *SIZE)
-        time.sleep(4.0)
-        widen_panel()
-        take(path)
-    finally:
-        program.kill()
-        program.wait()
+def take(paraview, name, files, folder):
+    """The picture of a scene, in its folder."""
+    events = window.Events()
+    for _ in range(TURNS):
+        events.macro("Wait")
+    for step in SCENES[name]:
+        step(events, files)
+    for _ in range(AFTERWARDS):
+        events.macro("Pause")
+    events.macro("Picture")
+    other = threading.Thread(target=arrange, args=[folder])
+    other.start()
+    window.play(paraview, events, folder)
+    other.join()
+    return folder / "picture.png"
 
 
 def main():
-    paraview, programs, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    paraview, programs, data, folder = sys.argv[1], *map(pathlib.Path, sys.argv[2:5])
     with tempfile.TemporaryDirectory() as temporary:
-        home = pathlib.Path(temporary)
-        home.chmod(0o700)
-        files = {"SAMPLE": SAMPLE, "FAULTED": home / "faulted.vsm", "CUBE": home / "cube.sgy"}
-        fault_pictures.write(files["FAULTED"])
-        run(programs / "generate_cube", files["CUBE"])
-        for scene in sys.argv[4:] or SCENES:
-            name = "Gallery" + "".join(word.capitalize() for word in scene.split("_")) + ".png"
-            picture(paraview, scene, files, home, folder / name)
+        files = pathlib.Path(temporary)
+        macros = shutil.copytree(window.MACROS, files / "macros")
+        (macros / "Wait.py").write_text(WAIT)
+        (macros / "Pause.py").write_text(PAUSE)
+        (macros / "Picture.py").write_text(PICTURE)
+        window.MACROS = macros
+        fault_pictures.write(files / "faulted.vsm")
+        run(programs / "generate_cube", files / "cube.sgy")
+        shutil.copy(data / "segy" / "penobscot_xl1155.sgy", files)
+        write_picks(data / "penobscot" / "horizon_b.ijz", files / "HorizonB.dat", (1009, 1003), 1.0)
+        write_picks(data / "penobscot" / "seabed.ijz", files / "SeaBed.dat", (1000, 1000), 4.0)
+        write_geotiff(data / "st_helens" / "horizon.ijz", files / "StHelens.tif")
+        for name in sys.argv[5:] or SCENES:
+            picture = take(paraview, name, files, window.new_folder(files / name))
+            path = folder / ("Gallery" + "".join(word.capitalize() for word in name.split("_")) + ".png")
+            run("convert", picture, "-dither", "None", "-colors", COLORS, "-strip", "-define", "png:compression-level=9", path)
 
 
 if __name__ == "__main__":

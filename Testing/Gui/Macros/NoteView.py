@@ -24,6 +24,8 @@ note = {
         "focus": [round(part, 3) for part in view.CameraFocalPoint],
         "shown": [[type(source).__name__, display.ColorArrayName[1], range_of(display.LookupTable)]
                   for source, display in shown],
+        "colours": [[display.ColorArrayName[1], range_of(display.LookupTable)]
+                    for display in view.Representations if hasattr(display, "ColorArrayName") and display.Visibility],
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
         "axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
