@@ -58,6 +58,7 @@ constexpr const char* VerticalDomain = "VerticalDomain";
 constexpr const char* HorizontalUnit = "HorizontalUnit";
 constexpr const char* CoordinateSystem = "CoordinateSystem";
 constexpr const char* ImageDeviation = "ImageDeviation";
+constexpr const char* StrongAmplitude = "StrongAmplitude";
 constexpr const char* TextHeader = "TextHeader";
 constexpr const char* NumberOfPatches = "NumberOfPatches";
 constexpr const char* NumberOfHoles = "NumberOfHoles";

@@ -155,7 +155,12 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
   range.IsOfData = kind == "data";
   if (kind == "centred")
   {
-    const double reach = std::max(std::fabs(range.Ends[0]), std::fabs(range.Ends[1]));
+    const std::vector<double> strong = ReadField(data, hint->GetAttributeOrEmpty("ends_at"), 1);
+    double reach = std::max(std::fabs(range.Ends[0]), std::fabs(range.Ends[1]));
+    if (!strong.empty() && strong[0] > 0.0)
+    {
+      reach = std::min(reach, strong[0]);
+    }
     range.Ends = { -reach, reach };
     return reach > 0.0; // one value may be told from zero
   }

@@ -20,10 +20,12 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
+#include "vtkStructuredData.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,19 +43,39 @@ bool IsOfSurvey(vtkPVDataInformation* data)
   return !ReadField(data, FieldArray::LatticeDimensions, 3).empty();
 }
 
-/// Where to look from: sideways where a lattice is one line.
-Direction FindDirection(const std::vector<double>& dimensions, const std::vector<double>& toWorld)
+/// Which lines of a lattice are seen: 0 those along i, 1 those along j, -1 where it is not seen as a line. Blocks whose
+/// lattices differ are not.
+int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
 {
-  if (std::min(dimensions[0], dimensions[1]) > 1.0)
+  if (dimensions[0] == 1.0 || dimensions[1] == 1.0)
+  {
+    return dimensions[0] > 1.0 ? 0 : 1;
+  }
+  const bool isSlice =
+    std::strcmp(vtkSMPropertyHelper(representation, "Representation", true).GetAsString(), "Slice") == 0;
+  const int mode = isSlice ? vtkSMPropertyHelper(representation, "SliceMode", true).GetAsInt() : 0;
+  return mode == VTK_XZ_PLANE ? 0 : mode == VTK_YZ_PLANE ? 1 : -1;
+}
+
+/// Where to look from: sideways at a line, from above at a survey, and between both at a section of a cube.
+Direction FindDirection(
+  const std::vector<double>& dimensions, const std::vector<double>& toWorld, vtkSMProxy* representation)
+{
+  const int along = FindLine(dimensions, representation);
+  const std::array<double, 2> line = along < 0
+    ? std::array<double, 2>()
+    : std::array<double, 2>{ toWorld[std::size_t(along)], toWorld[std::size_t(4 + along)] };
+  const double length = std::hypot(line[0], line[1]);
+  if (!(length > 0.0))
   {
     return Oblique;
   }
-  const std::size_t along = dimensions[0] > 1.0 ? 0 : 1;
-  const std::array<double, 2> line = { toWorld[along], toWorld[4 + along] };
-  const double length = std::hypot(line[0], line[1]);
   // From the south, or from the east of a line that runs northwards: it begins on the left either way.
   const double side = line[0] > 0.0 || (line[0] == 0.0 && line[1] > 0.0) ? 1.0 : -1.0;
-  return { side * line[1] / length, -side * line[0] / length, 0.0 };
+  const std::array<double, 2> right = { side * line[0] / length, side * line[1] / length };
+  const bool isOfCube = std::min(dimensions[0], dimensions[1]) > 1.0;
+  const double turn = isOfCube ? 0.35 : 0.0;
+  return { right[1] + turn * right[0], -right[0] + turn * right[1], turn };
 }
 
 vtkSMSourceProxy* FindProducer(vtkSMProxy* representation)
@@ -95,7 +117,8 @@ bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
   return std::any_of(all.begin(), all.end(),
     [representation, producer](vtkSMProxy* other)
     {
-      vtkPVDataInformation* const data = other == representation ? nullptr : FindShownData(other);
+      const bool isOwn = other == representation || (producer && FindProducer(other) == producer);
+      vtkPVDataInformation* const data = isOwn ? nullptr : FindShownData(other);
       // The map or the points that a horizon was made of were seen from above.
       const bool isRaw = data && producer && !IsOfSurvey(data) && LeadsTo(FindProducer(other), producer);
       return data && !isRaw;
@@ -116,26 +139,28 @@ bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
   {
     return false;
   }
-  LookFrom(view, FindDirection(dimensions, toWorld));
+  LookFrom(view, FindDirection(dimensions, toWorld, representation));
   SetVerticalExaggeration(view, SuggestVerticalExaggeration(view));
   return true;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HideInputs(vtkSMProxy* view, vtkSMProxy* representation)
+void HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
 {
   vtkSMSourceProxy* const producer = FindProducer(representation);
-  const std::vector<vtkPVXMLElement*> hints = producer
-    ? ListHints(producer, static_cast<int>(vtkSMPropertyHelper(representation, "Input").GetOutputPort()))
-    : std::vector<vtkPVXMLElement*>();
-  if (std::none_of(
-        hints.begin(), hints.end(), [](vtkPVXMLElement* hint) { return hint->GetAttribute("hides_inputs"); }))
+  const int port = static_cast<int>(vtkSMPropertyHelper(representation, "Input", true).GetOutputPort());
+  bool hidesInputs = false, hidesOutputs = false;
+  for (vtkPVXMLElement* const hint : producer ? ListHints(producer, port) : std::vector<vtkPVXMLElement*>())
   {
-    return;
+    hidesInputs = hidesInputs || hint->GetAttribute("hides_inputs");
+    hidesOutputs = hidesOutputs || hint->GetAttribute("hides_outputs");
   }
   for (vtkSMProxy* const other : ListRepresentations(view))
   {
-    if (FindShownData(other) && LeadsTo(FindProducer(other), producer))
+    const bool isSame = FindProducer(other) == producer;
+    if (FindShownData(other) && other != representation &&
+      (isSame ? hidesOutputs && FindShownData(representation)->GetNumberOfPoints() > 0
+              : hidesInputs && LeadsTo(FindProducer(other), producer)))
     {
       vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
       controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));

@@ -10,7 +10,8 @@ class vtkSMProxy;
 
 namespace SeismicHorizons
 {
-/// Whether a view shows data besides those of one representation, and a map or points that these were made of.
+/// Whether a view shows data besides those of one representation, other outputs of the same source, and a map or points
+/// that these were made of.
 bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation);
 
 /// Looks obliquely at what has come into an empty view, and exaggerates its heights where it is flat; at a line of a
@@ -18,8 +19,8 @@ bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation);
 /// nothing was done, as the data are not of a survey.
 bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation);
 
-/// Hides in a view what led to a stage whose hints ask for that.
-void HideInputs(vtkSMProxy* view, vtkSMProxy* representation);
+/// Hides in a view what led to a stage, or its other outputs, where its hints ask for that.
+void HideOthers(vtkSMProxy* view, vtkSMProxy* representation);
 
 /// Writes the unit of z at the vertical axis of a view, where all that is shown has the same.
 void NameVerticalAxis(vtkSMProxy* view);

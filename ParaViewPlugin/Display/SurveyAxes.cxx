@@ -57,12 +57,13 @@ bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
 {
   const std::vector<double> toWorld = ReadField(data, "LatticeToWorld", 16);
   const std::vector<double> dimensions = ReadField(data, "LatticeDimensions", 3);
-  if (toWorld.empty() || dimensions.empty() || dimensions[0] < 1.0 || dimensions[1] < 1.0)
+  if (toWorld.empty() || dimensions.empty() || !(dimensions[0] >= 1.0 && dimensions[1] >= 1.0))
   {
     return false;
   }
   const std::vector<double> numbers = ReadField(data, "LineNumbers", 4);
-  const bool areKnown = !numbers.empty() && numbers[1] != 0.0 && numbers[3] != 0.0;
+  const bool areKnown =
+    !numbers.empty() && std::isfinite(numbers[0] + numbers[2]) && std::fabs(numbers[1] * numbers[3]) > 0.0;
   Lines columns = areKnown ? Lines{ "Crossline", numbers[2], numbers[3] } : Lines{ "Column" };
   Lines rows = areKnown ? Lines{ "Inline", numbers[0], numbers[1] } : Lines{ "Row" };
   columns.Count = dimensions[0];

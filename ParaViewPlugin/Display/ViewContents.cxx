@@ -10,6 +10,8 @@
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
 
+#include <limits>
+
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
@@ -42,11 +44,7 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
   {
     double range[2];
     array->GetComponentRange(n, range);
-    if (range[0] != range[1])
-    {
-      return {};
-    }
-    values.push_back(range[0]);
+    values.push_back(range[0] == range[1] ? range[0] : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }

@@ -18,7 +18,8 @@ std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view);
 /// What a representation shows; null where it is hidden, or shows no data.
 vtkPVDataInformation* FindShownData(vtkSMProxy* representation);
 
-/// The values of a field data array with one tuple; none where it is not there, or has others in other blocks.
+/// The values of a field data array with one tuple; none where it is not there. Those that differ between blocks are not
+/// numbers.
 std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count);
 
 /// The axes of a view; null where it has none.

@@ -20,7 +20,9 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkStructuredData.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -33,6 +35,7 @@ using SeismicHorizons::ColorRange;
 
 constexpr const char* Empty = "SeismicHorizons.Empty"; // had no data when it was shown first
 constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // in none of the maps
+constexpr std::array<double, 3> EdgeColor = { 0.32, 0.36, 0.40 }; // ParaView's dark blue hides small triangles
 
 bool IsNamed(vtkPVXMLElement* element, const char* name)
 {
@@ -47,6 +50,29 @@ void SetSize(vtkSMProxy* proxy, const char* property, vtkPVXMLElement* hint, con
   {
     vtkSMPropertyHelper(proxy, property).Set(value);
   }
+}
+
+/// Gives points the size of a hint, or a smaller one where many would cover what is between them.
+void SetPointSize(vtkSMProxy* proxy, vtkPVXMLElement* hint, vtkPVDataInformation* data, vtkMTimeType start)
+{
+  SetSize(proxy, "PointSize", hint, "point_size", start);
+  double largest = 0.0, least = 0.0;
+  if (hint->GetScalarAttribute("point_size", &largest) && hint->GetScalarAttribute("least_point_size", &least) &&
+    vtkSMPropertyHelper(proxy, "PointSize").GetAsDouble() == largest)
+  {
+    constexpr double across = 500.0; // pixels of a view that points may cover along a side
+    const double size = std::floor(across / std::sqrt(double(data->GetNumberOfPoints())));
+    vtkSMPropertyHelper(proxy, "PointSize").Set(std::min(largest, std::max(least, size)));
+  }
+}
+
+/// Makes a slice the middle one of the wider vertical sections.
+void SetSection(vtkSMProxy* proxy, vtkPVDataInformation* data)
+{
+  const int* const extent = data->GetExtent();
+  const int columns = extent[1] - extent[0], rows = extent[3] - extent[2];
+  vtkSMPropertyHelper(proxy, "SliceMode").Set(columns >= rows ? VTK_XZ_PLANE : VTK_YZ_PLANE);
+  vtkSMPropertyHelper(proxy, "Slice").Set((columns >= rows ? rows : columns) / 2);
 }
 
 vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
@@ -248,7 +274,8 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     return;
   }
   const int port = static_cast<int>(input.GetOutputPort());
-  if (producer->GetDataInformation(static_cast<unsigned int>(port))->GetNumberOfPoints() == 0)
+  vtkPVDataInformation* const data = producer->GetDataInformation(static_cast<unsigned int>(port));
+  if (data->GetNumberOfPoints() == 0)
   {
     proxy->SetAnnotation(Empty, "1");
     return;
@@ -260,9 +287,10 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   {
     representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
-    SetSize(proxy, "PointSize", hint, "point_size", initializationTimeStamp);
+    SetPointSize(proxy, hint, data, initializationTimeStamp);
     SetSize(proxy, "RenderLinesAsTubes", hint, "tubes", initializationTimeStamp);
     SetSize(proxy, "RenderPointsAsSpheres", hint, "spheres", initializationTimeStamp);
+    SetSize(proxy, "DisableLighting", hint, "flat", initializationTimeStamp);
     ColorRange range;
     if (!isColored && SeismicHorizons::FindRange(hint, producer, port, range))
     {
@@ -274,6 +302,14 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   {
     // After the colours, as ParaView gives those that it chooses to a volume.
     vtkSMRepresentationProxy::SetRepresentationType(proxy, representation);
+    if (std::strcmp(representation, "Surface With Edges") == 0)
+    {
+      vtkSMPropertyHelper(proxy, "EdgeColor").Set(EdgeColor.data(), 3);
+    }
+    if (std::strcmp(representation, "Slice") == 0)
+    {
+      SetSection(proxy, data);
+    }
     proxy->GetProperty("Representation")->Modified(); // else it would count as not set
   }
   proxy->UpdateVTKObjects();

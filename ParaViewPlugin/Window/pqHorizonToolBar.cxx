@@ -151,7 +151,7 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
         }
       });
   }
-  HideInputs(view->getProxy(), representation);
+  HideOthers(view->getProxy(), representation);
   ExaggerateRepresentation(representation, view->getProxy());
 }
 

@@ -52,6 +52,7 @@ void AddFields(const SEGYCube& cube, const CubeView& view, vtkFieldData* data)
 {
   AddFrameFields(data, view.Frame);
   AddValue<vtkDoubleArray>(data, FieldArray::ImageDeviation, view.Image.Deviation);
+  AddValue<vtkDoubleArray>(data, FieldArray::StrongAmplitude, double(FindStrongAmplitude(cube)));
   auto text = NewArray<vtkStringArray>(FieldArray::TextHeader, vtkIdType(cube.Header.Text.size()));
   for (std::size_t line = 0; line < cube.Header.Text.size(); ++line)
   {

@@ -13,8 +13,10 @@
 #include "SEGYFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 namespace SeismicHorizons
@@ -303,5 +305,34 @@ SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float*
   window.IsFull = std::all_of(window.Columns.begin(), window.Columns.end(),
     [&](const SampleRange& range) { return range.First <= extent[4] && range.End > extent[5]; });
   return window;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+float FindStrongAmplitude(const SEGYCube& cube)
+{
+  constexpr std::size_t traces = 200; // enough for colours
+  constexpr double part = 0.98;
+  std::vector<std::size_t> columns;
+  for (std::size_t column = 0; column < cube.Traces.size(); ++column)
+  {
+    if (cube.Traces[column] >= 0)
+    {
+      columns.push_back(column);
+    }
+  }
+  const std::size_t width = std::size_t(cube.Lattice.Columns[0]);
+  const std::size_t count = std::min(traces, columns.size());
+  std::vector<float> sizes, samples(std::size_t(cube.Sampling.Indices));
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const std::size_t column = columns[n * columns.size() / count];
+    const int i = int(column % width), j = int(column / width);
+    ReadSEGYWindow(cube, { i, i, j, j, 0, int(samples.size()) - 1 }, samples.data());
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(sizes),
+      [](float sample) { return std::isfinite(sample) && sample != 0.0f; });
+  }
+  const auto strong = sizes.begin() + std::ptrdiff_t(part * double(sizes.size()));
+  std::nth_element(sizes.begin(), strong, sizes.end(), [](float a, float b) { return std::fabs(a) < std::fabs(b); });
+  return sizes.empty() ? 0.0f : std::fabs(*strong);
 }
 }

@@ -28,6 +28,10 @@ FITTED = 50  # what makes its 4 units of height a quarter of its width
 LINE = "40 1 60\n" + "".join("%d 1 1 0 0\n" % (10 + n) for n in range(40))
 STEEP = "Inline Crossline X Y TWT_ms\n" + "".join(
     "%d %d %d %d %d\n" % (row, column, column, row, 1000 + row + column) for row in range(9) for column in range(9))
+# Two horizons on one lattice, each with a vertical step of its own.
+STEPS = "Name Inline Crossline X Y Z\n" + "".join(
+    "%s %d %d %d %d %g\n" % (name, row, column, 25 * column, 25 * row, 100 + step * ((row * column) % 9))
+    for name, step in (("top", 4.0), ("base", 0.5)) for row in range(9) for column in range(9))
 MESSAGE = window.WINDOW + "/SurveyAxesMessage"
 NO_LATTICE = "No survey axes: nothing is shown that has a lattice; expected horizons or a cube."
 
@@ -162,6 +166,19 @@ def check_first_sight(notes):
     assert left["shown"] == steep["shown"], left
 
 
+def see_two(events, steps):
+    """Horizons whose vertical steps differ are seen like others, and have axes of one survey."""
+    events.open(steps, several_readers=True)
+    events.apply()
+    events.add(TOOLBAR + "SurveyAxes", "set_boolean", "true")
+    events.macro("NoteView")
+
+
+def check_two(notes):
+    note, = notes
+    assert note["seen from"] == [0.35, -0.75, 0.56] and note["axes"] == ["Crossline", "Inline"], note
+
+
 def see_stages(events, line):
     """A line from its side; outlines beside those they were made of; a mesh alone."""
     events.open(line)
@@ -203,12 +220,12 @@ def main():
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
     for name, text in (("turned.xyz", TURNED), ("steep.xyz", STEEP), ("deep.xyz", STEEP.replace(" 10", " 11")),
-                       ("line.vsm", LINE)):
+                       ("line.vsm", LINE), ("steps.xyz", STEPS)):
         (folder / name).write_text(text, encoding="ascii")
     scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 3),
               (count_lines, folder / "picks.xyz", check_lines, 5),
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
-              (see_first, folder / "steep.xyz", check_first_sight, 5), (see_stages, folder / "line.vsm", check_stages, 5))
+              (see_first, folder / "steep.xyz", check_first_sight, 5), (see_two, folder / "steps.xyz", check_two, 1), (see_stages, folder / "line.vsm", check_stages, 5))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
         play(events, file)

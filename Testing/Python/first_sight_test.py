@@ -6,6 +6,7 @@ Argument: a folder for files.
 """
 
 import pathlib
+import struct
 import sys
 import unittest
 
@@ -27,6 +28,23 @@ def write_file():
     lines = [surface(column, row) for row in range(SIDE) for column in range(SIDE)]
     path.write_text("%d %d 60\n%s\n" % (SIDE, SIDE, "\n".join(lines)))
     return str(path)
+
+
+def write_cube(path, columns, rows):
+    """SEG-Y of IEEE floats: 100 samples a trace, from -2 to 2, and one sample of 1,000."""
+    text = b" " * 3200
+    header = bytearray(400)
+    struct.pack_into(">hxxhxxh", header, 16, 4000, 100, 5)
+    traces = []
+    for row in range(rows):
+        for column in range(columns):
+            place = bytearray(240)
+            struct.pack_into(">hh", place, 114, 100, 4000)
+            struct.pack_into(">iiii", place, 180, 25 * column, 25 * row, 100 + row, 300 + column)
+            samples = [(n - 50) / 25 for n in range(100)]
+            samples[7] = 1000 if row == column == 3 else samples[7]
+            traces.append(bytes(place) + struct.pack(">100f", *samples))
+    path.write_bytes(text + bytes(header) + b"".join(traces))
 
 
 def colored_by(display):
@@ -121,8 +139,16 @@ class FirstSightTest(unittest.TestCase):
         outlines = simple.HorizonExteriorBoundary(Input=self.horizons)
         for stage in (simple.HorizonRoughSimplification, simple.HorizonElaborateSimplification):
             display = self.show(stage(Input=outlines))
-            self.assertEqual((display.LineWidth, display.PointSize, display.RenderPointsAsSpheres), (3, 5, 1))
+            self.assertEqual((display.LineWidth, display.PointSize, display.RenderPointsAsSpheres), (3, 8, 1))
             self.assertEqual(colored_by(display), ("POINTS", "Depth"))
+
+    def test_many_points_are_small_enough_to_be_told_apart(self):
+        path = FOLDER / "many.vsm"
+        path.write_text("200 200 60\n" + "".join("%d 1 1 0 0\n" % (10 + n * 7919 % 40) for n in range(40000)))
+        many = simple.HorizonExteriorBoundary(Input=simple.VerneySparseMatrixReader(FileName=str(path)))
+        for size, points in ((1, 3), (3, 7)):
+            rough = simple.HorizonRoughSimplification(Input=many, CellSize=size)
+            self.assertEqual(self.show(rough).PointSize, points, rough.GetDataInformation().GetNumberOfPoints())
 
     def test_heights_of_all_files_are_on_one_scale_in_their_unit(self):
         """The vertical index of each file counts from its own top."""
@@ -166,6 +192,14 @@ class FirstSightTest(unittest.TestCase):
             display.SetRepresentationType(way)
             simple.Render(self.view)
             self.assertIn("Depth", shown_arrays(display), way)
+
+    def test_cubes_are_a_section_whose_colours_show_more_than_the_strongest_sample(self):
+        for columns, rows, mode, index in ((40, 9, "XZ Plane", 4), (9, 40, "YZ Plane", 4)):
+            cube = FOLDER / ("cube%d.sgy" % columns)
+            write_cube(cube, columns, rows)
+            display = simple.Show(simple.SEGYCubeReader(FileName=str(cube)), self.view)
+            self.assertEqual((display.Representation, display.SliceMode, display.Slice), ("Slice", mode, index))
+            self.assertEqual(range_of(display), [-1.96, 1.96])  # of sizes up to 2, and one of 1,000
 
     def test_filled_points(self):
         display = self.show(simple.HorizonHoleFilling(Input=self.horizons))
