@@ -10,6 +10,7 @@
 
 #include "Common/DataModel.h"
 
+#include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
@@ -17,6 +18,7 @@
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
@@ -35,6 +37,7 @@ namespace
 {
 using Direction = std::array<double, 3>;
 
+constexpr const char* OwnCamera = "SeismicHorizons.Camera";
 constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // to the eye
 
 bool IsOfSurvey(vtkPVDataInformation* data)
@@ -96,6 +99,20 @@ bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
   return false;
 }
 
+std::string DescribeCamera(vtkSMProxy* view)
+{
+  auto* const rendered = vtkSMRenderViewProxy::SafeDownCast(view);
+  vtkCamera* const camera = rendered ? rendered->GetActiveCamera() : nullptr;
+  std::string text;
+  for (const double* const place : camera
+      ? std::vector<const double*>{ camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp() }
+      : std::vector<const double*>())
+  {
+    text += std::to_string(place[0]) + " " + std::to_string(place[1]) + " " + std::to_string(place[2]) + " ";
+  }
+  return text;
+}
+
 void LookFrom(vtkSMProxy* view, const Direction& direction)
 {
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view);
@@ -141,6 +158,20 @@ bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
   LookFrom(view, FindDirection(dimensions, toWorld, representation));
   SetVerticalExaggeration(view, SuggestVerticalExaggeration(view));
   return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RememberCamera(vtkSMProxy* view)
+{
+  view->SetAnnotation(OwnCamera, DescribeCamera(view).c_str());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool MayFollow(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkPVDataInformation* const data = FindShownData(representation);
+  return data && IsOfSurvey(data) && FindProducer(representation)->GetNumberOfProducers() == 0 &&
+    view->HasAnnotation(OwnCamera) && DescribeCamera(view) == view->GetAnnotation(OwnCamera);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

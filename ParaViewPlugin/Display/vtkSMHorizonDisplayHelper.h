@@ -16,27 +16,27 @@
  * @endcode
  *
  * Lines and points are as wide as hints for the port say, in pixels (`line_width`, `point_size`; points no wider than
- * leaves them apart where there is a `least_point_size`), and drawn with depth where `tubes` or `spheres` is 1: an outline then stands out from points on it. Where `flat` is 1, nothing
- * is lit: colours are those of the legend. Of hints with an array the first one counts
- * whose array is in the data with more than one value; where there is none, ParaView colours by the active scalars. The
- * array "heights" is that of vtkHorizonRepresentation, and `shown_as` the name that an array has there, with colours of its
- * own. `port` may be left out: the hint is for all of them then.
+ * leaves them apart where there is a `least_point_size`), and drawn with depth where `tubes` or `spheres` is 1: an outline
+ * then stands out from points on it. Where `flat` is 1, nothing is lit: colours are those of the legend. Of hints with an
+ * array the first one counts whose array is in the data with more than one value; where there is none, ParaView colours by
+ * the active scalars. The array "heights" is that of vtkHorizonRepresentation, and `shown_as` the name that an array has
+ * there, with colours of its own. `port` may be left out: the hint is for all of them then.
  *
  * `range` is "data" where it is not given; "centred", as far below zero as above, but no farther than the figure
- * `ends_at` of the field data; or a figure in the field data (of its
- * components, that of the filter's property `unit`) where the colours end, with one more colour for what is above. Ranges
- * but "data" follow what a window shows until somebody sets another one.
+ * `ends_at` of the field data; or a figure in the field data (of its components, that of the filter's property `unit`)
+ * where the colours end, with one more colour for what is above. Ranges but "data" follow what a window shows until
+ * somebody sets another one.
  *
  * `colors` is the name of a ColorMap in the hint of the representation, in ParaView's format of colour maps in XML, from
- * low to high. Categories are those of the elements Annotation of the map. Colours that somebody has chosen for an array before are left alone.
+ * low to high. Categories are those of the elements Annotation of the map. Colours that somebody has chosen for an array
+ * before are left alone.
  *
  * Where `hides_inputs` is 1, what led to a stage is hidden in a view once the stage is shown there, not only its input;
  * where `hides_outputs` is 1, other outputs of the stage are.
  *
  * `representation` is the way to draw, as "Volume"; of several the first one counts. A "Slice" is the middle one of the
- * wider vertical sections of a cube. A volume is clear at the least
- * value of the array, and has the `opacity` at all others. Hints with `data` are for data of that class alone, and
- * those with `most_points` for data of no more points.
+ * wider vertical sections of a cube. A volume is clear at the least value of the array, and has the `opacity` at all
+ * others. Hints with `data` are for data of that class alone, and those with `most_points` for data of no more points.
  */
 
 #ifndef vtkSMHorizonDisplayHelper_h

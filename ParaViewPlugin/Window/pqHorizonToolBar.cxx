@@ -148,7 +148,17 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
         if (SetFirstView(view->getProxy(), first))
         {
           view->resetDisplay(true);
+          RememberCamera(view->getProxy());
         }
+      });
+  }
+  else if (MayFollow(view->getProxy(), representation))
+  {
+    QTimer::singleShot(0, view,
+      [view]()
+      {
+        view->resetDisplay(true);
+        RememberCamera(view->getProxy());
       });
   }
   HideOthers(view->getProxy(), representation);

@@ -153,10 +153,14 @@ def see_first(events, steep):
     events.macro("NoteView")
     events.add(window.PANEL + "/Delete", "activate")
     events.macro("NoteView")
+    events.add(window.WINDOW + "/cameraToolbar/actionPositiveX", "activate")
+    events.open(folder / "deep.xyz", several_readers=True)
+    events.apply()
+    events.macro("NoteView")
 
 
 def check_first_sight(notes):
-    flat, emptied, steep, both, left = notes
+    flat, emptied, steep, both, left, turned = notes
     assert flat["seen from"] == [0.35, -0.75, 0.56] and flat["axes scale"] == [1, 1, 5], flat
     assert flat["shown"] == [["VerneySparseMatrixReader", "Depth", [2, 4]]], flat
     assert emptied["axes scale"] == [1, 1, 1] and emptied["shown"] == [], emptied
@@ -164,6 +168,10 @@ def check_first_sight(notes):
     assert steep["shown"] == [["HorizonTextReader", "Time (ms)", [1000, 1016]]], steep
     assert [entry[2] for entry in both["shown"]] == [[1000, 1116]] * 2, both
     assert left["shown"] == steep["shown"], left
+    # The view is moved to see both, but not once somebody has turned it.
+    assert both["seen from"] == steep["seen from"] and both["focus"][2] == -1058, both
+    assert left["focus"] == both["focus"], left
+    assert turned["seen from"] == [-1, 0, 0] and turned["focus"][2] == steep["focus"][2], turned
 
 
 def see_two(events, steps):
@@ -225,7 +233,8 @@ def main():
     scenes = ((choose_horizons, sample, check_horizons, 3), (exaggerate, folder / "flat.vsm", check_exaggeration, 3),
               (count_lines, folder / "picks.xyz", check_lines, 5),
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
-              (see_first, folder / "steep.xyz", check_first_sight, 5), (see_two, folder / "steps.xyz", check_two, 1), (see_stages, folder / "line.vsm", check_stages, 5))
+              (see_first, folder / "steep.xyz", check_first_sight, 6), (see_two, folder / "steps.xyz", check_two, 1),
+              (see_stages, folder / "line.vsm", check_stages, 5))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
         play(events, file)

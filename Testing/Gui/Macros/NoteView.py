@@ -21,6 +21,7 @@ def range_of(table):
 
 note = {
         "seen from": [round(part / length, 2) for part in sight], "axis": axes.ZTitle,
+        "focus": [round(part, 3) for part in view.CameraFocalPoint],
         "shown": [[type(source).__name__, display.ColorArrayName[1], range_of(display.LookupTable)]
                   for source, display in shown],
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
