@@ -289,7 +289,8 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     SetPointSize(proxy, hint, data, initializationTimeStamp);
     SetSize(proxy, "RenderLinesAsTubes", hint, "tubes", initializationTimeStamp);
     SetSize(proxy, "RenderPointsAsSpheres", hint, "spheres", initializationTimeStamp);
-    SetSize(proxy, "DisableLighting", hint, "flat", initializationTimeStamp);
+    SetSize(proxy, "Ambient", hint, "ambient", initializationTimeStamp);
+    SetSize(proxy, "Diffuse", hint, "diffuse", initializationTimeStamp);
     ColorRange range;
     if (!isColored && SeismicHorizons::FindRange(hint, producer, port, range))
     {

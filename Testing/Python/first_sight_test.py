@@ -201,6 +201,13 @@ class FirstSightTest(unittest.TestCase):
             self.assertEqual((display.Representation, display.SliceMode, display.Slice), ("Slice", mode, index))
             self.assertEqual(range_of(display), [-1.96, 1.96])  # of sizes up to 2, and one of 1,000
 
+    def test_lines_have_the_colours_of_the_legend(self):
+        path = FOLDER / "line.sgy"
+        write_cube(path, 40, 1)
+        display = self.show(simple.SEGYCubeReader(FileName=str(path)), 1)
+        self.assertEqual((display.Ambient, display.Diffuse), (1, 0))
+        self.assertEqual(range_of(display), [-1.96, 1.96])
+
     def test_filled_points(self):
         display = self.show(simple.HorizonHoleFilling(Input=self.horizons))
         self.assertEqual(colored_by(display), ("POINTS", "Filled"))

@@ -24,6 +24,8 @@ note = {
         "focus": [round(part, 3) for part in view.CameraFocalPoint],
         "shown": [[type(source).__name__, display.ColorArrayName[1], range_of(display.LookupTable)]
                   for source, display in shown],
+        "formats": [simple.GetScalarBar(display.LookupTable, view).RangeLabelFormat
+                    for _, display in shown if display.LookupTable],
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
         "axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
