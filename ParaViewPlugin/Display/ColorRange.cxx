@@ -10,6 +10,7 @@
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -83,12 +84,16 @@ void Cut(ColorRange& range, vtkPVDataInformation* data, const char* figure, int 
 /// Writes the ends of a legend with as many digits as tell them apart, unless somebody has chosen how.
 void FormatEnds(vtkSMProxy* legend, const std::array<double, 2>& range)
 {
-  const char* const format = range[1] - range[0] >= 10.0 ? "%.0f" : range[1] - range[0] >= 0.1 ? "%.2f" : "%.3g";
-  if (legend && std::strcmp(vtkSMPropertyHelper(legend, "RangeLabelFormat").GetAsString(), "%-#6.1e") == 0)
+  vtkSMProperty* const format = legend ? legend->GetProperty("RangeLabelFormat") : nullptr;
+  if (!format || !format->IsValueDefault())
   {
-    vtkSMPropertyHelper(legend, "RangeLabelFormat").Set(format);
-    legend->UpdateVTKObjects();
+    return;
   }
+  const std::string digits = range[1] - range[0] >= 10.0 ? ".0f" : range[1] - range[0] >= 0.1 ? ".2f" : ".3g";
+  // Formats are those of std::format or, in older versions, of printf: the default shows which.
+  const bool isBraced = vtkSMPropertyHelper(format).GetAsString()[0] == '{';
+  vtkSMPropertyHelper(format).Set((isBraced ? "{:" + digits + "}" : "%" + digits).c_str());
+  legend->UpdateVTKObjects();
 }
 
 /// Finds the range of the array that a representation is coloured by, where a hint tells another one than that of the data.

@@ -22,7 +22,6 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
-#include "vtkStructuredData.h"
 
 #include <algorithm>
 #include <array>
@@ -56,8 +55,8 @@ int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
   }
   const bool isSlice =
     std::strcmp(vtkSMPropertyHelper(representation, "Representation", true).GetAsString(), "Slice") == 0;
-  const int mode = isSlice ? vtkSMPropertyHelper(representation, "SliceMode", true).GetAsInt() : 0;
-  return mode == VTK_XZ_PLANE ? 0 : mode == VTK_YZ_PLANE ? 1 : -1;
+  const std::string mode = isSlice ? vtkSMPropertyHelper(representation, "SliceMode", true).GetAsString() : "";
+  return mode == "XZ Plane" ? 0 : mode == "YZ Plane" ? 1 : -1;
 }
 
 /// Where to look from: sideways at a line, from above at a survey, and between both at a section of a cube.

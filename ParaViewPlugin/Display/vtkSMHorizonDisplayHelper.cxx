@@ -20,7 +20,6 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
-#include "vtkStructuredData.h"
 
 #include <algorithm>
 #include <array>
@@ -71,7 +70,7 @@ void SetSection(vtkSMProxy* proxy, vtkPVDataInformation* data)
 {
   const int* const extent = data->GetExtent();
   const int columns = extent[1] - extent[0], rows = extent[3] - extent[2];
-  vtkSMPropertyHelper(proxy, "SliceMode").Set(columns >= rows ? VTK_XZ_PLANE : VTK_YZ_PLANE);
+  vtkSMPropertyHelper(proxy, "SliceMode").Set(columns >= rows ? "XZ Plane" : "YZ Plane");
   vtkSMPropertyHelper(proxy, "Slice").Set((columns >= rows ? rows : columns) / 2);
 }
 

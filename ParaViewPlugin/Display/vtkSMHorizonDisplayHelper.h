@@ -17,8 +17,7 @@
  *
  * Lines and points are as wide as hints for the port say, in pixels (`line_width`, `point_size`; points no wider than
  * leaves them apart where there is a `least_point_size`), and drawn with depth where `tubes` or `spheres` is 1: an outline
- * then stands out from points on it. With an `ambient` light of 1 and a `diffuse` one of 0 colours are those of
- * the legend. Of hints with an
+ * then stands out from points on it. With an `ambient` of 1 and a `diffuse` of 0, light changes no colour. Of hints with an
  * array the first one counts whose array is in the data with more than one value; where there is none, ParaView colours by
  * the active scalars. The array "heights" is that of vtkHorizonRepresentation, and `shown_as` the name that an array has
  * there, with colours of its own. `port` may be left out: the hint is for all of them then.

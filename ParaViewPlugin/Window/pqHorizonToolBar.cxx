@@ -170,10 +170,11 @@ void pqHorizonToolBar::refresh(pqView* view)
 {
   for (vtkSMProxy* const representation : ListRepresentations(view->getProxy()))
   {
-    if (FindShownData(representation) && vtkSMHorizonDisplayHelper::ShowLate(representation))
+    auto* const shown = vtkSMPVRepresentationProxy::SafeDownCast(representation);
+    if (shown && FindShownData(shown) && vtkSMHorizonDisplayHelper::ShowLate(shown))
     {
-      vtkSMPVRepresentationProxy::SetScalarBarVisibility(representation, view->getProxy(), true);
-      this->take(view, representation);
+      shown->SetScalarBarVisibility(view->getProxy(), true);
+      this->take(view, shown);
     }
   }
   RefreshRanges(view->getProxy());

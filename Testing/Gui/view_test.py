@@ -176,6 +176,7 @@ def check_first_sight(notes):
     assert emptied["axes scale"] == [1, 1, 1] and emptied["shown"] == [], emptied
     assert steep["axes scale"] == [1, 1, 1] and steep["axis"] == "Z (ms)", steep
     assert steep["shown"] == [["HorizonTextReader", "Time (ms)", [1000, 1016]]], steep
+    assert steep["formats"] in (["%.0f"], ["{:.0f}"]), steep  # of ParaView 5 and 6
     assert [entry[2] for entry in both["shown"]] == [[1000, 1116]] * 2, both
     assert left["shown"] == steep["shown"], left
     # The view is moved to see both, but not once somebody has turned it.

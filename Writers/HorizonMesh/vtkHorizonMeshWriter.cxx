@@ -37,10 +37,10 @@ void vtkHorizonMeshWriter::PrintHorizons(
   const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
 {
   const std::string format = ExtensionOf(this->GetFileName());
-  const auto [name, horizon] = horizons.front();
+  const NamedHorizon& horizon = horizons.front();
   if (format == "vtp")
   {
-    PrintVTP(horizon, stream);
+    PrintVTP(horizon.Data, stream);
     return;
   }
   const auto print = format == "stl" ? PrintSTL : format == "ply" ? PrintPLY : format == "obj" ? PrintOBJ : nullptr;
@@ -48,5 +48,6 @@ void vtkHorizonMeshWriter::PrintHorizons(
   {
     throw InputError("extension \"" + format + "\", expected vtp, stl, ply or obj");
   }
-  PrefixErrors(name, [&]() { print(MakeTSurf(horizon, name, VerticalPositive::Elevation), stream, monitor); });
+  PrefixErrors(horizon.Name,
+    [&]() { print(MakeTSurf(horizon.Data, horizon.Name, VerticalPositive::Elevation), stream, monitor); });
 }

@@ -26,6 +26,8 @@ note = {
                   for source, display in shown],
         "colours": [[display.ColorArrayName[1], range_of(display.LookupTable)]
                     for display in view.Representations if hasattr(display, "ColorArrayName") and display.Visibility],
+        "formats": [simple.GetScalarBar(display.LookupTable, view).RangeLabelFormat
+                    for _, display in shown if display.LookupTable],
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
         "axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
