@@ -38,13 +38,13 @@ def main():
     parser = image_compare.make_parser()
     parser.add_argument("--paraview", required=True)
     parser.add_argument("--template", type=pathlib.Path, required=True)
+    parser.add_argument("--baseline", required=True)
     options = parser.parse_args()
-    name = "Gui-" + options.template.name.split(".")[0]
-    folder = window.new_folder(options.output / (name + ("-changed" if options.changed else "")))
+    folder = window.new_folder(options.output / (options.baseline + ("-changed" if options.changed else "")))
     script = folder / "events.xml"
     fill_in(options.template, script, {
         "SAMPLE": str(options.data / "sample.vsm"), "CELL_SIZE": "4" if options.changed else "3"})
-    image_compare.finish(play(options.paraview, script, folder), name, options)
+    image_compare.finish(play(options.paraview, script, folder), options.baseline, options)
 
 
 if __name__ == "__main__":

@@ -220,11 +220,13 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(files(self.output), [])
 
     def test_no_display(self):
-        """All else is there."""
+        """All else is there; newer versions of VTK draw pictures all the same."""
         done, errors = run("--output-folder", self.output, SAMPLE, "--horizons", "1", DISPLAY=":4711")
-        self.assertEqual((done.returncode, len(errors)), (0, 1), done.stderr)
-        self.assertIn("warning: no pictures, as there is no X server", errors[0])
-        self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        if "sample.png" not in files(self.output):
+            self.assertEqual(len(errors), 1, done.stderr)
+            self.assertIn("warning: no pictures, as there is no X server", errors[0])
+        self.assertEqual(set(files(self.output)) - {"sample.png"}, {"sample_horizon_1.vtp"})
 
     def test_no_such_output_folder(self):
         """Noticed before the work starts, which would find that the file is wrong."""

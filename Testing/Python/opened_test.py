@@ -120,7 +120,7 @@ def binary_files(generator, folder):
     raw.write_bytes(noise)
     return [(cube, CUBE), *((write(folder / name, content), CUBE) for name in ("cube.dat", "cube", "cube.SEGY", "cube.txt", "cube.bin")),
             (raw, "ImageReader"), (write(folder / "noise", noise), None), (write(folder / "part.dat", content[:-7]), "TecplotReader"),
-            (picture, "GDALRasterReader")]
+            (picture, "GDALRasterReader" if simple.GetParaViewVersion().major < 6 else "PNGSeriesReader")]
 
 
 def check_states():
