@@ -91,12 +91,11 @@ def stage(name):
     return lambda events, files: (events.filter(name), events.apply())
 
 
-def number(name, value):
-    return lambda events, files: (events.set_number(name, value, "DoubleRangeWidget/DoubleLineEdit"), events.apply())
-
-
-def checked(name):
-    return lambda events, files: (events.set_check(name, True), events.apply())
+def closed(events, files):
+    events.filter("HorizonSurface")
+    events.set_number("MaximumError", "1.5", "DoubleRangeWidget/DoubleLineEdit")
+    events.set_check("CloseFaults", True)
+    events.apply()
 
 
 def flagged(events, files):
@@ -119,7 +118,6 @@ OUTLINED = [B, stage("HorizonExteriorBoundary")]
 SIMPLIFIED = OUTLINED + [stage("HorizonBoundarySimplification")]
 ROUGH = SIMPLIFIED + [stage("HorizonRoughSimplification")]
 ELABORATE = ROUGH + [stage("HorizonElaborateSimplification")]
-FAULTED = [opened("faulted.vsm", False), stage("HorizonFaults")]
 SCENES = {
     "points": [B, opened("SeaBed.dat")],
     "elevation": [opened("StHelens.tif"), stage("HorizonFromImage"), stage("HorizonSurface")],
@@ -136,7 +134,7 @@ SCENES = {
     "triangulation": ELABORATE + [stage("HorizonTriangulation")],
     "decimation": SIMPLIFIED + [stage("HorizonDecimation")],
     "surface": [B, stage("HorizonSurface")],
-    "closed_faults": FAULTED + [stage("HorizonSurface"), number("MaximumError", "1.5"), checked("CloseFaults")],
+    "closed_faults": [opened("faulted.vsm", False), stage("HorizonFaults"), closed],
     "distance": [B, stage("HorizonSurface"), measured],
     "exaggeration": [opened("SeaBed.dat"), stage("HorizonSurface"), survey_axes],
 }
