@@ -212,9 +212,10 @@ void NameVerticalAxis(vtkSMProxy* view)
     }
   }
   vtkSMProxy* const axes = FindAxes(view);
-  const std::string title = units.size() == 1 && !units.begin()->empty() ? "Z (" + *units.begin() + ")" : "Z Axis";
+  const std::string title =
+    units.size() == 1 && !units.begin()->empty() ? AxisTitle("Z (" + *units.begin() + ")") : "Z Axis";
   const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : title;
-  const bool isOwn = present == "Z Axis" || present.rfind("Z (", 0) == 0;
+  const bool isOwn = present == "Z Axis" || present.find(" Z (") != std::string::npos;
   if (isOwn && present != title)
   {
     vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());

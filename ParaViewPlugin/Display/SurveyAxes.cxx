@@ -188,8 +188,8 @@ std::string ShowSurveyAxes(vtkSMProxy* view)
   AxesSettings settings;
   settings.AreShown = true;
   settings.AreOfModel = true;
-  settings.XTitle = survey.Directions[0].Name;
-  settings.YTitle = survey.Directions[1].Name;
+  settings.XTitle = AxisTitle(survey.Directions[0].Name);
+  settings.YTitle = AxisTitle(survey.Directions[1].Name);
   settings.Matrix = ToWorld(survey, GetVerticalExaggeration(view));
   settings.Bounds = FindBounds(survey, box);
   settings.Apply(FindAxes(view));

@@ -50,6 +50,13 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string AxisTitle(const std::string& name)
+{
+  // ParaView has no setting for it, and puts titles where the middle number is.
+  return "\n      " + name + "      \n";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 vtkSMProxy* FindAxes(vtkSMProxy* view)
 {
   return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();

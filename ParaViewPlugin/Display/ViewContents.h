@@ -6,6 +6,7 @@
 #ifndef ViewContents_h
 #define ViewContents_h
 
+#include <string>
 #include <vector>
 
 class vtkPVDataInformation;
@@ -21,6 +22,9 @@ vtkPVDataInformation* FindShownData(vtkSMProxy* representation);
 /// The values of a field data array with one tuple; none where it is not there. Those that differ between blocks are not
 /// numbers.
 std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count);
+
+/// A title of an axis with so much space around it that the numbers of the axis stay apart from it.
+std::string AxisTitle(const std::string& name);
 
 /// The axes of a view; null where it has none.
 vtkSMProxy* FindAxes(vtkSMProxy* view);

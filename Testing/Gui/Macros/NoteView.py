@@ -20,7 +20,7 @@ def range_of(table):
 
 
 note = {
-        "seen from": [round(part / length, 2) for part in sight], "axis": axes.ZTitle,
+        "seen from": [round(part / length, 2) for part in sight], "axis": axes.ZTitle.strip(),
         "focus": [round(part, 3) for part in view.CameraFocalPoint],
         "shown": [[type(source).__name__, display.ColorArrayName[1], range_of(display.LookupTable)]
                   for source, display in shown],
@@ -29,7 +29,7 @@ note = {
         "formats": [simple.GetScalarBar(display.LookupTable, view).RangeLabelFormat
                     for _, display in shown if display.LookupTable],
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
-        "axes": [axes.XTitle, axes.YTitle], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
+        "axes": [axes.XTitle.strip(), axes.YTitle.strip()], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
         "scales": [list(display.Scale) for display in view.Representations if hasattr(display, "Scale")],
         "horizons": [list(source.HorizonStatus) for source in simple.GetSources().values()
