@@ -53,8 +53,8 @@ int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
   {
     return dimensions[0] > 1.0 ? 0 : 1;
   }
-  const bool isSlice =
-    std::strcmp(vtkSMPropertyHelper(representation, "Representation", true).GetAsString(), "Slice") == 0;
+  const char* const way = vtkSMPropertyHelper(representation, "Representation", true).GetAsString();
+  const bool isSlice = way && std::strcmp(way, "Slice") == 0;
   const std::string mode = isSlice ? vtkSMPropertyHelper(representation, "SliceMode", true).GetAsString() : "";
   return mode == "XZ Plane" ? 0 : mode == "YZ Plane" ? 1 : -1;
 }
