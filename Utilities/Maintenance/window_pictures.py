@@ -99,9 +99,10 @@ def checked(name):
     return lambda events, files: (events.set_check(name, True), events.apply())
 
 
-def chosen(name, text):
-    return lambda events, files: (events.add(window.FIELDS + "ProxyPanel/%s/ComboBox" % name, "set_string", text),
-                                  events.apply())
+def flagged(events, files):
+    events.filter("HorizonDespiking")
+    events.add(window.FIELDS + "ProxyPanel/Action/ComboBox", "set_string", "Flag")
+    events.apply()
 
 
 def measured(events, files):
@@ -125,9 +126,9 @@ SCENES = {
     "seismic_line": [opened("penobscot_xl1155.sgy"), stage("SeismicReflectionExtraction")],
     "seismic_cube": [opened("cube.sgy")],
     "reflections": [opened("cube.sgy"), stage("SeismicReflectionExtraction")],
-    "despiking": [B, stage("HorizonDespiking"), chosen("Action", "Flag")],
+    "despiking": [B, flagged],
     "faults": [B, stage("HorizonFaults")],
-    "hole_filling": [B, stage("HorizonHoleFilling")],
+    "hole_filling": [B, stage("HorizonDespiking"), stage("HorizonHoleFilling")],
     "boundary": OUTLINED,
     "boundary_simplification": SIMPLIFIED,
     "rough": ROUGH,
