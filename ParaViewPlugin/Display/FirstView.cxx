@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <string>
 #include <vector>
@@ -45,6 +44,11 @@ bool IsOfSurvey(vtkPVDataInformation* data)
   return !ReadField(data, FieldArray::LatticeDimensions, 3).empty();
 }
 
+bool Has(vtkSMProxy* proxy, const char* property, const std::string& text)
+{
+  return proxy->GetProperty(property) && vtkSMPropertyHelper(proxy, property).GetAsString() == text;
+}
+
 /// Which lines of a lattice are seen: 0 those along i, 1 those along j, -1 where it is not seen as a line. Blocks whose
 /// lattices differ are not.
 int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
@@ -53,10 +57,11 @@ int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
   {
     return dimensions[0] > 1.0 ? 0 : 1;
   }
-  const char* const way = vtkSMPropertyHelper(representation, "Representation", true).GetAsString();
-  const bool isSlice = way && std::strcmp(way, "Slice") == 0;
-  const std::string mode = isSlice ? vtkSMPropertyHelper(representation, "SliceMode", true).GetAsString() : "";
-  return mode == "XZ Plane" ? 0 : mode == "YZ Plane" ? 1 : -1;
+  if (!Has(representation, "Representation", "Slice"))
+  {
+    return -1;
+  }
+  return Has(representation, "SliceMode", "XZ Plane") ? 0 : Has(representation, "SliceMode", "YZ Plane") ? 1 : -1;
 }
 
 /// Where to look from: sideways at a line, from above at a survey, and between both at a section of a cube.

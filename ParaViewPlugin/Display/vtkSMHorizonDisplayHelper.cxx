@@ -5,6 +5,8 @@
 
 #include "ColorRange.h"
 
+#include "Common/VTK/VersionDifferences.h"
+
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkNew.h"
@@ -281,13 +283,14 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   }
   proxy->RemoveAnnotation(Empty);
   bool isColored = false;
+  const char* const tubes = SeismicHorizons::TubesAreInPlace ? "tubes" : "";
   const char* representation = nullptr;
   for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))
   {
     representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
     SetPointSize(proxy, hint, data, initializationTimeStamp);
-    SetSize(proxy, "RenderLinesAsTubes", hint, "tubes", initializationTimeStamp);
+    SetSize(proxy, "RenderLinesAsTubes", hint, tubes, initializationTimeStamp);
     SetSize(proxy, "RenderPointsAsSpheres", hint, "spheres", initializationTimeStamp);
     SetSize(proxy, "Ambient", hint, "ambient", initializationTimeStamp);
     SetSize(proxy, "Diffuse", hint, "diffuse", initializationTimeStamp);

@@ -16,11 +16,12 @@
  * @endcode
  *
  * Lines and points are as wide as hints for the port say, in pixels (`line_width`, `point_size`; points no wider than
- * leaves them apart where there is a `least_point_size`), and drawn with depth where `tubes` or `spheres` is 1: an outline
- * then stands out from points on it. With an `ambient` of 1 and a `diffuse` of 0, light changes no colour. Of hints with an
- * array the first one counts whose array is in the data with more than one value; where there is none, ParaView colours by
- * the active scalars. The array "heights" is that of vtkHorizonRepresentation, and `shown_as` the name that an array has
- * there, with colours of its own. `port` may be left out: the hint is for all of them then.
+ * leaves them apart where there is a `least_point_size`), and drawn with depth where `tubes` (before VTK 9.6) or
+ * `spheres` is 1: an outline then stands out from points on it. With an `ambient` of 1 and a `diffuse` of 0, light
+ * changes no colour. Of hints with an array the first one counts whose array is in the data with more than one value;
+ * where there is none, ParaView colours by the active scalars. The array "heights" is that of vtkHorizonRepresentation,
+ * and `shown_as` the name that an array has there, with colours of its own. `port` may be left out: the hint is for all
+ * of them then.
  *
  * `range` is "data" where it is not given; "centred", as far below zero as above, but no farther than the figure
  * `ends_at` of the field data; or a figure in the field data (of its components, that of the filter's property `unit`)

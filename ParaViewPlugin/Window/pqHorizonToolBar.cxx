@@ -108,6 +108,10 @@ pqHorizonToolBar::~pqHorizonToolBar() = default;
 //------------------------------------------------------------------------------
 void pqHorizonToolBar::watch(pqView* view)
 {
+  if (!qobject_cast<pqRenderView*>(view))
+  {
+    return; // a table, which has no directions
+  }
   this->connect(view, &pqView::representationAdded, this,
     [this, view](pqRepresentation* representation) { this->take(view, representation->getProxy()); });
   this->connect(view, &pqView::representationRemoved, this,

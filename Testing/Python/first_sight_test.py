@@ -120,7 +120,8 @@ class FirstSightTest(unittest.TestCase):
 
     def test_outlines_stand_out_from_the_points(self):
         display = self.show(simple.HorizonExteriorBoundary(Input=self.horizons))
-        self.assertEqual((display.LineWidth, display.RenderLinesAsTubes, display.PointSize), (3, 1, 2))
+        tubes = simple.GetParaViewVersion().major < 6
+        self.assertEqual((display.LineWidth, display.RenderLinesAsTubes, display.PointSize), (3, tubes, 2))
         self.assertEqual(colored_by(display), ("POINTS", "Boundary"))
         self.assertEqual(labels(display), {"0": "inside", "1": "outline", "2": "hole"})
 
