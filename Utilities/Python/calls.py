@@ -19,6 +19,7 @@ from .stage import HorizonError, configure, update
 QUIET_SECONDS = 1.0  # before a bar appears
 MATRIX_SIZE = 16
 MEMORY_WORDS = "more data than memory"  # of all such messages
+NOT_WRITTEN = "can not be written"  # what modules of the package say
 LATTICE_WORDS = "no field data array LatticeDimensions"
 LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
 
@@ -86,11 +87,13 @@ def run(algorithm, label):
 
 @contextlib.contextmanager
 def python_errors(algorithm=None):
-    """What modules of the package raise within the block is a ValueError, which names keywords in place of options."""
+    """What modules of the package raise within the block is a ValueError, or an OSError where a file can not be written;
+    it names keywords in place of options."""
     try:
         yield
     except HorizonError as error:
-        raise ValueError(_with_keywords(str(error), algorithm)) from None
+        kind = OSError if NOT_WRITTEN in str(error) else ValueError
+        raise kind(_with_keywords(str(error), algorithm)) from None
 
 
 def _with_keywords(text, algorithm):

@@ -15,6 +15,7 @@ import os
 import pathlib
 import re
 import types
+import warnings
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -218,7 +219,7 @@ def distance(reference, mesh, unit="Lattice", **keywords):
     --------
     >>> import numpy as np, seismichorizons as sh
     >>> top = sh.horizon(np.zeros((20, 30)))
-    >>> sh.distance(top, sh.surface(top)).largest
+    >>> round(sh.distance(top, sh.surface(top)).largest, 6)
     0.0
     """
     for data in (reference, mesh):
@@ -276,8 +277,11 @@ def write(data, path, name=None):
         raise ValueError("%s: a horizon without triangles, expected a mesh: surface(horizon) makes one" % path)
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no such folder, expected %s" % (path, path.absolute().parent))
+    make_file = writing.write_points if form in writing.POINT_FORMATS else writing.write_mesh
     with calls.python_errors():
-        (writing.write_points if form in writing.POINT_FORMATS else writing.write_mesh)(data, path, name or path.stem)
+        told = make_file(data, path, name or path.stem)
+    for text in told:
+        warnings.warn(text, stacklevel=2)
 
 
 def _existing(path):

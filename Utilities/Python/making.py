@@ -111,8 +111,8 @@ def horizon_from_points(points, name=None, **keywords):
     >>> import numpy as np, seismichorizons as sh
     >>> x, y = np.meshgrid(25.0 * np.arange(30), 25.0 * np.arange(20))
     >>> top = sh.horizon_from_points(np.column_stack((x.ravel(), y.ravel(), 1000.0 + 0.01 * x.ravel())))
-    >>> sh.details(top).lattice_dimensions
-    array([30, 20,  1], dtype=int32)
+    >>> sh.details(top).lattice_dimensions[:2].tolist()
+    [30, 20]
     """
     places = np.asarray(points, dtype=float)
     if places.ndim != 2 or places.shape[1] != 3:

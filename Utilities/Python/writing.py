@@ -32,14 +32,15 @@ def write(result, path):
     form = path.suffix[1:]
     if form not in POINT_FORMATS:
         return write_mesh(result.data["mesh"], path, result.name)
-    write_points(next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data), path,
-                 result.name)
+    points = next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
+    write_points(points, path, result.name)
     return []
 
 
 def write_points(points, path, name):
-    """Writes the points of a horizon in the format of the extension of its file. Raises HorizonError."""
-    _run(make(POINT_FORMATS[path.suffix[1:]]), _named(points, name), path)
+    """Writes the points of a horizon in the format of the extension of its file, and returns warnings. Raises
+    HorizonError."""
+    return _run(make(POINT_FORMATS[path.suffix[1:]]), _named(points, name), path)
 
 
 def write_mesh(mesh, path, name):
