@@ -161,7 +161,8 @@ class StagesTest(unittest.TestCase):
         for form in [*functions.writing.MESH_FORMATS, *grids]:
             sh.write(mesh, FOLDER / ("top." + form))
             self.assertGreater((FOLDER / ("top." + form)).stat().st_size, 100)
-        self.assertEqual(list(sh.read(FOLDER / "top.ts")), ["top"])
+        (name, found), = sh.read(FOLDER / "top.ts").items()
+        self.assertEqual((name, found.GetNumberOfPolys()), ("top", mesh.GetNumberOfPolys()))
         with mock.patch.object(functions.writing, "write_file", side_effect=calls.HorizonError("top.vtp can not be written: full")):
             with self.assertRaisesRegex(OSError, "full"):
                 sh.write(mesh, FOLDER / "top.vtp")

@@ -10,12 +10,14 @@ import types
 import warnings
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 from . import heights, interrupt
 from .stage import HorizonError, configure, update
 
+SEQUENTIAL = "Sequential"  # what VTK begins with
 QUIET_SECONDS = 1.0  # before a bar appears
 MATRIX_SIZE = 16
 MEMORY_WORDS = "more data than memory"  # of all such messages
@@ -69,8 +71,10 @@ def set_keywords(algorithm, keywords, horizon=None):
 
 
 def run(algorithm, label):
-    """Runs an algorithm. Its error becomes an exception, its warnings those of Python."""
+    """Runs an algorithm, on all processors. Its error becomes an exception, its warnings those of Python."""
     told = []
+    backend = vtkSMPTools.GetBackend()
+    vtkSMPTools.SetBackend("STDThread" if backend == SEQUENTIAL else backend)
     observer = _Bar(label)
     tag = algorithm.AddObserver("ProgressEvent", lambda *_: observer.tell(algorithm.GetProgress()))
     try:
@@ -80,6 +84,7 @@ def run(algorithm, label):
         raise _exception(_with_keywords(str(error), algorithm), algorithm) from None
     finally:
         algorithm.RemoveObserver(tag)
+        vtkSMPTools.SetBackend(backend)
         observer.end()
     for text in told:
         warnings.warn(text, stacklevel=3)

@@ -22,7 +22,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import seismichorizons
 
-from . import calls, cubes, reading, writing
+from . import calls, cubes, reading, tsurf, writing
 from .calls import details  # noqa: F401: a function of the package
 from .making import horizon, horizon_from_points  # noqa: F401: functions of the package
 from .stage import make
@@ -47,7 +47,7 @@ def read(path, horizons=None, **keywords):
     Returns
     -------
     dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
-        names and horizons, in the order of the file.
+        names and horizons, in the order of the file; of GOCAD surfaces the triangles.
 
     Raises
     ------
@@ -65,10 +65,11 @@ def read(path, horizons=None, **keywords):
     ['Horizon 1', 'Horizon 2', 'Horizon 3']
     """
     path = _existing(path)
-    if reading.find_reader(path) == cubes.READER:
+    reader = reading.find_reader(path)
+    if reader == cubes.READER:
         raise ValueError("%s: a seismic cube, expected horizons: extract(read_cube(path)) finds them" % path)
     with calls.python_errors():
-        source = reading.open_file(path)
+        source = make(reader, FileName=str(path)) if reader == tsurf.READER else reading.open_file(path)
         calls.set_keywords(source, keywords)
         if horizons is not None:
             reading.select(source, horizons, path)
