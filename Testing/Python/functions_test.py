@@ -5,8 +5,10 @@
 Arguments: the folder of the sample, a folder for files.
 """
 
+import contextlib
 import doctest
 import inspect
+import io
 import os
 import pathlib
 import shutil
@@ -20,7 +22,7 @@ from unittest import mock
 
 import numpy as np
 import seismichorizons as sh
-from seismichorizons import calls, functions, making
+from seismichorizons import calls, functions, making, stages
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
@@ -137,6 +139,15 @@ class StagesTest(unittest.TestCase):
         self.assertEqual(inspect.signature(sh.exterior_boundary).parameters["growth_strategy"].default,
                          ["Distance", "Clockwise"][sh.vtkHorizonExteriorBoundary().GetGrowthStrategy()])
         self.assertIn("lattice", sh.exterior_boundary.__doc__)
+
+    def test_types(self):
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told):
+            stages.print_types()
+        lines = [line for line in told.getvalue().splitlines() if line.startswith("def ")]
+        self.assertEqual(len(lines), len(stages.STAGES))
+        compile(told.getvalue(), "stages.pyi", "exec")
+        self.assertIn("maximum_error: float | str = ...", next(line for line in lines if "decimation" in line))
 
     def test_chain(self):
         top = sh.horizon(dome(), vertical_unit="ms")

@@ -3,6 +3,8 @@
 """Classes of VTK called as Python users expect it: keywords in lower case, exceptions, warnings, a bar of progress, and
 Ctrl-C. `CellSize` of the documentation is `cell_size` here."""
 
+from __future__ import annotations
+
 import contextlib
 import re
 import sys
@@ -161,7 +163,7 @@ class Details(types.SimpleNamespace):
     """What a dataset says of itself, as attributes: `vertical_unit`, `largest_error` and the like (DataModel.md)."""
 
 
-def details(data):
+def details(data: vtkDataObject) -> Details:
     """The field data of a horizon or a mesh as attributes.
 
     Parameters

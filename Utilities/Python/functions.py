@@ -7,32 +7,33 @@
     for name, top in sh.read("picks.dat").items():
         sh.write(sh.surface(top, largest_error="2 ms"), name + ".ts")
 
-Stages are made from their classes: `hole_filling` is HorizonHoleFilling, whose properties are its keywords.
+Other stages are made from their classes (stages.py).
 """
 
-import inspect
+from __future__ import annotations
+
 import os
 import pathlib
 import re
 import types
 import warnings
+from collections.abc import Sequence
+from typing import Any
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-
-import seismichorizons
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 from . import calls, cubes, reading, tsurf, writing
 from .calls import details  # noqa: F401: a function of the package
 from .making import horizon, horizon_from_points  # noqa: F401: functions of the package
 from .stage import make
+from .stages import *  # functions of the package
+from .stages import STAGES, apply
 
-STAGE = "vtkHorizon"
-OWN = ("vtkHorizonSurface", "vtkHorizonSurfaceDistance")  # which have functions of their own below
 DISTANCE_LABELS = ("reference to mesh", "mesh to reference", "both")
 
 
-def read(path, horizons=None, **keywords):
+def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, **keywords: Any) -> dict[str, vtkPolyData]:
     """The horizons of a file in any format that is known, by what is in it.
 
     Parameters
@@ -83,7 +84,7 @@ def read(path, horizons=None, **keywords):
     return {name: calls.wrap(points) for name, points in found}
 
 
-def read_cube(path, **keywords):
+def read_cube(path: str | os.PathLike, **keywords: Any) -> vtkImageData:
     """The samples of a SEG-Y file.
 
     Parameters
@@ -109,7 +110,7 @@ def read_cube(path, **keywords):
     return calls.wrap(reader.GetOutputDataObject(0))
 
 
-def extract(cube, **keywords):
+def extract(cube: vtkImageData, **keywords: Any) -> dict[str, vtkPolyData]:
     """The reflections of a seismic cube, joined to horizons.
 
     Parameters
@@ -140,7 +141,8 @@ def extract(cube, **keywords):
     return {name: calls.wrap(points) for name, points in reading.list_horizons(extraction.GetOutputDataObject(0))}
 
 
-def surface(horizon, largest_error=None, triangles=None, **keywords):  # noqa: F811: what it takes
+def surface(horizon: vtkPolyData, largest_error: float | str | None = None, triangles: int | None = None,  # noqa: F811
+            **keywords: Any) -> vtkPolyData:
     """The mesh of a horizon, with parameters that are chosen from its points.
 
     Parameters
@@ -181,7 +183,7 @@ def surface(horizon, largest_error=None, triangles=None, **keywords):  # noqa: F
         target = {"target": "NumberOfTriangles", "maximum_number_of_triangles": triangles}
     known = calls.properties(make("vtkHorizonSurface"))
     chosen = {"automatic_" + name: False for name in keywords if "automatic_" + name in known}
-    return _apply("vtkHorizonSurface", (horizon,), {**target, **chosen, **keywords})
+    return apply("vtkHorizonSurface", (horizon,), {**target, **chosen, **keywords})
 
 
 class Distance(types.SimpleNamespace):
@@ -193,7 +195,7 @@ class Distance(types.SimpleNamespace):
         return "Distance(largest=%.6g, mean=%.6g, rms=%.6g)" % (self.largest, self.mean, self.rms)
 
 
-def distance(reference, mesh, unit="Lattice", **keywords):
+def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", **keywords: Any) -> Distance:
     """How far a mesh is from a horizon, or from another mesh, in both directions.
 
     Parameters
@@ -244,7 +246,7 @@ def distance(reference, mesh, unit="Lattice", **keywords):
                     **figures[DISTANCE_LABELS[-1]])
 
 
-def write(data, path, name=None):
+def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -> None:
     """Writes a horizon or a mesh in the format of the extension of a file.
 
     Parameters
@@ -294,67 +296,5 @@ def _existing(path):
     return path
 
 
-def _apply(class_name, inputs, keywords):
-    """The first output of a stage."""
-    for data in inputs:
-        calls.require_data(data, "a horizon")
-    algorithm = make(class_name)
-    calls.set_keywords(algorithm, keywords, inputs[0])
-    for port, data in enumerate(inputs):
-        algorithm.SetInputDataObject(port, data)
-    calls.run(algorithm, calls.snake(class_name[len(STAGE):]))
-    return calls.wrap(algorithm.GetOutputDataObject(0))
-
-
-def _make_stage(class_name, algorithm):
-    """The function of a stage: its inputs, then its properties as keywords."""
-    known = calls.properties(algorithm)
-    names = ["horizon", "other"][:algorithm.GetNumberOfInputPorts()]
-
-    def stage(*inputs, **keywords):
-        if not 1 <= len(inputs) <= len(names):
-            raise TypeError("%d datasets, expected %s" % (len(inputs), " and ".join(names)))
-        return _apply(class_name, inputs, keywords)
-
-    stage.__name__ = stage.__qualname__ = calls.snake(class_name[len(STAGE):])
-    stage.__doc__ = _text(class_name, known)
-    stage.__signature__ = inspect.Signature([
-        *(inspect.Parameter(name, inspect.Parameter.POSITIONAL_ONLY,
-                            default=inspect.Parameter.empty if name == names[0] else None) for name in names),
-        *(inspect.Parameter(keyword, inspect.Parameter.KEYWORD_ONLY, default=calls.default(algorithm, name))
-          for keyword, name in known.items())])
-    return stage
-
-
-def _text(class_name, known):
-    """The documentation of a class as that of its function."""
-    made = getattr(seismichorizons, class_name)
-    title, _, rest = made.__doc__.partition("\n\nSuperclass:")
-    lines = [" ".join(title.partition(" - ")[2].split()).capitalize() + ".", rest.partition("\n\n")[2].strip(), "",
-             "Parameters", "----------", "horizon : vtkPolyData"]
-    for keyword, name in known.items():
-        said = (getattr(made, "Set" + name).__doc__ or "").partition("\n\n")[2]
-        lines += [keyword, "    " + " ".join(said.split())]
-    return "\n".join([*lines, "", "Returns", "-------", "vtkPolyData, or pyvista.PolyData where PyVista is imported", "",
-                      "Raises", "------", "TypeError, ValueError", "    no horizon, or a parameter out of its range.", ""])
-
-
-def _make_stages():
-    """The functions of all other stages, by their names."""
-    made = {}
-    for class_name in dir(seismichorizons):
-        kind = getattr(seismichorizons, class_name)
-        if class_name not in OWN and isinstance(kind, type) and issubclass(kind, seismichorizons.vtkHorizonStage):
-            try:
-                algorithm = kind()
-            except (NotImplementedError, TypeError):
-                continue  # an abstract one
-            function = _make_stage(class_name, algorithm)
-            made[function.__name__] = function
-    return made
-
-
-STAGES = _make_stages()
-globals().update(STAGES)
 __all__ = ["details", "distance", "extract", "horizon", "horizon_from_points", "read", "read_cube", "surface", "write",
            *STAGES]

@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Horizons from arrays of numpy, and from surfaces of xtgeo and xarray, which are known by their attributes."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -16,7 +20,8 @@ from .stage import make
 STEP_TOLERANCE = 1e-4  # of a step, by which coordinates of a grid may differ: those of single precision do
 
 
-def horizon(z, origin=None, spacing=None, azimuth=None, nodata=None, **keywords):
+def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None, azimuth: float | None = None,
+            nodata: float | Sequence[float] | None = None, **keywords: Any) -> vtkPolyData:
     """A horizon from heights on a grid.
 
     Parameters
@@ -83,7 +88,7 @@ def horizon(z, origin=None, spacing=None, azimuth=None, nodata=None, **keywords)
     return horizon_from_points(np.column_stack((places, heights[rows, columns])), **{**lattice, **keywords})
 
 
-def horizon_from_points(points, name=None, **keywords):
+def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -> vtkPolyData:
     """A horizon from points, whose lattice is found.
 
     Parameters

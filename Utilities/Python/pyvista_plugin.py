@@ -7,7 +7,7 @@ import functools
 
 import pyvista
 
-from . import functions
+from . import functions, stages
 
 
 @pyvista.register_dataset_accessor("horizon", pyvista.PolyData)
@@ -27,7 +27,7 @@ def _add_method(function):
     setattr(HorizonAccessor, function.__name__, method)
 
 
-for _function in (functions.details, functions.distance, functions.surface, functions.write, *functions.STAGES.values()):
+for _function in (functions.details, functions.distance, functions.surface, functions.write, *stages.STAGES.values()):
     _add_method(_function)
 
 
