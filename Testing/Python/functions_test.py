@@ -163,6 +163,7 @@ class StagesTest(unittest.TestCase):
         self.assertEqual(places(mesh).tobytes(), places(plain).tobytes())
         self.assertEqual(places(sh.surface(top, largest_error="0.002 s")).tobytes(), places(plain).tobytes())
         self.assertLessEqual(sh.distance(top, mesh, unit="World").figures["reference to mesh"]["largest"], 2.0 + 1e-9)
+        self.assertGreater(sh.distance(top, mesh).percentile_95, 0.0)
         self.assertLessEqual(sh.surface(top, triangles=50).GetNumberOfPolys(), 50)
         self.assertIs(type(sh.details(mesh).largest_error), float)
 

@@ -29,8 +29,8 @@ LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
 
 
 def snake(name):
-    """`CellSize` as `cell_size`."""
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
+    """`CellSize` as `cell_size`, `Percentile95` as `percentile_95`."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])", "_", name).lower()
 
 
 def properties(algorithm):

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import os
 import pathlib
-import re
 import types
 import warnings
 from collections.abc import Sequence
@@ -241,7 +240,7 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", *
         if array is not None and array.GetNumberOfTuples() == len(DISTANCE_LABELS) and "Distance" in (name or ""):
             values = vtk_to_numpy(array)[:, ("Lattice", "World").index(unit)]
             for label, value in zip(DISTANCE_LABELS, values):
-                figures[label][calls.snake(re.sub("Distance", "", name))] = float(value)
+                figures[label][calls.snake(name.replace("Distance", ""))] = float(value)
     return Distance(reference=calls.wrap(measured[0]), mesh=calls.wrap(measured[1]), figures=figures,
                     **figures[DISTANCE_LABELS[-1]])
 
