@@ -68,11 +68,7 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
         values, origin, column_step, row_step = _of_xarray(z)
         nodata = z.attrs.get("_FillValue", z.attrs.get("nodata")) if nodata is None else nodata
     else:
-        values = np.ma.masked_invalid(z)
-        direction = math.radians(90.0 - (90.0 if azimuth is None else azimuth))
-        column, row = (1.0, 1.0) if spacing is None else spacing
-        column_step = column * np.array((math.cos(direction), math.sin(direction)))
-        row_step = row * np.array((-math.sin(direction), math.cos(direction)))
+        values, column_step, row_step = np.ma.masked_invalid(z), *_steps(spacing, azimuth)
         origin = (0.0, 0.0) if origin is None else origin
     if values.ndim != 2:
         raise ValueError("z of shape %s, expected (rows, columns); horizon_from_points makes horizons of n x 3 points"
@@ -141,6 +137,14 @@ def _require_none(what, **given):
     names = [name for name, value in given.items() if value is not None]
     if names:
         raise ValueError("%s for %s, which has a place of its own, expected none" % (" and ".join(names), what))
+
+
+def _steps(spacing, azimuth):
+    """From a column to the next, and from a row to the next."""
+    direction = math.radians(90.0 - (90.0 if azimuth is None else azimuth))
+    column, row = (1.0, 1.0) if spacing is None else spacing
+    return (column * np.array((math.cos(direction), math.sin(direction))),
+            row * np.array((-math.sin(direction), math.cos(direction))))
 
 
 def _of_xtgeo(surface):
