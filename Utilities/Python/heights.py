@@ -19,7 +19,7 @@ class Height(float):
         try:
             height = super().__new__(cls, found.group(1))
         except (AttributeError, ValueError):
-            raise ValueError("%r, expected a number, or one with a unit, as '2 ms' (%s)" % (text, ", ".join(UNITS))) from None
+            raise ValueError("'%s', expected a number, or one with a unit, as '2 ms' (%s)" % (text, ", ".join(UNITS))) from None
         height.unit = found.group(2)
         return height
 

@@ -55,8 +55,7 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
     Examples
     --------
     >>> import numpy as np, seismichorizons as sh
-    >>> rows, columns = np.mgrid[0:20, 0:30]
-    >>> top = sh.horizon(1000.0 + rows + columns, origin=(5e5, 6e6), spacing=(25, 25), vertical_unit="ms")
+    >>> top = sh.horizon(np.full((20, 30), 1000.0), origin=(5e5, 6e6), spacing=(25, 25), vertical_unit="ms")
     >>> top.GetNumberOfPoints()
     600
     """
@@ -75,7 +74,7 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
                          % (values.shape,))
     heights = np.ma.filled(np.ma.masked_invalid(values.astype(float)), np.nan)
     heights[np.isin(heights, [] if nodata is None else nodata)] = np.nan
-    rows, columns = np.nonzero(np.isfinite(heights))
+    rows, columns = np.isfinite(heights).nonzero()
     if not rows.size:
         raise ValueError("z without a single value, expected some that are not nan, masked or nodata")
     places = np.asarray(origin, dtype=float)[:2] + np.outer(columns, column_step) + np.outer(rows, row_step)
