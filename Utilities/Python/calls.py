@@ -44,9 +44,13 @@ def properties(algorithm):
 def default(algorithm, name):
     """The value of a property; where it is a choice, its name."""
     value = getattr(algorithm, "Get" + name)()
+    return next((choice for choice in _choices(algorithm, name) if getattr(algorithm, choice, None) == value), value)
+
+
+def _choices(algorithm, name):
+    """The names of the choices that a property is one of."""
     start = "Set%sTo" % name
-    choices = [choice[len(start):] for choice in dir(algorithm) if choice.startswith(start)]
-    return next((choice for choice in choices if getattr(algorithm, choice, None) == value), value)
+    return [method[len(start):] for method in dir(algorithm) if method.startswith(start)]
 
 
 def set_keywords(algorithm, keywords, horizon=None):
@@ -66,10 +70,14 @@ def set_keywords(algorithm, keywords, horizon=None):
             given.update(heights.in_unit_of(numbers, horizon))
         if any(number.unit for number in numbers.values()):
             given.update({name: "World" for name in known.values() if hasattr(algorithm, "Set%sToWorld" % name)})
-    try:
-        configure(algorithm, **given)
-    except TypeError as error:
-        raise TypeError("%s (%s)" % (", ".join(keywords), error)) from None
+    for name, value in given.items():
+        choices = _choices(algorithm, name)
+        if isinstance(value, str) and choices and value not in choices:
+            raise ValueError("%s '%s', expected one of %s" % (snake(name), value, ", ".join(choices)))
+        try:
+            configure(algorithm, **{name: value})
+        except TypeError as error:
+            raise TypeError("%s (%s)" % (snake(name), error)) from None
 
 
 def run(algorithm, label):

@@ -226,8 +226,8 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", *
     """
     for data in (reference, mesh):
         calls.require_data(data, "a horizon or a mesh")
-    meter = make("vtkHorizonSurfaceDistance", DistanceUnit=unit)
-    calls.set_keywords(meter, keywords, reference)
+    meter = make("vtkHorizonSurfaceDistance")
+    calls.set_keywords(meter, {"distance_unit": unit, **keywords}, reference)
     meter.SetInputDataObject(0, reference)
     meter.SetInputDataObject(1, mesh)
     calls.run(meter, "distance")
