@@ -25,7 +25,8 @@ import pathlib  # noqa: E402
 import re  # noqa: E402
 import sys  # noqa: E402
 
-PROGRAM = pathlib.Path(sys.argv[0]).stem if __name__ == "__main__" else "horizon_mesh"
+IS_COMMAND = __name__ in ("__main__", "seismichorizons.horizon_mesh")
+PROGRAM = pathlib.Path(sys.argv[0]).stem if IS_COMMAND else "horizon_mesh"
 ELEVATIONS = ("VerticalIndex", "RealZ")
 VERTICAL_DIRECTIONS = ("Down", "Up")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
@@ -121,7 +122,7 @@ def _horizon(text):
 
 def make_parser():
     parser = _Parser(
-        prog=pathlib.Path(sys.argv[0]).name if __name__ == "__main__" else PROGRAM + ".py",
+        prog=pathlib.Path(sys.argv[0]).name if IS_COMMAND else PROGRAM + ".py",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
         description="Reads files of seismic horizons (sparse voxel files, text picks of OpendTect, Petrel, OpenWorks, IESX "
         "and the like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer, GXF and GeoTIFF; by what is in them, whatever their "
@@ -371,7 +372,8 @@ def _run(options):
     return 0 if run.is_done() else 1
 
 
-def main(arguments):
+def main(arguments=None):
+    arguments = sys.argv[1:] if arguments is None else arguments
     parser = make_parser()
     options = parser.parse_args(arguments)
     for action in parser.stages._group_actions:
@@ -392,4 +394,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -7,10 +7,8 @@
 #include "SEGYHeader.h"
 
 #include <cstdint>
-#include <memory>
+#include <fstream>
 #include <string>
-
-struct segy_file_handle;
 
 namespace SeismicHorizons
 {
@@ -27,15 +25,11 @@ public:
   void ReadTraces(std::int64_t first, std::int64_t count, unsigned char* bytes);
 
 private:
-  void Check(int error, std::int64_t trace) const;
+  void Read(std::int64_t trace, std::int64_t size, unsigned char* bytes);
 
-  struct Close
-  {
-    void operator()(segy_file_handle* file) const;
-  };
-  std::unique_ptr<segy_file_handle, Close> File;
+  std::ifstream Stream;
   const std::int64_t FirstTrace;
-  const int DataSize;
+  const std::int64_t TraceSize;
 };
 }
 

@@ -6,8 +6,6 @@
 #include "Common/FileErrors.h"
 #include "SEGYLayout.h"
 
-#include <segyio/segy.h>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -16,18 +14,25 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int HeaderSize = SEGYTextSize + SEGY_BINARY_HEADER_SIZE;
+constexpr int HeaderSize = SEGYTextSize + 400;
 constexpr int LineLength = 80;
-constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // as libsegyio counts them
+constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // as columns keep their numbers
 constexpr std::int64_t MostExtendedTexts = 1 << 15; // as their field holds
 
-// Places of numbers by the byte they begin at, counted from 1 at the begin of the file, as the standard does. Those of
-// revision 2 are not known to libsegyio.
+// Places of numbers by the byte they begin at, counted from 1 at the begin of the file or trace, as the standard does.
+constexpr int IntervalByte = 3217;
+constexpr int SamplesByte = 3221;
+constexpr int FormatByte = 3225;
+constexpr int UnitByte = 3255;
 constexpr int ExtendedSamplesByte = 3269;
 constexpr int ExtendedIntervalByte = 3273;
 constexpr int ByteOrderMarkByte = 3297;
+constexpr int RevisionByte = 3501;
+constexpr int ExtendedTextsByte = 3505;
 constexpr int AdditionalHeadersByte = 3507;
 constexpr int TrailersByte = 3529;
+constexpr int TraceSamplesByte = 115;
+constexpr int TraceIntervalByte = 117;
 constexpr double IntervalTolerance = 0.0011; // milliseconds; traces have whole microseconds
 constexpr std::uint32_t ByteOrderNumber = 16909060; // 01 02 03 04
 
@@ -52,11 +57,9 @@ public:
   /// of samples: the order in which they are less.
   void FindOrder()
   {
-    const auto isCode = [this](ByteOrder order)
-    { return SampleSize(ReadInteger16(this->At(SEGY_BIN_FORMAT), order)) > 0; };
-    const auto numbers = [this](ByteOrder order) {
-      return ReadUnsigned(this->At(SEGY_BIN_INTERVAL), 2, order) + ReadUnsigned(this->At(SEGY_BIN_SAMPLES), 2, order);
-    };
+    const auto isCode = [this](ByteOrder order) { return SampleSize(ReadInteger16(this->At(FormatByte), order)) > 0; };
+    const auto numbers = [this](ByteOrder order)
+    { return ReadUnsigned(this->At(IntervalByte), 2, order) + ReadUnsigned(this->At(SamplesByte), 2, order); };
     const bool isMarked = ReadUnsigned(this->At(ByteOrderMarkByte), 4, ByteOrder::LittleEndian) == ByteOrderNumber;
     const bool isLess = numbers(ByteOrder::LittleEndian) < numbers(ByteOrder::BigEndian);
     const bool isSwapped = !isCode(ByteOrder::BigEndian) && (isCode(ByteOrder::LittleEndian) || isLess);
@@ -68,12 +71,12 @@ public:
   int Revision() const
   {
     constexpr int last = 2;
-    const unsigned char* const bytes = this->At(SEGY_BIN_SEGY_REVISION);
+    const unsigned char* const bytes = this->At(RevisionByte);
     const int revision = bytes[0] > 0 || this->Order == ByteOrder::BigEndian ? bytes[0] : bytes[1];
     return revision <= last ? revision : 0;
   }
 
-  int ShortSamples() const { return int(this->Unsigned16(SEGY_BIN_SAMPLES)); }
+  int ShortSamples() const { return int(this->Unsigned16(SamplesByte)); }
 
   /// 0 where there is none.
   int Samples() const
@@ -86,7 +89,7 @@ public:
   double Interval() const
   {
     const double extended = this->Revision() >= 2 ? this->Double(ExtendedIntervalByte) : 0.0;
-    return extended > 0.0 && std::isfinite(extended) ? extended : this->Unsigned16(SEGY_BIN_INTERVAL);
+    return extended > 0.0 && std::isfinite(extended) ? extended : this->Unsigned16(IntervalByte);
   }
 
   ByteOrder Order = ByteOrder::BigEndian;
@@ -168,7 +171,7 @@ int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
 
 int FindFormat(const BinaryHeader& binary, int formatCode)
 {
-  const int code = formatCode > 0 ? formatCode : binary.Integer16(SEGY_BIN_FORMAT);
+  const int code = formatCode > 0 ? formatCode : binary.Integer16(FormatByte);
   CheckFormatCode(code, formatCode > 0 ? "" : " at byte 3225");
   return code;
 }
@@ -263,11 +266,11 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
 {
   const auto samplesAt = [&](std::int64_t trace)
   {
-    const HeaderBytes bytes = ReadBytes(stream, trace + SEGY_TR_SAMPLE_COUNT - 1, 2);
+    const HeaderBytes bytes = ReadBytes(stream, trace + TraceSamplesByte - 1, 2);
     return bytes.size() == 2 ? int(ReadUnsigned(bytes.data(), 2, header.Order)) : -1;
   };
   const SEGYExtents file = { fileSize, SampleSize(int(header.Format)), samplesAt };
-  const int stated = binary.Integer16(SEGY_BIN_EXT_HEADERS);
+  const int stated = binary.Integer16(ExtendedTextsByte);
   const int texts = stated >= 0 ? stated : header.Revision > 0 ? CountTexts(stream, fileSize, header.IsEbcdic) : 0;
   const std::vector<SEGYLayout> layouts = ListLayouts(binary, file, std::max(0, texts), options);
   if (layouts.empty())
@@ -296,37 +299,6 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
       ", as they say (byte 115)");
   }
 }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-const char* FormatName(SEGYFormat format)
-{
-  switch (format)
-  {
-    case SEGYFormat::IbmFloat:
-      return "IBM float";
-    case SEGYFormat::Integer32:
-      return "32-bit integer";
-    case SEGYFormat::Integer16:
-      return "16-bit integer";
-    case SEGYFormat::IeeeFloat:
-      return "IEEE float";
-    case SEGYFormat::IeeeDouble:
-      return "IEEE double";
-    case SEGYFormat::Integer24:
-      return "24-bit integer";
-    case SEGYFormat::Integer8:
-      return "8-bit integer";
-    case SEGYFormat::Unsigned32:
-      return "32-bit integer without sign";
-    case SEGYFormat::Unsigned16:
-      return "16-bit integer without sign";
-    case SEGYFormat::Unsigned24:
-      return "24-bit integer without sign";
-    case SEGYFormat::Unsigned8:
-      return "8-bit integer without sign";
-  }
-  return "unknown";
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -361,7 +333,7 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
   header.Format = SEGYFormat(FindFormat(binary, options.FormatCode));
   header.Revision = binary.Revision();
   header.Interval = binary.Interval() / 1000.0;
-  const int unit = binary.Integer16(SEGY_BIN_MEASUREMENT_SYSTEM);
+  const int unit = binary.Integer16(UnitByte);
   header.LengthUnit = unit == 1 ? "m" : unit == 2 ? "ft" : "";
   CheckRevision2(binary);
   FindLayout(header, binary, stream, fileSize, options);
@@ -369,8 +341,8 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
   const HeaderBytes first = ReadBytes(stream, header.FirstTrace, SEGYTraceHeaderSize);
   const bool hasTrace = first.size() == std::size_t(SEGYTraceHeaderSize);
   const auto ofTrace = [&](int byte) { return hasTrace ? ReadUnsigned(&first[byte - 1], 2, header.Order) : 0; };
-  CheckWhole(header, fileSize, int(ofTrace(SEGY_TR_SAMPLE_COUNT)), options);
-  const double interval = ofTrace(SEGY_TR_SAMPLE_INTER) / 1000.0;
+  CheckWhole(header, fileSize, int(ofTrace(TraceSamplesByte)), options);
+  const double interval = ofTrace(TraceIntervalByte) / 1000.0;
   if (header.Interval > 0.0 && interval > 0.0 && std::abs(header.Interval - interval) > IntervalTolerance)
   {
     std::ostringstream text;
@@ -394,7 +366,7 @@ bool IsSEGY(std::istream& stream)
   BinaryHeader binary(bytes);
   binary.FindOrder();
   const bool hasSamples =
-    binary.Samples() > 0 || ReadUnsigned(&bytes[HeaderSize + SEGY_TR_SAMPLE_COUNT - 1], 2, binary.Order) > 0;
-  return SampleSize(binary.Integer16(SEGY_BIN_FORMAT)) > 0 && hasSamples;
+    binary.Samples() > 0 || ReadUnsigned(&bytes[HeaderSize + TraceSamplesByte - 1], 2, binary.Order) > 0;
+  return SampleSize(binary.Integer16(FormatByte)) > 0 && hasSamples;
 }
 }

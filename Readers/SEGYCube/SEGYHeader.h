@@ -58,9 +58,6 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
 /// Whether a file begins as SEG-Y files do: with a format code there is, in either byte order, and with a number of
 /// samples.
 bool IsSEGY(std::istream& stream);
-
-/// A format for people: "IBM float".
-const char* FormatName(SEGYFormat format);
 }
 
 #endif

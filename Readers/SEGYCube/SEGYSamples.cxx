@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// segy_to_native of libsegyio takes floats of IBM for normalised and those beyond the range of IEEE for nan; a 0 with
-// an exponent, which some programs write, becomes 0.03 there. So the numbers are made here, which is also faster.
+// Floats of IBM need not be normalised: some programs write a 0 with an exponent, and fractions with leading zeros.
 
 #include "SEGYSamples.h"
 
@@ -148,6 +147,37 @@ std::size_t SampleSize(int code)
       return 1;
   }
   return 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const char* FormatName(SEGYFormat format)
+{
+  switch (format)
+  {
+    case SEGYFormat::IbmFloat:
+      return "IBM float";
+    case SEGYFormat::Integer32:
+      return "32-bit integer";
+    case SEGYFormat::Integer16:
+      return "16-bit integer";
+    case SEGYFormat::IeeeFloat:
+      return "IEEE float";
+    case SEGYFormat::IeeeDouble:
+      return "IEEE double";
+    case SEGYFormat::Integer24:
+      return "24-bit integer";
+    case SEGYFormat::Integer8:
+      return "8-bit integer";
+    case SEGYFormat::Unsigned32:
+      return "32-bit integer without sign";
+    case SEGYFormat::Unsigned16:
+      return "16-bit integer without sign";
+    case SEGYFormat::Unsigned24:
+      return "24-bit integer without sign";
+    case SEGYFormat::Unsigned8:
+      return "8-bit integer without sign";
+  }
+  return "unknown";
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -31,6 +31,9 @@ enum class SEGYFormat
 /// 64 bits.
 std::size_t SampleSize(int code);
 
+/// A format for people: "IBM float".
+const char* FormatName(SEGYFormat format);
+
 /// Which byte of a number comes first.
 enum class ByteOrder
 {

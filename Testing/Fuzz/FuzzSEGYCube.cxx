@@ -25,7 +25,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// A file in memory, which libsegyio opens by its name.
+/// A file in memory, which the reader opens by its name.
 std::string FileName()
 {
   return "/dev/shm/FuzzSEGYCube." + std::to_string(getpid());

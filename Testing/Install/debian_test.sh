@@ -61,7 +61,7 @@ cp "$packages"/*.deb "$root/packages"
 cp -r "$source_folder/Data/sample.vsm" "$source_folder/Testing/Install" "$root/packages"
 inside apt-get update -qq
 # What the packages stand on comes first, so that what remains is of the packages alone.
-add paraview paraview-dev python3-paraview libsegyio1 xvfb xauth man-db g++ cmake ninja-build
+add paraview paraview-dev python3-paraview xvfb xauth man-db g++ cmake ninja-build
 remove seismichorizons python3-seismichorizons seismichorizons-doc 'libvtkseismichorizons*' 2> /dev/null || true # of a test before
 list_files > "$root.before"
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The documentation lists the messages of the code. Argument: source tree.
 
-Documentation/Report.md has each message of the Python package and of the command, and no other: what errors are raised
-with, and what is told as a warning. In the code they are texts with places for values (`%s: there is no horizon %s`), on the
+Documentation/Report.md and InPython.md have each message of the Python package and of the command, and no other: what errors are
+raised with, and what is told as a warning. In the code they are texts with places for values (`%s: there is no horizon %s`), on the
 page they are examples. Those of C++ are put together from pieces; each piece with the word "expected" is in the table of
 some page, where `...` and words in angle brackets stand for anything.
 """
@@ -14,7 +14,7 @@ import re
 import sys
 
 # What messages are given to.
-TELLERS = ("HorizonError", "ValueError", "ArgumentTypeError", "error", "fail", "append_warning")
+TELLERS = ("HorizonError", "ValueError", "TypeError", "FileNotFoundError", "ArgumentTypeError", "error", "fail", "append_warning")
 FEWEST_WORDS = 4
 PLACES = r"%\([^)]*\)[.\d]*[sdgf]|%[.\d]*[sdgf]"
 
@@ -132,7 +132,8 @@ def check_cpp(root):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    listed = listed_messages((root / "Documentation" / "Report.md").read_text(encoding="utf-8"))
+    listed = [message for name in ("Report.md", "InPython.md")
+              for message in listed_messages((root / "Documentation" / name).read_text(encoding="utf-8"))]
     paths = [root / "Utilities" / "horizon_mesh.py", *sorted((root / "Utilities" / "Python").glob("*.py"))]
     trees = {path: ast.parse(path.read_text(encoding="utf-8")) for path in paths}
     told = [(path, line, text) for path, tree in trees.items() for line, text in messages_of(tree)]

@@ -4,7 +4,7 @@
 
 Every folder with C++ sources of the product is in a row of the table there. A file includes files of its own room by
 their names, and others by paths that lead to rooms its row names; only rooms with VTK in their row include it. Files and
-functions keep within their budgets.
+functions keep within their budgets. What is told in several places, versions, is the same everywhere.
 """
 
 import ast
@@ -104,6 +104,14 @@ def check_cycles(rooms):
     return ["the room %s uses itself in a circle" % room for room in rooms if reaches(room, room, {room})]
 
 
+def check_versions(tree):
+    """That of the project, and that of VTK which the wheel stands on."""
+    own = {re.search(pattern, (tree / name).read_text(encoding="utf-8")).group(1) for name, pattern in (
+        ("CMakeLists.txt", r"\n  VERSION ([\d.]+)\n"), ("CITATION.cff", r"\nversion: ([\d.]+)\n"))}
+    vtk = re.findall(r'"vtk(?:-sdk)?==([\d.]+)"', (tree / "pyproject.toml").read_text(encoding="utf-8"))
+    return ["versions %s and %s, expected the same" % tuple(sorted(found)[:2]) for found in (own, set(vtk)) if len(found) > 1]
+
+
 def main():
     tree = pathlib.Path(sys.argv[1])
     rooms = read_table(tree / "Documentation" / "Architecture.md")
@@ -113,7 +121,7 @@ def main():
     scripts = sorted(path for folder in folders for path in (tree / folder).rglob("*.py"))
     assert len(rooms) > 10 and len(sources) > 100 and len(scripts) > 10, (rooms, len(sources), len(scripts))
     wrong = ["the room %s is not there" % room for room in rooms if not (tree / room).is_dir()]
-    wrong += check_cycles(rooms)
+    wrong += check_cycles(rooms) + check_versions(tree)
     for path in sources:
         if path.relative_to(tree).parts[0] not in FREE:
             wrong += check_file(tree, path, rooms)

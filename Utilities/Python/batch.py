@@ -6,7 +6,6 @@ import collections
 import contextlib
 import ctypes
 import ctypes.util
-import fcntl
 import os
 import pathlib
 import re
@@ -14,6 +13,11 @@ import shutil
 import sys
 import tempfile
 import time
+
+try:
+    import fcntl
+except ImportError:  # on Windows
+    fcntl = None
 
 from . import figures, interrupt, pipeline, reading, tables, writing
 from .found import Found
@@ -125,7 +129,10 @@ def _workspace(output_folder):
 @contextlib.contextmanager
 def _lock(folder):
     """Holds a folder as long as the block runs; the system lets go of those of programs that end in any way. Gives whether
-    nobody else does."""
+    nobody else does; on Windows, which has no such thing, that is never known."""
+    if fcntl is None:
+        yield False
+        return
     is_own = False
     descriptor = os.open(folder, os.O_RDONLY)
     try:

@@ -2,10 +2,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Heights that are given in a unit, for horizons whose z may be in another one: numbers with an attribute `unit`."""
 
+import re
+
 from .stage import HorizonError
 
 # What units measure, and the size of each.
 UNITS = {"ms": ("time", 0.001), "s": ("time", 1.0), "m": ("length", 1.0), "ft": ("length", 0.3048)}
+
+
+class Height(float):
+    """A number with the unit that stands behind it in a text, as "2 ms"; without one it counts vertical indices. Raises
+    ValueError."""
+
+    def __new__(cls, text):
+        found = re.fullmatch(r"\s*(\S+?)\s*(%s|)\s*" % "|".join(UNITS), text)
+        try:
+            height = super().__new__(cls, found.group(1))
+        except (AttributeError, ValueError):
+            raise ValueError("'%s', expected a number, or one with a unit, as '2 ms' (%s)" % (text, ", ".join(UNITS))) from None
+        height.unit = found.group(2)
+        return height
+
+    def __str__(self):
+        return "%g %s" % (self, self.unit)
 
 
 def unit_of(horizon):

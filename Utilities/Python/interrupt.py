@@ -5,8 +5,10 @@
 An exception would not do: inside the observers of a stage, VTK prints it and ends the program there and then.
 """
 
+import contextlib
 import signal
 import sys
+import threading
 
 _noted = None  # the number of the signal
 
@@ -31,3 +33,22 @@ def check():
     """Raises SystemExit when the program is to end, with the exit code that shells have for the signal."""
     if is_asked():
         sys.exit(128 + _noted)
+
+
+@contextlib.contextmanager
+def noting():
+    """Within the block Ctrl-C is only noted; then it is what it is in Python, a KeyboardInterrupt. In another thread than
+    the first, which gets no signals, nothing changes."""
+    global _noted
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, _note)
+    try:
+        with contextlib.suppress(SystemExit):
+            yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        asked, _noted = is_asked(), None
+    if asked:
+        raise KeyboardInterrupt

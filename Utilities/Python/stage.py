@@ -18,7 +18,7 @@ from . import interrupt
 from .progress import Progress
 
 
-class HorizonError(Exception):
+class HorizonError(ValueError):
     """What the user should read: one line."""
 
 

@@ -33,8 +33,14 @@ def write(result, path):
     if form not in POINT_FORMATS:
         return write_mesh(result.data["mesh"], path, result.name)
     points = next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
-    _run(make(POINT_FORMATS[form]), _named(points, result.name), path)
+    write_points(points, path, result.name)
     return []
+
+
+def write_points(points, path, name):
+    """Writes the points of a horizon in the format of the extension of its file, and returns warnings. Raises
+    HorizonError."""
+    return _run(make(POINT_FORMATS[path.suffix[1:]]), _named(points, name), path)
 
 
 def write_mesh(mesh, path, name):

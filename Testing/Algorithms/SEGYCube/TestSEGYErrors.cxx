@@ -204,7 +204,7 @@ void AFileThatShrinksIsNoticed()
   const std::string name = Write(bytes, "shrinks");
   const SEGYCube cube = ReadSEGYCube(name, {});
   std::filesystem::resize_file(name, bytes.size() - 300);
-  CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), "that can not be read (error ");
+  CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), "that can not be read, expected ");
   std::filesystem::remove(name);
   CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), "a file that can not be opened, expected a readable one");
 }

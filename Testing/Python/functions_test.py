@@ -1,0 +1,291 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package as functions: sources, stages, errors, warnings, progress, Ctrl-C, and the examples of their texts.
+
+Arguments: the folder of the sample, a folder for files.
+"""
+
+import contextlib
+import doctest
+import inspect
+import io
+import os
+import pathlib
+import shutil
+import signal
+import sys
+import threading
+import types
+import unittest
+import warnings
+from unittest import mock
+
+import numpy as np
+import seismichorizons as sh
+from seismichorizons import calls, functions, making, stages
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+
+DATA = pathlib.Path(sys.argv[1]).resolve()
+FOLDER = pathlib.Path(sys.argv[2]).resolve()
+ROWS, COLUMNS = 40, 60
+SECONDS_UNTIL_INTERRUPT = 0.3
+
+
+def dome(rows=ROWS, columns=COLUMNS):
+    j, i = np.mgrid[0:rows, 0:columns]
+    return 1000.0 + 20.0 * np.sin(j / 9.0) * np.cos(i / 11.0)
+
+
+def places(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def without(*names):
+    """Such modules can not be imported within the block."""
+    return mock.patch.dict(sys.modules, {name: None for name in names})
+
+
+class SourcesTest(unittest.TestCase):
+    def test_grid(self):
+        """Each value is at its place; columns follow the azimuth, rows are to the left of it."""
+        z = dome()
+        z[3, 4], z[5, 6] = np.nan, -999.0
+        top = sh.horizon(z, origin=(5e5, 6e6), spacing=(25.0, 50.0), azimuth=120.0, nodata=-999.0, vertical_unit="ms")
+        self.assertEqual(top.GetNumberOfPoints(), ROWS * COLUMNS - 2)
+        matrix = sh.details(top).lattice_to_world
+        angle = np.radians(-30.0)
+        np.testing.assert_allclose(matrix[:2, 0], 25.0 * np.array((np.cos(angle), np.sin(angle))), atol=1e-9)
+        np.testing.assert_allclose(matrix[:2, 1], 50.0 * np.array((-np.sin(angle), np.cos(angle))), atol=1e-9)
+        np.testing.assert_allclose(matrix[:2, 3], (5e5, 6e6), atol=1e-6)
+        column, row = vtk_to_numpy(top.GetPointData().GetArray("Column"))[:, :2].T
+        np.testing.assert_allclose(places(top)[:, 2], -z[row, column])
+        up = sh.horizon(dome(), vertical_direction="Up")
+        self.assertGreater(places(up)[:, 2].min(), 0.0)
+
+    def test_masked(self):
+        z = np.ma.masked_array(dome(), mask=np.arange(ROWS * COLUMNS).reshape(ROWS, COLUMNS) % 2 == 0)
+        self.assertEqual(sh.horizon(z).GetNumberOfPoints(), ROWS * COLUMNS // 2)
+
+    def test_xtgeo(self):
+        """Whose values are by columns."""
+        values = np.ma.masked_invalid(dome().T)
+        for flip in (1, -1):
+            surface = types.SimpleNamespace(xori=1e5, yori=2e5, xinc=25.0, yinc=50.0, rotation=30.0, yflip=flip, values=values)
+            matrix = sh.details(sh.horizon(surface)).lattice_to_world
+            angle = np.radians(30.0)
+            np.testing.assert_allclose(matrix[:2, 0], 25.0 * np.array((np.cos(angle), np.sin(angle))), atol=1e-9)
+            np.testing.assert_allclose(matrix[:2, 1], 50.0 * flip * np.array((-np.sin(angle), np.cos(angle))), atol=1e-9)
+            with self.assertRaisesRegex(ValueError, "origin for a surface of xtgeo"):
+                sh.horizon(surface, origin=(0, 0))
+
+    def test_xarray(self):
+        class Array(types.SimpleNamespace):
+            pass
+
+        array = Array(dims=("y", "x"), coords={"y": 6e6 - 50.0 * np.arange(ROWS), "x": 5e5 + 25.0 * np.arange(COLUMNS)},
+                      values=dome(), attrs={"_FillValue": 1000.0})
+        top = sh.horizon(array)
+        self.assertEqual(top.GetNumberOfPoints(), np.count_nonzero(dome() != 1000.0))
+        self.assertEqual(sh.details(top).lattice_to_world[1, 1], -50.0)
+        array.coords["x"] = np.arange(COLUMNS) ** 2.0
+        with self.assertRaisesRegex(ValueError, "unequal steps.*gridding"):
+            sh.horizon(array)
+        del array.coords["x"]
+        with self.assertRaisesRegex(ValueError, "without coordinates along x"):
+            sh.horizon(array)
+
+    def test_points(self):
+        grid = sh.horizon(dome(), spacing=(25, 25))
+        found = sh.horizon_from_points(places(grid) * (1.0, 1.0, -1.0))
+        self.assertEqual(places(found).tobytes(), places(grid).tobytes())
+        scattered = np.random.default_rng(1).random((500, 3)) * (1000.0, 1000.0, 10.0)
+        with self.assertRaisesRegex(ValueError, "without a lattice.*gridding"):
+            sh.horizon_from_points(scattered)
+        self.assertGreater(sh.horizon_from_points(scattered, gridding="Plate").GetNumberOfPoints(), 100)
+
+    def test_file(self):
+        horizons = sh.read(DATA / "sample.vsm")
+        self.assertEqual(list(horizons), ["Horizon 1", "Horizon 2", "Horizon 3"])
+        self.assertEqual(list(sh.read(str(DATA / "sample.vsm"), horizons=[2])), ["Horizon 2"])
+        path = FOLDER / "picks.dat"
+        sh.write(horizons["Horizon 1"], path, "Top")
+        self.assertEqual(list(sh.read(path, vertical_unit="m")), ["picks"])
+
+    def test_cube(self):
+        cube = vtkImageData()
+        cube.SetDimensions(20, 20, 30)
+        cube.AllocateScalars(10, 1)
+        vtk_to_numpy(cube.GetPointData().GetScalars())[:] = np.repeat(np.sin(np.arange(30.0)), 400)
+        found = sh.extract(cube, smallest_size=50, largest_number=3)
+        self.assertEqual(len(found), 3)
+        with self.assertRaisesRegex(TypeError, "read_cube"):
+            sh.extract("cube.sgy")
+
+
+class StagesTest(unittest.TestCase):
+    def test_every_stage_is_a_function(self):
+        classes = [name for name in dir(sh) if name.startswith("vtkHorizon") and issubclass(getattr(sh, name), sh.vtkHorizonStage)]
+        for name in classes:
+            stem = calls.snake(name[len("vtkHorizon"):])
+            try:
+                getattr(sh, name)()
+            except (NotImplementedError, TypeError):
+                continue
+            function = getattr(sh, "distance" if stem == "surface_distance" else stem)
+            self.assertIn(stem if stem != "surface_distance" else "distance", sh.functions.__all__)
+            self.assertIn("Parameters\n", inspect.cleandoc(function.__doc__))
+        self.assertEqual(inspect.signature(sh.hole_filling).parameters["largest_hole_size"].default, 2500)
+        self.assertEqual(inspect.signature(sh.exterior_boundary).parameters["growth_strategy"].default,
+                         ["Distance", "Clockwise"][sh.vtkHorizonExteriorBoundary().GetGrowthStrategy()])
+        self.assertIn("lattice", sh.exterior_boundary.__doc__)
+
+    def test_types(self):
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told):
+            stages.print_types()
+        lines = [line for line in told.getvalue().splitlines() if line.startswith("def ")]
+        self.assertEqual(len(lines), len(stages.STAGES))
+        compile(told.getvalue(), "stages.pyi", "exec")
+        self.assertIn("maximum_error: float | str = ...", next(line for line in lines if "decimation" in line))
+
+    def test_chain(self):
+        top = sh.horizon(dome(), vertical_unit="ms")
+        mesh = sh.triangulation(sh.rough_simplification(sh.boundary_simplification(sh.exterior_boundary(top, radius=2))))
+        self.assertGreater(mesh.GetNumberOfPolys(), 10)
+        decimated = sh.decimation(sh.exterior_boundary(top), maximum_error=0.5)
+        self.assertLessEqual(sh.details(decimated).largest_error, 0.5)
+
+    def test_errors_have_units(self):
+        top = sh.horizon(dome(), vertical_unit="ms", vertical_step=0.5)
+        mesh = sh.surface(top, largest_error="2 ms")
+        plain = sh.surface(top, largest_error=4.0)
+        self.assertEqual(places(mesh).tobytes(), places(plain).tobytes())
+        self.assertEqual(places(sh.surface(top, largest_error="0.002 s")).tobytes(), places(plain).tobytes())
+        self.assertLessEqual(sh.distance(top, mesh, unit="World").figures["reference to mesh"]["largest"], 2.0 + 1e-9)
+        self.assertGreater(sh.distance(top, mesh).percentile_95, 0.0)
+        self.assertLessEqual(sh.surface(top, triangles=50).GetNumberOfPolys(), 50)
+        self.assertIs(type(sh.details(mesh).largest_error), float)
+
+    def test_writing(self):
+        mesh = sh.surface(sh.horizon(dome(), spacing=(25, 25)))
+        grids = [form for form in functions.writing.GRID_FORMATS if form != "tif"]  # which takes GDAL
+        for form in [*functions.writing.MESH_FORMATS, *grids]:
+            sh.write(mesh, FOLDER / ("top." + form))
+            self.assertGreater((FOLDER / ("top." + form)).stat().st_size, 100)
+        (name, found), = sh.read(FOLDER / "top.ts").items()
+        self.assertEqual((name, found.GetNumberOfPolys()), ("top", mesh.GetNumberOfPolys()))
+        with mock.patch.object(functions.writing, "write_file", side_effect=calls.HorizonError("top.vtp can not be written: full")):
+            with self.assertRaisesRegex(OSError, "full"):
+                sh.write(mesh, FOLDER / "top.vtp")
+
+    def test_pyvista(self):
+        """Results are PyVista's once that is imported, and not before."""
+        top = sh.horizon(dome())
+        wrapped = mock.Mock(wrap=lambda data: ("wrapped", data))
+        with mock.patch.dict(sys.modules, {"pyvista": wrapped}):
+            self.assertEqual(sh.surface(top)[0], "wrapped")
+        with without("pyvista"):
+            self.assertIsInstance(sh.surface(top), vtkPolyData)
+
+
+class ErrorsTest(unittest.TestCase):
+    def test_first_errors(self):
+        top = sh.horizon(dome(), vertical_unit="ms")
+        bare = vtkPolyData()
+        bare.SetPoints(top.GetPoints())
+        for kind, words, call in (
+                (ValueError, r"z of shape \(3,\), expected \(rows, columns\); horizon_from_points", lambda: sh.horizon(np.zeros(3))),
+                (ValueError, r"points of shape \(3, 2\), expected \(n, 3\)", lambda: sh.horizon_from_points(np.zeros((3, 2)))),
+                (ValueError, "z without a single value", lambda: sh.horizon(np.full((3, 3), np.nan))),
+                (ValueError, "no points", lambda: sh.horizon_from_points(np.full((3, 3), np.nan))),
+                (TypeError, r"ndarray, expected a horizon.*horizon\(z\) makes one", lambda: sh.surface(dome())),
+                (ValueError, "LatticeDimensions.*horizon_from_points", lambda: sh.surface(bare)),
+                (ValueError, "2 m for z in ms, expected ms or s .vertical_unit", lambda: sh.surface(top, "2 m")),
+                (ValueError, "'two', expected a number", lambda: sh.surface(top, "two")),
+                (ValueError, "expected at least 0", lambda: sh.surface(top, -1.0)),
+                (ValueError, "expected one of them", lambda: sh.surface(top, 1.0, 10)),
+                (TypeError, "larget, expected one of", lambda: sh.surface(top, larget=1.0)),
+                (ValueError, "distance_unit 'm', expected one of Lattice, World", lambda: sh.distance(top, sh.surface(top), "m")),
+                (TypeError, r"^radius \(", lambda: sh.surface(top, radius="a")),
+                (TypeError, "3 datasets, expected horizon", lambda: sh.decimation(top, top, top)),
+                (FileNotFoundError, "nothing.dat: nothing there", lambda: sh.read("nothing.dat")),
+                (OSError, "a directory, expected a file", lambda: sh.read(FOLDER)),
+                (ValueError, "set columns", lambda: sh.read(__file__)),
+                (ValueError, "there is no horizon 9", lambda: sh.read(DATA / "sample.vsm", horizons=[9])),
+                (ValueError, "the extension .foo, expected one of", lambda: sh.write(top, "x.foo")),
+                (ValueError, "expected a mesh: surface", lambda: sh.write(top, "x.ts")),
+                (FileNotFoundError, "no such folder", lambda: sh.write(top, "/no/such/folder/x.dat"))):
+            with self.subTest(words=words), self.assertRaisesRegex(kind, words):
+                call()
+
+    def test_memory(self):
+        with mock.patch.object(calls, "update", side_effect=calls.HorizonError("more data than memory, expected less")):
+            with self.assertRaises(MemoryError):
+                sh.surface(sh.horizon(dome()))
+
+    def test_warnings(self):
+        with self.assertWarnsRegex(UserWarning, "negative"):
+            sh.horizon(-dome(), vertical_direction="Down")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            sh.surface(sh.horizon(dome()))
+
+
+class WatchingTest(unittest.TestCase):
+    def test_progress(self):
+        """By tqdm where it is, and as well without."""
+        bars = []
+
+        class Bar(mock.Mock):
+            n = 0.0
+
+            def update(self, step):
+                self.n += step
+
+        def tqdm(**given):
+            bars.append(Bar(**given))
+            return bars[-1]
+
+        module = types.SimpleNamespace(tqdm=tqdm)
+        with mock.patch.dict(sys.modules, {"tqdm": types.SimpleNamespace(auto=module), "tqdm.auto": module}):
+            sh.surface(sh.horizon(dome()))
+        self.assertEqual(bars[-1].desc, "surface")
+        self.assertAlmostEqual(bars[-1].n, 1.0)
+        with without("tqdm", "tqdm.auto"):
+            sh.surface(sh.horizon(dome()))
+
+    @unittest.skipIf(sys.platform == "win32", "no process can send itself Ctrl-C there")
+    def test_interrupt(self):
+        rough = np.random.default_rng(1).random((1500, 1500)) * 100.0
+        top = sh.horizon(rough)
+        before = signal.getsignal(signal.SIGINT)
+        timer = threading.Timer(SECONDS_UNTIL_INTERRUPT, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            sh.surface(top, 0.01)
+        timer.join()
+        self.assertIs(signal.getsignal(signal.SIGINT), before)
+        self.assertGreater(sh.surface(sh.horizon(dome())).GetNumberOfPolys(), 0)
+
+    def test_other_thread(self):
+        results = []
+        thread = threading.Thread(target=lambda: results.append(sh.surface(sh.horizon(dome())).GetNumberOfPolys()))
+        thread.start()
+        thread.join()
+        self.assertGreater(results[0], 0)
+
+
+def load_tests(_loader, tests, _pattern):
+    """With the examples of all texts."""
+    for module in (functions, making, calls):
+        tests.addTests(doctest.DocTestSuite(module))
+    return tests
+
+
+if __name__ == "__main__":
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    shutil.copy(DATA / "sample.vsm", FOLDER)
+    os.chdir(FOLDER)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Classes of VTK called as Python users expect it: keywords in lower case, exceptions, warnings, a bar of progress, and
+Ctrl-C. `CellSize` of the documentation is `cell_size` here."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import sys
+import types
+import warnings
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonMisc import vtkErrorCode
+
+from . import heights, interrupt
+from .stage import HorizonError, configure, update
+
+SEQUENTIAL = "Sequential"  # what VTK begins with
+QUIET_SECONDS = 1.0  # before a bar appears
+MATRIX_SIZE = 16
+MEMORY_WORDS = "more data than memory"  # of all such messages
+NOT_WRITTEN = "can not be written"  # what modules of the package say
+LATTICE_WORDS = "no field data array LatticeDimensions"
+LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
+
+
+def snake(name):
+    """`CellSize` as `cell_size`, `Percentile95` as `percentile_95`."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])", "_", name).lower()
+
+
+def properties(algorithm):
+    """The names of what can be set, by their keywords: {"cell_size": "CellSize"}."""
+    of_vtk = next(kind for kind in type(algorithm).__mro__ if kind.__module__.startswith("vtkmodules"))
+    names = [name[3:] for name in dir(algorithm) if name.startswith("Set") and hasattr(algorithm, "Get" + name[3:])]
+    return {snake(name): name for name in names if not hasattr(of_vtk, "Set" + name)
+            and ") -> vtk" not in getattr(algorithm, "Get" + name).__doc__}
+
+
+def default(algorithm, name):
+    """The value of a property; where it is a choice, its name."""
+    value = getattr(algorithm, "Get" + name)()
+    return next((choice for choice in _choices(algorithm, name) if getattr(algorithm, choice, None) == value), value)
+
+
+def _choices(algorithm, name):
+    """The names of the choices that a property is one of."""
+    start = "Set%sTo" % name
+    return [method[len(start):] for method in dir(algorithm) if method.startswith(start)]
+
+
+def set_keywords(algorithm, keywords, horizon=None):
+    """Sets properties by keywords. Heights with a unit, as "2 ms", are in that of z of the horizon. Raises ValueError and
+    TypeError."""
+    known = properties(algorithm)
+    given = {}
+    for keyword, value in keywords.items():
+        if keyword not in known:
+            raise TypeError("%s, expected one of %s" % (keyword, ", ".join(known)))
+        given[known[keyword]] = value
+    words = {name: value for name, value in given.items()
+             if isinstance(value, str) and isinstance(getattr(algorithm, "Get" + name)(), float) and horizon is not None}
+    if words:
+        numbers = {name: heights.Height(text) for name, text in words.items()}
+        with python_errors(algorithm):
+            given.update(heights.in_unit_of(numbers, horizon))
+        if any(number.unit for number in numbers.values()):
+            given.update({name: "World" for name in known.values() if hasattr(algorithm, "Set%sToWorld" % name)})
+    for name, value in given.items():
+        choices = _choices(algorithm, name)
+        if isinstance(value, str) and choices and value not in choices:
+            raise ValueError("%s '%s', expected one of %s" % (snake(name), value, ", ".join(choices)))
+        try:
+            configure(algorithm, **{name: value})
+        except TypeError as error:
+            raise TypeError("%s (%s)" % (snake(name), error)) from None
+
+
+def run(algorithm, label):
+    """Runs an algorithm, on all processors. Its error becomes an exception, its warnings those of Python."""
+    told = []
+    backend = vtkSMPTools.GetBackend()
+    vtkSMPTools.SetBackend("STDThread" if backend == SEQUENTIAL else backend)
+    observer = _Bar(label)
+    tag = algorithm.AddObserver("ProgressEvent", lambda *_: observer.tell(algorithm.GetProgress()))
+    try:
+        with interrupt.noting():
+            update(algorithm, warnings=told)
+    except HorizonError as error:
+        raise _exception(_with_keywords(str(error), algorithm), algorithm) from None
+    finally:
+        algorithm.RemoveObserver(tag)
+        vtkSMPTools.SetBackend(backend)
+        observer.end()
+    for text in told:
+        warnings.warn(text, stacklevel=3)
+
+
+@contextlib.contextmanager
+def python_errors(algorithm=None):
+    """What modules of the package raise within the block is a ValueError, or an OSError where a file can not be written;
+    it names keywords in place of options."""
+    try:
+        yield
+    except HorizonError as error:
+        kind = OSError if NOT_WRITTEN in str(error) else ValueError
+        raise kind(_with_keywords(str(error), algorithm)) from None
+
+
+def _with_keywords(text, algorithm):
+    """A message with keywords in place of options and of properties."""
+    text = re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_"), text)
+    for keyword, name in ({} if algorithm is None else properties(algorithm)).items():
+        text = re.sub(r"\b%s\b" % name, keyword, text)
+    return text + (LATTICE_CURE if LATTICE_WORDS in text else "")
+
+
+def _exception(text, algorithm):
+    """What an error of VTK is in Python."""
+    if MEMORY_WORDS in text:
+        return MemoryError(text)
+    code = algorithm.GetErrorCode()
+    if code == vtkErrorCode.FileNotFoundError:
+        return FileNotFoundError(text)
+    if code in (vtkErrorCode.CannotOpenFileError, vtkErrorCode.OutOfDiskSpaceError):
+        return OSError(text)
+    return ValueError(text)
+
+
+class _Bar:
+    """The progress of one call, by tqdm where that is installed, once it takes long."""
+
+    def __init__(self, label):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of notebooks without widgets
+                from tqdm.auto import tqdm
+        except ImportError:
+            self._bar = None
+        else:
+            self._bar = tqdm(total=1.0, desc=label, delay=QUIET_SECONDS, leave=False,
+                             bar_format="{desc}: {percentage:3.0f}% |{bar}| {remaining} left")
+
+    def tell(self, part):
+        if self._bar is not None:
+            self._bar.update(part - self._bar.n)
+
+    def end(self):
+        if self._bar is not None:
+            self._bar.close()
+
+
+def wrap(data):
+    """Data as PyVista's where that is imported; else as they are."""
+    pyvista = sys.modules.get("pyvista")
+    return data if pyvista is None or data is None else pyvista.wrap(data)
+
+
+def require_data(data, what):
+    """Raises TypeError where something is no dataset of VTK."""
+    if not isinstance(data, vtkDataObject):
+        raise TypeError("%s, expected %s as a dataset of VTK or PyVista: horizon(z) makes one of an array of heights, "
+                        "horizon_from_points(xyz) of points, read(path) of a file" % (type(data).__name__, what))
+
+
+class Details(types.SimpleNamespace):
+    """What a dataset says of itself, as attributes: `vertical_unit`, `largest_error` and the like (DataModel.md)."""
+
+
+def details(data: vtkDataObject) -> Details:
+    """The field data of a horizon or a mesh as attributes.
+
+    Parameters
+    ----------
+    data : vtkDataObject
+        what any function of this package gives.
+
+    Returns
+    -------
+    Details
+        with numbers and texts where there is one, a numpy array or a list of texts where there are several, and
+        `lattice_to_world` as a 4 x 4 array.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> sh.details(sh.horizon(np.zeros((4, 5)), spacing=(25, 25), vertical_unit="ms")).vertical_unit
+    'ms'
+    """
+    require_data(data, "it")
+    fields = data.GetFieldData()
+    arrays = [fields.GetAbstractArray(number) for number in range(fields.GetNumberOfArrays())]
+    return Details(**{snake(array.GetName()): _value(array) for array in arrays if (array.GetName() or "").isidentifier()})
+
+
+def _value(array):
+    if not array.IsNumeric():
+        texts = [array.GetValue(number) for number in range(array.GetNumberOfValues())]
+        return texts[0] if len(texts) == 1 else texts
+    numbers = vtk_to_numpy(array)
+    if numbers.size == 1:
+        return numbers.reshape(-1)[0].item()
+    return numbers.reshape(4, 4).copy() if numbers.shape == (1, MATRIX_SIZE) else numbers.squeeze().copy()

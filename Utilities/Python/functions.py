@@ -1,0 +1,299 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package as functions: read, horizon, surface, every other stage, distance, extract and write.
+
+    import seismichorizons as sh
+
+    for name, top in sh.read("picks.dat").items():
+        sh.write(sh.surface(top, largest_error="2 ms"), name + ".ts")
+
+Other stages are made from their classes (stages.py).
+"""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import types
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+
+from . import calls, cubes, reading, tsurf, writing
+from .calls import details  # noqa: F401: a function of the package
+from .making import horizon, horizon_from_points  # noqa: F401: functions of the package
+from .stage import make
+from .stages import *  # functions of the package
+from .stages import STAGES, apply
+
+DISTANCE_LABELS = ("reference to mesh", "mesh to reference", "both")
+
+
+def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, **keywords: Any) -> dict[str, vtkPolyData]:
+    """The horizons of a file in any format that is known, by what is in it.
+
+    Parameters
+    ----------
+    path : str or path
+        picks, grids, sparse voxels, surfaces, tables; for SEG-Y there are `read_cube` and `extract`.
+    horizons : list of str, optional
+        the names of those wanted; all by default.
+    **keywords
+        properties of the reader of that format: `vertical_unit`, `vertical_direction`, `columns`, `gridding` and the like.
+
+    Returns
+    -------
+    dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
+        names and horizons, in the order of the file; of GOCAD surfaces the triangles.
+
+    Raises
+    ------
+    FileNotFoundError, OSError
+        there is no such file, or it can not be read.
+    ValueError
+        it is in no format that is known, or wrong; the message says where, and what was expected.
+    MemoryError
+        it is larger than memory.
+
+    Examples
+    --------
+    >>> import seismichorizons as sh
+    >>> list(sh.read("sample.vsm"))
+    ['Horizon 1', 'Horizon 2', 'Horizon 3']
+    """
+    path = _existing(path)
+    reader = reading.find_reader(path)
+    if reader == cubes.READER:
+        raise ValueError("%s: a seismic cube, expected horizons: extract(read_cube(path)) finds them" % path)
+    with calls.python_errors():
+        source = make(reader, FileName=str(path)) if reader == tsurf.READER else reading.open_file(path)
+        calls.set_keywords(source, keywords)
+        if horizons is not None:
+            reading.select(source, horizons, path)
+    calls.run(source, path.name)
+    found = [(name, points) for name, points in reading.list_horizons(source.GetOutputDataObject(0))
+             if source.GetHorizonStatus(name)]
+    if not found:
+        raise ValueError("%s: no points, expected some" % path)
+    if len(found) == 1 and found[0][0] is None:
+        found = [(path.stem, found[0][1])]
+    return {name: calls.wrap(points) for name, points in found}
+
+
+def read_cube(path: str | os.PathLike, **keywords: Any) -> vtkImageData:
+    """The samples of a SEG-Y file.
+
+    Parameters
+    ----------
+    path : str or path
+    **keywords
+        properties of SEGYCubeReader: `inline_range`, `crossline_range`, `sample_range`, `inline_byte` and the like.
+
+    Returns
+    -------
+    vtkImageData, or pyvista.ImageData where PyVista is imported
+        with the array Amplitude of shape (samples, inlines, crosslines).
+
+    Raises
+    ------
+    FileNotFoundError, OSError, ValueError, MemoryError
+        as those of `read`.
+    """
+    path = _existing(path)
+    reader = make(cubes.READER, FileName=str(path))
+    calls.set_keywords(reader, keywords)
+    calls.run(reader, path.name)
+    return calls.wrap(reader.GetOutputDataObject(0))
+
+
+def extract(cube: vtkImageData, **keywords: Any) -> dict[str, vtkPolyData]:
+    """The reflections of a seismic cube, joined to horizons.
+
+    Parameters
+    ----------
+    cube : vtkImageData
+        what `read_cube` gives, or any image with amplitudes.
+    **keywords
+        properties of SeismicReflectionExtraction: `largest_number` (20 by default), `polarity`, `joining`,
+        `amplitude_percentile`, `smallest_size` and the like.
+
+    Returns
+    -------
+    dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
+        the largest first.
+
+    Raises
+    ------
+    TypeError, ValueError, MemoryError
+        no image, an image without amplitudes, or one that is too large.
+    """
+    if not isinstance(cube, vtkImageData):
+        raise TypeError("%s, expected a cube as vtkImageData: read_cube(path) gives that of a SEG-Y file"
+                        % type(cube).__name__)
+    extraction = make(cubes.EXTRACTION, LargestNumber=cubes.LARGEST_NUMBER)
+    calls.set_keywords(extraction, keywords, cube)
+    extraction.SetInputDataObject(cube)
+    calls.run(extraction, "extract")
+    return {name: calls.wrap(points) for name, points in reading.list_horizons(extraction.GetOutputDataObject(0))}
+
+
+def surface(horizon: vtkPolyData, largest_error: float | str | None = None, triangles: int | None = None,  # noqa: F811
+            **keywords: Any) -> vtkPolyData:
+    """The mesh of a horizon, with parameters that are chosen from its points.
+
+    Parameters
+    ----------
+    horizon : vtkPolyData
+        points on a lattice, as `read`, `horizon`, `horizon_from_points` and `extract` give them.
+    largest_error : float or str, optional
+        how far a point may be from the mesh, vertically: in vertical indices, or with a unit, as "2 ms". 0.75 by
+        default, where there is no number of triangles.
+    triangles : int, optional
+        the most triangles there may be, in place of the error.
+    **keywords
+        properties of HorizonSurface: `radius`, `smallest_hole_size`, `minimum_patch_size` and the like.
+
+    Returns
+    -------
+    vtkPolyData, or pyvista.PolyData where PyVista is imported
+        triangles and outlines; `details` tells the errors and what was chosen.
+
+    Raises
+    ------
+    TypeError, ValueError
+        no horizon, both an error and a number of triangles, or a parameter out of its range.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> mesh = sh.surface(sh.horizon(np.zeros((20, 30))), largest_error=1.0)
+    >>> mesh.GetNumberOfPolys()
+    2
+    """
+    if largest_error is not None and triangles is not None:
+        raise ValueError("largest_error and triangles, expected one of them")
+    target = {}
+    if largest_error is not None:
+        target = {"maximum_error": largest_error}
+    elif triangles is not None:
+        target = {"target": "NumberOfTriangles", "maximum_number_of_triangles": triangles}
+    known = calls.properties(make("vtkHorizonSurface"))
+    chosen = {"automatic_" + name: False for name in keywords if "automatic_" + name in known}
+    return apply("vtkHorizonSurface", (horizon,), {**target, **chosen, **keywords})
+
+
+class Distance(types.SimpleNamespace):
+    """What `distance` found. `reference` and `mesh` are the surfaces with the arrays Distance and VerticalDistance;
+    `largest`, `mean`, `rms`, `percentile_95` and the like are over both directions, in the unit that was asked for, and
+    `figures` is all of them by direction, as {"both": {"largest": ...}, ...}."""
+
+    def __repr__(self):
+        return "Distance(largest=%.6g, mean=%.6g, rms=%.6g)" % (self.largest, self.mean, self.rms)
+
+
+def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", **keywords: Any) -> Distance:
+    """How far a mesh is from a horizon, or from another mesh, in both directions.
+
+    Parameters
+    ----------
+    reference : vtkPolyData
+        a horizon, or a mesh.
+    mesh : vtkPolyData
+        a mesh.
+    unit : {"Lattice", "World"}, optional
+        that of distances: columns and vertical indices, or world units.
+    **keywords
+        properties of HorizonSurfaceDistance: `samples_per_point` and the like.
+
+    Returns
+    -------
+    Distance
+
+    Raises
+    ------
+    TypeError, ValueError
+        no meshes.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> top = sh.horizon(np.zeros((20, 30)))
+    >>> round(sh.distance(top, sh.surface(top)).largest, 6)
+    0.0
+    """
+    for data in (reference, mesh):
+        calls.require_data(data, "a horizon or a mesh")
+    meter = make("vtkHorizonSurfaceDistance")
+    calls.set_keywords(meter, {"distance_unit": unit, **keywords}, reference)
+    meter.SetInputDataObject(0, reference)
+    meter.SetInputDataObject(1, mesh)
+    calls.run(meter, "distance")
+    measured = [meter.GetOutputDataObject(port) for port in (0, 1)]
+    fields = measured[0].GetFieldData()
+    figures = {label: {} for label in DISTANCE_LABELS}
+    for number in range(fields.GetNumberOfArrays()):
+        name = fields.GetArrayName(number)
+        array = fields.GetArray(number)
+        if array is not None and array.GetNumberOfTuples() == len(DISTANCE_LABELS) and "Distance" in (name or ""):
+            values = vtk_to_numpy(array)[:, ("Lattice", "World").index(unit)]
+            for label, value in zip(DISTANCE_LABELS, values):
+                figures[label][calls.snake(name.replace("Distance", ""))] = float(value)
+    return Distance(reference=calls.wrap(measured[0]), mesh=calls.wrap(measured[1]), figures=figures,
+                    **figures[DISTANCE_LABELS[-1]])
+
+
+def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -> None:
+    """Writes a horizon or a mesh in the format of the extension of a file.
+
+    Parameters
+    ----------
+    data : vtkPolyData
+        a mesh for .vtp, .ts, .stl, .ply, .obj, .dxf and the grids .irap, .gri, .zmap and .tif; a horizon for .dat, .vsm
+        and .vtp.
+    path : str or path
+    name : str, optional
+        that of the surface in the file; the name of the file without its extension by default.
+
+    Raises
+    ------
+    ValueError
+        another extension, or data that the format can not hold.
+    OSError
+        the file can not be written.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> sh.write(sh.surface(sh.horizon(np.zeros((20, 30)))), "top.ts")
+    """
+    calls.require_data(data, "a horizon or a mesh")
+    path = pathlib.Path(path)
+    form = path.suffix[1:]
+    if form not in writing.FORMATS:
+        raise ValueError("%s: the extension %s, expected one of .%s" % (path, path.suffix or "is missing",
+                                                                       ", .".join(writing.FORMATS)))
+    if form not in writing.POINT_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
+        raise ValueError("%s: a horizon without triangles, expected a mesh: surface(horizon) makes one" % path)
+    if not path.absolute().parent.is_dir():
+        raise FileNotFoundError("%s: no such folder, expected %s" % (path, path.absolute().parent))
+    make_file = writing.write_points if form in writing.POINT_FORMATS else writing.write_mesh
+    with calls.python_errors():
+        told = make_file(data, path, name or path.stem)
+    for text in told:
+        warnings.warn(text, stacklevel=2)
+
+
+def _existing(path):
+    """A file. Raises FileNotFoundError and ValueError."""
+    path = pathlib.Path(path)
+    reading.require_text(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError("%s: nothing there, expected a file" % path)
+    return path
+
+
+__all__ = ["details", "distance", "extract", "horizon", "horizon_from_points", "read", "read_cube", "surface", "write",
+           *STAGES]

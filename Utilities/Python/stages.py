@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each stage as a function, made from its class: `hole_filling` is HorizonHoleFilling, whose properties are its keywords.
+
+    python -m seismichorizons.stages
+
+prints what editors and type checkers read of them.
+"""
+
+import inspect
+
+import seismichorizons
+
+from . import calls
+from .stage import make
+
+STAGE = "vtkHorizon"
+OWN = ("vtkHorizonSurface", "vtkHorizonSurfaceDistance")  # which have functions that are written (functions.py)
+INPUTS = ("horizon", "other")
+TYPES = {bool: "bool", int: "int", float: "float | str", str: "str"}  # of keywords; heights may have a unit
+
+
+def apply(class_name, inputs, keywords):
+    """The first output of a stage."""
+    for data in inputs:
+        calls.require_data(data, "a horizon")
+    algorithm = make(class_name)
+    calls.set_keywords(algorithm, keywords, inputs[0])
+    for port, data in enumerate(inputs):
+        algorithm.SetInputDataObject(port, data)
+    calls.run(algorithm, calls.snake(class_name[len(STAGE):]))
+    return calls.wrap(algorithm.GetOutputDataObject(0))
+
+
+def _make_stage(class_name, algorithm):
+    """The function of a stage: its inputs, then its properties as keywords."""
+    known = calls.properties(algorithm)
+    names = INPUTS[:algorithm.GetNumberOfInputPorts()]
+
+    def stage(*inputs, **keywords):
+        if not 1 <= len(inputs) <= len(names):
+            raise TypeError("%d datasets, expected %s" % (len(inputs), " and ".join(names)))
+        return apply(class_name, inputs, keywords)
+
+    stage.__name__ = stage.__qualname__ = calls.snake(class_name[len(STAGE):])
+    stage.__doc__ = _text(class_name, known)
+    stage.__signature__ = inspect.Signature([
+        *(inspect.Parameter(name, inspect.Parameter.POSITIONAL_ONLY,
+                            default=inspect.Parameter.empty if name == names[0] else None) for name in names),
+        *(inspect.Parameter(keyword, inspect.Parameter.KEYWORD_ONLY, default=calls.default(algorithm, name))
+          for keyword, name in known.items())])
+    return stage
+
+
+def _text(class_name, known):
+    """The documentation of a class as that of its function."""
+    made = getattr(seismichorizons, class_name)
+    title, _, rest = made.__doc__.partition("\n\nSuperclass:")
+    lines = [" ".join(title.partition(" - ")[2].split()).capitalize() + ".", rest.partition("\n\n")[2].strip(), "",
+             "Parameters", "----------", "horizon : vtkPolyData"]
+    for keyword, name in known.items():
+        said = (getattr(made, "Set" + name).__doc__ or "").partition("\n\n")[2]
+        lines += [keyword, "    " + " ".join(said.split())]
+    return "\n".join([*lines, "", "Returns", "-------", "vtkPolyData, or pyvista.PolyData where PyVista is imported", "",
+                      "Raises", "------", "TypeError, ValueError", "    no horizon, or a parameter out of its range.", ""])
+
+
+def _make_stages():
+    """The functions of all other stages, by their names."""
+    made = {}
+    for class_name in dir(seismichorizons):
+        kind = getattr(seismichorizons, class_name)
+        if class_name not in OWN and isinstance(kind, type) and issubclass(kind, seismichorizons.vtkHorizonStage):
+            try:
+                algorithm = kind()
+            except (NotImplementedError, TypeError):
+                continue  # an abstract one
+            function = _make_stage(class_name, algorithm)
+            made[function.__name__] = function
+    return made
+
+
+STAGES = _make_stages()
+globals().update(STAGES)
+__all__ = [*STAGES]
+
+
+def print_types():
+    """The signatures of all stages."""
+    print("from collections.abc import Sequence\n\nfrom vtkmodules.vtkCommonDataModel import vtkPolyData\n")
+    for name, function in STAGES.items():
+        words = []
+        for parameter in inspect.signature(function).parameters.values():
+            if parameter.kind is parameter.POSITIONAL_ONLY:
+                words.append(parameter.name + (": vtkPolyData" if parameter.default is parameter.empty else
+                                               ": vtkPolyData | None = ..."))
+            else:
+                words.append("%s: %s = ..." % (parameter.name, TYPES.get(type(parameter.default), "Sequence[float]")))
+        number = sum(word.split(":")[0] in INPUTS for word in words)
+        print("def %s(%s, /, *, %s) -> vtkPolyData: ..." % (name, ", ".join(words[:number]), ", ".join(words[number:])))
+
+
+if __name__ == "__main__":
+    print_types()
