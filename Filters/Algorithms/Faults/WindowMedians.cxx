@@ -29,7 +29,7 @@ constexpr std::int64_t Numbers = WindowSide * WindowSide; // of a window
 // Networks
 
 /// The numbers of one rank, or of one row, at places side by side.
-constexpr std::size_t NumberOfLanes = 32;
+constexpr std::size_t NumberOfLanes = 64;
 using Lanes = std::array<float, NumberOfLanes>;
 /// The places whose windows lie in the lanes.
 constexpr std::int64_t BlockSize = std::int64_t(NumberOfLanes) - 2 * WindowReach;
