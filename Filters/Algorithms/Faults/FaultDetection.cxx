@@ -28,6 +28,7 @@
 #include "FaultForest.h"
 #include "FaultJoins.h"
 #include "FaultRamps.h"
+#include "WindowMedians.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -49,20 +50,18 @@ namespace
 //----------------------------------------------------------------------------------------------------------------------
 // 1. Deviations.
 
-constexpr std::int64_t Reach = 3; // columns
-constexpr std::int64_t Side = 2 * Reach + 1;
-static_assert(Reach + 1 < ColumnHeights::Margin);
+static_assert(WindowReach + 1 < ColumnHeights::Margin);
 
-/// The differences across the links of some rows, each row with a margin of nan on both sides. Rows come one after the
-/// other, and the last seven are kept.
+/// The differences across the links of some rows, nan where there is none. Rows come one after the other, and the last
+/// seven are kept.
 class DifferenceRows
 {
 public:
   DifferenceRows(const ColumnHeights& heights, LinkSide side)
     : Heights(heights)
     , Kind(side)
-    , Width(heights.Raster().Width() + 2 * Reach)
-    , Values(Side * this->Width, std::numeric_limits<float>::quiet_NaN())
+    , Width(heights.Raster().Width())
+    , Values(WindowSide * this->Width, std::numeric_limits<float>::quiet_NaN())
   {
   }
 
@@ -72,21 +71,21 @@ public:
     const LinkGrid& raster = this->Heights.Raster();
     const bool isEast = this->Kind == LinkSide::East;
     float* const row = this->Row(y);
-    std::fill(row - Reach, row - Reach + this->Width, std::numeric_limits<float>::quiet_NaN());
+    std::fill(row, row + this->Width, std::numeric_limits<float>::quiet_NaN());
     if (y < 0 || y + (isEast ? 0 : 1) >= raster.Height())
     {
       return;
     }
     const double* const before = this->Heights.Row(y);
     const double* const beyond = isEast ? before + 1 : this->Heights.Row(y + 1);
-    for (std::int64_t x = 0; x < raster.Width() - (isEast ? 1 : 0); ++x)
+    for (std::int64_t x = 0; x < this->Width - (isEast ? 1 : 0); ++x)
     {
       row[x] = float(beyond[x] - before[x]);
     }
   }
 
   /// The first column of a row that is kept.
-  float* Row(std::int64_t y) { return this->Values.data() + (y + Side) % Side * this->Width + Reach; }
+  float* Row(std::int64_t y) { return this->Values.data() + (y + WindowSide) % WindowSide * this->Width; }
 
 private:
   const ColumnHeights& Heights;
@@ -95,93 +94,19 @@ private:
   std::vector<float> Values;
 };
 
-/// The numbers of seven rows at one place, ascending; those that are nan are left out.
-struct SortedFile
-{
-  std::array<float, Side> Values;
-  int Size = 0;
-
-  void Insert(float value)
-  {
-    int place = this->Size++;
-    for (; place > 0 && this->Values[place - 1] > value; --place)
-    {
-      this->Values[place] = this->Values[place - 1];
-    }
-    this->Values[place] = value;
-  }
-};
-
-/// The numbers of seven files, ascending. From a place to the next one file leaves, and one comes: both are sorted, so
-/// that it takes one pass, several times faster than finding the median anew.
-class SortedWindow
-{
-public:
-  void Replace(const SortedFile& leaving, const SortedFile& coming)
-  {
-    std::array<float, Side * Side> next;
-    std::size_t size = 0;
-    int left = 0;
-    int came = 0;
-    for (std::size_t n = 0; n < this->Size; ++n)
-    {
-      const float value = this->Values[n];
-      if (left < leaving.Size && leaving.Values[left] == value)
-      {
-        ++left;
-        continue;
-      }
-      while (came < coming.Size && coming.Values[came] < value)
-      {
-        next[size++] = coming.Values[came++];
-      }
-      next[size++] = value;
-    }
-    while (came < coming.Size)
-    {
-      next[size++] = coming.Values[came++];
-    }
-    std::copy(next.begin(), next.begin() + size, this->Values.begin());
-    this->Size = size;
-  }
-
-  /// Of an even number the lower one of the two in the middle. There must be one.
-  float Median() const { return this->Values[(this->Size - 1) / 2]; }
-
-private:
-  std::array<float, Side* Side> Values = {};
-  std::size_t Size = 0;
-};
-
 /// The deviations of a row, one for every other place: those of the other side come between.
-void FindRow(DifferenceRows& differences, std::int64_t y, std::int64_t width, float* deviations)
+void FindRow(DifferenceRows& differences, std::int64_t y, std::vector<float>& medians, float* deviations)
 {
-  std::array<const float*, Side> rows;
-  for (std::int64_t n = 0; n < Side; ++n)
+  std::array<const float*, WindowSide> rows;
+  for (std::int64_t n = 0; n < WindowSide; ++n)
   {
-    rows[n] = differences.Row(y - Reach + n);
+    rows[n] = differences.Row(y - WindowReach + n);
   }
-  const float* const row = rows[Reach];
-  std::array<SortedFile, Side> files; // of the places x - 3 to x + 3, in a ring
-  SortedWindow window;
-  for (std::int64_t x = -2 * Reach; x < width; ++x)
+  FindWindowMedians(rows, std::int64_t(medians.size()), medians.data());
+  const float* const row = rows[WindowReach];
+  for (std::size_t x = 0; x < medians.size(); ++x)
   {
-    SortedFile coming;
-    for (const float* const values : rows)
-    {
-      const float value = x + Reach >= 0 ? values[x + Reach] : values[-1]; // which is nan
-      if (!std::isnan(value))
-      {
-        coming.Insert(value);
-      }
-    }
-    SortedFile& oldest = files[(x + 2 * Reach) % Side];
-    window.Replace(oldest, coming);
-    oldest = coming;
-    if (x >= 0)
-    {
-      deviations[2 * x] = std::isnan(row[x]) ? row[x] : row[x] - window.Median();
-    }
+    deviations[2 * x] = row[x] - medians[x];
   }
 }
 
@@ -192,21 +117,22 @@ RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& mon
   RawVector<float> deviations;
   deviations.resize(raster.NumberOfLinks());
   constexpr std::int64_t Grain = 65536; // links that a thread takes at a time
-  const std::int64_t rows = std::max<std::int64_t>(2 * Reach, Grain / raster.Width());
+  const std::int64_t rows = std::max<std::int64_t>(2 * WindowReach, Grain / raster.Width());
   ParallelFor(raster.Height(), rows, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       for (const LinkSide side : { LinkSide::East, LinkSide::North })
       {
         DifferenceRows differences(heights, side);
-        for (std::int64_t y = first - Reach; y < first + Reach; ++y)
+        std::vector<float> medians(std::size_t(raster.Width()));
+        for (std::int64_t y = first - WindowReach; y < first + WindowReach; ++y)
         {
           differences.Load(y);
         }
         for (std::int64_t y = first; y < last; ++y)
         {
-          differences.Load(y + Reach);
-          FindRow(differences, y, raster.Width(), deviations.data() + raster.LinkOf(0, y, side));
+          differences.Load(y + WindowReach);
+          FindRow(differences, y, medians, deviations.data() + raster.LinkOf(0, y, side));
         }
       }
     });

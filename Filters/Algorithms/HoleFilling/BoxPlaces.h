@@ -34,6 +34,8 @@ public:
   BoxPlaces(const std::vector<BoxRun>& runs, int reach);
 
   std::int64_t Size() const { return std::int64_t(this->Places.size()); }
+  /// What holds all places, row by row: two boxes with the same runs are the same.
+  const std::vector<BoxRun>& GetRuns() const { return this->Runs; }
 
   /// Where a place is in the box.
   PlanePoint Column(std::int64_t place) const { return this->Places[std::size_t(place)].Column; }

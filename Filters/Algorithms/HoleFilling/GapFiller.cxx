@@ -12,7 +12,6 @@
 #include "GapFiller.h"
 
 #include "PlateEnergy.h"
-#include "SiteSolver.h"
 
 #include <algorithm>
 #include <array>
@@ -113,6 +112,15 @@ SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
     }
   }
   return plate;
+}
+
+/// What plates are the same by: the places, and what they are.
+std::string KeyOf(const GapRegion& region)
+{
+  const std::vector<BoxRun>& runs = region.Near->GetRuns();
+  std::string key(reinterpret_cast<const char*>(runs.data()), runs.size() * sizeof(BoxRun));
+  key.append(reinterpret_cast<const char*>(region.Kind.data()), region.Kind.size() * sizeof(PlaceKind));
+  return key;
 }
 
 /// The right side for heights known at the places of the ring.
@@ -246,9 +254,10 @@ private:
 class GapFiller
 {
 public:
-  GapFiller(const GapRegion& region, const HoleFillingOptions& options)
+  GapFiller(const GapRegion& region, const HoleFillingOptions& options, GapPlates& plates)
     : Region(region)
     , Options(options)
+    , Plates(plates)
     , IsRing(region.Kind.size())
   {
     for (std::size_t place = 0; place < this->IsRing.size(); ++place)
@@ -371,21 +380,21 @@ private:
   bool AddPlate(std::vector<double>& known, std::vector<double>& filled, const Monitor& monitor) const
   {
     const double weight = this->RingWeight();
-    const SiteSystem<2> plate = MakePlate(this->Region, weight);
-    const SiteSolver<2> solver(plate);
-    if (!solver.IsDefinite())
+    const std::shared_ptr<const GapPlate> plate = this->Plates.Get(this->Region, weight);
+    if (!plate->Solver.IsDefinite())
     {
       return false;
     }
-    std::vector<double> values = PlateRightSide(this->Region, plate.Sites, weight, known);
-    solver.Solve(values, monitor);
+    const SiteBox& sites = plate->System.Sites;
+    std::vector<double> values = PlateRightSide(this->Region, sites, weight, known);
+    plate->Solver.Solve(values, monitor);
     for (std::size_t n = 0; n < filled.size(); ++n)
     {
-      filled[n] += values[plate.Sites.Number[this->Region.GapPlaces[n]]];
+      filled[n] += values[sites.Number[this->Region.GapPlaces[n]]];
     }
     for (std::size_t site = 0; site < values.size(); ++site)
     {
-      known[plate.Sites.Place[site]] -= values[site];
+      known[sites.Place[site]] -= values[site];
     }
     return true;
   }
@@ -440,6 +449,7 @@ private:
 
   const GapRegion& Region;
   const HoleFillingOptions& Options;
+  GapPlates& Plates;
   std::vector<bool> IsRing;
   std::vector<std::int64_t> Rim; // places of the ring beside the gap, once for each link to it
   std::optional<Membrane> HeldByRing;
@@ -447,8 +457,40 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+GapPlate::GapPlate(const GapRegion& region, double ringWeight)
+  : System(MakePlate(region, ringWeight))
+  , Solver(this->System)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::shared_ptr<const GapPlate> GapPlates::Get(const GapRegion& region, double ringWeight)
+{
+  if (region.HasCuts() || region.Near->Size() > LargestKept)
+  {
+    return std::make_shared<const GapPlate>(region, ringWeight);
+  }
+  const std::string key = KeyOf(region);
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto found = this->Kept.find(key);
+    if (found != this->Kept.end())
+    {
+      return found->second;
+    }
+  }
+  auto plate = std::make_shared<const GapPlate>(region, ringWeight);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Kept.size() < MostKept)
+  {
+    this->Kept.emplace(key, plate);
+  }
+  return plate;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 GapFill FillGap(const GapRegion& region, const std::vector<double>& heights, const std::vector<PointValue>& attributes,
-  const HoleFillingOptions& options, const Monitor& monitor)
+  const HoleFillingOptions& options, GapPlates& plates, const Monitor& monitor)
 {
   GapFill result;
   result.Nearest = FindNearestRim(region);
@@ -456,7 +498,7 @@ GapFill FillGap(const GapRegion& region, const std::vector<double>& heights, con
   {
     return result;
   }
-  GapFiller filler(region, options);
+  GapFiller filler(region, options, plates);
   const double parts = double(attributes.size()) + 5.0; // a plate takes about as long as four membranes
   result.Height = filler.FillHeights(heights, monitor.Step(0.0, 5.0 / parts));
   for (std::size_t n = 0; n < attributes.size(); ++n)

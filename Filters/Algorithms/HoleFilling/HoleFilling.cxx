@@ -414,7 +414,7 @@ private:
   void FillPart(const std::vector<std::int64_t>& places, std::size_t begin, const Monitor& monitor)
   {
     const GapRegion region(this->Index, this->Frame, this->Cuts, places, this->Options.RimWidth);
-    const GapFill fill = FillGap(region, this->Heights, this->Attributes, this->Options, monitor);
+    const GapFill fill = FillGap(region, this->Heights, this->Attributes, this->Options, this->Plates, monitor);
     if (fill.Nearest.empty())
     {
       return;
@@ -487,6 +487,7 @@ private:
   const HoleFillingOptions& Options;
   const LinkCuts* const Cuts;
   const AllGaps Gaps;
+  GapPlates Plates;
   std::vector<std::size_t> Closed; // gaps
   std::vector<std::size_t> Begin; // of the columns of each gap in the result
   FilledColumns Result;

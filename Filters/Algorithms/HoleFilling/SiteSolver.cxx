@@ -20,6 +20,7 @@
 #include "SiteSolver.h"
 
 #include "Common/Errors.h"
+#include "StencilTable.h"
 
 #include <algorithm>
 #include <cassert>
@@ -394,13 +395,17 @@ class GridLevel
 public:
   /// The system has to last as long as the level.
   explicit GridLevel(const SiteSystem<Radius>& system)
-    : System(system)
+    : Solution(system.Sites.Number.size(), 0.0)
+    , System(system)
+    , Table(system)
   {
   }
 
   explicit GridLevel(std::unique_ptr<SiteSystem<Radius>> system)
-    : Own(std::move(system))
+    : Solution(system->Sites.Number.size(), 0.0)
+    , Own(std::move(system))
     , System(*this->Own)
+    , Table(*this->Own)
   {
   }
 
@@ -424,33 +429,35 @@ public:
 
   void Multiply(const std::vector<double>& values, std::vector<double>& product) const
   {
-    for (std::size_t site = 0; site < this->Size(); ++site)
-    {
-      const std::int64_t place = this->System.Sites.Place[site];
-      product[place] = this->System.Product(site, values);
-    }
+    this->Table.ForEach([&](std::size_t, std::int64_t place, const Row& row, const Steps& steps)
+      { product[place] = row.Rows(-Radius, Radius, steps, values.data() + place); });
   }
 
   // Steps of a cycle, by Side and Solution: a Gauss-Seidel sweep over a solution of 0; the rest of the right side to
   // the coarser level; the coarser solution to this one; a sweep in the opposite order.
+
+  /// Nothing is there yet at the sites after each one.
   void SmoothFromNothing()
   {
-    this->Solution.assign(this->Side.size(), 0.0);
-    for (std::size_t site = 0; site < this->Size(); ++site)
-    {
-      this->Smooth(site);
-    }
+    this->Table.ForEach(
+      [this](std::size_t, std::int64_t place, const Row& row, const Steps& steps)
+      {
+        double* const value = this->Solution.data() + place;
+        *value = (this->Side[place] - row.Before(steps, value)) * row.InverseCentre;
+      });
   }
 
+  /// After that sweep, the rest is what the sites after each one add.
   void RestrictResidual(GridLevel& coarser) const
   {
     coarser.Side.assign(coarser.System.Sites.Number.size(), 0.0);
-    for (std::size_t site = 0; site < this->Size(); ++site)
-    {
-      const double rest = this->Rest(site);
-      this->ForEachCoarseOf(
-        site, coarser.System.Sites, [&](std::int64_t coarse, double weight) { coarser.Side[coarse] += weight * rest; });
-    }
+    this->Table.ForEach(
+      [&](std::size_t site, std::int64_t place, const Row& row, const Steps& steps)
+      {
+        const double rest = -row.After(steps, this->Solution.data() + place);
+        this->ForEachCoarseOf(site, coarser.System.Sites,
+          [&](std::int64_t coarse, double weight) { coarser.Side[coarse] += weight * rest; });
+      });
   }
 
   void AddInterpolated(const GridLevel& coarser)
@@ -465,10 +472,13 @@ public:
 
   void SmoothBackwards()
   {
-    for (std::size_t site = this->Size(); site-- > 0;)
-    {
-      this->Smooth(site);
-    }
+    this->Table.ForEachBackwards(
+      [this](std::size_t, std::int64_t place, const Row& row, const Steps& steps)
+      {
+        double* const value = this->Solution.data() + place;
+        const double before = this->Side[place] - row.Before(steps, value);
+        *value = (before - row.After(steps, value)) * row.InverseCentre;
+      });
   }
 
   void SolveDirectly()
@@ -497,9 +507,12 @@ public:
   }
 
   std::vector<double> Side;
-  std::vector<double> Solution;
+  std::vector<double> Solution; // 0 where there is no site
 
 private:
+  using Row = typename StencilTable<Radius>::Row;
+  using Steps = typename StencilTable<Radius>::Steps;
+
   template <typename Visitor>
   void ForEachCoarseOf(std::size_t site, const SiteBox& coarse, Visitor&& visit) const
   {
@@ -515,20 +528,9 @@ private:
 
   void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const;
 
-  double Rest(std::size_t site) const
-  {
-    const std::int64_t place = this->System.Sites.Place[site];
-    return this->Side[place] - this->System.Product(site, this->Solution);
-  }
-
-  void Smooth(std::size_t site)
-  {
-    this->Solution[this->System.Sites.Place[site]] +=
-      this->Rest(site) / this->System.Matrix[site][StencilMatrix<Radius>::Centre];
-  }
-
   const std::unique_ptr<SiteSystem<Radius>> Own; // not that of the finest level
   const SiteSystem<Radius>& System;
+  const StencilTable<Radius> Table;
   std::vector<std::int64_t> CoarseOf; // for each site the first place of the next level that stands for it
   std::optional<EnvelopeCholesky> Direct;
 };

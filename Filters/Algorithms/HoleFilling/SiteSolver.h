@@ -97,23 +97,6 @@ struct SiteSystem
     return this->Sites.Beside(site, index % Stencil::Side - Radius, index / Stencil::Side - Radius);
   }
 
-  /// The row of a site, times values given for each place.
-  double Product(std::size_t site, const std::vector<double>& atPlace) const
-  {
-    const typename Stencil::Row& row = this->Matrix[site];
-    double sum = 0.0;
-    for (int dy = 0; dy < Stencil::Side; ++dy)
-    {
-      const double* const values =
-        atPlace.data() + this->Sites.Near->Beside(this->Sites.Place[site], -Radius, dy - Radius);
-      for (int dx = 0; dx < Stencil::Side; ++dx)
-      {
-        sum += row[dy * Stencil::Side + dx] * values[dx];
-      }
-    }
-    return sum;
-  }
-
   SiteBox Sites;
   StencilMatrix<Radius> Matrix;
 };

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Two ways:
+//
+// Where no number is missing, many windows side by side. Each file is sorted; sorted files are merged to pairs, and
+// these to three and to four files, which the windows beside share; and the median of a window is selected from its
+// first four files and its last three. Sorting and merging are networks (Batcher 1968), which do the same to all
+// windows, without a branch.
+//
+// Elsewhere, from a place to the next one: a file leaves the window and another comes. Both are sorted, and so is the
+// window, so that it takes one pass over it.
+
+#include "WindowMedians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t Numbers = WindowSide * WindowSide; // of a window
+
+//----------------------------------------------------------------------------------------------------------------------
+// Networks
+
+/// The numbers of one rank, or of one row, at places side by side.
+constexpr std::size_t NumberOfLanes = 64;
+using Lanes = std::array<float, NumberOfLanes>;
+/// The places whose windows lie in the lanes.
+constexpr std::int64_t BlockSize = std::int64_t(NumberOfLanes) - 2 * WindowReach;
+
+using RowList = std::vector<std::size_t>;
+
+/// Which rows to compare, so that the first of a pair has the smaller numbers then, and in which order rows are
+/// ascending in the end.
+struct Network
+{
+  std::vector<std::pair<std::size_t, std::size_t>> Pairs;
+  RowList Order;
+
+  void Run(Lanes* rows) const
+  {
+    for (const auto& [first, second] : this->Pairs)
+    {
+      float* const a = rows[first].data();
+      float* const b = rows[second].data();
+      for (std::size_t n = 0; n < NumberOfLanes; ++n)
+      {
+        const float low = std::min(a[n], b[n]);
+        b[n] = std::max(a[n], b[n]);
+        a[n] = low;
+      }
+    }
+  }
+};
+
+RowList EveryOther(const RowList& rows, std::size_t first)
+{
+  RowList result;
+  for (std::size_t n = first; n < rows.size(); n += 2)
+  {
+    result.push_back(rows[n]);
+  }
+  return result;
+}
+
+/// Adds pairs that merge sorted rows, and gives the order in which they are sorted then.
+RowList AddMerge(Network& network, const RowList& a, const RowList& b)
+{
+  if (a.empty() || b.empty())
+  {
+    return a.empty() ? b : a;
+  }
+  if (a.size() == 1 && b.size() == 1)
+  {
+    network.Pairs.emplace_back(a[0], b[0]);
+    return { a[0], b[0] };
+  }
+  const RowList odd = AddMerge(network, EveryOther(a, 0), EveryOther(b, 0));
+  const RowList even = AddMerge(network, EveryOther(a, 1), EveryOther(b, 1));
+  RowList sorted = { odd[0] };
+  for (std::size_t n = 0; n < even.size() || n + 1 < odd.size(); ++n)
+  {
+    if (n < even.size() && n + 1 < odd.size())
+    {
+      network.Pairs.emplace_back(even[n], odd[n + 1]);
+    }
+    if (n < even.size())
+    {
+      sorted.push_back(even[n]);
+    }
+    if (n + 1 < odd.size())
+    {
+      sorted.push_back(odd[n + 1]);
+    }
+  }
+  return sorted;
+}
+
+/// Rows `first` to `last`, the latter not included.
+RowList Range(std::size_t first, std::size_t last)
+{
+  RowList rows;
+  for (std::size_t row = first; row < last; ++row)
+  {
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+RowList AddSort(Network& network, std::size_t first, std::size_t last)
+{
+  const std::size_t middle = (first + last) / 2;
+  if (last - first == 1)
+  {
+    return { first };
+  }
+  const RowList low = AddSort(network, first, middle);
+  return AddMerge(network, low, AddSort(network, middle, last));
+}
+
+Network MakeSort(std::size_t size)
+{
+  Network network;
+  network.Order = AddSort(network, 0, size);
+  return network;
+}
+
+/// Of sorted rows, the first `size` ones and so many others after them.
+Network MakeMerge(std::size_t size, std::size_t others)
+{
+  Network network;
+  network.Order = AddMerge(network, Range(0, size), Range(size, size + others));
+  return network;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Windows without a number missing
+
+/// The medians of a block of windows.
+class WindowBlock
+{
+public:
+  /// `rows` begin at the first file of the first window.
+  void Find(const std::array<const float*, WindowSide>& rows, float* medians)
+  {
+    static const Network sort = MakeSort(Side);
+    static const Network toPairs = MakeMerge(Side, Side);
+    static const Network toThree = MakeMerge(2 * Side, Side);
+    static const Network toFour = MakeMerge(2 * Side, 2 * Side);
+    for (std::size_t n = 0; n < Side; ++n)
+    {
+      std::copy_n(rows[n], NumberOfLanes, this->File[n].begin());
+    }
+    sort.Run(this->File.data());
+    Copy(this->File.data(), sort, 0, this->Pair.data());
+    Copy(this->File.data(), sort, 1, this->Pair.data() + Side);
+    toPairs.Run(this->Pair.data());
+    Copy(this->Pair.data(), toPairs, 0, this->Four.data());
+    Copy(this->Pair.data(), toPairs, 2, this->Four.data() + 2 * Side);
+    toFour.Run(this->Four.data());
+    Copy(this->Pair.data(), toPairs, 4, this->Three.data());
+    Copy(this->File.data(), sort, 6, this->Three.data() + 2 * Side);
+    toThree.Run(this->Three.data());
+    this->Select(toFour.Order, toThree.Order, medians);
+  }
+
+private:
+  static constexpr std::size_t Side = std::size_t(WindowSide);
+
+  /// Sorted rows as the lanes so many places before see them.
+  static void Copy(const Lanes* from, const Network& sorted, std::size_t shift, Lanes* to)
+  {
+    for (std::size_t n = 0; n < sorted.Order.size(); ++n)
+    {
+      const Lanes& row = from[sorted.Order[n]];
+      std::copy(row.begin() + shift, row.end(), to[n].begin());
+    }
+  }
+
+  /// The median is the least number that so many of the four files and the rest of the three are at most.
+  void Select(const RowList& ofFour, const RowList& ofThree, float* medians) const
+  {
+    constexpr std::size_t rank = std::size_t(Numbers) / 2;
+    Lanes result = this->Four[ofFour[rank]];
+    for (std::size_t n = 0; n < ofThree.size(); ++n)
+    {
+      const Lanes& four = this->Four[ofFour[rank - 1 - n]];
+      const Lanes& three = this->Three[ofThree[n]];
+      for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+      {
+        result[lane] = std::min(result[lane], std::max(four[lane], three[lane]));
+      }
+    }
+    std::copy_n(result.begin(), BlockSize, medians);
+  }
+
+  // What the last lanes of merged files have is never used.
+  std::array<Lanes, Side> File = {};
+  std::array<Lanes, 2 * Side> Pair = {};
+  std::array<Lanes, 3 * Side> Three = {};
+  std::array<Lanes, 4 * Side> Four = {};
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// Others
+
+/// The numbers of seven rows at one place, ascending; those that are nan are left out.
+struct SortedFile
+{
+  std::array<float, std::size_t(WindowSide)> Values;
+  int Size = 0;
+
+  void Insert(float value)
+  {
+    int place = this->Size++;
+    for (; place > 0 && this->Values[place - 1] > value; --place)
+    {
+      this->Values[place] = this->Values[place - 1];
+    }
+    this->Values[place] = value;
+  }
+};
+
+/// The numbers of seven files, ascending.
+class SortedWindow
+{
+public:
+  void Replace(const SortedFile& leaving, const SortedFile& coming)
+  {
+    std::array<float, std::size_t(Numbers)> next;
+    std::size_t size = 0;
+    int left = 0;
+    int came = 0;
+    for (std::size_t n = 0; n < this->Size; ++n)
+    {
+      const float value = this->Values[n];
+      if (left < leaving.Size && leaving.Values[left] == value)
+      {
+        ++left;
+        continue;
+      }
+      while (came < coming.Size && coming.Values[came] < value)
+      {
+        next[size++] = coming.Values[came++];
+      }
+      next[size++] = value;
+    }
+    while (came < coming.Size)
+    {
+      next[size++] = coming.Values[came++];
+    }
+    std::copy(next.begin(), next.begin() + size, this->Values.begin());
+    this->Size = size;
+  }
+
+  float Median() const { return this->Values[this->Size == 0 ? 0 : (this->Size - 1) / 2]; }
+
+private:
+  std::array<float, std::size_t(Numbers)> Values = {};
+  std::size_t Size = 0;
+};
+
+/// The medians at the places from `first` on before `last`.
+void FindOneByOne(const std::array<const float*, WindowSide>& rows, std::int64_t width, std::int64_t first,
+  std::int64_t last, float* medians)
+{
+  std::array<SortedFile, WindowSide> files; // a ring
+  SortedWindow window;
+  for (std::int64_t x = first - 2 * WindowReach; x < last; ++x)
+  {
+    SortedFile coming;
+    const std::int64_t place = x + WindowReach;
+    for (std::size_t n = 0; n < rows.size() && place >= 0 && place < width; ++n)
+    {
+      if (!std::isnan(rows[n][place]))
+      {
+        coming.Insert(rows[n][place]);
+      }
+    }
+    SortedFile& oldest = files[std::size_t(x - first + 2 * WindowReach) % files.size()];
+    window.Replace(oldest, coming);
+    oldest = coming;
+    if (x >= first)
+    {
+      medians[x] = window.Median();
+    }
+  }
+}
+
+/// The first place from `x` on whose file has a number missing, or has none.
+std::int64_t FindEnd(
+  const std::array<const float*, WindowSide>& rows, std::int64_t width, std::int64_t x, bool isMissing)
+{
+  const auto hasMissing = [&](std::int64_t place)
+  {
+    float sum = 0.0F;
+    for (const float* const row : rows)
+    {
+      sum += row[place];
+    }
+    return std::isnan(sum);
+  };
+  while (x < width && hasMissing(x) != isMissing)
+  {
+    ++x;
+  }
+  return x;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FindWindowMedians(const std::array<const float*, WindowSide>& rows, std::int64_t width, float* medians)
+{
+  WindowBlock block;
+  std::int64_t done = 0;
+  for (std::int64_t end = 0; end < width;)
+  {
+    const std::int64_t begin = FindEnd(rows, width, end, false);
+    end = FindEnd(rows, width, begin, true);
+    const std::int64_t first = begin + WindowReach;
+    const std::int64_t last = end - WindowReach;
+    if (last - first < BlockSize)
+    {
+      continue;
+    }
+    FindOneByOne(rows, width, done, first, medians);
+    for (std::int64_t x = first; x < last; x += BlockSize)
+    {
+      const std::int64_t start = std::min(x, last - BlockSize);
+      std::array<const float*, WindowSide> files;
+      std::transform(
+        rows.begin(), rows.end(), files.begin(), [&](const float* row) { return row + start - WindowReach; });
+      block.Find(files, medians + start);
+    }
+    done = last;
+  }
+  FindOneByOne(rows, width, done, width, medians);
+}
+}
