@@ -17,11 +17,15 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
+
+#include <cmath>
 
 /// Passes data on, with the heights of points as an array.
 class vtkHorizonHeights : public vtkPassInputTypeAlgorithm
@@ -72,6 +76,27 @@ void AddSimplifiedBoundary(vtkPointSet* points)
   }
 }
 
+/// Moves fault lines from the middle of the step to its upper edge, where the horizon does not hide them.
+void LiftFaultLines(vtkPointSet* points)
+{
+  vtkDataArray* const throws = points->GetPointData()->GetArray(PointArray::Throw);
+  vtkDataArray* const toWorld = points->GetFieldData()->GetArray(FieldArray::LatticeToWorld);
+  if (!throws || !toWorld || toWorld->GetNumberOfValues() != 16)
+  {
+    return;
+  }
+  const double half = std::fabs(toWorld->GetComponent(0, 10)) / 2.0; // a vertical index
+  vtkNew<vtkPoints> lifted;
+  lifted->DeepCopy(points->GetPoints());
+  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
+  {
+    double* const place = lifted->GetPoint(n);
+    const double lift = half * std::fabs(throws->GetComponent(n, 0));
+    lifted->SetPoint(n, place[0], place[1], place[2] + (std::isfinite(lift) ? lift : 0.0));
+  }
+  points->SetPoints(lifted);
+}
+
 void AddArrays(vtkDataObject* block)
 {
   auto* const points = vtkPointSet::SafeDownCast(block);
@@ -79,6 +104,7 @@ void AddArrays(vtkDataObject* block)
   {
     AddHeights(points);
     AddSimplifiedBoundary(points);
+    LiftFaultLines(points);
   }
 }
 

@@ -229,6 +229,16 @@ class FirstSightTest(unittest.TestCase):
         values = list(display.LookupTable.RGBPoints)[0::4]
         self.assertEqual(values[0], -values[-1])
 
+    def test_fault_lines_are_at_the_upper_edge_of_the_step(self):
+        faults = simple.HorizonFaults(Input=self.horizons)
+        display = self.show(faults, 1)
+        simple.Render(self.view)
+        lines = faults.GetDataInformation(1)
+        own, seen = lines.GetBounds(), display.SMProxy.GetRepresentedDataInformation().GetBounds()
+        throws = lines.GetPointDataInformation().GetArrayInformation("Throw").GetComponentRange(0)
+        self.assertEqual((own[:4], throws), (seen[:4], (12, 12)))
+        self.assertEqual([high - low for low, high in zip(own[4:], seen[4:])], [6, 6])
+
     def test_colours_around_zero_stay_so_with_a_second_file(self):
         first = self.show(simple.HorizonFaults(Input=self.horizons), 1)
         path = FOLDER / "deeper.vsm"
