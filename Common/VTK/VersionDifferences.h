@@ -40,14 +40,6 @@ inline void MarkAborted([[maybe_unused]] vtkAlgorithm* algorithm, [[maybe_unused
 #endif
 }
 
-/// Whether lines that are drawn as tubes are where they should be: later versions hide them behind the surface around them,
-/// and show those that are behind it.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-inline constexpr bool TubesAreInPlace = false;
-#else
-inline constexpr bool TubesAreInPlace = true;
-#endif
-
 /// The name of a type of cells, as vtkHexahedron.
 inline const char* CellTypeName(int type)
 {

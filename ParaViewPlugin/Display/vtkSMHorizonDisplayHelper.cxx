@@ -5,8 +5,6 @@
 
 #include "ColorRange.h"
 
-#include "Common/VTK/VersionDifferences.h"
-
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkNew.h"
@@ -22,6 +20,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +33,8 @@ namespace
 {
 using SeismicHorizons::ColorRange;
 
+// VTK 9.6 hides lines that are drawn as tubes behind the surface around them, and shows those that are behind it.
+constexpr const char* Tubes = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) ? "" : "tubes";
 constexpr const char* Empty = "SeismicHorizons.Empty"; // had no data when it was shown first
 constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // in none of the maps
 constexpr std::array<double, 3> EdgeColor = { 0.32, 0.36, 0.40 }; // ParaView's dark blue hides small triangles
@@ -283,14 +284,13 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   }
   proxy->RemoveAnnotation(Empty);
   bool isColored = false;
-  const char* const tubes = SeismicHorizons::TubesAreInPlace ? "tubes" : "";
   const char* representation = nullptr;
   for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))
   {
     representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
     SetPointSize(proxy, hint, data, initializationTimeStamp);
-    SetSize(proxy, "RenderLinesAsTubes", hint, tubes, initializationTimeStamp);
+    SetSize(proxy, "RenderLinesAsTubes", hint, Tubes, initializationTimeStamp);
     SetSize(proxy, "RenderPointsAsSpheres", hint, "spheres", initializationTimeStamp);
     SetSize(proxy, "Ambient", hint, "ambient", initializationTimeStamp);
     SetSize(proxy, "Diffuse", hint, "diffuse", initializationTimeStamp);

@@ -10,6 +10,7 @@
 """
 
 import pathlib
+import re
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkMultiPieceDataSet
@@ -51,7 +52,10 @@ def fetch(proxy, port=0):
     blocks.UpdatePipeline()  # or Fetch does not know that they are some
     horizons = {}
     _collect(servermanager.Fetch(blocks), None, horizons)
-    return {name: horizons[name] for name in sorted(horizons, key=_names(blocks).index)}
+    names = _names(blocks)
+    # Fetch of ParaView 6 puts the number of a rank's blocks before their names.
+    horizons = {name if name in names else re.sub(r"^Block \d+_", "", name): data for name, data in horizons.items()}
+    return {name: horizons[name] for name in sorted(horizons, key=names.index)}
 
 
 def _names(blocks):
