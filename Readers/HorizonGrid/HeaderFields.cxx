@@ -37,14 +37,6 @@ InputError WrongWord(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string_view Unquote(std::string_view text)
-{
-  text = Trim(text);
-  const bool isQuoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
-  return isQuoted ? Trim(text.substr(1, text.size() - 2)) : text;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 bool IsSameWord(std::string_view a, std::string_view b)
 {
   return ToLower(a) == ToLower(b);
