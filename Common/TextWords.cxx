@@ -38,6 +38,6 @@ std::string_view Unquote(std::string_view text)
 {
   text = Trim(text);
   const bool isQuoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
-  return isQuoted ? Trim(text.substr(1, text.size() - 2)) : text;
+  return isQuoted ? text.substr(1, text.size() - 2) : text;
 }
 }

@@ -61,7 +61,7 @@ std::vector<std::string> SplitAtCommas(std::string_view line)
   for (std::size_t first = 0; first <= line.size();)
   {
     const std::size_t last = std::min(line.find(',', first), line.size());
-    fields.emplace_back(Unquote(line.substr(first, last - first)));
+    fields.emplace_back(Trim(Unquote(line.substr(first, last - first))));
     first = last + 1;
   }
   return fields;
