@@ -32,4 +32,12 @@ std::string_view Trim(std::string_view text)
   }
   return text;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string_view Unquote(std::string_view text)
+{
+  text = Trim(text);
+  const bool isQuoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+  return isQuoted ? text.substr(1, text.size() - 2) : text;
+}
 }

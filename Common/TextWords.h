@@ -29,6 +29,9 @@ inline std::string_view WithoutByteOrderMark(std::string_view text)
 
 /// The text without blanks and line ends at both ends.
 std::string_view Trim(std::string_view text);
+
+/// The same without a pair of quotes around it; blanks within these stay.
+std::string_view Unquote(std::string_view text);
 }
 
 #endif

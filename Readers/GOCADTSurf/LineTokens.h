@@ -11,14 +11,6 @@
 
 namespace SeismicHorizons
 {
-/// A text without blanks and one pair of quotes around it.
-inline std::string_view Unquote(std::string_view text)
-{
-  text = Trim(text);
-  const bool isQuoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
-  return isQuoted ? text.substr(1, text.size() - 2) : text;
-}
-
 /// The words of a line, one after the other.
 class LineTokens
 {

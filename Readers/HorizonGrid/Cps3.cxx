@@ -31,7 +31,7 @@ Cps3Header ReadHeader(GridText& text)
     const std::string_view line = Trim(*text.PeekLine());
     if (line.substr(0, 2) == "->")
     {
-      header.Name = Unquote(line.substr(2));
+      header.Name = Trim(Unquote(line.substr(2)));
     }
     else if (line.substr(0, 2) == "FS")
     {

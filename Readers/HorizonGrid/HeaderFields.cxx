@@ -37,14 +37,6 @@ InputError WrongWord(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string_view Unquote(std::string_view text)
-{
-  text = Trim(text);
-  const bool isQuoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
-  return isQuoted ? Trim(text.substr(1, text.size() - 2)) : text;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 bool IsSameWord(std::string_view a, std::string_view b)
 {
   return ToLower(a) == ToLower(b);
@@ -69,7 +61,7 @@ std::vector<std::string> SplitAtCommas(std::string_view line)
   for (std::size_t first = 0; first <= line.size();)
   {
     const std::size_t last = std::min(line.find(',', first), line.size());
-    fields.emplace_back(Unquote(line.substr(first, last - first)));
+    fields.emplace_back(Trim(Unquote(line.substr(first, last - first))));
     first = last + 1;
   }
   return fields;

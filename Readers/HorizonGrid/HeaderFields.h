@@ -17,9 +17,6 @@
 
 namespace SeismicHorizons
 {
-/// Without quotes around it, and without blanks around these.
-std::string_view Unquote(std::string_view text);
-
 /// Whether two words are the same but for capital letters.
 bool IsSameWord(std::string_view a, std::string_view b);
 

@@ -13,7 +13,7 @@ import sys
 
 PAGES, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 # What begins a line that is for the source tree, or for installing.
-OTHERS = ("Utilities/", "cmake ", "pip ", "sudo ", "export ", "paraview", "python3 Utilities/")
+OTHERS = ("Utilities/", "cmake ", "sudo ", "pip ", "export ", "paraview", "python3 Utilities/")
 
 
 def blocks(page, language):

@@ -5,9 +5,12 @@
 Arguments: the folder of the sample, a folder for files.
 """
 
+import os
 import pathlib
+import re
 import sys
 import unittest
+from unittest import mock
 
 import numpy as np
 import pyvista as pv
@@ -15,7 +18,7 @@ import seismichorizons as sh
 import xarray
 import xtgeo
 
-DATA, FOLDER = map(pathlib.Path, sys.argv[1:])
+DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 
 
 def dome():
@@ -55,6 +58,23 @@ class PyVistaTest(unittest.TestCase):
         self.assertEqual(blocks.keys(), ["top"])
         self.assertEqual(blocks["top"].n_points, mesh.n_points)
         self.assertEqual(pv.read(DATA / "sample.vsm").keys(), list(sh.read(DATA / "sample.vsm")))
+
+
+class PageTest(unittest.TestCase):
+    def test_code(self):
+        """That of Documentation/InPython.md, as it stands there."""
+        page = (DATA.parent / "Documentation" / "InPython.md").read_text(encoding="utf-8")
+        blocks = re.findall(r"^```python\n(.*?)^```$", page, re.M | re.S)
+        self.assertGreater(len(blocks), 2)
+        os.chdir(FOLDER)
+        picks = ["Top\t%.1f\t%.1f\t%.2f\n" % (25 * i, 25 * j, z) for (j, i), z in np.ndenumerate(dome())]
+        (FOLDER / "picks.dat").write_text("Name\tX\tY\tZ (ms)\n" + "".join(picks))
+        sh.write(sh.horizon(dome()), FOLDER / "top.vsm")
+        known = {}
+        with mock.patch.object(pv, "OFF_SCREEN", True):
+            for block in blocks:
+                exec(block, known)
+        self.assertTrue((FOLDER / "top.ts").exists())
 
 
 class SurfacesOfOthersTest(unittest.TestCase):

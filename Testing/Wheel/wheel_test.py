@@ -126,3 +126,5 @@ for program, *arguments in PROGRAMS:
     arguments[-1].mkdir(exist_ok=True)
     run(installed, program, *arguments)
     print("%s passes" % program.name)
+for name in ("found", "build", "use"):  # gigabytes
+    shutil.rmtree(FOLDER / name)

@@ -8,6 +8,7 @@
 #include "Common/PlaneGeometry.h"
 #include "Tools/Check.h"
 
+#include <array>
 #include <utility>
 
 using namespace GapFixtures;
@@ -43,7 +44,9 @@ public:
         this->Known[place] = true;
         found.push_back(place);
         const std::int64_t x = place % this->Width;
-        for (const std::int64_t step : { -this->Width, this->Width, x > 0 ? -1L : 0L, x + 1 < this->Width ? 1L : 0L })
+        const std::array<std::int64_t, 4> steps = { -this->Width, this->Width, x > 0 ? -1 : 0,
+          x + 1 < this->Width ? 1 : 0 };
+        for (const std::int64_t step : steps)
         {
           open.push_back(place + step);
         }
