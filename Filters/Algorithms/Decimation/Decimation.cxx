@@ -373,7 +373,8 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   if (options.FitHeights && error > 0.0)
   {
     refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
-    mesh.SetHeights(FitHeights(mesh, DecimationPriority::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
+    mesh.Triangles().SortByPlace(); // what is read next is near then
+    mesh.SetHeights(FitHeights(mesh, FitAim::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
   refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));

@@ -18,10 +18,17 @@ namespace SeismicHorizons
 namespace
 {
 /// The power of each step.
-std::vector<double> Powers(DecimationPriority priority)
+std::vector<double> Powers(FitAim aim)
 {
-  return priority == DecimationPriority::SumOfSquares ? std::vector<double>{ 2.0, 1.5, 1.0 }
-                                                      : std::vector<double>{ 3.0, 3.0, 4.0, 4.0 };
+  switch (aim)
+  {
+    case FitAim::LargestError:
+      return { 4.0, 4.0 };
+    case FitAim::Mean:
+      return { 2.0, 1.5, 1.0 };
+    default:
+      return { 2.0 };
+  }
 }
 
 // What an error of a side counts, beside one of a column, for a small mean error: that is of columns alone.
@@ -285,9 +292,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InnerHeights FitHeights(const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor)
+InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor)
 {
-  return HeightFitter(mesh, reach).Run(Powers(priority), monitor);
+  return HeightFitter(mesh, reach).Run(Powers(aim), monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

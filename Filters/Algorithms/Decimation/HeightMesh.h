@@ -76,6 +76,8 @@ public:
 
   /// How many points are vertices of the mesh or on loops.
   std::size_t NumberOfVertices() const { return this->Vertices; }
+  /// And how many of these are on no loop.
+  std::size_t NumberOfInnerVertices() const { return this->Vertices - this->OnLoops; }
   bool IsVertex(PointId point) const { return this->Marks[point] != 0; }
   /// By point, 1 for vertices and points of loops.
   const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
@@ -173,6 +175,7 @@ private:
   std::size_t Points;
   std::vector<unsigned char> LoopMarks; // by point
   std::vector<unsigned char> Marks; // by point
+  std::size_t OnLoops; // points
   std::size_t Vertices;
   PlaneMesh Mesh;
   std::vector<double> VertexHeights; // by point

@@ -522,8 +522,10 @@ void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVer
 }
 
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
-// Each finds less: the third takes one vertex in a hundred.
-constexpr int Rounds = 3;
+// Rounds go on as long as each takes such a part of the inner vertices, which the first one of smooth horizons does not
+// quite. Where heights are rounded to whole numbers it takes several.
+constexpr double LeastPartOfRound = 0.04;
+constexpr int MostRounds = 4;
 
 // How often the smallest angle is halved where no vertex can go otherwise, before any angle will do.
 constexpr int MostHalvings = 12;
@@ -539,18 +541,27 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
   const double error = options.MaximumError;
   MeshCost cost(DecimationPriority::LargestError, error, options.SmallestAngle);
   cost.LargestError = error + mesh.Rounding();
-  mesh.Triangles().SortByPlace();
-  for (int round = 0; round < Rounds; ++round)
+  const auto fit = [&](FitAim aim, const Monitor& step)
   {
-    const Monitor step = monitor.Step(double(round) / Rounds, double(round + 1) / Rounds);
-    FlipEdges(mesh, cost, step.Step(0.0, 0.3));
     if (options.FitHeights)
     {
-      MoveHeightsWithin(
-        mesh, cost.LargestError, FitHeights(mesh, DecimationPriority::LargestError, error, step.Step(0.3, 0.5)));
+      MoveHeightsWithin(mesh, cost.LargestError, FitHeights(mesh, aim, error, step));
     }
+  };
+  // What is flipped and fitted is the smaller mesh, which also leaves the fewest vertices.
+  mesh.Triangles().SortByPlace();
+  RemoveVertices(mesh, cost, 0, monitor.Step(0.0, 0.3));
+  bool isWorthIt = true;
+  for (int round = 0; round < MostRounds && isWorthIt; ++round)
+  {
+    const Monitor step = monitor.Step(0.3 + 0.15 * round, 0.45 + 0.15 * round);
+    const std::size_t before = mesh.NumberOfInnerVertices();
+    FlipEdges(mesh, cost, step.Step(0.0, 0.3));
+    fit(FitAim::LargestError, step.Step(0.3, 0.5));
     RemoveVertices(mesh, cost, 0, step.Step(0.5, 1.0));
+    isWorthIt = double(before - mesh.NumberOfInnerVertices()) >= LeastPartOfRound * double(before);
   }
+  fit(FitAim::Squares, monitor.Step(0.9, 1.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -561,7 +572,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
   // What is flipped and fitted half-way shows better which vertices can go.
-  const std::size_t onLoops = mesh.NumberOfVertices() - mesh.Heights().Points.size();
+  const std::size_t onLoops = mesh.NumberOfVertices() - mesh.NumberOfInnerVertices();
   const std::size_t halfWay = onLoops + std::size_t(HalfWay * double(vertices - onLoops));
   const auto improve = [&](const Monitor& step)
   {
@@ -594,8 +605,10 @@ void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& m
   {
     return;
   }
-  const InnerHeights heights = FitHeights(mesh, priority, largest, monitor);
-  if (priority == DecimationPriority::LargestError)
+  const bool isForLargest = priority == DecimationPriority::LargestError;
+  const InnerHeights heights =
+    FitHeights(mesh, isForLargest ? FitAim::LargestError : FitAim::Mean, largest, monitor);
+  if (isForLargest)
   {
     MoveHeightsWithin(mesh, largest, heights);
     return;
