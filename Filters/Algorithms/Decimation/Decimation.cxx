@@ -16,6 +16,7 @@
 #include "MeshImprover.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -79,8 +80,8 @@ MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationP
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
-  this->Mesh.MeasureAll(this->Power, monitor.Step(0.0, 0.1));
   const double bound = error + this->Mesh.Rounding();
+  this->Mesh.MeasureAll(this->Power, bound, monitor.Step(0.0, 0.1));
   const double first = this->Mesh.LargestError();
   double part = 0.1;
   double limit = std::numeric_limits<double>::infinity();
@@ -97,15 +98,15 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
         " in several triangles, expected loops that enclose it once");
     }
     this->SortNew();
-    this->Mesh.Measure(this->New, this->Power, Monitor());
+    this->Mesh.Measure(this->New, this->Power, bound, Monitor());
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
 {
-  this->Mesh.MeasureAllWithSides(monitor.Step(0.0, 0.8));
   const double bound = error + this->Mesh.Rounding();
+  this->Mesh.MeasureAllSides(bound, monitor.Step(0.0, 0.8));
   double limit = 0.0;
   for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(bound, limit, far);)
   {
@@ -116,7 +117,8 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
       std::for_each(
         far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
     }
-    this->Mesh.MeasureWithSides(this->New, Monitor());
+    this->Mesh.Measure(this->New, ErrorPower(), bound, Monitor());
+    this->Mesh.MeasureSides(this->New, bound, Monitor());
   }
 }
 
@@ -241,9 +243,9 @@ public:
   {
     this->WritePoints();
     this->WriteTriangles();
-    this->AssignPoints(monitor);
+    this->AssignPoints(monitor.Step(0.0, 0.8));
     this->CheckAllAssigned();
-    this->MeasureSides();
+    this->MeasureSides(monitor.Step(0.8, 1.0));
     return std::move(this->Result);
   }
 
@@ -328,19 +330,27 @@ private:
     }
   }
 
-  void MeasureSides()
+  /// Each side once.
+  void MeasureSides(const Monitor& monitor)
   {
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
-    {
-      for (int side = 0; side < 3; ++side)
+    std::vector<std::array<double, 2>> errors(std::size_t(this->Mesh.Size()), { 0.0, 0.0 }); // of inner sides, of loops
+    this->Surface.ForEachTriangle(monitor,
+      [&](TriangleId triangle)
       {
-        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-        if (beyond == NoTriangle || beyond > triangle) // each side once
+        for (int side = 0; side < 3; ++side)
         {
-          double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
-          largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
+          const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+          if (beyond == NoTriangle || beyond > triangle)
+          {
+            double& largest = errors[triangle][beyond == NoTriangle ? 1 : 0];
+            largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
+          }
         }
-      }
+      });
+    for (const auto& [ofInner, ofLoop] : errors)
+    {
+      this->Result.LargestSideError = std::max(this->Result.LargestSideError, ofInner);
+      this->Result.LargestLoopError = std::max(this->Result.LargestLoopError, ofLoop);
     }
   }
 

@@ -11,11 +11,15 @@
 #include "Common/Predicates.h"
 #include "Common/Types.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -28,6 +32,7 @@ class SideWalk
 public:
   SideWalk(const PlanePoint& low, const PlanePoint& high)
     : Height(std::max(1, high.Y - low.Y))
+    , PerHeight(1.0 / double(this->Height))
     , Floor(low.X)
     , Slope((high.X - low.X) / this->Height)
     , Rest((high.X - low.X) % this->Height)
@@ -43,7 +48,7 @@ public:
   std::int32_t AtOrRight() const { return this->Floor + (this->Part > 0 ? 1 : 0); }
   bool IsAtColumn() const { return this->Part == 0; }
   /// How far from AtOrLeft() to AtOrRight() the side is, from 0 to 1.
-  double PartOfColumn() const { return double(this->Part) / double(this->Height); }
+  double PartOfColumn() const { return double(this->Part) * this->PerHeight; }
 
   void GoUp()
   {
@@ -58,6 +63,7 @@ public:
 
 private:
   std::int64_t Height;
+  double PerHeight;
   std::int32_t Floor;
   std::int32_t Slope; // whole columns per row
   std::int64_t Rest; // and so many parts of one, of which a column has Height
@@ -137,11 +143,33 @@ struct Crossing
   double Error = 0.0; // the side's height less that of the line
 };
 
+/// Four neighbouring columns of a row.
+template <typename Real>
+using FourColumns = Eigen::Array<Real, 4, 1>;
+
+/// The larger of each number and 0, which is 0 where the number is nan. Eigen's maximum is that of the processor unless
+/// it is told to prefer numbers: with NEON it would be nan, and with SSE depend on the order.
+template <typename Four>
+auto AtLeastZero(const Four& four)
+{
+  using Real = typename Four::Scalar;
+  return Four::Zero().binaryExpr(four, Eigen::internal::scalar_max_op<Real, Real, Eigen::PropagateNumbers>());
+}
+
+/// Which columns in a triangle and on its sides count for it: those inside always do.
+struct SideColumns
+{
+  bool WithCorners = true;
+  std::array<bool, 3> Opposite = { true, true, true }; // to each corner
+};
+
+/// Heights are also kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the
+/// heights themselves elsewhere: so that all bounds are exact.
 class HeightRaster
 {
 public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
-  /// `columns` and `heights`, which are finite, are those of all its points. Takes 12 bytes per column of the bounding
+  /// `columns` and `heights`, which are finite, are those of all its points. Takes 16 bytes per column of the bounding
   /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut; `cuts`, null
   /// for none, must outlive it.
   template <typename ForEachPoint>
@@ -149,7 +177,7 @@ public:
     const LinkCuts* cuts = nullptr)
     : Cuts(cuts)
   {
-    forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
+    forEachPoint([&](PointId point) { this->AddRange(columns[point], heights[point]); });
     this->MakeColumns();
     forEachPoint([&](PointId point) { this->Add(point, columns[point], heights[point]); });
   }
@@ -157,8 +185,26 @@ public:
   /// Of a column with a point.
   double HeightAt(const PlanePoint& column) const { return this->Heights[this->Place(column.X, column.Y)]; }
 
+  double LowestHeight() const { return this->Lowest; }
+  double HighestHeight() const { return this->Highest; }
+
   /// At the columns inside a triangle and on its sides.
   HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
+
+  /// The largest of these errors and its point where it is above a bound, both as floats have them; else no more than
+  /// that it is not.
+  HeightError MeasureAbove(const RaisedTriangle& triangle, double bound) const;
+
+  /// Whether no error of a triangle is above a bound.
+  bool IsWithin(const RaisedTriangle& triangle, double bound) const
+  {
+    return this->SumWithin(triangle, { 0, bound }, bound) < Infinity;
+  }
+
+  /// The sum of powers of the errors as floats have it, each divided by the unit; infinite when an error is above a
+  /// bound, or as soon as the sum is seen not to stay below `most`.
+  double SumWithin(
+    const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
 
   /// Where a side crosses the line between two neighbouring columns that both have points, its distance from the
   /// straight line between these. Gives the nearer of the two points that is not marked, and nothing for crossings
@@ -169,24 +215,67 @@ public:
   /// The same without a point, of all crossings, with the sum.
   HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
 
+  /// Whether none of these errors is above a bound.
+  bool IsSideWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
+
   /// Calls visit(point, error, weights) for the columns with a point inside a triangle and on its sides: the triangle's
   /// height less that of the point, and the weights of the three corners, whose sum is twice the triangle's area.
   template <typename Visitor>
   void ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const;
 
-  /// Calls visit(crossing) for those of a side.
-  template <typename Visitor>
+  /// Whether floats tell errors apart of corners that are no farther from their columns than a bound.
+  bool IsFloatEnough(double bound) const;
+
+  /// Calls visit(errors, b, c, isIn) for the columns that count, four at a time, floats or doubles: errors, 0 where
+  /// there is no point; the weights of the second and third corner; and 1 for columns with a point that count, else 0.
+  template <typename Real, typename Visitor>
+  void ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
+
+  /// Calls visit(crossing) for those of a side, with heights as floats or doubles have them, until that gives false.
+  template <typename Real, typename Visitor>
   void ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const;
 
 private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+  void AddRange(const PlanePoint& column, double height);
   void MakeColumns();
   void Add(PointId point, const PlanePoint& column, double height);
-  template <int Power>
-  HeightError Measure(const RaisedTriangle& triangle, double perUnit) const;
-  template <int Power>
-  HeightError MeasureRows(const RaisedTriangle& triangle, double perUnit) const;
-  template <int Power>
-  HeightError MeasureBox(const RaisedTriangle& triangle, const PlaneBox& box, double perUnit) const;
+
+  /// How far an error is wrong at most that floats have, of corners no farther from their columns than a bound.
+  double FloatRounding(double bound) const;
+
+  template <typename Real>
+  const Real* HeightsAs() const
+  {
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      return this->FloatHeights.data();
+    }
+    else
+    {
+      return this->Heights.data();
+    }
+  }
+  /// What these are less.
+  template <typename Real>
+  double MiddleAs() const
+  {
+    return std::is_same_v<Real, float> ? 0.5 * this->Lowest + 0.5 * this->Highest : 0.0;
+  }
+  template <int Power, typename Real>
+  HeightError MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const;
+  template <typename Real>
+  HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const;
+  template <typename Real>
+  PointId FindPoint(const RaisedTriangle& triangle, double error) const;
+  template <typename Real, typename Visitor>
+  void ForEachWeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
+  template <typename Real, typename Visitor>
+  void ForEachWeightOfBox(
+    const RaisedTriangle& triangle, const PlaneBox& box, const SideColumns& sides, Visitor&& visit) const;
+  template <typename Real, typename Visitor>
+  void ForEachWeightOfRows(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
 
   std::int64_t Place(std::int64_t x, std::int64_t y) const
   {
@@ -197,6 +286,9 @@ private:
   std::int64_t Width = 0;
   std::vector<PointId> Points; // by place
   std::vector<double> Heights; // by place; nan where there is no point
+  std::vector<float> FloatHeights; // the same less the middle one
+  double Lowest = Infinity;
+  double Highest = -Infinity;
   const LinkCuts* Cuts;
 };
 
@@ -235,9 +327,12 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-template <typename Visitor>
+template <typename Real, typename Visitor>
 void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const
 {
+  const Real* const heights = this->HeightsAs<Real>();
+  const double start = from.Height - this->MiddleAs<Real>();
+  const double rise = to.Height - from.Height;
   // First the rows between the ends, then, with rows and columns exchanged, the columns.
   for (const bool isTurned : { false, true })
   {
@@ -251,6 +346,7 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
     {
       continue;
     }
+    const double perLine = 1.0 / (double(high.Y) - low.Y);
     SideWalk walk(low, high);
     for (std::int32_t line = low.Y + 1; line < high.Y; ++line)
     {
@@ -264,20 +360,202 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       const std::int32_t y = isTurned ? walk.AtOrLeft() : line;
       crossing.Place = this->Place(x, y);
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
-      const double first = this->Heights[crossing.Place];
-      const double second = this->Heights[crossing.Beyond];
+      const double first = heights[crossing.Place];
+      const double second = heights[crossing.Beyond];
       crossing.PartOfColumn = walk.PartOfColumn();
-      const double up = (double(line) - low.Y) / (double(high.Y) - low.Y);
+      const double up = (double(line) - low.Y) * perLine;
       crossing.PartOfSide = isUp ? up : 1.0 - up;
-      crossing.Error = from.Height + crossing.PartOfSide * (to.Height - from.Height) -
-        (first + crossing.PartOfColumn * (second - first));
+      crossing.Error = start + crossing.PartOfSide * rise - (first + crossing.PartOfColumn * (second - first));
       const bool isCut = this->Cuts && (isTurned ? this->Cuts->IsCutNorth({ x, y }) : this->Cuts->IsCutEast({ x, y }));
-      if (!isCut && !std::isnan(crossing.Error)) // a column without a point
+      const bool hasPoints = !std::isnan(crossing.Error);
+      if (!isCut && hasPoints && !visit(crossing))
       {
-        visit(crossing);
+        return;
       }
     }
   }
+}
+
+// ---- Four columns at a time ----------------------------------------------------------------------------------------
+// Weights of the corners are twice the areas of the triangles with the opposite sides: whole numbers, which change by
+// the same amount from column to column.
+struct CornerWeights
+{
+  explicit CornerWeights(const RaisedTriangle& triangle)
+    : A(triangle[0].Column)
+    , B(triangle[1].Column)
+    , C(triangle[2].Column)
+    , Area(double(SignedArea(this->A, this->B, this->C)))
+  {
+  }
+
+  double OfB(const PlanePoint& place) const { return double(SignedArea(this->C, this->A, place)); }
+  double OfC(const PlanePoint& place) const { return double(SignedArea(this->A, this->B, place)); }
+  /// From column to column of a row, and from row to row.
+  double StepOfB() const { return double(this->C.Y) - this->A.Y; }
+  double StepOfC() const { return double(this->A.Y) - this->B.Y; }
+  double RowStepOfB() const { return double(this->A.X) - this->C.X; }
+  double RowStepOfC() const { return double(this->B.X) - this->A.X; }
+
+  PlanePoint A;
+  PlanePoint B;
+  PlanePoint C;
+  double Area;
+};
+
+/// The plane of a triangle over its weights, heights less a middle one.
+template <typename Real>
+struct WeightPlane
+{
+  WeightPlane(const RaisedTriangle& triangle, double middle)
+    : Start(Real(triangle[0].Height - middle))
+  {
+    const double perArea =
+      1.0 / double(SignedArea(triangle[0].Column, triangle[1].Column, triangle[2].Column));
+    this->B = Real((triangle[1].Height - triangle[0].Height) * perArea);
+    this->C = Real((triangle[2].Height - triangle[0].Height) * perArea);
+  }
+
+  template <typename Four>
+  Four At(const Four& b, const Four& c) const
+  {
+    return this->Start + (this->B * b + this->C * c);
+  }
+
+  Real Start;
+  Real B;
+  Real C;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// All columns of the bounding box; those outside have a negative weight.
+template <typename Real, typename Visitor>
+void HeightRaster::ForEachWeightOfBox(
+  const RaisedTriangle& triangle, const PlaneBox& box, const SideColumns& sides, Visitor&& visit) const
+{
+  using Four = FourColumns<Real>;
+  const CornerWeights weights(triangle);
+  const Four columns(0, 1, 2, 3);
+  const Real area = Real(weights.Area);
+  // What the weights are above of columns that count, and what below: they are whole numbers.
+  const Real aboveA = sides.Opposite[0] ? 0 : 1;
+  const Real aboveB = sides.Opposite[1] ? 0 : 1;
+  const Real aboveC = sides.Opposite[2] ? 0 : 1;
+  const Real stepOfB = Real(weights.StepOfB());
+  const Real stepOfC = Real(weights.StepOfC());
+  const Real rowStepOfB = Real(weights.RowStepOfB());
+  const Real rowStepOfC = Real(weights.RowStepOfC());
+  Four firstB = Real(weights.OfB(box.Least)) + columns * stepOfB;
+  Four firstC = Real(weights.OfC(box.Least)) + columns * stepOfC;
+  std::int64_t first = this->Place(box.Least.X, box.Least.Y);
+  const std::int32_t width = box.Greatest.X - box.Least.X + 1;
+  for (std::int32_t y = box.Least.Y; y <= box.Greatest.Y; ++y, first += this->Width)
+  {
+    for (std::int32_t n = 0; n < width; n += 4)
+    {
+      const Four b = firstB + Real(n) * stepOfB;
+      const Four c = firstC + Real(n) * stepOfC;
+      const Four a = area - b - c;
+      const Four least = (a - aboveA).min(b - aboveB).min(c - aboveC);
+      Four isIn = (least + least + Real(1)).max(Real(0)).min(Real(1));
+      if (!sides.WithCorners)
+      {
+        isIn *= (area - a.max(b).max(c)).max(Real(0)).min(Real(1));
+      }
+      if (!visit(first + n, b, c, isIn))
+      {
+        return;
+      }
+    }
+    firstB += rowStepOfB;
+    firstC += rowStepOfC;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real, typename Visitor>
+void HeightRaster::ForEachWeightOfRows(
+  const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+{
+  using Four = FourColumns<Real>;
+  const CornerWeights weights(triangle);
+  const Four columns(0, 1, 2, 3);
+  const Real stepOfB = Real(weights.StepOfB());
+  const Real stepOfC = Real(weights.StepOfC());
+  bool goesOn = true;
+  const auto visitRow = [&](std::int32_t y, std::int32_t begin, std::int32_t end)
+  {
+    const Four b = Real(weights.OfB({ begin, y })) + columns * stepOfB;
+    const Four c = Real(weights.OfC({ begin, y })) + columns * stepOfC;
+    const std::int64_t place = this->Place(begin, y);
+    for (std::int32_t n = 0; goesOn && begin + n <= end; n += 4)
+    {
+      const Four isIn = (Real(end - begin - n + 1) - columns).max(Real(0)).min(Real(1));
+      goesOn = visit(place + n, Four(b + Real(n) * stepOfB), Four(c + Real(n) * stepOfC), isIn);
+    }
+  };
+  // Only the ends of a row can be on sides, or all of it.
+  const auto counts = [&](const PlanePoint& column)
+  {
+    const double b = weights.OfB(column);
+    const double c = weights.OfC(column);
+    const double a = weights.Area - b - c;
+    return (a > 0.0 || sides.Opposite[0]) && (b > 0.0 || sides.Opposite[1]) && (c > 0.0 || sides.Opposite[2]) &&
+      (sides.WithCorners || std::max({ a, b, c }) < weights.Area);
+  };
+  ForEachRow({ weights.A, weights.B, weights.C },
+    [&](std::int32_t y, std::int32_t begin, std::int32_t end)
+    {
+      for (; begin <= end && !counts({ begin, y }); ++begin)
+      {
+      }
+      for (; begin <= end && !counts({ end, y }); --end)
+      {
+      }
+      visitRow(y, begin, end);
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real, typename Visitor>
+void HeightRaster::ForEachWeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+{
+  // Most rows of such triangles are so short that finding their ends would take longer; and of as many rows, floats
+  // have the whole numbers of all weights.
+  constexpr std::int64_t MostColumnsOfBox = 8;
+  constexpr std::int64_t MostRowsOfBox = 1 << 19;
+  PlaneBox box;
+  for (const RaisedPoint& corner : triangle)
+  {
+    box.Add(corner.Column);
+  }
+  if (std::int64_t(box.Greatest.X) - box.Least.X < MostColumnsOfBox &&
+    std::int64_t(box.Greatest.Y) - box.Least.Y < MostRowsOfBox)
+  {
+    this->ForEachWeightOfBox<Real>(triangle, box, sides, visit);
+  }
+  else
+  {
+    this->ForEachWeightOfRows<Real>(triangle, sides, visit);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real, typename Visitor>
+void HeightRaster::ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+{
+  using Four = FourColumns<Real>;
+  const WeightPlane<Real> plane(triangle, this->MiddleAs<Real>());
+  this->ForEachWeight<Real>(triangle, sides,
+    [&](std::int64_t place, const Four& b, const Four& c, const Four& isIn)
+    {
+      const Four errors = plane.At(b, c) - Eigen::Map<const Four>(this->HeightsAs<Real>() + place);
+      const Four above = AtLeastZero(errors);
+      const Four below = AtLeastZero(Four(-errors));
+      const Four hasPoint = AtLeastZero(Four(errors - errors + Real(1)));
+      visit(Four(above - below), b, c, Four(isIn * hasPoint));
+      return true;
+    });
 }
 }
 

@@ -82,8 +82,8 @@ public:
   /// both sides of the side, ring[n] and the next one, go: they lose their corners.
   void Collapse(PointId point, const std::vector<TriangleId>& ring, std::size_t n);
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoPoint; }
-  /// Numbers the triangles that are left anew, in their order; gives their numbers so far.
-  std::vector<TriangleId> Compact();
+  /// Numbers the triangles that are left anew, in their order.
+  void Compact();
   /// Numbers triangles by place, band by band: those of successive numbers are near each other, and so is what is read
   /// for them.
   void SortByPlace();
