@@ -263,7 +263,8 @@ public:
 
   double operator()(double error) const
   {
-    return std::pow(std::max(std::abs(error) * this->PerUnit, LeastError), this->Power - 2.0);
+    const double size = std::max(std::abs(error) * this->PerUnit, LeastError);
+    return this->Power == 4.0 ? size * size : std::pow(size, this->Power - 2.0);
   }
 
   template <typename Real>

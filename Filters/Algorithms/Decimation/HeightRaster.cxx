@@ -95,16 +95,14 @@ HeightError HeightRaster::MeasureAs(
   const RaisedTriangle& triangle, double perUnit, double bound, double most) const
 {
   using Four = FourColumns<Real>;
-  const WeightPlane<Real> plane(triangle, this->MiddleAs<Real>());
-  const Real* const heights = this->HeightsAs<Real>();
+  const Real* const columns = this->HeightsAs<Real>();
   Four largest = Four::Zero();
   Four sums = Four::Zero();
   int steps = 0;
-  this->ForEachWeight<Real>(triangle, SideColumns(),
-    [&](std::int64_t place, const Four& b, const Four& c, const Four& isIn)
+  this->ForEachHeight<Real>(triangle, SideColumns(),
+    [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
-      const Four distances =
-        AtLeastZero(Four((plane.At(b, c) - Eigen::Map<const Four>(heights + place)).abs())) * isIn;
+      const Four distances = AtLeastZero(Four((heights - Eigen::Map<const Four>(columns + place)).abs())) * isIn;
       largest = largest.max(distances);
       if (Power > 0)
       {
@@ -138,14 +136,12 @@ template <typename Real>
 PointId HeightRaster::FindPoint(const RaisedTriangle& triangle, double error) const
 {
   using Four = FourColumns<Real>;
-  const WeightPlane<Real> plane(triangle, this->MiddleAs<Real>());
-  const Real* const heights = this->HeightsAs<Real>();
+  const Real* const columns = this->HeightsAs<Real>();
   PointId point = NoPoint;
-  this->ForEachWeight<Real>(triangle, SideColumns(),
-    [&](std::int64_t place, const Four& b, const Four& c, const Four& isIn)
+  this->ForEachHeight<Real>(triangle, SideColumns(),
+    [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
-      const Four distances =
-        AtLeastZero(Four((plane.At(b, c) - Eigen::Map<const Four>(heights + place)).abs())) * isIn;
+      const Four distances = AtLeastZero(Four((heights - Eigen::Map<const Four>(columns + place)).abs())) * isIn;
       if (LargestOf(distances) == error)
       {
         int n = 0;

@@ -269,13 +269,15 @@ private:
   HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const;
   template <typename Real>
   PointId FindPoint(const RaisedTriangle& triangle, double error) const;
+  /// Calls visit(place, heights, b, c, isIn) for four columns at a time, from the place of the first one on, until that
+  /// gives false: heights of the triangle, less the middle one, and weights as for ForEachFour.
   template <typename Real, typename Visitor>
-  void ForEachWeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
+  void ForEachHeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
   template <typename Real, typename Visitor>
-  void ForEachWeightOfBox(
+  void ForEachHeightOfBox(
     const RaisedTriangle& triangle, const PlaneBox& box, const SideColumns& sides, Visitor&& visit) const;
   template <typename Real, typename Visitor>
-  void ForEachWeightOfRows(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
+  void ForEachHeightOfRows(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
 
   std::int64_t Place(std::int64_t x, std::int64_t y) const
   {
@@ -403,39 +405,34 @@ struct CornerWeights
   double Area;
 };
 
-/// The plane of a triangle over its weights, heights less a middle one.
-template <typename Real>
+/// The plane of a triangle over these, heights less a middle one.
 struct WeightPlane
 {
-  WeightPlane(const RaisedTriangle& triangle, double middle)
-    : Start(Real(triangle[0].Height - middle))
+  WeightPlane(const RaisedTriangle& triangle, double area, double middle)
+    : Start(triangle[0].Height - middle)
+    , PerB((triangle[1].Height - triangle[0].Height) / area)
+    , PerC((triangle[2].Height - triangle[0].Height) / area)
   {
-    const double perArea =
-      1.0 / double(SignedArea(triangle[0].Column, triangle[1].Column, triangle[2].Column));
-    this->B = Real((triangle[1].Height - triangle[0].Height) * perArea);
-    this->C = Real((triangle[2].Height - triangle[0].Height) * perArea);
   }
 
-  template <typename Four>
-  Four At(const Four& b, const Four& c) const
-  {
-    return this->Start + (this->B * b + this->C * c);
-  }
-
-  Real Start;
-  Real B;
-  Real C;
+  double Start;
+  double PerB;
+  double PerC;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
 // All columns of the bounding box; those outside have a negative weight.
 template <typename Real, typename Visitor>
-void HeightRaster::ForEachWeightOfBox(
+void HeightRaster::ForEachHeightOfBox(
   const RaisedTriangle& triangle, const PlaneBox& box, const SideColumns& sides, Visitor&& visit) const
 {
   using Four = FourColumns<Real>;
   const CornerWeights weights(triangle);
   const Four columns(0, 1, 2, 3);
+  const WeightPlane plane(triangle, weights.Area, this->MiddleAs<Real>());
+  const Real start = Real(plane.Start);
+  const Real perB = Real(plane.PerB);
+  const Real perC = Real(plane.PerC);
   const Real area = Real(weights.Area);
   // What the weights are above of columns that count, and what below: they are whole numbers.
   const Real aboveA = sides.Opposite[0] ? 0 : 1;
@@ -462,7 +459,7 @@ void HeightRaster::ForEachWeightOfBox(
       {
         isIn *= (area - a.max(b).max(c)).max(Real(0)).min(Real(1));
       }
-      if (!visit(first + n, b, c, isIn))
+      if (!visit(first + n, Four(start + (perB * b + perC * c)), b, c, isIn))
       {
         return;
       }
@@ -474,24 +471,38 @@ void HeightRaster::ForEachWeightOfBox(
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real, typename Visitor>
-void HeightRaster::ForEachWeightOfRows(
+void HeightRaster::ForEachHeightOfRows(
   const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
 {
   using Four = FourColumns<Real>;
   const CornerWeights weights(triangle);
+  const WeightPlane plane(triangle, weights.Area, this->MiddleAs<Real>());
   const Four columns(0, 1, 2, 3);
   const Real stepOfB = Real(weights.StepOfB());
   const Real stepOfC = Real(weights.StepOfC());
+  const Real slope = Real(plane.PerB * weights.StepOfB() + plane.PerC * weights.StepOfC());
   bool goesOn = true;
   const auto visitRow = [&](std::int32_t y, std::int32_t begin, std::int32_t end)
   {
-    const Four b = Real(weights.OfB({ begin, y })) + columns * stepOfB;
-    const Four c = Real(weights.OfC({ begin, y })) + columns * stepOfC;
+    const double firstB = weights.OfB({ begin, y });
+    const double firstC = weights.OfC({ begin, y });
+    const Real start = Real(plane.Start + (plane.PerB * firstB + plane.PerC * firstC));
     const std::int64_t place = this->Place(begin, y);
-    for (std::int32_t n = 0; goesOn && begin + n <= end; n += 4)
+    const std::int32_t size = end - begin + 1;
+    const auto visitFour = [&](std::int32_t n, const Four& isIn)
     {
-      const Four isIn = (Real(end - begin - n + 1) - columns).max(Real(0)).min(Real(1));
-      goesOn = visit(place + n, Four(b + Real(n) * stepOfB), Four(c + Real(n) * stepOfC), isIn);
+      const Four steps = columns + Real(n);
+      goesOn = visit(place + n, Four(start + steps * slope), Four(Real(firstB) + steps * stepOfB),
+        Four(Real(firstC) + steps * stepOfC), isIn);
+    };
+    std::int32_t n = 0;
+    for (; goesOn && n + 4 <= size; n += 4)
+    {
+      visitFour(n, Four::Ones());
+    }
+    if (goesOn && n < size)
+    {
+      visitFour(n, (Real(size - n) - columns).max(Real(0)).min(Real(1)));
     }
   };
   // Only the ends of a row can be on sides, or all of it.
@@ -506,10 +517,10 @@ void HeightRaster::ForEachWeightOfRows(
   ForEachRow({ weights.A, weights.B, weights.C },
     [&](std::int32_t y, std::int32_t begin, std::int32_t end)
     {
-      for (; begin <= end && !counts({ begin, y }); ++begin)
+      for (; goesOn && begin <= end && !counts({ begin, y }); ++begin)
       {
       }
-      for (; begin <= end && !counts({ end, y }); --end)
+      for (; goesOn && begin <= end && !counts({ end, y }); --end)
       {
       }
       visitRow(y, begin, end);
@@ -518,7 +529,7 @@ void HeightRaster::ForEachWeightOfRows(
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real, typename Visitor>
-void HeightRaster::ForEachWeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+void HeightRaster::ForEachHeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
 {
   // Most rows of such triangles are so short that finding their ends would take longer; and of as many rows, floats
   // have the whole numbers of all weights.
@@ -532,11 +543,11 @@ void HeightRaster::ForEachWeight(const RaisedTriangle& triangle, const SideColum
   if (std::int64_t(box.Greatest.X) - box.Least.X < MostColumnsOfBox &&
     std::int64_t(box.Greatest.Y) - box.Least.Y < MostRowsOfBox)
   {
-    this->ForEachWeightOfBox<Real>(triangle, box, sides, visit);
+    this->ForEachHeightOfBox<Real>(triangle, box, sides, visit);
   }
   else
   {
-    this->ForEachWeightOfRows<Real>(triangle, sides, visit);
+    this->ForEachHeightOfRows<Real>(triangle, sides, visit);
   }
 }
 
@@ -545,11 +556,10 @@ template <typename Real, typename Visitor>
 void HeightRaster::ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
 {
   using Four = FourColumns<Real>;
-  const WeightPlane<Real> plane(triangle, this->MiddleAs<Real>());
-  this->ForEachWeight<Real>(triangle, sides,
-    [&](std::int64_t place, const Four& b, const Four& c, const Four& isIn)
+  this->ForEachHeight<Real>(triangle, sides,
+    [&](std::int64_t place, const Four& heights, const Four& b, const Four& c, const Four& isIn)
     {
-      const Four errors = plane.At(b, c) - Eigen::Map<const Four>(this->HeightsAs<Real>() + place);
+      const Four errors = heights - Eigen::Map<const Four>(this->HeightsAs<Real>() + place);
       const Four above = AtLeastZero(errors);
       const Four below = AtLeastZero(Four(-errors));
       const Four hasPoint = AtLeastZero(Four(errors - errors + Real(1)));

@@ -72,10 +72,10 @@ struct MeshCost
     return costs;
   }
 
-  /// Whether a triangle may have an angle, given as the square of its sine, beside the smallest one that was there.
-  bool IsWide(double squaredSine, double before) const
+  /// Whether an angle, given as the square of its sine, is not too small.
+  bool IsWide(double squaredSine) const
   {
-    return squaredSine > 0.0 && (squaredSine >= this->SmallestSine * this->SmallestSine || squaredSine > before);
+    return squaredSine >= this->SmallestSine * this->SmallestSine;
   }
 
   ErrorPower Power;
@@ -216,7 +216,7 @@ private:
     const double sine = std::min(SquaredSineOf(a.Column, d.Column, c.Column), SquaredSineOf(d.Column, b.Column, c.Column));
     const double sineBefore =
       std::min(SquaredSineOf(a.Column, b.Column, c.Column), SquaredSineOf(b.Column, a.Column, d.Column));
-    if (!this->Cost.IsWide(sine, sineBefore))
+    if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine < sineBefore))
     {
       return result;
     }
@@ -277,7 +277,11 @@ struct Ring
   double Sum = 0.0; // of the errors now
   double Sine = 1.0; // the square, of the smallest angle now
 
-  const RaisedPoint& End(std::size_t n) const { return this->Ends[n % this->Ends.size()]; }
+  /// Of numbers up to twice as many as there are.
+  const RaisedPoint& End(std::size_t n) const
+  {
+    return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()];
+  }
 };
 
 class VertexRemoval
@@ -316,6 +320,13 @@ private:
     double Cost; // by how much the sum of errors grows; infinite where the vertex can not go
     PointId Point;
     std::int32_t Side; // of its ring, that is collapsed
+  };
+
+  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
+  struct End
+  {
+    double Least;
+    std::size_t Number;
   };
 
   void FindVertices()
@@ -362,23 +373,27 @@ private:
     ParallelFor(std::int64_t(this->Candidates.size()), RemovalGrain,
       [this](std::int64_t first, std::int64_t last)
       {
+        Ring ring;
+        std::vector<End> ends;
         for (std::int64_t n = first; n < last; ++n)
         {
           Candidate& candidate = this->Candidates[n];
           if (this->IsOld[candidate.Point] != 0)
           {
-            candidate = this->Try(candidate.Point);
+            candidate = this->Try(candidate.Point, ring, ends);
             this->IsOld[candidate.Point] = 0;
           }
         }
       });
   }
 
-  Candidate Try(PointId point) const
+  /// In the memory of the one before.
+  Candidate Try(PointId point, Ring& ring, std::vector<End>& ends) const
   {
-    const Ring ring = this->FindRing(point);
+    this->FindRing(point, ring);
+    this->FindEnds(ring, point, ends);
     Candidate best{ Infinity, point, 0 };
-    for (const End& end : this->FindEnds(ring, point))
+    for (const End& end : ends)
     {
       const double most = ring.Sum + best.Cost;
       const double sum = end.Least < most ? this->SumAt(ring, end.Number, most) : Infinity;
@@ -388,21 +403,14 @@ private:
         best.Side = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
       }
     }
-    best.Cost *= ring.Sine < this->Cost.SmallestSine * this->Cost.SmallestSine && best.Cost > 0.0 ? PartOfSlivers : 1.0;
+    best.Cost *= !this->Cost.IsWide(ring.Sine) && best.Cost > 0.0 ? PartOfSlivers : 1.0;
     return best;
   }
 
-  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
-  struct End
-  {
-    double Least;
-    std::size_t Number;
-  };
-
   /// Those with the least first: that of the best one is compared with those of the others.
-  std::vector<End> FindEnds(const Ring& ring, PointId point) const
+  void FindEnds(const Ring& ring, PointId point, std::vector<End>& ends) const
   {
-    std::vector<End> ends;
+    ends.clear();
     for (std::size_t end = 0; end < ring.Ends.size(); ++end)
     {
       if (this->KeepsAngles(ring, end))
@@ -416,7 +424,6 @@ private:
     }
     std::sort(ends.begin(), ends.end(),
       [](const End& a, const End& b) { return std::tie(a.Least, a.Number) < std::tie(b.Least, b.Number); });
-    return ends;
   }
 
   /// The distance of a vertex's point from the triangle that would be there.
@@ -439,10 +446,12 @@ private:
     return std::abs(height - this->Mesh.ColumnHeight(point));
   }
 
-  Ring FindRing(PointId point) const
+  void FindRing(PointId point, Ring& ring) const
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    Ring ring;
+    ring.Ends.clear();
+    ring.Sum = 0.0;
+    ring.Sine = 1.0;
     mesh.FindRing(point, this->TriangleAt[point], ring.Triangles);
     const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
     for (const TriangleId triangle : ring.Triangles)
@@ -456,7 +465,6 @@ private:
       ring.Sine = std::min(
         ring.Sine, SquaredSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
     }
-    return ring;
   }
 
   /// Whether all triangles around could have their corner at one of the ends instead. Angles that are too small may
@@ -465,8 +473,8 @@ private:
   {
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
     {
-      if (!this->Cost.IsWide(
-            SquaredSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column), ring.Sine))
+      const double sine = SquaredSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
+      if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine <= ring.Sine))
       {
         return false;
       }
