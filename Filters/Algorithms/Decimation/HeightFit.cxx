@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -102,11 +104,17 @@ public:
   {
   }
 
-  /// Of all triangles, and what each vertex adds of its own to the diagonal and to the right-hand side.
-  void Set(const std::vector<Element>& elements, std::vector<double> diagonal, std::vector<double> right)
+  /// Of all triangles, and of each vertex by the error at its column, which counts for no triangle.
+  template <typename Weight>
+  void Set(const std::vector<Element>& elements, const std::vector<double>& errors, const Weight& weight)
   {
-    this->Diagonal = std::move(diagonal);
-    this->Right = std::move(right);
+    this->ForEachRow(
+      [&](std::int64_t row)
+      {
+        this->Diagonal[row] = weight(errors[row]);
+        this->Right[row] = -this->Diagonal[row] * errors[row];
+        return 0.0;
+      });
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       for (int corner = 0; corner < 3; ++corner)
@@ -124,8 +132,8 @@ public:
       {
         for (const Entry* entry = this->Rows.begin(row); entry != this->Rows.end(row); ++entry)
         {
-          this->Values[this->Rows.IndexOf(entry)] = elements[entry->Triangle].Sides[entry->Side] +
-            elements[entry->OtherTriangle].Sides[entry->OtherSide];
+          this->Values[this->Rows.IndexOf(entry)] =
+            elements[entry->Triangle].Sides[entry->Side] + elements[entry->OtherTriangle].Sides[entry->OtherSide];
         }
         return 0.0;
       });
@@ -137,13 +145,14 @@ public:
     std::vector<double> solution(this->Right.size(), 0.0);
     std::vector<double> direction(this->Right.size(), 0.0);
     std::vector<double> image(this->Right.size());
-    const double enough = Precision * Precision * this->ForEachRow([&](std::int64_t row) { return this->Squared(row); });
+    const double enough =
+      Precision * Precision * this->ForEachRow([&](std::int64_t row) { return this->Squared(row); });
     double product = 1.0; // any, as there is no direction yet
     double rest = enough;
     for (int iteration = 0; iteration < MostIterations && rest >= enough && enough > 0.0; ++iteration)
     {
-      const double next = this->ForEachRow(
-        [&](std::int64_t row) { return this->Right[row] * this->Right[row] / this->Diagonal[row]; });
+      const double next =
+        this->ForEachRow([&](std::int64_t row) { return this->Right[row] * this->Right[row] / this->Diagonal[row]; });
       const double part = next / product;
       product = next;
       this->ForEachRow(
@@ -317,6 +326,9 @@ private:
   std::array<Four, 3> Right = Corners;
 };
 
+// How many columns a thread looks up at a time.
+constexpr std::int64_t ColumnGrain = 1024;
+
 class HeightFitter
 {
 public:
@@ -328,7 +340,16 @@ public:
     , Corners(mesh, this->Inner.Points)
     , Equations(this->Mesh, this->Corners, this->Inner.Points.size())
     , Elements(std::size_t(this->Mesh.Size()))
+    , Columns(this->Inner.Points.size())
   {
+    ParallelFor(std::int64_t(this->Columns.size()), ColumnGrain,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          this->Columns[n] = this->Surface.ColumnHeight(this->Inner.Points[n]);
+        }
+      });
   }
 
   InnerHeights Run(const std::vector<double>& powers, const Monitor& monitor)
@@ -342,29 +363,23 @@ public:
   }
 
 private:
-  /// Solves for how far heights have to move, and moves them a part of it. The columns of the vertices are among the
-  /// errors, which count for no triangle.
+  /// Solves for how far heights have to move, and moves them a part of it.
   void Improve(double power)
   {
     this->Surface.ForEachTriangle(
       Monitor(), [&](TriangleId triangle) { this->Elements[triangle] = this->MakeElement(triangle, power); });
     const ErrorWeight weight(power, this->Reach);
-    std::vector<double> diagonal;
-    std::vector<double> right;
-    for (std::size_t n = 0; n < this->Inner.Points.size(); ++n)
-    {
-      const double error = this->Inner.Heights[n] - this->Surface.ColumnHeight(this->Inner.Points[n]);
-      diagonal.push_back(weight(error));
-      right.push_back(-diagonal.back() * error);
-    }
-    this->Equations.Set(this->Elements, std::move(diagonal), std::move(right));
+    std::vector<double> errors;
+    errors.reserve(this->Columns.size());
+    std::transform(this->Inner.Heights.begin(), this->Inner.Heights.end(), this->Columns.begin(),
+      std::back_inserter(errors), std::minus<>());
+    this->Equations.Set(this->Elements, errors, weight);
     const std::vector<double> moves = this->Equations.Solve();
     for (std::size_t n = 0; n < moves.size(); ++n)
     {
-      const double column = this->Surface.ColumnHeight(this->Inner.Points[n]);
       double& height = this->Inner.Heights[n];
       height = std::clamp(
-        height + moves[n] / std::max(1.0, power - 1.0), column - this->Reach, column + this->Reach);
+        height + moves[n] / std::max(1.0, power - 1.0), this->Columns[n] - this->Reach, this->Columns[n] + this->Reach);
     }
   }
 
@@ -408,8 +423,8 @@ private:
 
   /// Each inner side once.
   template <typename Real>
-  void AddSides(TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power,
-    Element& element) const
+  void AddSides(
+    TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power, Element& element) const
   {
     const double partOfSides = power > 2.0 ? 1.0 : PartOfSides;
     for (int side = 0; side < 3; ++side)
@@ -440,6 +455,7 @@ private:
   const MovableCorners Corners;
   MeshEquations Equations;
   std::vector<Element> Elements; // by triangle
+  std::vector<double> Columns; // the heights of the vertices' columns
 };
 
 // ---- Moves ---------------------------------------------------------------------------------------------------------
@@ -534,8 +550,7 @@ private:
     const double before = this->Before.Heights[vertex];
     double& part = this->Parts[vertex];
     part *= 0.5;
-    this->Heights.Heights[vertex] =
-      part < LeastPart ? before : before + part * (this->After.Heights[vertex] - before);
+    this->Heights.Heights[vertex] = part < LeastPart ? before : before + part * (this->After.Heights[vertex] - before);
     this->IsMoved[vertex] = 1;
     return true;
   }

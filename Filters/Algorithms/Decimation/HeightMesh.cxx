@@ -185,7 +185,10 @@ void HeightMesh::MarkVertex(PointId point, bool isVertex)
 {
   this->Marks[point] = isVertex ? 1 : 0;
   this->Vertices += isVertex ? 1 : -1;
-  this->RaisedPoints[point].Height = this->ColumnHeight(point);
+  if (!isVertex)
+  {
+    this->PutBack(point);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -233,8 +236,8 @@ void HeightMesh::MeasureSides(const std::vector<TriangleId>& triangles, double b
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::MeasureAllSides(double bound, const Monitor& monitor)
 {
-  this->MeasureEach(this->AllTriangles(), monitor,
-    [&](TriangleId triangle) { return this->MeasureSides(triangle, bound, true); });
+  this->MeasureEach(
+    this->AllTriangles(), monitor, [&](TriangleId triangle) { return this->MeasureSides(triangle, bound, true); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

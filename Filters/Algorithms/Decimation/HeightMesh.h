@@ -75,14 +75,13 @@ public:
   bool IsOnLoop(PointId point) const { return this->LoopMarks[point] != 0; }
   /// A point that is no vertex has the height of its column.
   void MarkVertex(PointId point, bool isVertex);
+  /// To the height of its column.
+  void PutBack(PointId point) { this->RaisedPoints[point].Height = this->ColumnHeight(point); }
 
   /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
   double Height(PointId point) const { return this->RaisedPoints[point].Height; }
   /// Of the horizon.
-  double ColumnHeight(PointId point) const
-  {
-    return this->RasterAt(point).HeightAt(this->RaisedPoints[point].Column);
-  }
+  double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->RaisedPoints[point].Column); }
   /// Those of the vertices that are on no loop.
   InnerHeights Heights() const;
   void SetHeights(const InnerHeights& heights);
@@ -105,8 +104,7 @@ public:
 
   /// Measures triangles on threads, and keeps their errors: without a power only those above a bound, else all with
   /// their sums.
-  void Measure(
-    const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor);
+  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor);
   void MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor);
   /// The same of their inner sides, where they cross lines between columns that are not both vertices: keeps what is
   /// above the bound and above the error so far.

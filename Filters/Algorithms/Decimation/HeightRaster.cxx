@@ -4,6 +4,7 @@
 #include "HeightRaster.h"
 
 #include "Common/ColumnIndex.h"
+#include "Common/Parallel.h"
 
 #include <limits>
 
@@ -31,6 +32,9 @@ Four RaiseTo(const Four& four)
   return Power == 2 ? square : Four(square * square);
 }
 
+// How many columns a thread fills at a time.
+constexpr std::int64_t ColumnGrain = 1 << 15;
+
 // How often a measure is looked at that may end early: every so many times four columns.
 constexpr int StepsBetweenLooks = 4;
 
@@ -55,10 +59,19 @@ void HeightRaster::MakeColumns()
 {
   this->Width = std::int64_t(this->Box.Greatest.X) - this->Box.Least.X + 1;
   const std::int64_t rows = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
-  this->Points.assign(std::size_t(this->Width * rows), NoPoint);
-  constexpr int Beyond = 3; // read four at a time
-  this->Heights.assign(this->Points.size() + Beyond, std::numeric_limits<double>::quiet_NaN());
-  this->FloatHeights.assign(this->Heights.size(), std::numeric_limits<float>::quiet_NaN());
+  constexpr std::int64_t Beyond = 3; // read four at a time
+  const std::int64_t size = this->Width * rows + Beyond;
+  this->Points.resize(std::size_t(size));
+  this->Heights.resize(std::size_t(size));
+  this->FloatHeights.resize(std::size_t(size));
+  ParallelFor(size, ColumnGrain,
+    [this](std::int64_t first, std::int64_t last)
+    {
+      std::fill(this->Points.begin() + first, this->Points.begin() + last, NoPoint);
+      std::fill(this->Heights.begin() + first, this->Heights.begin() + last, std::numeric_limits<double>::quiet_NaN());
+      std::fill(
+        this->FloatHeights.begin() + first, this->FloatHeights.begin() + last, std::numeric_limits<float>::quiet_NaN());
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -91,13 +104,13 @@ bool HeightRaster::IsFloatEnough(double bound) const
 // The largest error and the sum, without a point. Ends early when the one is above the bound, or the other not below
 // the most it may be.
 template <int Power, typename Real>
-HeightError HeightRaster::MeasureAs(
-  const RaisedTriangle& triangle, double perUnit, double bound, double most) const
+HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const
 {
   using Four = FourColumns<Real>;
   const Real* const columns = this->HeightsAs<Real>();
   Four largest = Four::Zero();
   Four sums = Four::Zero();
+  const bool canEnd = bound < Infinity || most < Infinity;
   int steps = 0;
   this->ForEachHeight<Real>(triangle, SideColumns(),
     [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
@@ -108,7 +121,8 @@ HeightError HeightRaster::MeasureAs(
       {
         sums += RaiseTo<Power, Four>(distances * Real(perUnit));
       }
-      return ++steps % StepsBetweenLooks != 0 || (LargestOf(largest) <= bound && (Power == 0 || SumOf(sums) < most));
+      return !canEnd || ++steps % StepsBetweenLooks != 0 ||
+        (LargestOf(largest) <= bound && (Power == 0 || SumOf(sums) < most));
     });
   return { LargestOf(largest), NoPoint, Power == 0 ? 0.0 : SumOf(sums) };
 }
@@ -186,8 +200,7 @@ HeightError HeightRaster::MeasureAbove(const RaisedTriangle& triangle, double bo
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double HeightRaster::SumWithin(
-  const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const
+double HeightRaster::SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const
 {
   const bool isFloatEnough = this->IsFloatEnough(power.Unit);
   const double rounding = isFloatEnough ? this->FloatRounding(power.Unit) : 0.0;

@@ -9,6 +9,7 @@
 #include "Common/LinkCuts.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
+#include "Common/RawVector.h"
 #include "Common/Types.h"
 
 #include <Eigen/Core>
@@ -203,8 +204,7 @@ public:
 
   /// The sum of powers of the errors as floats have it, each divided by the unit; infinite when an error is above a
   /// bound, or as soon as the sum is seen not to stay below `most`.
-  double SumWithin(
-    const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
+  double SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
 
   /// Where a side crosses the line between two neighbouring columns that both have points, its distance from the
   /// straight line between these. Gives the nearer of the two points that is not marked, and nothing for crossings
@@ -286,9 +286,9 @@ private:
 
   PlaneBox Box;
   std::int64_t Width = 0;
-  std::vector<PointId> Points; // by place
-  std::vector<double> Heights; // by place; nan where there is no point
-  std::vector<float> FloatHeights; // the same less the middle one
+  RawVector<PointId> Points; // by place
+  RawVector<double> Heights; // by place; nan where there is no point
+  RawVector<float> FloatHeights; // the same less the middle one
   double Lowest = Infinity;
   double Highest = -Infinity;
   const LinkCuts* Cuts;
@@ -471,8 +471,7 @@ void HeightRaster::ForEachHeightOfBox(
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real, typename Visitor>
-void HeightRaster::ForEachHeightOfRows(
-  const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+void HeightRaster::ForEachHeightOfRows(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
 {
   using Four = FourColumns<Real>;
   const CornerWeights weights(triangle);

@@ -8,6 +8,7 @@
 
 #include "Common/Parallel.h"
 #include "Common/Predicates.h"
+#include "Common/RawVector.h"
 #include "Decimation.h"
 #include "HeightFit.h"
 #include "HeightMesh.h"
@@ -73,10 +74,7 @@ struct MeshCost
   }
 
   /// Whether an angle, given as the square of its sine, is not too small.
-  bool IsWide(double squaredSine) const
-  {
-    return squaredSine >= this->SmallestSine * this->SmallestSine;
-  }
+  bool IsWide(double squaredSine) const { return squaredSine >= this->SmallestSine * this->SmallestSine; }
 
   ErrorPower Power;
   /// No change may make a smaller angle in plan than this sine's, but where there was a smaller one before.
@@ -213,7 +211,8 @@ private:
     const RaisedPoint d = this->Mesh.Raised(this->Triangles.Beyond(triangle, side));
     Candidate result;
     result.Side = id;
-    const double sine = std::min(SquaredSineOf(a.Column, d.Column, c.Column), SquaredSineOf(d.Column, b.Column, c.Column));
+    const double sine =
+      std::min(SquaredSineOf(a.Column, d.Column, c.Column), SquaredSineOf(d.Column, b.Column, c.Column));
     const double sineBefore =
       std::min(SquaredSineOf(a.Column, b.Column, c.Column), SquaredSineOf(b.Column, a.Column, d.Column));
     if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine < sineBefore))
@@ -221,8 +220,7 @@ private:
       return result;
     }
     const HeightRaster& raster = this->Mesh.RasterOf(triangle);
-    const double before =
-      this->Cost.OfPresentSide(raster, a, b) + this->Costs[triangle] + this->Costs[other];
+    const double before = this->Cost.OfPresentSide(raster, a, b) + this->Costs[triangle] + this->Costs[other];
     double most = (1.0 - LeastGain) * before;
     result.Costs[0] = this->Cost.Of(raster, { a, d, c }, most);
     most -= result.Costs[0];
@@ -278,10 +276,7 @@ struct Ring
   double Sine = 1.0; // the square, of the smallest angle now
 
   /// Of numbers up to twice as many as there are.
-  const RaisedPoint& End(std::size_t n) const
-  {
-    return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()];
-  }
+  const RaisedPoint& End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
 };
 
 class VertexRemoval
@@ -332,7 +327,8 @@ private:
   void FindVertices()
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    this->TriangleAt.assign(this->Mesh.VertexMarks().size(), NoTriangle);
+    this->TriangleAt.resize(this->Mesh.VertexMarks().size());
+    this->IsOld.resize(this->TriangleAt.size());
     for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
     {
       for (int corner = 0; corner < 3; ++corner)
@@ -345,9 +341,9 @@ private:
       if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
       {
         this->Candidates.push_back({ Infinity, point, 0 });
+        this->IsOld[point] = 1;
       }
     }
-    this->IsOld.assign(this->TriangleAt.size(), 1);
   }
 
   /// The cheapest of those that can go, in their order.
@@ -457,13 +453,12 @@ private:
     for (const TriangleId triangle : ring.Triangles)
     {
       ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
-      ring.Sum +=
-        this->Costs[triangle] + this->Cost.OfPresentSide(raster, this->Mesh.Raised(point), ring.Ends.back());
+      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(raster, this->Mesh.Raised(point), ring.Ends.back());
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
-      ring.Sine = std::min(
-        ring.Sine, SquaredSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
+      ring.Sine =
+        std::min(ring.Sine, SquaredSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
     }
   }
 
@@ -554,9 +549,9 @@ private:
   HeightMesh& Mesh;
   const MeshCost& Cost;
   std::vector<double> Costs; // by triangle
-  std::vector<TriangleId> TriangleAt; // by point: one of its triangles
+  RawVector<TriangleId> TriangleAt; // by point, of vertices: one of its triangles
   std::vector<Candidate> Candidates; // the vertices inside, in the order of their points: those next are near
-  std::vector<unsigned char> IsOld; // by point: triangles around have changed since it was tried
+  RawVector<unsigned char> IsOld; // by point, of vertices: triangles around have changed since it was tried
   std::vector<unsigned char> IsChanged; // by triangle, in one round
   std::vector<TriangleId> Changed; // in one round
 };

@@ -56,6 +56,11 @@ public:
   /// The corner beyond a side that is not at the boundary.
   PointId Beyond(TriangleId triangle, int side) const;
   int CornerAt(TriangleId triangle, PointId point) const;
+  bool HasCorner(TriangleId triangle, PointId point) const
+  {
+    const auto& corners = this->Triangles[triangle].Corners;
+    return corners[0] == point || corners[1] == point || corners[2] == point;
+  }
   const PlanePoint& Place(PointId point) const { return this->Plane[point]; }
 
   /// The triangle that a point is in or on, looked for from one near by, across at most a hundred sides; NoTriangle
