@@ -33,7 +33,6 @@ class SideWalk
 public:
   SideWalk(const PlanePoint& low, const PlanePoint& high)
     : Height(std::max(1, high.Y - low.Y))
-    , PerHeight(1.0 / double(this->Height))
     , Floor(low.X)
     , Slope((high.X - low.X) / this->Height)
     , Rest((high.X - low.X) % this->Height)
@@ -48,8 +47,8 @@ public:
   std::int32_t AtOrLeft() const { return this->Floor; }
   std::int32_t AtOrRight() const { return this->Floor + (this->Part > 0 ? 1 : 0); }
   bool IsAtColumn() const { return this->Part == 0; }
-  /// How far from AtOrLeft() to AtOrRight() the side is, from 0 to 1.
-  double PartOfColumn() const { return double(this->Part) * this->PerHeight; }
+  /// How far from AtOrLeft() to the next column the side is, in parts of which a column has as many as the side rows.
+  std::int32_t Parts() const { return this->Part; }
 
   void GoUp()
   {
@@ -63,12 +62,11 @@ public:
   }
 
 private:
-  std::int64_t Height;
-  double PerHeight;
+  std::int32_t Height;
   std::int32_t Floor;
   std::int32_t Slope; // whole columns per row
-  std::int64_t Rest; // and so many parts of one, of which a column has Height
-  std::int64_t Part = 0; // by how many the side is to the right of Floor
+  std::int32_t Rest; // and so many parts of one, of which a column has Height
+  std::int32_t Part = 0; // by how many the side is to the right of Floor
 };
 
 /// Calls visit(y, first, last) for the rows of a triangle that have columns, from below.
@@ -160,6 +158,8 @@ auto AtLeastZero(const Four& four)
 /// Which columns in a triangle and on its sides count for it: those inside always do.
 struct SideColumns
 {
+  bool AreAll() const { return this->WithCorners && this->Opposite[0] && this->Opposite[1] && this->Opposite[2]; }
+
   bool WithCorners = true;
   std::array<bool, 3> Opposite = { true, true, true }; // to each corner
 };
@@ -364,7 +364,7 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
       const double first = heights[crossing.Place];
       const double second = heights[crossing.Beyond];
-      crossing.PartOfColumn = walk.PartOfColumn();
+      crossing.PartOfColumn = double(walk.Parts()) * perLine;
       const double up = (double(line) - low.Y) * perLine;
       crossing.PartOfSide = isUp ? up : 1.0 - up;
       crossing.Error = start + crossing.PartOfSide * rise - (first + crossing.PartOfColumn * (second - first));
@@ -505,8 +505,13 @@ void HeightRaster::ForEachHeightOfRows(const RaisedTriangle& triangle, const Sid
     }
   };
   // Only the ends of a row can be on sides, or all of it.
+  const bool areAll = sides.AreAll();
   const auto counts = [&](const PlanePoint& column)
   {
+    if (areAll)
+    {
+      return true;
+    }
     const double b = weights.OfB(column);
     const double c = weights.OfC(column);
     const double a = weights.Area - b - c;
