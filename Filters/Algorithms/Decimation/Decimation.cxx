@@ -196,11 +196,18 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
   MeshRefiner refiner(mesh, options.MaximumNumberOfPoints, options.Priority);
-  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.9));
+  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.7));
   if (options.FitHeights)
   {
+    FlipToNumber(mesh, options, monitor.Step(0.7, 0.9));
     FitToNumber(mesh, options.Priority, monitor.Step(0.9, 1.0));
   }
+}
+
+/// Whether sides are flipped with the effort Fast, as heights are fitted for a number of points.
+bool IsFlipped(const DecimationOptions& options)
+{
+  return options.FitHeights && options.MaximumNumberOfPoints > 0;
 }
 
 /// Inserts more points than may be left, and removes as many.
@@ -274,7 +281,7 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
   Decimation result = Run(std::move(horizon), options, monitor);
   if (MeshChecker::IsOn)
   {
-    const bool isDelaunay = options.Effort == DecimationEffort::Fast;
+    const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
     MeshChecker::Require("Decimate", result.Points.Plane, result.Points.Boundary, result.Triangles,
       isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
   }

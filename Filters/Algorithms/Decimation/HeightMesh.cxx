@@ -221,6 +221,21 @@ void HeightMesh::Measure(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::FindPoints(const std::vector<TriangleId>& triangles, double bound)
+{
+  this->MeasureEach(triangles, Monitor(),
+    [&](TriangleId triangle)
+    {
+      HeightError error = this->Errors[triangle];
+      if (error.Point == NoPoint)
+      {
+        error.Point = this->RasterOf(triangle).FindPoint(this->RaisedCorners(triangle), error.Largest, bound);
+      }
+      return error;
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor)
 {
   this->Measure(this->AllTriangles(), power, bound, monitor);

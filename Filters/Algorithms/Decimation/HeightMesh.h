@@ -106,8 +106,10 @@ public:
   /// their sums.
   void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor);
   void MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor);
-  /// The same of their inner sides, where they cross lines between columns that are not both vertices: keeps what is
-  /// above the bound and above the error so far.
+  /// The points of errors that have none yet: those measured with a power.
+  void FindPoints(const std::vector<TriangleId>& triangles, double bound);
+  /// Measures their inner sides, where they cross lines between columns that are not both vertices: keeps what is above
+  /// the bound and above the error so far.
   void MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
   void MeasureAllSides(double bound, const Monitor& monitor);
   const HeightError& Error(TriangleId triangle) const { return this->Errors[triangle]; }

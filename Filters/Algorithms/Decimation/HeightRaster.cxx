@@ -145,9 +145,8 @@ HeightError HeightRaster::MeasureAs(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The first one, row by row, with the largest error.
 template <typename Real>
-PointId HeightRaster::FindPoint(const RaisedTriangle& triangle, double error) const
+PointId HeightRaster::FindPointAs(const RaisedTriangle& triangle, double error) const
 {
   using Four = FourColumns<Real>;
   const Real* const columns = this->HeightsAs<Real>();
@@ -173,30 +172,28 @@ PointId HeightRaster::FindPoint(const RaisedTriangle& triangle, double error) co
 //----------------------------------------------------------------------------------------------------------------------
 HeightError HeightRaster::Measure(const RaisedTriangle& triangle, const ErrorPower& power) const
 {
-  HeightError error = this->MeasureAs<double>(triangle, power, Infinity, Infinity);
-  error.Point = error.Largest > 0.0 ? this->FindPoint<double>(triangle, error.Largest) : NoPoint;
-  return error;
+  return this->MeasureAs<double>(triangle, power, Infinity, Infinity);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// The point is looked for while what it is among is still in the caches.
 HeightError HeightRaster::MeasureAbove(const RaisedTriangle& triangle, double bound) const
 {
-  if (this->IsFloatEnough(bound))
+  const bool isFloatEnough = this->IsFloatEnough(bound);
+  const double rounding = isFloatEnough ? this->FloatRounding(bound) : Infinity;
+  double largest = isFloatEnough ? this->MeasureAs<0, float>(triangle, 1.0, Infinity, Infinity).Largest : bound;
+  if (std::abs(largest - bound) <= rounding)
   {
-    const double rounding = this->FloatRounding(bound);
-    HeightError error = this->MeasureAs<0, float>(triangle, 1.0, Infinity, Infinity);
-    if (error.Largest <= bound - rounding)
-    {
-      return HeightError();
-    }
-    if (error.Largest > bound + rounding)
-    {
-      error.Point = this->FindPoint<float>(triangle, error.Largest);
-      return error;
-    }
+    largest = this->Measure(triangle).Largest;
   }
-  const HeightError error = this->Measure(triangle);
-  return error.Largest > bound ? error : HeightError();
+  return largest > bound ? HeightError{ largest, this->FindPoint(triangle, largest, bound) } : HeightError();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointId HeightRaster::FindPoint(const RaisedTriangle& triangle, double error, double bound) const
+{
+  const PointId point = this->IsFloatEnough(bound) ? this->FindPointAs<float>(triangle, error) : NoPoint;
+  return point == NoPoint ? this->FindPointAs<double>(triangle, error) : point;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -639,6 +639,15 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  const double largest = mesh.LargestError();
+  mesh.Triangles().SortByPlace();
+  const MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
+  FlipEdges(mesh, cost, monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
   mesh.MeasureAll(ErrorPower(), 0.0, monitor.Step(0.0, 0.1));

@@ -43,6 +43,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
     // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
     part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
     monitor.Progress(part);
+    this->Mesh.FindPoints(urgent, bound);
     if (!this->InsertRound(urgent))
     {
       throw InputError("point " + std::to_string(this->Mesh.Error(urgent.front()).Point) +
@@ -64,6 +65,7 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
   for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(limit, far);)
   {
     monitor.Progress(0.8);
+    this->Mesh.FindPoints(far, bound);
     this->InsertRound(far);
     if (this->New.empty()) // all points lie beyond the boundary, where nothing can be inserted
     {

@@ -121,7 +121,7 @@ void TestMeasure(Patches::Random& random)
         expected = std::abs(error) > expected.Largest ? HeightError{ std::abs(error), point } : expected;
       });
     const HeightError found = raster.Measure(raised);
-    CHECK_EQUAL(found.Point, expected.Point);
+    CHECK_EQUAL(raster.FindPoint(raised, found.Largest, 0.0), expected.Point);
     CHECK(std::abs(found.Largest - expected.Largest) < 1e-12);
   }
 }
@@ -210,8 +210,9 @@ void TestMissingColumns()
         }
       };
       const HeightRaster raster(forEachPoint, columns, { 0.0, 3.0, 0.0 });
-      const HeightError found = raster.Measure({ { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } }, { 2, 1.0 });
-      CHECK_EQUAL(found.Point, 1);
+      const RaisedTriangle raised = { { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } };
+      const HeightError found = raster.Measure(raised, { 2, 1.0 });
+      CHECK_EQUAL(raster.FindPoint(raised, found.Largest, 0.0), 1);
       CHECK_EQUAL(found.Largest, 2.0);
       CHECK_EQUAL(found.Sum, 4.0);
     }
