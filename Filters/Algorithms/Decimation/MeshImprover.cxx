@@ -643,7 +643,11 @@ void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Moni
 {
   const double largest = mesh.LargestError();
   mesh.Triangles().SortByPlace();
-  const MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
+  MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
+  if (options.Priority == DecimationPriority::LargestError)
+  {
+    cost.LargestError = largest + mesh.Rounding();
+  }
   FlipEdges(mesh, cost, monitor);
 }
 
