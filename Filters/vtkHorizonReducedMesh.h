@@ -79,9 +79,10 @@ public:
 
   ///@{
   /**
-   * How much is done for few points. Fast: points are inserted where the mesh is farthest from the horizon. Best: then
-   * edges are flipped, heights fitted and vertices removed, which takes several times as long and a quarter to a half
-   * fewer points for the same error, or gives a smaller mean error for a number of points. Default: Best.
+   * How much is done for few points. Fast: points are inserted where the mesh is farthest from the horizon, and for a
+   * number of points edges are then flipped once. Best: vertices are removed, edges flipped and heights fitted after
+   * it, which takes two to three times as long and a quarter to a half fewer points for the same error, or gives a
+   * smaller mean error for a number of points. Default: Best.
    */
   vtkSetClampMacro(Effort, int, Fast, Best);
   vtkGetMacro(Effort, int);
@@ -109,10 +110,9 @@ public:
 
   ///@{
   /**
-   * With the Effort Best, no edge that is flipped and no vertex that is removed makes a smaller angle, seen from above
-   * on the lattice, unless there was a smaller one before. Where a number of points can not be met so, the angle is
-   * halved until it is. Large values take more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60.
-   * Default: 2.
+   * No edge that is flipped and no vertex that is removed makes a smaller angle, seen from above on the lattice,
+   * unless there was a smaller one before. Where a number of points can not be met so, the angle is halved until it
+   * is. Large values take more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);

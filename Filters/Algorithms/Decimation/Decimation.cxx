@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: the rounds of insertion; what a mesh is as a result; and from the mesh of the loops alone to an error
-// or to a number of points.
+// In this order: what a mesh is as a result; and from the mesh of the loops alone to an error or to a number of points.
 
 #include "Decimation.h"
 
@@ -14,8 +13,10 @@
 #include "HeightFit.h"
 #include "HeightMesh.h"
 #include "MeshImprover.h"
+#include "MeshRefiner.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -30,202 +31,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Of the largest error, what part is still inserted in the same rounds; and of sums of squares.
-constexpr double PartOfLargest = 0.6;
-constexpr double PartOfSum = PartOfLargest * PartOfLargest;
-
-class MeshRefiner
-{
-public:
-  /// Keeps a reference to the mesh, which is constrained Delaunay and remains so. Inserts until it has so many vertices
-  /// (0 for no limit): first those of the triangles with the largest error, or with the largest sum.
-  MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority);
-
-  /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
-  void InsertWhereFar(double error, const Monitor& monitor);
-  /// Then the same where inner sides of the mesh cross lines between columns.
-  void InsertAtSides(double error, const Monitor& monitor);
-
-private:
-  bool IsFull() const { return this->MostVertices > 0 && this->Mesh.NumberOfVertices() >= this->MostVertices; }
-  bool FindUrgent(double bound, double& limit, std::vector<TriangleId>& urgent) const;
-  double UrgencyOf(TriangleId triangle) const;
-  void InsertRound(const std::vector<TriangleId>& triangles);
-  void Insert(PointId point, TriangleId triangle);
-  void AddNew(TriangleId triangle);
-  void SortNew();
-
-  HeightMesh& Mesh;
-  const std::size_t MostVertices;
-  const DecimationPriority Priority;
-  ErrorPower Power;
-  std::vector<TriangleId> New; // triangles that are still to be measured
-  std::vector<unsigned char> IsNew; // by triangle
-  std::vector<TriangleId> Around; // the point that was inserted last
-};
-
-//----------------------------------------------------------------------------------------------------------------------
-MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority)
-  : Mesh(mesh)
-  , MostVertices(mostVertices)
-  , Priority(priority)
-{
-  if (priority == DecimationPriority::SumOfSquares)
-  {
-    this->Power = { 2, mesh.HeightRange() };
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
-{
-  this->Mesh.MeasureAll(this->Power, monitor.Step(0.0, 0.1));
-  const double bound = error + this->Mesh.Rounding();
-  const double first = this->Mesh.LargestError();
-  double part = 0.1;
-  double limit = std::numeric_limits<double>::infinity();
-  for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(bound, limit, urgent);)
-  {
-    // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
-    part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
-    monitor.Progress(part);
-    const std::size_t before = this->Mesh.NumberOfVertices();
-    this->InsertRound(urgent);
-    if (this->Mesh.NumberOfVertices() == before)
-    {
-      throw InputError("point " + std::to_string(this->Mesh.Error(urgent.front()).Point) +
-        " in several triangles, expected loops that enclose it once");
-    }
-    this->SortNew();
-    this->Mesh.Measure(this->New, this->Power, Monitor());
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
-{
-  this->Mesh.MeasureAllWithSides(monitor.Step(0.0, 0.8));
-  const double bound = error + this->Mesh.Rounding();
-  double limit = 0.0;
-  for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(bound, limit, far);)
-  {
-    monitor.Progress(0.8);
-    this->InsertRound(far);
-    if (this->New.empty()) // all points lie beyond the boundary, where nothing can be inserted
-    {
-      std::for_each(
-        far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
-    }
-    this->Mesh.MeasureWithSides(this->New, Monitor());
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// By the points that made them, which come row by row: what is measured next is near then, for large horizons a fifth
-// of the time.
-void MeshRefiner::SortNew()
-{
-  const auto point = [this](TriangleId triangle) { return this->Mesh.Triangles().Corner(triangle, 2); };
-  std::sort(this->New.begin(), this->New.end(), [&point](TriangleId a, TriangleId b) { return point(a) < point(b); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// The triangles with an error above a bound whose urgency is not below a limit, the most urgent ones first. When there
-// is none, the limit falls; false when no error is above the bound.
-bool MeshRefiner::FindUrgent(double bound, double& limit, std::vector<TriangleId>& urgent) const
-{
-  urgent.clear();
-  double most = -1.0;
-  const auto add = [&]()
-  {
-    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
-    {
-      if (this->Mesh.Error(triangle).Largest > bound)
-      {
-        most = std::max(most, this->UrgencyOf(triangle));
-        if (this->UrgencyOf(triangle) >= limit)
-        {
-          urgent.push_back(triangle);
-        }
-      }
-    }
-  };
-  add();
-  if (urgent.empty() && most >= 0.0)
-  {
-    limit = most * (this->Priority == DecimationPriority::LargestError ? PartOfLargest : PartOfSum);
-    add();
-  }
-  std::sort(urgent.begin(), urgent.end(),
-    [this](TriangleId a, TriangleId b)
-    {
-      const double one = this->UrgencyOf(a);
-      const double other = this->UrgencyOf(b);
-      return one != other ? one > other : a < b;
-    });
-  return !urgent.empty();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double MeshRefiner::UrgencyOf(TriangleId triangle) const
-{
-  const HeightError& error = this->Mesh.Error(triangle);
-  return this->Priority == DecimationPriority::LargestError ? error.Largest : error.Sum;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Inserts the worst points of triangles, but for those that an insertion before has changed. Of as many as there may
-// still be half at most: what an insertion brings about can be more urgent than the last ones of a round.
-void MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
-{
-  const std::size_t room =
-    this->MostVertices > 0 ? this->MostVertices - this->Mesh.NumberOfVertices() : triangles.size();
-  const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
-  this->New.clear();
-  this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
-  for (const TriangleId triangle : triangles)
-  {
-    const PointId point = this->Mesh.Error(triangle).Point;
-    if (this->Mesh.IsVertex(point))
-    {
-      this->AddNew(triangle); // the point, beside a side, was inserted from another triangle
-    }
-    else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
-    {
-      this->Insert(point, this->Mesh.Triangles().Locate(point, triangle));
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::Insert(PointId point, TriangleId triangle)
-{
-  if (triangle == NoTriangle || this->IsNew[triangle] != 0)
-  {
-    return;
-  }
-  PlaneMesh& triangles = this->Mesh.Triangles();
-  triangles.Insert(point, triangle, this->Around);
-  if (this->Around.empty())
-  {
-    throw InputError(
-      "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
-  }
-  this->Mesh.MarkVertex(point, true);
-  triangles.Legalize(this->Around);
-  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::AddNew(TriangleId triangle)
-{
-  if (this->IsNew[triangle] == 0)
-  {
-    this->IsNew[triangle] = 1;
-    this->New.push_back(triangle);
-  }
-}
-
 // ---- The result ----------------------------------------------------------------------------------------------------
 class Collector
 {
@@ -241,9 +46,9 @@ public:
   {
     this->WritePoints();
     this->WriteTriangles();
-    this->AssignPoints(monitor);
+    this->AssignPoints(monitor.Step(0.0, 0.8));
     this->CheckAllAssigned();
-    this->MeasureSides();
+    this->MeasureSides(monitor.Step(0.8, 1.0));
     return std::move(this->Result);
   }
 
@@ -328,19 +133,27 @@ private:
     }
   }
 
-  void MeasureSides()
+  /// Each side once.
+  void MeasureSides(const Monitor& monitor)
   {
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
-    {
-      for (int side = 0; side < 3; ++side)
+    std::vector<std::array<double, 2>> errors(std::size_t(this->Mesh.Size()), { 0.0, 0.0 }); // of inner sides, of loops
+    this->Surface.ForEachTriangle(monitor,
+      [&](TriangleId triangle)
       {
-        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-        if (beyond == NoTriangle || beyond > triangle) // each side once
+        for (int side = 0; side < 3; ++side)
         {
-          double& largest = beyond == NoTriangle ? this->Result.LargestLoopError : this->Result.LargestSideError;
-          largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
+          const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+          if (beyond == NoTriangle || beyond > triangle)
+          {
+            double& largest = errors[triangle][beyond == NoTriangle ? 1 : 0];
+            largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
+          }
         }
-      }
+      });
+    for (const auto& [ofInner, ofLoop] : errors)
+    {
+      this->Result.LargestSideError = std::max(this->Result.LargestSideError, ofInner);
+      this->Result.LargestLoopError = std::max(this->Result.LargestLoopError, ofLoop);
     }
   }
 
@@ -373,7 +186,8 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   if (options.FitHeights && error > 0.0)
   {
     refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
-    mesh.SetHeights(FitHeights(mesh, DecimationPriority::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
+    mesh.Triangles().SortByPlace(); // what is read next is near then
+    mesh.SetHeights(FitHeights(mesh, FitAim::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
   refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
@@ -382,11 +196,18 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
   MeshRefiner refiner(mesh, options.MaximumNumberOfPoints, options.Priority);
-  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.9));
+  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.7));
   if (options.FitHeights)
   {
+    FlipToNumber(mesh, options, monitor.Step(0.7, 0.9));
     FitToNumber(mesh, options.Priority, monitor.Step(0.9, 1.0));
   }
+}
+
+/// Whether sides are flipped with the effort Fast, as heights are fitted for a number of points.
+bool IsFlipped(const DecimationOptions& options)
+{
+  return options.FitHeights && options.MaximumNumberOfPoints > 0;
 }
 
 /// Inserts more points than may be left, and removes as many.
@@ -460,7 +281,7 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
   Decimation result = Run(std::move(horizon), options, monitor);
   if (MeshChecker::IsOn)
   {
-    const bool isDelaunay = options.Effort == DecimationEffort::Fast;
+    const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
     MeshChecker::Require("Decimate", result.Points.Plane, result.Points.Boundary, result.Triangles,
       isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
   }

@@ -10,11 +10,12 @@
 // When none is above the limit, it falls to a part of the largest error. So all that costs time, the measuring of the
 // triangles that are new, is done by all threads at once, and the vertices are about as few as one by one.
 //
-// The mesh is at all times the constrained Delaunay triangulation of its vertices: that of Triangulation.h.
+// The mesh is at all times the constrained Delaunay triangulation of its vertices: that of Triangulation.h. Only where
+// heights are fitted for a number of points, sides are flipped once before, as the best effort does.
 //
-// The best effort goes on from there (MeshImprover.h). It flips sides for which the mesh comes nearer to the horizon,
-// fits heights, and removes vertices as long as the error is kept: that takes a quarter to a half of them. For a number
-// of points it inserts four times as many as may be left, and removes the cheapest ones.
+// The best effort goes on from there (MeshImprover.h). It removes vertices as long as the error is kept, flips sides for
+// which the mesh comes nearer to the horizon, fits heights and removes again: that takes a quarter to a half of them. For
+// a number of points it inserts four times as many as may be left, and removes the cheapest ones.
 
 #ifndef SeismicHorizonsDecimation_h
 #define SeismicHorizonsDecimation_h
@@ -50,7 +51,7 @@ struct DecimationQuality
   bool FitHeights = true;
   DecimationEffort Effort = DecimationEffort::Best;
   DecimationPriority Priority = DecimationPriority::SumOfSquares;
-  /// With the best effort, 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
+  /// 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
   /// a smaller one before. Where a number of points can not be met so, it is halved until that is.
   double SmallestAngle = 2.0;
 };
@@ -87,7 +88,7 @@ struct Decimation
 
 /// The places of the points are columns, one at most in each, inside the loops of their patch; heights are finite.
 /// Points of a negative patch are not looked at, and nothing stands for them. Throws InputError otherwise, and when
-/// triangulating the loops does. Takes about 20 bytes per point and 12 per column of the bounding box of a patch,
+/// triangulating the loops does. Takes about 28 bytes per point and 16 per column of the bounding box of a patch,
 /// beside the result, and the memory of the horizon where that is moved.
 Decimation Decimate(
   BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(), const Monitor& monitor = Monitor());

@@ -4,13 +4,17 @@
 #include "HeightFit.h"
 
 #include "Common/ColumnIndex.h"
-
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
+#include "Common/CountingSort.h"
+#include "Common/Parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -18,10 +22,17 @@ namespace SeismicHorizons
 namespace
 {
 /// The power of each step.
-std::vector<double> Powers(DecimationPriority priority)
+std::vector<double> Powers(FitAim aim)
 {
-  return priority == DecimationPriority::SumOfSquares ? std::vector<double>{ 2.0, 1.5, 1.0 }
-                                                      : std::vector<double>{ 3.0, 3.0, 4.0, 4.0 };
+  switch (aim)
+  {
+    case FitAim::LargestError:
+      return { 4.0, 4.0 };
+    case FitAim::Mean:
+      return { 2.0, 1.5, 1.0 };
+    default:
+      return { 2.0 };
+  }
 }
 
 // What an error of a side counts, beside one of a column, for a small mean error: that is of columns alone.
@@ -30,16 +41,293 @@ constexpr double PartOfSides = 0.1;
 // The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
 constexpr double LeastError = 1e-2;
 
-// Heights need not be exact, as each step goes a part of the way.
-constexpr double Precision = 1e-3;
-constexpr int MostIterations = 100;
+/// The corners of triangles among the vertices that can move.
+class MovableCorners
+{
+public:
+  static constexpr int None = -1;
 
-/// The part of one triangle in the equations: what its corners weigh together, and with the errors of its points.
+  /// `points` are those of the vertices, ascending.
+  MovableCorners(const HeightMesh& mesh, const std::vector<PointId>& points)
+    : Corners(std::size_t(mesh.Triangles().Size()))
+  {
+    PlaceNumbers numbers; // in far less memory than a number for each point
+    auto next = points.begin();
+    for (PointId first = 0; std::size_t(first) < mesh.VertexMarks().size(); first += PlaceSet::WordBits)
+    {
+      std::uint64_t bits = 0;
+      for (; next != points.end() && *next - first < PlaceSet::WordBits; ++next)
+      {
+        bits |= std::uint64_t(1) << (*next - first);
+      }
+      numbers.Append(bits);
+    }
+    mesh.ForEachTriangle(Monitor(),
+      [&](TriangleId triangle)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          this->Corners[triangle][corner] = int(numbers[mesh.Triangles().Corner(triangle, corner)]);
+        }
+      });
+  }
+
+  /// The number of each corner among the vertices, or None.
+  const std::array<int, 3>& operator[](TriangleId triangle) const { return this->Corners[triangle]; }
+
+private:
+  std::vector<std::array<int, 3>> Corners;
+};
+
+// ---- Equations -----------------------------------------------------------------------------------------------------
+/// The part of one triangle: what its corners weigh, alone and together with the corner at the other end of a side, and
+/// with the errors of its points.
 struct Element
 {
-  Eigen::Matrix3d Matrix = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d Right = Eigen::Vector3d::Zero();
+  std::array<double, 3> Corners = {};
+  std::array<double, 3> Sides = {};
+  std::array<double, 3> Right = {};
 };
+
+/// Symmetric equations with an unknown for each vertex that can move, and an entry for each side between two of them.
+class MeshEquations
+{
+public:
+  MeshEquations(const PlaneMesh& mesh, const MovableCorners& corners, std::size_t unknowns)
+    : Mesh(mesh)
+    , Corners(corners)
+    , Rows(std::int64_t(unknowns), [this](auto&& add) { this->ForEachEntry(add); })
+    , Values(this->Rows.Size())
+    , Diagonal(unknowns)
+    , Right(unknowns)
+    , Sums((unknowns + RowsOfBlock - 1) / RowsOfBlock)
+  {
+  }
+
+  /// Of all triangles, and of each vertex by the error at its column, which counts for no triangle.
+  template <typename Weight>
+  void Set(const std::vector<Element>& elements, const std::vector<double>& errors, const Weight& weight)
+  {
+    this->ForEachRow(
+      [&](std::int64_t row)
+      {
+        this->Diagonal[row] = weight(errors[row]);
+        this->Right[row] = -this->Diagonal[row] * errors[row];
+        return 0.0;
+      });
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const int unknown = this->Corners[triangle][corner];
+        if (unknown != MovableCorners::None)
+        {
+          this->Diagonal[unknown] += elements[triangle].Corners[corner];
+          this->Right[unknown] += elements[triangle].Right[corner];
+        }
+      }
+    }
+    this->ForEachRow(
+      [&](std::int64_t row)
+      {
+        for (const Entry* entry = this->Rows.begin(row); entry != this->Rows.end(row); ++entry)
+        {
+          this->Values[this->Rows.IndexOf(entry)] =
+            elements[entry->Triangle].Sides[entry->Side] + elements[entry->OtherTriangle].Sides[entry->OtherSide];
+        }
+        return 0.0;
+      });
+  }
+
+  /// By conjugate gradients (Hestenes and Stiefel 1952), each unknown divided by its entry of the diagonal.
+  std::vector<double> Solve()
+  {
+    std::vector<double> solution(this->Right.size(), 0.0);
+    std::vector<double> direction(this->Right.size(), 0.0);
+    std::vector<double> image(this->Right.size());
+    const double enough =
+      Precision * Precision * this->ForEachRow([&](std::int64_t row) { return this->Squared(row); });
+    double product = 1.0; // any, as there is no direction yet
+    double rest = enough;
+    for (int iteration = 0; iteration < MostIterations && rest >= enough && enough > 0.0; ++iteration)
+    {
+      const double next =
+        this->ForEachRow([&](std::int64_t row) { return this->Right[row] * this->Right[row] / this->Diagonal[row]; });
+      const double part = next / product;
+      product = next;
+      this->ForEachRow(
+        [&](std::int64_t row)
+        {
+          direction[row] = this->Right[row] / this->Diagonal[row] + part * direction[row];
+          return 0.0;
+        });
+      const double bend = this->ForEachRow(
+        [&](std::int64_t row)
+        {
+          image[row] = this->ImageAt(row, direction);
+          return image[row] * direction[row];
+        });
+      rest = this->ForEachRow(
+        [&](std::int64_t row)
+        {
+          solution[row] += product / bend * direction[row];
+          this->Right[row] -= product / bend * image[row];
+          return this->Squared(row);
+        });
+    }
+    return solution;
+  }
+
+private:
+  // Solutions need not be exact, as each step goes a part of the way.
+  static constexpr double Precision = 1e-3;
+  static constexpr int MostIterations = 100;
+
+  // Sums are those of blocks of rows, added up in their order: the same for any number of threads.
+  static constexpr std::size_t RowsOfBlock = 512;
+  static constexpr std::int64_t BlockGrain = 4; // that a thread looks at at a time
+
+  /// Of a row, at another unknown: the sides of two triangles.
+  struct Entry
+  {
+    int Other;
+    TriangleId Triangle;
+    TriangleId OtherTriangle;
+    std::int8_t Side;
+    std::int8_t OtherSide;
+  };
+
+  template <typename Add>
+  void ForEachEntry(Add&& add) const
+  {
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+        const int from = this->Corners[triangle][side];
+        const int to = this->Corners[triangle][NextCorner(side)];
+        if (beyond > triangle && from != MovableCorners::None && to != MovableCorners::None)
+        {
+          const int back = this->Mesh.SideTo(beyond, triangle);
+          add(from, { to, triangle, beyond, std::int8_t(side), std::int8_t(back) });
+          add(to, { from, triangle, beyond, std::int8_t(side), std::int8_t(back) });
+        }
+      }
+    }
+  }
+
+  /// The sum of what call(row) gives.
+  template <typename Call>
+  double ForEachRow(Call&& call)
+  {
+    ParallelFor(std::int64_t(this->Sums.size()), BlockGrain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t block = first; block < last; ++block)
+        {
+          const std::size_t end = std::min(this->Right.size(), std::size_t(block + 1) * RowsOfBlock);
+          this->Sums[block] = 0.0;
+          for (std::size_t row = std::size_t(block) * RowsOfBlock; row < end; ++row)
+          {
+            this->Sums[block] += call(std::int64_t(row));
+          }
+        }
+      });
+    return std::accumulate(this->Sums.begin(), this->Sums.end(), 0.0);
+  }
+
+  double Squared(std::int64_t row) const { return this->Right[row] * this->Right[row]; }
+
+  double ImageAt(std::int64_t row, const std::vector<double>& values) const
+  {
+    double sum = this->Diagonal[row] * values[row];
+    for (const Entry* entry = this->Rows.begin(row); entry != this->Rows.end(row); ++entry)
+    {
+      sum += this->Values[this->Rows.IndexOf(entry)] * values[entry->Other];
+    }
+    return sum;
+  }
+
+  const PlaneMesh& Mesh;
+  const MovableCorners& Corners;
+  const ItemLists<Entry> Rows;
+  std::vector<double> Values; // of the entries
+  std::vector<double> Diagonal;
+  std::vector<double> Right; // what is left of it while the equations are solved
+  std::vector<double> Sums; // by block
+};
+
+// ---- Fit -----------------------------------------------------------------------------------------------------------
+/// A power of errors, which weighs them.
+class ErrorWeight
+{
+public:
+  /// Of errors that are divided by a unit.
+  ErrorWeight(double power, double unit)
+    : Power(power)
+    , PerUnit(1.0 / unit)
+  {
+  }
+
+  double operator()(double error) const
+  {
+    const double size = std::max(std::abs(error) * this->PerUnit, LeastError);
+    return this->Power == 4.0 ? size * size : std::pow(size, this->Power - 2.0);
+  }
+
+  template <typename Real>
+  FourColumns<Real> operator()(const FourColumns<Real>& errors) const
+  {
+    const FourColumns<Real> sizes = (errors.abs() * Real(this->PerUnit)).max(Real(LeastError));
+    return this->Power == 4.0 ? FourColumns<Real>(sizes.square())
+      : this->Power == 2.0    ? FourColumns<Real>::Ones()
+                              : FourColumns<Real>(sizes.pow(Real(this->Power - 2.0)));
+  }
+
+private:
+  double Power;
+  double PerUnit;
+};
+
+/// Sums over columns, four at a time, of what the corners of a triangle weigh there.
+template <typename Real>
+class ElementSums
+{
+public:
+  using Four = FourColumns<Real>;
+
+  void Add(const std::array<Four, 3>& parts, const Four& errors, const Four& weights)
+  {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const Four weighted = weights * parts[corner];
+      this->Corners[corner] += weighted * parts[corner];
+      this->Sides[corner] += weighted * parts[corner == 2 ? 0 : corner + 1];
+      this->Right[corner] += weighted * errors;
+    }
+  }
+
+  Element Sum() const
+  {
+    Element element;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      element.Corners[corner] = double(this->Corners[corner].sum());
+      element.Sides[corner] = double(this->Sides[corner].sum());
+      element.Right[corner] = -double(this->Right[corner].sum());
+    }
+    return element;
+  }
+
+private:
+  std::array<Four, 3> Corners = { Four::Zero(), Four::Zero(), Four::Zero() };
+  std::array<Four, 3> Sides = Corners;
+  std::array<Four, 3> Right = Corners;
+};
+
+// How many columns a thread looks up at a time.
+constexpr std::int64_t ColumnGrain = 1024;
 
 class HeightFitter
 {
@@ -49,17 +337,19 @@ public:
     , Mesh(mesh.Triangles())
     , Reach(reach)
     , Inner(mesh.Heights())
+    , Corners(mesh, this->Inner.Points)
+    , Equations(this->Mesh, this->Corners, this->Inner.Points.size())
+    , Elements(std::size_t(this->Mesh.Size()))
+    , Columns(this->Inner.Points.size())
   {
-    auto next = this->Inner.Points.begin();
-    for (PointId first = 0; std::size_t(first) < mesh.VertexMarks().size(); first += PlaceSet::WordBits)
-    {
-      std::uint64_t bits = 0;
-      for (; next != this->Inner.Points.end() && *next - first < PlaceSet::WordBits; ++next)
+    ParallelFor(std::int64_t(this->Columns.size()), ColumnGrain,
+      [this](std::int64_t first, std::int64_t last)
       {
-        bits |= std::uint64_t(1) << (*next - first);
-      }
-      this->Unknowns.Append(bits);
-    }
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          this->Columns[n] = this->Surface.ColumnHeight(this->Inner.Points[n]);
+        }
+      });
   }
 
   InnerHeights Run(const std::vector<double>& powers, const Monitor& monitor)
@@ -73,143 +363,102 @@ public:
   }
 
 private:
-  using Entries = std::vector<Eigen::Triplet<double>>;
-
   /// Solves for how far heights have to move, and moves them a part of it.
   void Improve(double power)
   {
-    const auto unknowns = Eigen::Index(this->Inner.Points.size());
-    Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
-    {
-      // Neither the elements are kept while the matrix is made, nor the entries while it is solved.
-      const Entries entries = this->ListEntries(this->MakeElements(power), power, right);
-      matrix.setFromTriplets(entries.begin(), entries.end());
-    }
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
-    solver.setTolerance(Precision);
-    solver.setMaxIterations(MostIterations);
-    const Eigen::VectorXd moves = solver.compute(matrix).solve(right) / std::max(1.0, power - 1.0);
-    for (Eigen::Index n = 0; n < unknowns; ++n)
-    {
-      const double column = this->Surface.ColumnHeight(this->Inner.Points[n]);
-      double& height = this->Inner.Heights[n];
-      height = std::clamp(height + moves[n], column - this->Reach, column + this->Reach);
-    }
-  }
-
-  std::vector<Element> MakeElements(double power) const
-  {
-    std::vector<Element> elements(std::size_t(this->Mesh.Size()));
     this->Surface.ForEachTriangle(
-      Monitor(), [&](TriangleId triangle) { elements[triangle] = this->MakeElement(triangle, power); });
-    return elements;
+      Monitor(), [&](TriangleId triangle) { this->Elements[triangle] = this->MakeElement(triangle, power); });
+    const ErrorWeight weight(power, this->Reach);
+    std::vector<double> errors;
+    errors.reserve(this->Columns.size());
+    std::transform(this->Inner.Heights.begin(), this->Inner.Heights.end(), this->Columns.begin(),
+      std::back_inserter(errors), std::minus<>());
+    this->Equations.Set(this->Elements, errors, weight);
+    const std::vector<double> moves = this->Equations.Solve();
+    for (std::size_t n = 0; n < moves.size(); ++n)
+    {
+      double& height = this->Inner.Heights[n];
+      height = std::clamp(
+        height + moves[n] / std::max(1.0, power - 1.0), this->Columns[n] - this->Reach, this->Columns[n] + this->Reach);
+    }
   }
 
   /// Of the columns that count for a triangle, and its sides.
   Element MakeElement(TriangleId triangle, double power) const
   {
     RaisedTriangle raised = this->Surface.RaisedCorners(triangle);
-    for (int corner = 0; corner < 3; ++corner)
+    for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      const int unknown = this->UnknownAt(triangle, corner);
-      if (unknown >= 0)
-      {
-        raised[corner].Height = this->Inner.Heights[unknown];
-      }
+      const int unknown = this->Corners[triangle][corner];
+      raised[corner].Height = unknown == MovableCorners::None ? raised[corner].Height : this->Inner.Heights[unknown];
     }
-    const double perArea = 1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column));
-    const double partOfSides = power > 2.0 ? 1.0 : PartOfSides;
-    Element element;
-    this->Surface.RasterOf(triangle).ForEachColumn(raised,
-      [&](PointId, double error, const std::array<double, 3>& weights)
-      {
-        if (this->Surface.Owns(triangle, weights))
-        {
-          const Eigen::Vector3d parts = perArea * Eigen::Map<const Eigen::Vector3d>(weights.data());
-          Add(parts, error, this->WeightOf(error, power), element);
-        }
-      });
-    for (int side = 0; side < 3; ++side)
+    const ErrorWeight weight(power, this->Reach);
+    const HeightRaster& raster = this->Surface.RasterOf(triangle);
+    if (raster.IsFloatEnough(this->Reach))
     {
-      if (this->Mesh.Neighbour(triangle, side) > triangle) // each inner side once
-      {
-        const int next = NextCorner(side);
-        this->Surface.RasterOf(triangle).ForEachCrossing(raised[side], raised[next],
-          [&](const Crossing& crossing)
-          {
-            Eigen::Vector3d parts = Eigen::Vector3d::Zero();
-            parts[side] = 1.0 - crossing.PartOfSide;
-            parts[next] = crossing.PartOfSide;
-            Add(parts, crossing.Error, partOfSides * this->WeightOf(crossing.Error, power), element);
-          });
-      }
+      Element element = this->SumColumns<float>(triangle, raised, weight);
+      this->AddSides<float>(triangle, raised, weight, power, element);
+      return element;
     }
+    Element element = this->SumColumns<double>(triangle, raised, weight);
+    this->AddSides<double>(triangle, raised, weight, power, element);
     return element;
   }
 
-  double WeightOf(double error, double power) const
+  template <typename Real>
+  Element SumColumns(TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight) const
   {
-    return std::pow(std::max(std::abs(error), LeastError * this->Reach), power - 2.0);
-  }
-
-  /// Of an error, with the parts that the corners have in it.
-  static void Add(const Eigen::Vector3d& parts, double error, double weight, Element& element)
-  {
-    const Eigen::Vector3d weighted = weight * parts;
-    element.Matrix += weighted * parts.transpose();
-    element.Right -= error * weighted;
-  }
-
-  /// Those of the matrix, of which entries at one place are to be added up; adds to the right-hand side. The columns of
-  /// the vertices are among them, which count for no triangle.
-  Entries ListEntries(const std::vector<Element>& elements, double power, Eigen::VectorXd& right) const
-  {
-    Entries entries;
-    entries.reserve(9 * elements.size() + this->Inner.Points.size());
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
-    {
-      const Element& element = elements[triangle];
-      for (int row = 0; row < 3; ++row)
+    using Four = FourColumns<Real>;
+    const Real perArea = Real(1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column)));
+    ElementSums<Real> sums;
+    this->Surface.RasterOf(triangle).ForEachFour<Real>(raised, this->Surface.OwnedColumns(triangle),
+      [&](const Four& errors, const Four& b, const Four& c, const Four& isIn)
       {
-        const int unknown = this->UnknownAt(triangle, row);
-        if (unknown >= 0)
-        {
-          right[unknown] += element.Right[row];
-        }
-        for (int column = 0; column < 3 && unknown >= 0; ++column)
-        {
-          const int other = this->UnknownAt(triangle, column);
-          if (other >= 0)
+        const Four partOfB = b * perArea;
+        const Four partOfC = c * perArea;
+        sums.Add({ Four(Real(1) - partOfB - partOfC), partOfB, partOfC }, errors, weight(errors) * isIn);
+      });
+    return sums.Sum();
+  }
+
+  /// Each inner side once.
+  template <typename Real>
+  void AddSides(
+    TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power, Element& element) const
+  {
+    const double partOfSides = power > 2.0 ? 1.0 : PartOfSides;
+    for (int side = 0; side < 3; ++side)
+    {
+      if (this->Mesh.Neighbour(triangle, side) > triangle)
+      {
+        const int next = NextCorner(side);
+        this->Surface.RasterOf(triangle).ForEachCrossing<Real>(raised[side], raised[next],
+          [&](const Crossing& crossing)
           {
-            entries.emplace_back(unknown, other, element.Matrix(row, column));
-          }
-        }
+            const double part = crossing.PartOfSide;
+            const double weighs = partOfSides * weight(crossing.Error);
+            element.Corners[side] += weighs * (1.0 - part) * (1.0 - part);
+            element.Corners[next] += weighs * part * part;
+            element.Sides[side] += weighs * part * (1.0 - part);
+            element.Right[side] -= weighs * (1.0 - part) * crossing.Error;
+            element.Right[next] -= weighs * part * crossing.Error;
+            return true;
+          });
       }
     }
-    for (std::size_t n = 0; n < this->Inner.Points.size(); ++n)
-    {
-      const double error = this->Inner.Heights[n] - this->Surface.ColumnHeight(this->Inner.Points[n]);
-      const double weight = this->WeightOf(error, power);
-      entries.emplace_back(int(n), int(n), weight);
-      right[Eigen::Index(n)] -= weight * error;
-    }
-    return entries;
-  }
-
-  /// The number of a corner among those that can move, or -1.
-  int UnknownAt(TriangleId triangle, int corner) const
-  {
-    return int(this->Unknowns[this->Mesh.Corner(triangle, corner)]);
   }
 
   const HeightMesh& Surface;
   const PlaneMesh& Mesh;
   const double Reach;
   InnerHeights Inner;
-  PlaceNumbers Unknowns; // by point, its position among these or -1: in far less memory than a number for each
+  const MovableCorners Corners;
+  MeshEquations Equations;
+  std::vector<Element> Elements; // by triangle
+  std::vector<double> Columns; // the heights of the vertices' columns
 };
 
+// ---- Moves ---------------------------------------------------------------------------------------------------------
 // What part of its way a vertex moves at least, if it moves.
 constexpr double LeastPart = 0.25;
 
@@ -222,55 +471,87 @@ public:
     , Before(mesh.Heights())
     , After(heights)
     , Heights(heights)
+    , Corners(mesh, heights.Points)
     , Parts(heights.Points.size(), 1.0)
+    , IsMoved(heights.Points.size(), 1)
+    , IsFar(std::size_t(mesh.Triangles().Size()))
   {
   }
 
-  /// What one vertex moves less can put a triangle beside it off: all is measured until nothing is off.
+  /// What one vertex moves less can put a triangle beside it off: all around those that did are measured until nothing
+  /// is off.
   void Run()
   {
     do
     {
       this->Mesh.SetHeights(this->Heights);
-      this->FindFar();
+      this->Mesh.ForEachTriangle(
+        Monitor(), [this](TriangleId triangle) { this->IsFar[triangle] = this->FindFar(triangle); });
     } while (this->MoveBack());
   }
 
 private:
-  void FindFar()
-  {
-    this->IsFar.resize(std::size_t(this->Mesh.Triangles().Size()));
-    this->Mesh.ForEachTriangle(Monitor(),
-      [this](TriangleId triangle)
-      { this->IsFar[triangle] = this->Mesh.LargestWithSides(triangle) > this->Error ? 1 : 0; });
-  }
+  using FarSides = std::uint8_t; // a bit for each, and one for the columns of the triangle
 
-  /// The corners of triangles that are too far; false when none of them can go back.
-  bool MoveBack()
+  static constexpr int ColumnsBit = 3;
+
+  /// What is too far of a triangle with a corner that has just moved; of inner sides those of the first of two
+  /// triangles.
+  FarSides FindFar(TriangleId triangle) const
   {
-    bool isMoved = false;
-    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+    const auto isMoved = [&](int corner)
     {
-      for (int corner = 0; corner < 3 && this->IsFar[triangle] != 0; ++corner)
+      const int vertex = this->Corners[triangle][corner];
+      return vertex != MovableCorners::None && this->IsMoved[vertex] != 0;
+    };
+    FarSides far = 0;
+    if (isMoved(0) || isMoved(1) || isMoved(2))
+    {
+      const HeightRaster& raster = this->Mesh.RasterOf(triangle);
+      const RaisedTriangle raised = this->Mesh.RaisedCorners(triangle);
+      far |= raster.IsWithin(raised, this->Error) ? 0 : 1 << ColumnsBit;
+      for (int side = 0; side < 3; ++side)
       {
-        const bool isCornerMoved = this->MoveBack(this->Mesh.Triangles().Corner(triangle, corner));
-        isMoved = isMoved || isCornerMoved;
+        const int next = NextCorner(side);
+        if (this->Mesh.Triangles().Neighbour(triangle, side) > triangle && (isMoved(side) || isMoved(next)) &&
+          !raster.IsSideWithin(raised[side], raised[next], this->Error))
+        {
+          far |= 1 << side;
+        }
       }
     }
-    return isMoved;
+    return far;
   }
 
-  bool MoveBack(PointId point)
+  /// The corners of triangles that are too far, and the ends of sides; false when none of them can go back.
+  bool MoveBack()
   {
-    const std::size_t n = this->Heights.Find(point);
-    if (n == InnerHeights::None || this->Heights.Heights[n] == this->Before.Heights[n])
+    std::fill(this->IsMoved.begin(), this->IsMoved.end(), 0);
+    bool isAnyMoved = false;
+    for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+    {
+      const int far = this->IsFar[triangle];
+      for (int corner = 0; corner < 3 && far != 0; ++corner)
+      {
+        const bool isEnd = ((far >> corner | far >> PreviousCorner(corner) | far >> ColumnsBit) & 1) != 0;
+        const bool isMoved = isEnd && this->MoveBack(this->Corners[triangle][corner]);
+        isAnyMoved = isAnyMoved || isMoved;
+      }
+    }
+    return isAnyMoved;
+  }
+
+  bool MoveBack(int vertex)
+  {
+    if (vertex == MovableCorners::None || this->Heights.Heights[vertex] == this->Before.Heights[vertex])
     {
       return false;
     }
-    const double before = this->Before.Heights[n];
-    this->Parts[n] *= 0.5;
-    this->Heights.Heights[n] =
-      this->Parts[n] < LeastPart ? before : before + this->Parts[n] * (this->After.Heights[n] - before);
+    const double before = this->Before.Heights[vertex];
+    double& part = this->Parts[vertex];
+    part *= 0.5;
+    this->Heights.Heights[vertex] = part < LeastPart ? before : before + part * (this->After.Heights[vertex] - before);
+    this->IsMoved[vertex] = 1;
     return true;
   }
 
@@ -279,15 +560,17 @@ private:
   const InnerHeights Before; // of the same vertices as those below
   const InnerHeights& After;
   InnerHeights Heights;
-  std::vector<double> Parts;
-  std::vector<unsigned char> IsFar; // by triangle
+  const MovableCorners Corners;
+  std::vector<double> Parts; // by vertex
+  std::vector<unsigned char> IsMoved; // by vertex, just now
+  std::vector<FarSides> IsFar; // by triangle
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InnerHeights FitHeights(const HeightMesh& mesh, DecimationPriority priority, double reach, const Monitor& monitor)
+InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor)
 {
-  return HeightFitter(mesh, reach).Run(Powers(priority), monitor);
+  return HeightFitter(mesh, reach).Run(Powers(aim), monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

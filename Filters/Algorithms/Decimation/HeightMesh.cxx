@@ -21,8 +21,9 @@ namespace
 // Heights of a triangle are right to some units in the last place of those of its corners.
 constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
 
-// How many triangles a thread measures at a time.
+// How many triangles a thread measures at a time, and how many points it looks at.
 constexpr std::int64_t Grain = 64;
+constexpr std::int64_t PointGrain = 1 << 14;
 
 /// Patches numbered from 0 on without gaps, by point. Points without a patch stay so.
 std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
@@ -57,25 +58,32 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
   , LoopMarks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
   , Marks(this->LoopMarks)
-  , Vertices(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
+  , OnLoops(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
+  , Vertices(this->OnLoops)
   , Mesh(this->Columns(), this->MeshLoops(monitor))
-  , VertexHeights(std::move(this->Horizon.Height))
 {
-  this->FindRange();
   this->MakeRasters();
+  this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
+  this->FindRange();
+  this->RaisedPoints.resize(this->Patches.size());
+  ParallelFor(std::int64_t(this->Patches.size()), PointGrain,
+    [this](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        this->RaisedPoints[point] = { this->Places[point], this->Horizon.Height[point] };
+      }
+    });
+  this->Horizon.Height = std::vector<double>();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 BoundedHorizon HeightMesh::TakeHorizon()
 {
-  for (PointId point = 0; std::size_t(point) < this->VertexHeights.size(); ++point)
+  for (PointId point = 0; std::size_t(point) < this->RaisedPoints.size(); ++point)
   {
-    if (this->IsVertex(point))
-    {
-      this->VertexHeights[point] = this->ColumnHeight(point);
-    }
+    this->Horizon.Height.push_back(this->IsVertex(point) ? this->ColumnHeight(point) : this->Height(point));
   }
-  this->Horizon.Height = std::move(this->VertexHeights);
   this->Horizon.Patch = std::move(this->Patches);
   return std::move(this->Horizon);
 }
@@ -103,18 +111,18 @@ RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::FindRange()
 {
-  this->LowestPoint = std::numeric_limits<double>::infinity();
-  this->HighestPoint = -this->LowestPoint;
-  for (std::size_t point = 0; point < this->VertexHeights.size(); ++point)
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const HeightRaster& raster : this->Rasters)
   {
-    if (this->Patches[point] >= 0)
-    {
-      this->LowestPoint = std::min(this->LowestPoint, this->VertexHeights[point]);
-      this->HighestPoint = std::max(this->HighestPoint, this->VertexHeights[point]);
-    }
+    lowest = std::min(lowest, raster.LowestHeight());
+    highest = std::max(highest, raster.HighestHeight());
   }
-  this->RoundingError =
-    this->Points == 0 ? 0.0 : UnitsOfRounding * std::max(std::abs(this->LowestPoint), std::abs(this->HighestPoint));
+  if (!this->Rasters.empty())
+  {
+    this->Range = highest - lowest;
+    this->RoundingError = UnitsOfRounding * std::max(std::abs(lowest), std::abs(highest));
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -136,7 +144,7 @@ void HeightMesh::MakeRasters()
   if (patches == 1)
   {
     this->Rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Columns(), this->VertexHeights, this->Horizon.Cuts.get());
+      this->Columns(), this->Horizon.Height, this->Horizon.Cuts.get());
     return;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -144,7 +152,7 @@ void HeightMesh::MakeRasters()
   for (std::int32_t number = 0; number < patches; ++number)
   {
     this->Rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Columns(), this->VertexHeights, this->Horizon.Cuts.get());
+      this->Columns(), this->Horizon.Height, this->Horizon.Cuts.get());
   }
 }
 
@@ -168,7 +176,7 @@ void HeightMesh::SetHeights(const InnerHeights& heights)
 {
   for (std::size_t n = 0; n < heights.Points.size(); ++n)
   {
-    this->VertexHeights[heights.Points[n]] = heights.Heights[n];
+    this->RaisedPoints[heights.Points[n]].Height = heights.Heights[n];
   }
 }
 
@@ -177,18 +185,10 @@ void HeightMesh::MarkVertex(PointId point, bool isVertex)
 {
   this->Marks[point] = isVertex ? 1 : 0;
   this->Vertices += isVertex ? 1 : -1;
-  this->VertexHeights[point] = this->ColumnHeight(point);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Compact()
-{
-  const std::vector<TriangleId> left = this->Mesh.Compact();
-  for (std::size_t n = 0; n < left.size(); ++n)
+  if (!isVertex)
   {
-    this->Errors[n] = this->Errors[left[n]];
+    this->PutBack(point);
   }
-  this->Errors.resize(left.size());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -208,27 +208,51 @@ void HeightMesh::MeasureEach(const std::vector<TriangleId>& triangles, const Mon
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor)
+void HeightMesh::Measure(
+  const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor)
 {
-  this->MeasureEach(triangles, monitor, [&](TriangleId triangle) { return this->Measure(triangle, power); });
+  this->MeasureEach(triangles, monitor,
+    [&](TriangleId triangle)
+    {
+      const HeightRaster& raster = this->RasterOf(triangle);
+      const RaisedTriangle corners = this->RaisedCorners(triangle);
+      return power.Power == 0 ? raster.MeasureAbove(corners, bound) : raster.Measure(corners, power);
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureAll(const ErrorPower& power, const Monitor& monitor)
+void HeightMesh::FindPoints(const std::vector<TriangleId>& triangles, double bound)
 {
-  this->Measure(this->AllTriangles(), power, monitor);
+  this->MeasureEach(triangles, Monitor(),
+    [&](TriangleId triangle)
+    {
+      HeightError error = this->Errors[triangle];
+      if (error.Point == NoPoint)
+      {
+        error.Point = this->RasterOf(triangle).FindPoint(this->RaisedCorners(triangle), error.Largest, bound);
+      }
+      return error;
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureWithSides(const std::vector<TriangleId>& triangles, const Monitor& monitor)
+void HeightMesh::MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor)
 {
-  this->MeasureEach(triangles, monitor, [this](TriangleId triangle) { return this->MeasureWithSides(triangle); });
+  this->Measure(this->AllTriangles(), power, bound, monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureAllWithSides(const Monitor& monitor)
+void HeightMesh::MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor)
 {
-  this->MeasureWithSides(this->AllTriangles(), monitor);
+  this->MeasureEach(
+    triangles, monitor, [&](TriangleId triangle) { return this->MeasureSides(triangle, bound, false); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::MeasureAllSides(double bound, const Monitor& monitor)
+{
+  this->MeasureEach(
+    this->AllTriangles(), monitor, [&](TriangleId triangle) { return this->MeasureSides(triangle, bound, true); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -240,32 +264,23 @@ std::vector<TriangleId> HeightMesh::AllTriangles() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightError HeightMesh::MeasureWithSides(TriangleId triangle) const
+// Each side once: of the first of its two triangles.
+HeightError HeightMesh::MeasureSides(TriangleId triangle, double bound, bool isEachOnce) const
 {
-  HeightError error = this->Measure(triangle);
+  const HeightRaster& raster = this->RasterOf(triangle);
+  HeightError error = this->Errors[triangle];
   for (int side = 0; side < 3; ++side)
   {
-    if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
+    const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+    const RaisedPoint& from = this->Raised(this->Mesh.Corner(triangle, side));
+    const RaisedPoint& to = this->Raised(this->Mesh.Corner(triangle, NextCorner(side)));
+    if (beyond != NoTriangle && (beyond > triangle || !isEachOnce) && !raster.IsSideWithin(from, to, bound))
     {
-      const HeightError ofSide = this->MeasureSide(triangle, side);
-      error = ofSide.Largest > error.Largest ? ofSide : error;
+      const HeightError ofSide = raster.MeasureSide(from, to, this->Marks);
+      error = ofSide.Largest > std::max(bound, error.Largest) ? ofSide : error;
     }
   }
   return error;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double HeightMesh::LargestWithSides(TriangleId triangle) const
-{
-  double largest = this->Measure(triangle).Largest;
-  for (int side = 0; side < 3; ++side)
-  {
-    if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
-    {
-      largest = std::max(largest, this->MeasureCrossings(triangle, side).Largest);
-    }
-  }
-  return largest;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -277,6 +292,19 @@ double HeightMesh::LargestError() const
     largest = std::max(largest, error.Largest);
   }
   return largest;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SideColumns HeightMesh::OwnedColumns(TriangleId triangle) const
+{
+  SideColumns owned;
+  owned.WithCorners = false;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
+    owned.Opposite[corner] = beyond == NoTriangle || beyond > triangle;
+  }
+  return owned;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -25,15 +25,6 @@ namespace SeismicHorizons
 /// The heights of the vertices of a mesh that are on no loop: those that can move.
 struct InnerHeights
 {
-  static constexpr std::size_t None = static_cast<std::size_t>(-1);
-
-  /// The position of a vertex among them, or None.
-  std::size_t Find(PointId point) const
-  {
-    const auto found = std::lower_bound(this->Points.begin(), this->Points.end(), point);
-    return found != this->Points.end() && *found == point ? std::size_t(found - this->Points.begin()) : None;
-  }
-
   std::vector<PointId> Points; // ascending
   std::vector<double> Heights;
 };
@@ -76,24 +67,26 @@ public:
 
   /// How many points are vertices of the mesh or on loops.
   std::size_t NumberOfVertices() const { return this->Vertices; }
+  /// And how many of these are on no loop.
+  std::size_t NumberOfInnerVertices() const { return this->Vertices - this->OnLoops; }
   bool IsVertex(PointId point) const { return this->Marks[point] != 0; }
   /// By point, 1 for vertices and points of loops.
   const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
   bool IsOnLoop(PointId point) const { return this->LoopMarks[point] != 0; }
   /// A point that is no vertex has the height of its column.
   void MarkVertex(PointId point, bool isVertex);
-  /// Numbers triangles anew after some went.
-  void Compact();
+  /// To the height of its column.
+  void PutBack(PointId point) { this->RaisedPoints[point].Height = this->ColumnHeight(point); }
 
   /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
-  double Height(PointId point) const { return this->VertexHeights[point]; }
+  double Height(PointId point) const { return this->RaisedPoints[point].Height; }
   /// Of the horizon.
-  double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->Columns()[point]); }
+  double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->RaisedPoints[point].Column); }
   /// Those of the vertices that are on no loop.
   InnerHeights Heights() const;
   void SetHeights(const InnerHeights& heights);
 
-  RaisedPoint Raised(PointId point) const { return { this->Columns()[point], this->VertexHeights[point] }; }
+  const RaisedPoint& Raised(PointId point) const { return this->RaisedPoints[point]; }
   RaisedTriangle RaisedCorners(TriangleId triangle) const
   {
     return { this->Raised(this->Mesh.Corner(triangle, 0)), this->Raised(this->Mesh.Corner(triangle, 1)),
@@ -102,33 +95,23 @@ public:
   /// The heights of the patch that a triangle belongs to.
   const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterAt(this->Mesh.Corner(triangle, 0)); }
 
-  /// At the columns of a triangle.
-  HeightError Measure(TriangleId triangle, const ErrorPower& power = ErrorPower()) const
-  {
-    return this->RasterOf(triangle).Measure(this->RaisedCorners(triangle), power);
-  }
-  /// Of a side of a triangle, where it crosses lines between columns that are not both vertices.
-  HeightError MeasureSide(TriangleId triangle, int side) const
-  {
-    return this->RasterOf(triangle).MeasureSide(this->Raised(this->Mesh.Corner(triangle, side)),
-      this->Raised(this->Mesh.Corner(triangle, NextCorner(side))), this->Marks);
-  }
-  /// The same wherever it crosses lines between columns, without a point.
+  /// Of a side of a triangle, wherever it crosses lines between columns.
   HeightError MeasureCrossings(TriangleId triangle, int side, const ErrorPower& power = ErrorPower()) const
   {
     return this->RasterOf(triangle).MeasureCrossings(this->Raised(this->Mesh.Corner(triangle, side)),
       this->Raised(this->Mesh.Corner(triangle, NextCorner(side))), power);
   }
 
-  /// The largest error of a triangle and its inner sides, wherever they cross lines between columns.
-  double LargestWithSides(TriangleId triangle) const;
-
-  /// Measures triangles on threads, and keeps their errors.
-  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, const Monitor& monitor);
-  void MeasureAll(const ErrorPower& power, const Monitor& monitor);
-  /// The same with their inner sides, and without a sum.
-  void MeasureWithSides(const std::vector<TriangleId>& triangles, const Monitor& monitor);
-  void MeasureAllWithSides(const Monitor& monitor);
+  /// Measures triangles on threads, and keeps their errors: without a power only those above a bound, else all with
+  /// their sums.
+  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor);
+  void MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor);
+  /// The points of errors that have none yet: those measured with a power.
+  void FindPoints(const std::vector<TriangleId>& triangles, double bound);
+  /// Measures their inner sides, where they cross lines between columns that are not both vertices: keeps what is above
+  /// the bound and above the error so far.
+  void MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
+  void MeasureAllSides(double bound, const Monitor& monitor);
   const HeightError& Error(TriangleId triangle) const { return this->Errors[triangle]; }
   void SetError(TriangleId triangle, const HeightError& error) { this->Errors[triangle] = error; }
   /// Of those that are kept: of all triangles, when all were measured after the last change.
@@ -138,6 +121,8 @@ public:
   template <typename Call>
   void ForEachTriangle(const Monitor& monitor, Call&& call) const;
 
+  /// The columns that count for a triangle in sums over all columns: see below.
+  SideColumns OwnedColumns(TriangleId triangle) const;
   /// Whether a column in a triangle or on its sides, with these weights of the corners, counts for it in sums over all
   /// columns. Those of vertices count for no triangle, and those on a common side for the first of the two.
   bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const;
@@ -151,19 +136,19 @@ public:
   /// How far rounding may put a triangle from a point.
   double Rounding() const { return this->RoundingError; }
   /// From the lowest point to the highest one, or 1 where all are equally high.
-  double HeightRange() const
-  {
-    return this->HighestPoint > this->LowestPoint ? this->HighestPoint - this->LowestPoint : 1.0;
-  }
+  double HeightRange() const { return this->Range > 0.0 ? this->Range : 1.0; }
 
 private:
   const PlanePoints& Columns() const { return this->Places; }
-  const HeightRaster& RasterAt(PointId point) const { return this->Rasters[this->Patches[point]]; }
+  const HeightRaster& RasterAt(PointId point) const
+  {
+    return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[point]];
+  }
   RawVector<PointId> MeshLoops(const Monitor& monitor) const;
-  void FindRange();
   void MakeRasters();
+  void FindRange();
   std::vector<TriangleId> AllTriangles() const;
-  HeightError MeasureWithSides(TriangleId triangle) const;
+  HeightError MeasureSides(TriangleId triangle, double bound, bool isEachOnce) const;
   template <typename Measuring>
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
@@ -173,13 +158,14 @@ private:
   std::size_t Points;
   std::vector<unsigned char> LoopMarks; // by point
   std::vector<unsigned char> Marks; // by point
+  std::size_t OnLoops; // points
   std::size_t Vertices;
   PlaneMesh Mesh;
-  std::vector<double> VertexHeights; // by point
-  double LowestPoint = 0.0;
-  double HighestPoint = 0.0;
-  double RoundingError = 0.0;
   std::vector<HeightRaster> Rasters; // by patch
+  const HeightRaster* OnlyRaster; // of a single patch, else null
+  std::vector<RaisedPoint> RaisedPoints; // by point: columns with the heights of the mesh
+  double Range = 0.0;
+  double RoundingError = 0.0;
   std::vector<HeightError> Errors; // by triangle
 };
 
@@ -187,7 +173,7 @@ private:
 template <typename Call>
 void HeightMesh::ForEachTriangle(const Monitor& monitor, Call&& call) const
 {
-  constexpr std::int64_t Grain = 64; // triangles a thread looks at at a time
+  constexpr std::int64_t Grain = 128; // triangles a thread looks at at a time
   ParallelFor(this->Mesh.Size(), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {

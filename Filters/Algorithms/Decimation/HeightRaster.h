@@ -9,103 +9,26 @@
 #include "Common/LinkCuts.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
+#include "Common/RawVector.h"
 #include "Common/Types.h"
+#include "FourColumns.h"
+#include "TriangleRows.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace SeismicHorizons
 {
-// The columns of a triangle, row by row: those on its sides and corners count.
-
-/// Where a side is in each row, upwards: the whole columns at or beside it, without rounding.
-class SideWalk
-{
-public:
-  SideWalk(const PlanePoint& low, const PlanePoint& high)
-    : Height(std::max(1, high.Y - low.Y))
-    , Floor(low.X)
-    , Slope((high.X - low.X) / this->Height)
-    , Rest((high.X - low.X) % this->Height)
-  {
-    if (this->Rest < 0)
-    {
-      --this->Slope;
-      this->Rest += this->Height;
-    }
-  }
-
-  std::int32_t AtOrLeft() const { return this->Floor; }
-  std::int32_t AtOrRight() const { return this->Floor + (this->Part > 0 ? 1 : 0); }
-  bool IsAtColumn() const { return this->Part == 0; }
-  /// How far from AtOrLeft() to AtOrRight() the side is, from 0 to 1.
-  double PartOfColumn() const { return double(this->Part) / double(this->Height); }
-
-  void GoUp()
-  {
-    this->Floor += this->Slope;
-    this->Part += this->Rest;
-    if (this->Part >= this->Height)
-    {
-      this->Part -= this->Height;
-      ++this->Floor;
-    }
-  }
-
-private:
-  std::int64_t Height;
-  std::int32_t Floor;
-  std::int32_t Slope; // whole columns per row
-  std::int64_t Rest; // and so many parts of one, of which a column has Height
-  std::int64_t Part = 0; // by how many the side is to the right of Floor
-};
-
-/// Calls visit(y, first, last) for the rows of a triangle that have columns, from below.
-template <typename Visitor>
-void ForEachRow(std::array<PlanePoint, 3> corners, Visitor&& visit)
-{
-  std::sort(corners.begin(), corners.end(),
-    [](const PlanePoint& a, const PlanePoint& b) { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; });
-  const auto& [low, middle, high] = corners;
-  if (low.Y == high.Y)
-  {
-    visit(low.Y, low.X, high.X);
-    return;
-  }
-  SideWalk through(low, high);
-  const auto walk = [&](SideWalk side, std::int32_t first, std::int32_t last)
-  {
-    for (std::int32_t y = first; y <= last; ++y)
-    {
-      const std::int32_t left = std::min(through.AtOrRight(), side.AtOrRight());
-      const std::int32_t right = std::max(through.AtOrLeft(), side.AtOrLeft());
-      if (left <= right)
-      {
-        visit(y, left, right);
-      }
-      through.GoUp();
-      side.GoUp();
-    }
-  };
-  walk(SideWalk(low, middle), low.Y, middle.Y - 1);
-  walk(SideWalk(middle, high), middle.Y, high.Y);
-}
-
-/// A corner of a triangle, or an end of its sides: the column, and the height there.
-struct RaisedPoint
-{
-  PlanePoint Column;
-  double Height = 0.0;
-};
-
-using RaisedTriangle = std::array<RaisedPoint, 3>; // counter-clockwise in plan
-
-/// The largest vertical distance from the points of a patch, and the point where it is; of several the first, row by
-/// row. NoPoint where there is nothing to measure, or no distance.
+/// The largest vertical distance from the points of a patch, and the point where it is, or NoPoint where that was not
+/// looked for.
 struct HeightError
 {
   double Largest = 0.0;
@@ -137,11 +60,13 @@ struct Crossing
   double Error = 0.0; // the side's height less that of the line
 };
 
+/// Heights are also kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the
+/// heights themselves elsewhere: so that all bounds are exact.
 class HeightRaster
 {
 public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
-  /// `columns` and `heights`, which are finite, are those of all its points. Takes 12 bytes per column of the bounding
+  /// `columns` and `heights`, which are finite, are those of all its points. Takes 16 bytes per column of the bounding
   /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut; `cuts`, null
   /// for none, must outlive it.
   template <typename ForEachPoint>
@@ -149,7 +74,7 @@ public:
     const LinkCuts* cuts = nullptr)
     : Cuts(cuts)
   {
-    forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
+    forEachPoint([&](PointId point) { this->AddRange(columns[point], heights[point]); });
     this->MakeColumns();
     forEachPoint([&](PointId point) { this->Add(point, columns[point], heights[point]); });
   }
@@ -157,8 +82,27 @@ public:
   /// Of a column with a point.
   double HeightAt(const PlanePoint& column) const { return this->Heights[this->Place(column.X, column.Y)]; }
 
+  double LowestHeight() const { return this->Lowest; }
+  double HighestHeight() const { return this->Highest; }
+
   /// At the columns inside a triangle and on its sides.
   HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
+
+  /// The largest of these errors with its point where it is above a bound, as floats have it; else none.
+  HeightError MeasureAbove(const RaisedTriangle& triangle, double bound) const;
+
+  /// The first point, row by row, with the largest error, as it was measured with or without a bound (0).
+  PointId FindPoint(const RaisedTriangle& triangle, double error, double bound) const;
+
+  /// Whether no error of a triangle is above a bound.
+  bool IsWithin(const RaisedTriangle& triangle, double bound) const
+  {
+    return this->SumWithin(triangle, { 0, bound }, bound) < Infinity;
+  }
+
+  /// The sum of powers of the errors as floats have it, each divided by the unit; infinite when an error is above a
+  /// bound, or as soon as the sum is seen not to stay below `most`.
+  double SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
 
   /// Where a side crosses the line between two neighbouring columns that both have points, its distance from the
   /// straight line between these. Gives the nearer of the two points that is not marked, and nothing for crossings
@@ -169,24 +113,69 @@ public:
   /// The same without a point, of all crossings, with the sum.
   HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
 
+  /// Whether none of these errors is above a bound.
+  bool IsSideWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
+
   /// Calls visit(point, error, weights) for the columns with a point inside a triangle and on its sides: the triangle's
   /// height less that of the point, and the weights of the three corners, whose sum is twice the triangle's area.
   template <typename Visitor>
   void ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const;
 
-  /// Calls visit(crossing) for those of a side.
-  template <typename Visitor>
+  /// Whether floats tell errors apart of corners that are no farther from their columns than a bound.
+  bool IsFloatEnough(double bound) const;
+
+  /// Calls visit(errors, b, c, isIn) for the columns that count, four at a time, floats or doubles: errors, 0 where
+  /// there is no point; the weights of the second and third corner; and 1 for columns with a point that count, else 0.
+  template <typename Real, typename Visitor>
+  void ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
+
+  /// Calls visit(crossing) for those of a side, with heights as floats or doubles have them, until that gives false.
+  template <typename Real, typename Visitor>
   void ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const;
 
 private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+  void AddRange(const PlanePoint& column, double height);
   void MakeColumns();
   void Add(PointId point, const PlanePoint& column, double height);
-  template <int Power>
-  HeightError Measure(const RaisedTriangle& triangle, double perUnit) const;
-  template <int Power>
-  HeightError MeasureRows(const RaisedTriangle& triangle, double perUnit) const;
-  template <int Power>
-  HeightError MeasureBox(const RaisedTriangle& triangle, const PlaneBox& box, double perUnit) const;
+
+  /// How far an error is wrong at most that floats have, of corners no farther from their columns than a bound.
+  double FloatRounding(double bound) const;
+
+  template <typename Real>
+  const Real* HeightsAs() const
+  {
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      return this->FloatHeights.data();
+    }
+    else
+    {
+      return this->Heights.data();
+    }
+  }
+  /// What these are less.
+  template <typename Real>
+  double MiddleAs() const
+  {
+    return std::is_same_v<Real, float> ? 0.5 * this->Lowest + 0.5 * this->Highest : 0.0;
+  }
+  template <int Power, typename Real>
+  HeightError MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const;
+  template <typename Real>
+  HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const;
+  template <typename Real>
+  PointId FindPointAs(const RaisedTriangle& triangle, double error) const;
+  /// Calls visit(place, heights, b, c, isIn) for four columns at a time, from the place of the first one on, until that
+  /// gives false: heights of the triangle, less the middle one, and weights as for ForEachFour.
+  template <typename Real, typename Visitor>
+  void ForEachHeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+  {
+    ForEachFourOf<Real>(
+      triangle, this->MiddleAs<Real>(), sides, [this](std::int64_t x, std::int64_t y) { return this->Place(x, y); },
+      visit);
+  }
 
   std::int64_t Place(std::int64_t x, std::int64_t y) const
   {
@@ -195,8 +184,11 @@ private:
 
   PlaneBox Box;
   std::int64_t Width = 0;
-  std::vector<PointId> Points; // by place
-  std::vector<double> Heights; // by place; nan where there is no point
+  RawVector<PointId> Points; // by place
+  RawVector<double> Heights; // by place; nan where there is no point
+  RawVector<float> FloatHeights; // the same less the middle one
+  double Lowest = Infinity;
+  double Highest = -Infinity;
   const LinkCuts* Cuts;
 };
 
@@ -235,9 +227,12 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-template <typename Visitor>
+template <typename Real, typename Visitor>
 void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const
 {
+  const Real* const heights = this->HeightsAs<Real>();
+  const double start = from.Height - this->MiddleAs<Real>();
+  const double rise = to.Height - from.Height;
   // First the rows between the ends, then, with rows and columns exchanged, the columns.
   for (const bool isTurned : { false, true })
   {
@@ -251,6 +246,7 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
     {
       continue;
     }
+    const double perLine = 1.0 / (double(high.Y) - low.Y);
     SideWalk walk(low, high);
     for (std::int32_t line = low.Y + 1; line < high.Y; ++line)
     {
@@ -264,20 +260,37 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       const std::int32_t y = isTurned ? walk.AtOrLeft() : line;
       crossing.Place = this->Place(x, y);
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
-      const double first = this->Heights[crossing.Place];
-      const double second = this->Heights[crossing.Beyond];
-      crossing.PartOfColumn = walk.PartOfColumn();
-      const double up = (double(line) - low.Y) / (double(high.Y) - low.Y);
+      const double first = heights[crossing.Place];
+      const double second = heights[crossing.Beyond];
+      crossing.PartOfColumn = double(walk.Parts()) * perLine;
+      const double up = (double(line) - low.Y) * perLine;
       crossing.PartOfSide = isUp ? up : 1.0 - up;
-      crossing.Error = from.Height + crossing.PartOfSide * (to.Height - from.Height) -
-        (first + crossing.PartOfColumn * (second - first));
+      crossing.Error = start + crossing.PartOfSide * rise - (first + crossing.PartOfColumn * (second - first));
       const bool isCut = this->Cuts && (isTurned ? this->Cuts->IsCutNorth({ x, y }) : this->Cuts->IsCutEast({ x, y }));
-      if (!isCut && !std::isnan(crossing.Error)) // a column without a point
+      const bool hasPoints = !std::isnan(crossing.Error);
+      if (!isCut && hasPoints && !visit(crossing))
       {
-        visit(crossing);
+        return;
       }
     }
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real, typename Visitor>
+void HeightRaster::ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+{
+  using Four = FourColumns<Real>;
+  this->ForEachHeight<Real>(triangle, sides,
+    [&](std::int64_t place, const Four& heights, const Four& b, const Four& c, const Four& isIn)
+    {
+      const Four errors = heights - Eigen::Map<const Four>(this->HeightsAs<Real>() + place);
+      const Four above = AtLeastZero(errors);
+      const Four below = AtLeastZero(Four(-errors));
+      const Four hasPoint = AtLeastZero(Four(errors - errors + Real(1)));
+      visit(Four(above - below), b, c, Four(isIn * hasPoint));
+      return true;
+    });
 }
 }
 

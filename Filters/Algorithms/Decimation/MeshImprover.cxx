@@ -8,6 +8,7 @@
 
 #include "Common/Parallel.h"
 #include "Common/Predicates.h"
+#include "Common/RawVector.h"
 #include "Decimation.h"
 #include "HeightFit.h"
 #include "HeightMesh.h"
@@ -26,6 +27,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
 // What a change to a mesh may cost: the sum of powers of its errors, at columns and where inner sides cross the lines
 // between columns, which slivers between columns do too.
 struct MeshCost
@@ -37,24 +40,61 @@ struct MeshCost
   {
   }
 
+  /// Of a triangle, at its columns; infinite when it is not below `most`, or an error too large.
+  double Of(const HeightRaster& raster, const RaisedTriangle& triangle, double most = Infinity) const
+  {
+    return raster.SumWithin(triangle, this->Power, this->LargestError, most);
+  }
+
+  /// Of a side. The sum counts for a part: at a cliff, where a mesh is far from lines between columns whatever it does,
+  /// points would be given up for them. Beside a largest error it does not count.
+  double OfSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
+  {
+    if (this->LargestError < Infinity)
+    {
+      return raster.IsSideWithin(from, to, this->LargestError) ? 0.0 : Infinity;
+    }
+    return PartOfSides * raster.MeasureCrossings(from, to, this->Power).Sum;
+  }
+
+  /// The same of a side that is there, whose errors are no larger.
+  double OfPresentSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
+  {
+    return this->LargestError < Infinity ? 0.0 : this->OfSide(raster, from, to);
+  }
+
+  /// Of all triangles of a mesh.
+  std::vector<double> OfTriangles(const HeightMesh& mesh, const Monitor& monitor) const
+  {
+    std::vector<double> costs(std::size_t(mesh.Triangles().Size()));
+    mesh.ForEachTriangle(monitor,
+      [&](TriangleId triangle)
+      { costs[triangle] = mesh.RasterOf(triangle).SumWithin(mesh.RaisedCorners(triangle), this->Power, Infinity); });
+    return costs;
+  }
+
+  /// Whether an angle, given as the square of its sine, is not too small.
+  bool IsWide(double squaredSine) const { return squaredSine >= this->SmallestSine * this->SmallestSine; }
+
   ErrorPower Power;
   /// No change may make a smaller angle in plan than this sine's, but where there was a smaller one before.
   double SmallestSine;
-  /// No change may make an error larger than this, but where it was larger before.
-  double LargestError = std::numeric_limits<double>::infinity();
-
-  /// Of a side, where it crosses lines between columns. The sum counts for a part: at a cliff, where a mesh is far from
-  /// such lines whatever it does, points would be given up for them.
-  HeightError MeasureSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
-  {
-    HeightError error = raster.MeasureCrossings(from, to, this->Power);
-    error.Sum *= PartOfSides;
-    return error;
-  }
+  /// No change may make an error larger than this.
+  double LargestError = Infinity;
 
 private:
   static constexpr double PartOfSides = 0.1;
 };
+
+/// Of the smallest angle of a triangle; at most 0 when it is flat or clockwise.
+double SquaredSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+{
+  const double ab = double(SquaredDistance(a, b));
+  const double bc = double(SquaredDistance(b, c));
+  const double ca = double(SquaredDistance(c, a));
+  const double area = double(SignedArea(a, b, c));
+  return area > 0.0 ? area * area / std::max({ ab * bc, bc * ca, ca * ab }) : 0.0;
+}
 
 // ---- Flips ---------------------------------------------------------------------------------------------------------
 // Flips sides of a mesh for which it comes nearer to the horizon: data-dependent triangulation (Dyn, Levin and Rippa
@@ -80,7 +120,7 @@ public:
 
   void Run(const Monitor& monitor)
   {
-    this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.1));
+    this->Costs = this->Cost.OfTriangles(this->Mesh, monitor.Step(0.0, 0.1));
     this->IsChanged.assign(std::size_t(this->Triangles.Size()), 1);
     std::vector<SideId> sides = this->FindSides();
     const double first = double(sides.size());
@@ -99,7 +139,7 @@ private:
   {
     SideId Side = 0;
     double Gain = 0.0;
-    std::array<HeightError, 2> Errors; // of the two new triangles
+    std::array<double, 2> Costs = {}; // of the two new triangles
   };
 
   /// The inner sides of triangles that have changed: each by the first of its two triangles.
@@ -151,8 +191,8 @@ private:
       if (this->IsChanged[triangle] == 0 && this->IsChanged[other] == 0)
       {
         this->Triangles.Flip(triangle, side);
-        this->Mesh.SetError(triangle, candidate.Errors[0]);
-        this->Mesh.SetError(other, candidate.Errors[1]);
+        this->Costs[triangle] = candidate.Costs[0];
+        this->Costs[other] = candidate.Costs[1];
         this->IsChanged[triangle] = 1;
         this->IsChanged[other] = 1;
       }
@@ -172,31 +212,27 @@ private:
     Candidate result;
     result.Side = id;
     const double sine =
-      std::min(SineOfSmallestAngle(a.Column, d.Column, c.Column), SineOfSmallestAngle(d.Column, b.Column, c.Column));
-    if (sine <= 0.0 ||
-      (sine < this->Cost.SmallestSine && sine < SineOfSmallestAngle(a.Column, b.Column, c.Column) &&
-        sine < SineOfSmallestAngle(b.Column, a.Column, d.Column)))
+      std::min(SquaredSineOf(a.Column, d.Column, c.Column), SquaredSineOf(d.Column, b.Column, c.Column));
+    const double sineBefore =
+      std::min(SquaredSineOf(a.Column, b.Column, c.Column), SquaredSineOf(b.Column, a.Column, d.Column));
+    if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine < sineBefore))
     {
       return result;
     }
     const HeightRaster& raster = this->Mesh.RasterOf(triangle);
-    const HeightError before = this->Cost.MeasureSide(raster, a, b);
-    const HeightError& one = this->Mesh.Error(triangle);
-    const HeightError& two = this->Mesh.Error(other);
-    const double sum = before.Sum + one.Sum + two.Sum;
-    const double most = (1.0 - LeastGain) * sum;
-    const double largest = std::max({ before.Largest, one.Largest, two.Largest, this->Cost.LargestError });
-    result.Errors[0] = raster.Measure({ a, d, c }, this->Cost.Power);
-    if (result.Errors[0].Sum >= most || result.Errors[0].Largest > largest)
+    const double before = this->Cost.OfPresentSide(raster, a, b) + this->Costs[triangle] + this->Costs[other];
+    double most = (1.0 - LeastGain) * before;
+    result.Costs[0] = this->Cost.Of(raster, { a, d, c }, most);
+    most -= result.Costs[0];
+    if (most > 0.0)
     {
-      return result;
+      result.Costs[1] = this->Cost.Of(raster, { d, b, c }, most);
+      most -= result.Costs[1];
     }
-    result.Errors[1] = raster.Measure({ d, b, c }, this->Cost.Power);
-    const HeightError after = this->Cost.MeasureSide(raster, c, d);
-    const double sumAfter = result.Errors[0].Sum + result.Errors[1].Sum + after.Sum;
-    if (sumAfter < most && result.Errors[1].Largest <= largest && after.Largest <= largest)
+    if (most > 0.0)
     {
-      result.Gain = sum - sumAfter;
+      const double after = result.Costs[0] + result.Costs[1] + this->Cost.OfSide(raster, c, d);
+      result.Gain = after < (1.0 - LeastGain) * before ? before - after : 0.0;
     }
     return result;
   }
@@ -204,6 +240,7 @@ private:
   HeightMesh& Mesh;
   PlaneMesh& Triangles;
   const MeshCost& Cost;
+  std::vector<double> Costs; // by triangle
   std::vector<unsigned char> IsChanged; // by triangle, in the last round
 };
 
@@ -219,8 +256,6 @@ void FlipEdges(HeightMesh& mesh, const MeshCost& cost, const Monitor& monitor)
 //
 // This is done in rounds. In each, all vertices around which triangles have changed are tried at once. Then the cheaper
 // ones are removed, the cheapest first, but for those beside one that the round has removed.
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // What part of the candidates a round looks at: of neighbours the cheaper one should go.
 constexpr double PartOfRound = 0.25;
@@ -238,9 +273,10 @@ struct Ring
   std::vector<TriangleId> Triangles;
   std::vector<RaisedPoint> Ends;
   double Sum = 0.0; // of the errors now
-  double Sine = 1.0; // of the smallest angle now
+  double Sine = 1.0; // the square, of the smallest angle now
 
-  const RaisedPoint& End(std::size_t n) const { return this->Ends[n % this->Ends.size()]; }
+  /// Of numbers up to twice as many as there are.
+  const RaisedPoint& End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
 };
 
 class VertexRemoval
@@ -258,7 +294,7 @@ public:
     {
       return;
     }
-    this->Mesh.MeasureAll(this->Cost.Power, monitor.Step(0.0, 0.05));
+    this->Costs = this->Cost.OfTriangles(this->Mesh, monitor.Step(0.0, 0.05));
     this->FindVertices();
     const double first = double(this->Mesh.NumberOfVertices());
     bool isPossible = true;
@@ -270,7 +306,7 @@ public:
       isPossible = !cheapest.empty();
       monitor.Progress(1.0 - 0.95 * double(this->Mesh.NumberOfVertices()) / first);
     }
-    this->Mesh.Compact();
+    this->Mesh.Triangles().Compact();
   }
 
 private:
@@ -281,10 +317,18 @@ private:
     std::int32_t Side; // of its ring, that is collapsed
   };
 
+  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
+  struct End
+  {
+    double Least;
+    std::size_t Number;
+  };
+
   void FindVertices()
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    this->TriangleAt.assign(this->Mesh.VertexMarks().size(), NoTriangle);
+    this->TriangleAt.resize(this->Mesh.VertexMarks().size());
+    this->IsOld.resize(this->TriangleAt.size());
     for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
     {
       for (int corner = 0; corner < 3; ++corner)
@@ -297,9 +341,9 @@ private:
       if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
       {
         this->Candidates.push_back({ Infinity, point, 0 });
+        this->IsOld[point] = 1;
       }
     }
-    this->IsOld.assign(this->TriangleAt.size(), 1);
   }
 
   /// The cheapest of those that can go, in their order.
@@ -325,23 +369,27 @@ private:
     ParallelFor(std::int64_t(this->Candidates.size()), RemovalGrain,
       [this](std::int64_t first, std::int64_t last)
       {
+        Ring ring;
+        std::vector<End> ends;
         for (std::int64_t n = first; n < last; ++n)
         {
           Candidate& candidate = this->Candidates[n];
           if (this->IsOld[candidate.Point] != 0)
           {
-            candidate = this->Try(candidate.Point);
+            candidate = this->Try(candidate.Point, ring, ends);
             this->IsOld[candidate.Point] = 0;
           }
         }
       });
   }
 
-  Candidate Try(PointId point) const
+  /// In the memory of the one before.
+  Candidate Try(PointId point, Ring& ring, std::vector<End>& ends) const
   {
-    const Ring ring = this->FindRing(point);
+    this->FindRing(point, ring);
+    this->FindEnds(ring, point, ends);
     Candidate best{ Infinity, point, 0 };
-    for (const End& end : this->FindEnds(ring, point))
+    for (const End& end : ends)
     {
       const double most = ring.Sum + best.Cost;
       const double sum = end.Least < most ? this->SumAt(ring, end.Number, most) : Infinity;
@@ -351,21 +399,14 @@ private:
         best.Side = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
       }
     }
-    best.Cost *= ring.Sine < this->Cost.SmallestSine && best.Cost > 0.0 ? PartOfSlivers : 1.0;
+    best.Cost *= !this->Cost.IsWide(ring.Sine) && best.Cost > 0.0 ? PartOfSlivers : 1.0;
     return best;
   }
 
-  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
-  struct End
-  {
-    double Least;
-    std::size_t Number;
-  };
-
   /// Those with the least first: that of the best one is compared with those of the others.
-  std::vector<End> FindEnds(const Ring& ring, PointId point) const
+  void FindEnds(const Ring& ring, PointId point, std::vector<End>& ends) const
   {
-    std::vector<End> ends;
+    ends.clear();
     for (std::size_t end = 0; end < ring.Ends.size(); ++end)
     {
       if (this->KeepsAngles(ring, end))
@@ -379,7 +420,6 @@ private:
     }
     std::sort(ends.begin(), ends.end(),
       [](const End& a, const End& b) { return std::tie(a.Least, a.Number) < std::tie(b.Least, b.Number); });
-    return ends;
   }
 
   /// The distance of a vertex's point from the triangle that would be there.
@@ -402,24 +442,24 @@ private:
     return std::abs(height - this->Mesh.ColumnHeight(point));
   }
 
-  Ring FindRing(PointId point) const
+  void FindRing(PointId point, Ring& ring) const
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    Ring ring;
+    ring.Ends.clear();
+    ring.Sum = 0.0;
+    ring.Sine = 1.0;
     mesh.FindRing(point, this->TriangleAt[point], ring.Triangles);
     const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
     for (const TriangleId triangle : ring.Triangles)
     {
       ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
-      ring.Sum +=
-        this->Mesh.Error(triangle).Sum + this->Cost.MeasureSide(raster, this->Mesh.Raised(point), ring.Ends.back()).Sum;
+      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(raster, this->Mesh.Raised(point), ring.Ends.back());
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
-      ring.Sine = std::min(
-        ring.Sine, SineOfSmallestAngle(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
+      ring.Sine =
+        std::min(ring.Sine, SquaredSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
     }
-    return ring;
   }
 
   /// Whether all triangles around could have their corner at one of the ends instead. Angles that are too small may
@@ -428,8 +468,8 @@ private:
   {
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
     {
-      const double sine = SineOfSmallestAngle(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
-      if (sine <= 0.0 || (sine < this->Cost.SmallestSine && sine <= ring.Sine))
+      const double sine = SquaredSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
+      if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine <= ring.Sine))
       {
         return false;
       }
@@ -441,23 +481,15 @@ private:
   double SumAt(const Ring& ring, std::size_t end, double most) const
   {
     const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
-    double sum = 0.0;
-    const auto add = [&](const HeightError& error)
-    {
-      sum += error.Sum;
-      return error.Largest <= this->Cost.LargestError && sum < most;
-    };
     const RaisedPoint& to = ring.End(end);
-    for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
+    double sum = 0.0;
+    for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size() && sum < most; ++n)
     {
       const bool isInner = n > end + 1; // the side to this end: the first one is that of the ring
-      if (!add(raster.Measure({ to, ring.End(n), ring.End(n + 1) }, this->Cost.Power)) ||
-        (isInner && !add(this->Cost.MeasureSide(raster, to, ring.End(n)))))
-      {
-        return Infinity;
-      }
+      sum += this->Cost.Of(raster, { to, ring.End(n), ring.End(n + 1) }, most - sum);
+      sum += isInner && sum < most ? this->Cost.OfSide(raster, to, ring.End(n)) : 0.0;
     }
-    return sum;
+    return sum < most ? sum : Infinity;
   }
 
   /// Those of a round, until so many vertices are left.
@@ -472,7 +504,15 @@ private:
         this->Remove(candidate);
       }
     }
-    this->Mesh.Measure(this->Changed, this->Cost.Power, Monitor());
+    ParallelFor(std::int64_t(this->Changed.size()), FlipGrain,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          const TriangleId triangle = this->Changed[n];
+          this->Costs[triangle] = this->Cost.Of(this->Mesh.RasterOf(triangle), this->Mesh.RaisedCorners(triangle));
+        }
+      });
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
                              [this](const Candidate& one) { return !this->Mesh.IsVertex(one.Point); }),
       this->Candidates.end());
@@ -508,9 +548,10 @@ private:
 
   HeightMesh& Mesh;
   const MeshCost& Cost;
-  std::vector<TriangleId> TriangleAt; // by point: one of its triangles
+  std::vector<double> Costs; // by triangle
+  RawVector<TriangleId> TriangleAt; // by point, of vertices: one of its triangles
   std::vector<Candidate> Candidates; // the vertices inside, in the order of their points: those next are near
-  std::vector<unsigned char> IsOld; // by point: triangles around have changed since it was tried
+  RawVector<unsigned char> IsOld; // by point, of vertices: triangles around have changed since it was tried
   std::vector<unsigned char> IsChanged; // by triangle, in one round
   std::vector<TriangleId> Changed; // in one round
 };
@@ -522,8 +563,10 @@ void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVer
 }
 
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
-// Each finds less: the third takes one vertex in a hundred.
-constexpr int Rounds = 3;
+// Rounds go on as long as each takes such a part of the inner vertices, which the first one of smooth horizons does not
+// quite. Where heights are rounded to whole numbers it takes several.
+constexpr double LeastPartOfRound = 0.04;
+constexpr int MostRounds = 4;
 
 // How often the smallest angle is halved where no vertex can go otherwise, before any angle will do.
 constexpr int MostHalvings = 12;
@@ -539,18 +582,27 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
   const double error = options.MaximumError;
   MeshCost cost(DecimationPriority::LargestError, error, options.SmallestAngle);
   cost.LargestError = error + mesh.Rounding();
-  mesh.Triangles().SortByPlace();
-  for (int round = 0; round < Rounds; ++round)
+  const auto fit = [&](FitAim aim, const Monitor& step)
   {
-    const Monitor step = monitor.Step(double(round) / Rounds, double(round + 1) / Rounds);
-    FlipEdges(mesh, cost, step.Step(0.0, 0.3));
     if (options.FitHeights)
     {
-      MoveHeightsWithin(
-        mesh, cost.LargestError, FitHeights(mesh, DecimationPriority::LargestError, error, step.Step(0.3, 0.5)));
+      MoveHeightsWithin(mesh, cost.LargestError, FitHeights(mesh, aim, error, step));
     }
+  };
+  // What is flipped and fitted is the smaller mesh, which also leaves the fewest vertices.
+  mesh.Triangles().SortByPlace();
+  RemoveVertices(mesh, cost, 0, monitor.Step(0.0, 0.3));
+  bool isWorthIt = true;
+  for (int round = 0; round < MostRounds && isWorthIt; ++round)
+  {
+    const Monitor step = monitor.Step(0.3 + 0.15 * round, 0.45 + 0.15 * round);
+    const std::size_t before = mesh.NumberOfInnerVertices();
+    FlipEdges(mesh, cost, step.Step(0.0, 0.3));
+    fit(FitAim::LargestError, step.Step(0.3, 0.5));
     RemoveVertices(mesh, cost, 0, step.Step(0.5, 1.0));
+    isWorthIt = double(before - mesh.NumberOfInnerVertices()) >= LeastPartOfRound * double(before);
   }
+  fit(FitAim::Squares, monitor.Step(0.9, 1.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -561,7 +613,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
   // What is flipped and fitted half-way shows better which vertices can go.
-  const std::size_t onLoops = mesh.NumberOfVertices() - mesh.Heights().Points.size();
+  const std::size_t onLoops = mesh.NumberOfVertices() - mesh.NumberOfInnerVertices();
   const std::size_t halfWay = onLoops + std::size_t(HalfWay * double(vertices - onLoops));
   const auto improve = [&](const Monitor& step)
   {
@@ -587,15 +639,31 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  const double largest = mesh.LargestError();
+  mesh.Triangles().SortByPlace();
+  MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
+  if (options.Priority == DecimationPriority::LargestError)
+  {
+    cost.LargestError = largest + mesh.Rounding();
+  }
+  FlipEdges(mesh, cost, monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
+  mesh.MeasureAll(ErrorPower(), 0.0, monitor.Step(0.0, 0.1));
   const double largest = mesh.LargestError();
   if (!(largest > 0.0))
   {
     return;
   }
-  const InnerHeights heights = FitHeights(mesh, priority, largest, monitor);
-  if (priority == DecimationPriority::LargestError)
+  const bool isForLargest = priority == DecimationPriority::LargestError;
+  const InnerHeights heights =
+    FitHeights(mesh, isForLargest ? FitAim::LargestError : FitAim::Mean, largest, monitor.Step(0.1, 1.0));
+  if (isForLargest)
   {
     MoveHeightsWithin(mesh, largest, heights);
     return;

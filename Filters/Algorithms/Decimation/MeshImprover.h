@@ -20,7 +20,10 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
 /// Until so many vertices are left, or none can go. All triangles were measured after the last change.
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
 
-/// All triangles were measured after the last change. Fits heights, so that the largest error becomes no larger, or,
+/// Flips sides for which the mesh is nearer to the horizon. All triangles were measured after the last change.
+void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor);
+
+/// Fits heights, so that the largest error becomes no larger, or,
 /// with the other priority, when neither the mean error nor that of squares does: heights that are whole numbers can
 /// fit best as they are, as many points then lie right on the mesh.
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor);

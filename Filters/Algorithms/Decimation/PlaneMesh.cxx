@@ -258,7 +258,7 @@ void PlaneMesh::Collapse(PointId point, const std::vector<TriangleId>& ring, std
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<TriangleId> PlaneMesh::Compact()
+void PlaneMesh::Compact()
 {
   std::vector<TriangleId> left;
   for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
@@ -269,7 +269,6 @@ std::vector<TriangleId> PlaneMesh::Compact()
     }
   }
   this->Reorder(left);
-  return left;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -56,6 +56,11 @@ public:
   /// The corner beyond a side that is not at the boundary.
   PointId Beyond(TriangleId triangle, int side) const;
   int CornerAt(TriangleId triangle, PointId point) const;
+  bool HasCorner(TriangleId triangle, PointId point) const
+  {
+    const auto& corners = this->Triangles[triangle].Corners;
+    return corners[0] == point || corners[1] == point || corners[2] == point;
+  }
   const PlanePoint& Place(PointId point) const { return this->Plane[point]; }
 
   /// The triangle that a point is in or on, looked for from one near by, across at most a hundred sides; NoTriangle
@@ -82,8 +87,8 @@ public:
   /// both sides of the side, ring[n] and the next one, go: they lose their corners.
   void Collapse(PointId point, const std::vector<TriangleId>& ring, std::size_t n);
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoPoint; }
-  /// Numbers the triangles that are left anew, in their order; gives their numbers so far.
-  std::vector<TriangleId> Compact();
+  /// Numbers the triangles that are left anew, in their order.
+  void Compact();
   /// Numbers triangles by place, band by band: those of successive numbers are near each other, and so is what is read
   /// for them.
   void SortByPlace();

@@ -69,7 +69,7 @@ void CheckTargets(const BoundedHorizon& horizon, int n, Patches::Random& random)
     }
   };
   check(toError, bound, MeshChecker::Kind::Delaunay);
-  check(toNumber, Any, MeshChecker::Kind::Delaunay);
+  check(toNumber, Any, toNumber.FitHeights ? MeshChecker::Kind::Any : MeshChecker::Kind::Delaunay);
   check(Best(toError, angle), bound, MeshChecker::Kind::Any);
   check(Best(toNumber, angle), Any, MeshChecker::Kind::Any);
 }

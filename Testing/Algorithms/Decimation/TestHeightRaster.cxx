@@ -76,22 +76,38 @@ void TestRows(Patches::Random& random)
   }
 }
 
-void TestMeasure(Patches::Random& random)
+/// A square of 30 columns, one in five without a point; heights are fractions of the rise above a lowest one.
+struct RandomColumns
 {
-  Patches::Columns columns;
-  std::vector<double> heights;
-  for (int n = 0; n < 900; ++n)
+  RandomColumns(double lowest, double rise, Patches::Random& random)
   {
-    if (random.Chance(0.8))
+    for (int n = 0; n < 900; ++n)
     {
-      columns.push_back({ n % 30, n / 30 });
-      heights.push_back(random.Fraction());
+      if (random.Chance(0.8))
+      {
+        this->Columns.push_back({ n % 30, n / 30 });
+        this->Heights.push_back(lowest + rise * random.Fraction());
+      }
     }
   }
-  std::vector<PointId> points(columns.size());
-  std::iota(points.begin(), points.end(), 0);
-  const auto forEachPoint = [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); };
-  const HeightRaster raster(forEachPoint, columns, heights);
+
+  HeightRaster MakeRaster() const
+  {
+    std::vector<PointId> points(this->Columns.size());
+    std::iota(points.begin(), points.end(), 0);
+    return HeightRaster(
+      [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, this->Columns, this->Heights);
+  }
+
+  Patches::Columns Columns;
+  std::vector<double> Heights;
+};
+
+void TestMeasure(Patches::Random& random)
+{
+  const RandomColumns square(0.0, 1.0, random);
+  const Patches::Columns& columns = square.Columns;
+  const HeightRaster raster = square.MakeRaster();
   for (int n = 0; n < 1000; ++n)
   {
     const std::array<PlanePoint, 3> t = RandomTriangle(30, random);
@@ -105,8 +121,74 @@ void TestMeasure(Patches::Random& random)
         expected = std::abs(error) > expected.Largest ? HeightError{ std::abs(error), point } : expected;
       });
     const HeightError found = raster.Measure(raised);
-    CHECK_EQUAL(found.Point, expected.Point);
+    CHECK_EQUAL(raster.FindPoint(raised, found.Largest, 0.0), expected.Point);
     CHECK(std::abs(found.Largest - expected.Largest) < 1e-12);
+  }
+}
+
+/// Floats decide about bounds as the heights themselves do: right at an error, beside it, and far from it, on high ground
+/// and where floats have no part of a bound.
+void TestBounds(Patches::Random& random)
+{
+  for (const double lowest : { 0.0, 1e3, 1e5, 1e9 })
+  {
+    const RandomColumns square(lowest, 1.0, random);
+    const HeightRaster raster = square.MakeRaster();
+    for (int n = 0; n < 1000; ++n)
+    {
+      const std::array<PlanePoint, 3> t = RandomTriangle(n % 2 == 0 ? 30 : 7, random);
+      const auto raise = [&](std::size_t corner) { return RaisedPoint{ t[corner], lowest + random.Fraction() }; };
+      const RaisedTriangle raised = { raise(0), raise(1), raise(2) };
+      const double largest = raster.Measure(raised).Largest;
+      const double ofSide = raster.MeasureCrossings(raised[0], raised[1], ErrorPower()).Largest;
+      for (const double part : { 0.0, 0.5, 1.0 - 1e-8, 1.0, 1.0 + 1e-8, 2.0 })
+      {
+        CHECK_EQUAL(raster.IsWithin(raised, part * largest), largest <= part * largest);
+        CHECK_EQUAL(raster.IsSideWithin(raised[0], raised[1], part * ofSide), ofSide <= part * ofSide);
+        const HeightError above = raster.MeasureAbove(raised, part * largest);
+        CHECK_EQUAL(above.Point != NoPoint, largest > part * largest);
+        CHECK(above.Point == NoPoint || std::abs(above.Largest - largest) < 1e-4);
+      }
+      const ErrorPower power{ n % 4 < 2 ? 2 : 4, 1.0 };
+      const double sum = raster.Measure(raised, power).Sum;
+      CHECK(std::abs(raster.SumWithin(raised, power, 10.0) - sum) <= 1e-4 * sum);
+      CHECK(largest == 0.0 || std::isinf(raster.SumWithin(raised, power, 0.9 * largest)));
+      CHECK(sum == 0.0 || std::isinf(raster.SumWithin(raised, power, 10.0, 0.9 * sum)));
+    }
+  }
+}
+
+/// Four at a time, each column of a square of two triangles is counted once: on the side between these by one of them,
+/// and those of corners by none.
+void TestOwnedColumns()
+{
+  for (std::int32_t side = 1; side < 20; ++side)
+  {
+    Patches::Columns columns;
+    for (std::int32_t n = 0; n < (side + 1) * (side + 1); ++n)
+    {
+      columns.push_back({ n % (side + 1), n / (side + 1) });
+    }
+    std::vector<PointId> points(columns.size());
+    std::iota(points.begin(), points.end(), 0);
+    const HeightRaster raster([&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, columns,
+      std::vector<double>(columns.size(), 1.0));
+    const auto count = [&](const RaisedTriangle& triangle, bool ownsLongSide)
+    {
+      SideColumns sides;
+      sides.WithCorners = false;
+      sides.Opposite[1] = ownsLongSide;
+      double sum = 0.0;
+      raster.ForEachFour<float>(triangle, sides,
+        [&sum](const auto& errors, const auto&, const auto&, const auto& isIn)
+        { sum += double((errors * isIn).sum()); });
+      return sum;
+    };
+    const auto raise = [side](std::int32_t x, std::int32_t y) { return RaisedPoint{ { x * side, y * side }, 2.0 }; };
+    const RaisedTriangle low = { raise(0, 0), raise(1, 0), raise(1, 1) };
+    const RaisedTriangle high = { raise(1, 1), raise(0, 1), raise(0, 0) };
+    CHECK_EQUAL(count(low, true) + count(high, false), double(columns.size() - 4));
+    CHECK_EQUAL(count(low, false) + count(high, true), double(columns.size() - 4));
   }
 }
 
@@ -128,8 +210,9 @@ void TestMissingColumns()
         }
       };
       const HeightRaster raster(forEachPoint, columns, { 0.0, 3.0, 0.0 });
-      const HeightError found = raster.Measure({ { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } }, { 2, 1.0 });
-      CHECK_EQUAL(found.Point, 1);
+      const RaisedTriangle raised = { { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } };
+      const HeightError found = raster.Measure(raised, { 2, 1.0 });
+      CHECK_EQUAL(raster.FindPoint(raised, found.Largest, 0.0), 1);
       CHECK_EQUAL(found.Largest, 2.0);
       CHECK_EQUAL(found.Sum, 4.0);
     }
@@ -169,6 +252,8 @@ int TestHeightRaster(int, char*[])
   Patches::Random random(17);
   TestRows(random);
   TestMeasure(random);
+  TestBounds(random);
+  TestOwnedColumns();
   TestMissingColumns();
   TestSide();
   return Check::Result();

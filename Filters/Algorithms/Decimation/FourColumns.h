@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The columns of triangles, four neighbours of a row at a time, as floats or doubles.
+//
+// The weights of the corners are twice the areas of the triangles with the opposite sides: whole numbers, which change by
+// the same amount from column to column.
+
+#ifndef SeismicHorizonsFourColumns_h
+#define SeismicHorizonsFourColumns_h
+
+#include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
+#include "TriangleRows.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace SeismicHorizons
+{
+/// Four neighbouring columns of a row.
+template <typename Real>
+using FourColumns = Eigen::Array<Real, 4, 1>;
+
+/// The larger of each number and 0, which is 0 where the number is nan. Eigen's maximum is that of the processor unless
+/// it is told to prefer numbers: with NEON it would be nan, and with SSE depend on the order.
+template <typename Four>
+auto AtLeastZero(const Four& four)
+{
+  using Real = typename Four::Scalar;
+  return Four::Zero().binaryExpr(four, Eigen::internal::scalar_max_op<Real, Real, Eigen::PropagateNumbers>());
+}
+
+/// Which columns in a triangle and on its sides count for it: those inside always do.
+struct SideColumns
+{
+  bool AreAll() const { return this->WithCorners && this->Opposite[0] && this->Opposite[1] && this->Opposite[2]; }
+
+  bool WithCorners = true;
+  std::array<bool, 3> Opposite = { true, true, true }; // to each corner
+};
+
+struct CornerWeights
+{
+  explicit CornerWeights(const RaisedTriangle& triangle)
+    : A(triangle[0].Column)
+    , B(triangle[1].Column)
+    , C(triangle[2].Column)
+    , Area(double(SignedArea(this->A, this->B, this->C)))
+  {
+  }
+
+  double OfB(const PlanePoint& place) const { return double(SignedArea(this->C, this->A, place)); }
+  double OfC(const PlanePoint& place) const { return double(SignedArea(this->A, this->B, place)); }
+  /// From column to column of a row, and from row to row.
+  double StepOfB() const { return double(this->C.Y) - this->A.Y; }
+  double StepOfC() const { return double(this->A.Y) - this->B.Y; }
+  double RowStepOfB() const { return double(this->A.X) - this->C.X; }
+  double RowStepOfC() const { return double(this->B.X) - this->A.X; }
+
+  PlanePoint A;
+  PlanePoint B;
+  PlanePoint C;
+  double Area;
+};
+
+/// The plane of a triangle over these, heights less a middle one.
+struct WeightPlane
+{
+  WeightPlane(const RaisedTriangle& triangle, double area, double middle)
+    : Start(triangle[0].Height - middle)
+    , PerB((triangle[1].Height - triangle[0].Height) / area)
+    , PerC((triangle[2].Height - triangle[0].Height) / area)
+  {
+  }
+
+  double Start;
+  double PerB;
+  double PerC;
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+// All columns of the bounding box; those outside have a negative weight.
+template <typename Real, typename PlaceOf, typename Visitor>
+void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, double middle, const SideColumns& sides,
+  const PlaceOf& placeOf, Visitor&& visit)
+{
+  using Four = FourColumns<Real>;
+  const CornerWeights weights(triangle);
+  const Four columns(0, 1, 2, 3);
+  const WeightPlane plane(triangle, weights.Area, middle);
+  const Real start = Real(plane.Start);
+  const Real perB = Real(plane.PerB);
+  const Real perC = Real(plane.PerC);
+  const Real area = Real(weights.Area);
+  // What the weights are above of columns that count, and what below: they are whole numbers.
+  const Real aboveA = sides.Opposite[0] ? 0 : 1;
+  const Real aboveB = sides.Opposite[1] ? 0 : 1;
+  const Real aboveC = sides.Opposite[2] ? 0 : 1;
+  const Real stepOfB = Real(weights.StepOfB());
+  const Real stepOfC = Real(weights.StepOfC());
+  const Real rowStepOfB = Real(weights.RowStepOfB());
+  const Real rowStepOfC = Real(weights.RowStepOfC());
+  Four firstB = Real(weights.OfB(box.Least)) + columns * stepOfB;
+  Four firstC = Real(weights.OfC(box.Least)) + columns * stepOfC;
+  const std::int32_t width = box.Greatest.X - box.Least.X + 1;
+  for (std::int32_t y = box.Least.Y; y <= box.Greatest.Y; ++y)
+  {
+    const std::int64_t first = placeOf(box.Least.X, y);
+    for (std::int32_t n = 0; n < width; n += 4)
+    {
+      const Four b = firstB + Real(n) * stepOfB;
+      const Four c = firstC + Real(n) * stepOfC;
+      const Four a = area - b - c;
+      const Four least = (a - aboveA).min(b - aboveB).min(c - aboveC);
+      Four isIn = (least + least + Real(1)).max(Real(0)).min(Real(1));
+      if (!sides.WithCorners)
+      {
+        isIn *= (area - a.max(b).max(c)).max(Real(0)).min(Real(1));
+      }
+      if (!visit(first + n, Four(start + (perB * b + perC * c)), b, c, isIn))
+      {
+        return;
+      }
+    }
+    firstB += rowStepOfB;
+    firstC += rowStepOfC;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real, typename PlaceOf, typename Visitor>
+void ForEachFourOfRows(
+  const RaisedTriangle& triangle, double middle, const SideColumns& sides, const PlaceOf& placeOf, Visitor&& visit)
+{
+  using Four = FourColumns<Real>;
+  const CornerWeights weights(triangle);
+  const WeightPlane plane(triangle, weights.Area, middle);
+  const Four columns(0, 1, 2, 3);
+  const Real stepOfB = Real(weights.StepOfB());
+  const Real stepOfC = Real(weights.StepOfC());
+  const Real slope = Real(plane.PerB * weights.StepOfB() + plane.PerC * weights.StepOfC());
+  bool goesOn = true;
+  const auto visitRow = [&](std::int32_t y, std::int32_t begin, std::int32_t end)
+  {
+    const double firstB = weights.OfB({ begin, y });
+    const double firstC = weights.OfC({ begin, y });
+    const Real start = Real(plane.Start + (plane.PerB * firstB + plane.PerC * firstC));
+    const std::int64_t place = placeOf(begin, y);
+    const std::int32_t size = end - begin + 1;
+    const auto visitFour = [&](std::int32_t n, const Four& isIn)
+    {
+      const Four steps = columns + Real(n);
+      goesOn = visit(place + n, Four(start + steps * slope), Four(Real(firstB) + steps * stepOfB),
+        Four(Real(firstC) + steps * stepOfC), isIn);
+    };
+    std::int32_t n = 0;
+    for (; goesOn && n + 4 <= size; n += 4)
+    {
+      visitFour(n, Four::Ones());
+    }
+    if (goesOn && n < size)
+    {
+      visitFour(n, (Real(size - n) - columns).max(Real(0)).min(Real(1)));
+    }
+  };
+  // Only the ends of a row can be on sides, or all of it.
+  const bool areAll = sides.AreAll();
+  const auto counts = [&](const PlanePoint& column)
+  {
+    if (areAll)
+    {
+      return true;
+    }
+    const double b = weights.OfB(column);
+    const double c = weights.OfC(column);
+    const double a = weights.Area - b - c;
+    return (a > 0.0 || sides.Opposite[0]) && (b > 0.0 || sides.Opposite[1]) && (c > 0.0 || sides.Opposite[2]) &&
+      (sides.WithCorners || std::max({ a, b, c }) < weights.Area);
+  };
+  ForEachRow({ weights.A, weights.B, weights.C },
+    [&](std::int32_t y, std::int32_t begin, std::int32_t end)
+    {
+      for (; goesOn && begin <= end && !counts({ begin, y }); ++begin)
+      {
+      }
+      for (; goesOn && begin <= end && !counts({ end, y }); --end)
+      {
+      }
+      visitRow(y, begin, end);
+    });
+}
+
+/// Calls visit(place, heights, b, c, isIn) for the columns of a triangle that count, four of a row at a time, until that
+/// gives false: the place of the first one, as placeOf(x, y) has it at the first column of a row; the heights of the
+/// triangle less a middle one; the weights of the second and third corner; and 1 for columns that count, else 0.
+template <typename Real, typename PlaceOf, typename Visitor>
+void ForEachFourOf(
+  const RaisedTriangle& triangle, double middle, const SideColumns& sides, const PlaceOf& placeOf, Visitor&& visit)
+{
+  // Most rows of such triangles are so short that finding their ends would take longer; and of as many rows, floats
+  // have the whole numbers of all weights.
+  constexpr std::int64_t MostColumnsOfBox = 8;
+  constexpr std::int64_t MostRowsOfBox = 1 << 19;
+  PlaneBox box;
+  for (const RaisedPoint& corner : triangle)
+  {
+    box.Add(corner.Column);
+  }
+  if (std::int64_t(box.Greatest.X) - box.Least.X < MostColumnsOfBox &&
+    std::int64_t(box.Greatest.Y) - box.Least.Y < MostRowsOfBox)
+  {
+    ForEachFourOfBox<Real>(triangle, box, middle, sides, placeOf, visit);
+  }
+  else
+  {
+    ForEachFourOfRows<Real>(triangle, middle, sides, placeOf, visit);
+  }
+}
+}
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshRefiner.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Of the largest error, what part is still inserted in the same rounds; and of sums of squares.
+constexpr double PartOfLargest = 0.6;
+constexpr double PartOfSum = PartOfLargest * PartOfLargest;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority)
+  : Mesh(mesh)
+  , MostVertices(mostVertices)
+  , Priority(priority)
+{
+  if (priority == DecimationPriority::SumOfSquares)
+  {
+    this->Power = { 2, mesh.HeightRange() };
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
+{
+  const double bound = error + this->Mesh.Rounding();
+  this->Mesh.MeasureAll(this->Power, bound, monitor.Step(0.0, 0.1));
+  const double first = this->Mesh.LargestError();
+  this->StartWith(bound);
+  double part = 0.1;
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(limit, urgent);)
+  {
+    // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
+    part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
+    monitor.Progress(part);
+    this->Mesh.FindPoints(urgent, bound);
+    if (!this->InsertRound(urgent))
+    {
+      throw InputError("point " + std::to_string(this->Mesh.Error(urgent.front()).Point) +
+        " in several triangles, expected loops that enclose it once");
+    }
+    this->SortNew();
+    this->Mesh.Measure(this->New, this->Power, bound, Monitor());
+    this->KeepFar(bound);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
+{
+  const double bound = error + this->Mesh.Rounding();
+  this->Mesh.MeasureAllSides(bound, monitor.Step(0.0, 0.8));
+  this->StartWith(bound);
+  double limit = 0.0;
+  for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(limit, far);)
+  {
+    monitor.Progress(0.8);
+    this->Mesh.FindPoints(far, bound);
+    this->InsertRound(far);
+    if (this->New.empty()) // all points lie beyond the boundary, where nothing can be inserted
+    {
+      std::for_each(
+        far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
+    }
+    this->Mesh.Measure(this->New, ErrorPower(), bound, Monitor());
+    this->Mesh.MeasureSides(this->New, bound, Monitor());
+    this->KeepFar(bound);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// By the points that made them, which come row by row: what is measured next is near then, for large horizons a fifth
+// of the time.
+void MeshRefiner::SortNew()
+{
+  const auto point = [this](TriangleId triangle) { return this->Mesh.Triangles().Corner(triangle, 2); };
+  std::sort(this->New.begin(), this->New.end(), [&point](TriangleId a, TriangleId b) { return point(a) < point(b); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::StartWith(double bound)
+{
+  this->Far.clear();
+  for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
+  {
+    if (this->Mesh.Error(triangle).Largest > bound)
+    {
+      this->Far.push_back(triangle);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// After a round: those that were not changed, and of those that were, which are measured, the ones that are still far.
+void MeshRefiner::KeepFar(double bound)
+{
+  this->Far.erase(
+    std::remove_if(this->Far.begin(), this->Far.end(),
+      [&](TriangleId triangle) { return this->IsNew[triangle] != 0 || this->Mesh.Error(triangle).Largest <= bound; }),
+    this->Far.end());
+  std::copy_if(this->New.begin(), this->New.end(), std::back_inserter(this->Far),
+    [&](TriangleId triangle) { return this->Mesh.Error(triangle).Largest > bound; });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The triangles whose urgency is not below a limit, the most urgent ones first. When there is none, the limit falls;
+// false when no triangle is far.
+bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) const
+{
+  urgent.clear();
+  double most = 0.0;
+  for (const TriangleId triangle : this->Far)
+  {
+    most = std::max(most, this->UrgencyOf(triangle));
+  }
+  if (most < limit)
+  {
+    limit = most * (this->Priority == DecimationPriority::LargestError ? PartOfLargest : PartOfSum);
+  }
+  std::copy_if(this->Far.begin(), this->Far.end(), std::back_inserter(urgent),
+    [&](TriangleId triangle) { return this->UrgencyOf(triangle) >= limit; });
+  std::sort(urgent.begin(), urgent.end(),
+    [this](TriangleId a, TriangleId b)
+    {
+      const double one = this->UrgencyOf(a);
+      const double other = this->UrgencyOf(b);
+      return one != other ? one > other : a < b;
+    });
+  return !urgent.empty();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double MeshRefiner::UrgencyOf(TriangleId triangle) const
+{
+  const HeightError& error = this->Mesh.Error(triangle);
+  return this->Priority == DecimationPriority::LargestError ? error.Largest : error.Sum;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Inserts the worst points of triangles, but for those that an insertion before has changed. Of as many as there may
+// still be half at most: what an insertion brings about can be more urgent than the last ones of a round.
+// False when there was none that could be.
+bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
+{
+  const std::size_t before = this->Mesh.NumberOfVertices();
+  bool isAnyPutBack = false;
+  const std::size_t room =
+    this->MostVertices > 0 ? this->MostVertices - this->Mesh.NumberOfVertices() : triangles.size();
+  const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
+  this->New.clear();
+  this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
+  for (const TriangleId triangle : triangles)
+  {
+    const PointId point = this->Mesh.Error(triangle).Point;
+    if (this->Mesh.Triangles().HasCorner(triangle, point))
+    {
+      this->PutBack(point, triangle);
+      isAnyPutBack = true;
+    }
+    else if (this->Mesh.IsVertex(point))
+    {
+      this->AddNew(triangle); // the point, beside a side, was inserted from another triangle
+    }
+    else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
+    {
+      this->Insert(point, this->Mesh.Triangles().Locate(point, triangle));
+    }
+  }
+  return isAnyPutBack || this->Mesh.NumberOfVertices() > before;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::Insert(PointId point, TriangleId triangle)
+{
+  if (triangle == NoTriangle || this->IsNew[triangle] != 0)
+  {
+    return;
+  }
+  PlaneMesh& triangles = this->Mesh.Triangles();
+  triangles.Insert(point, triangle, this->Around);
+  if (this->Around.empty())
+  {
+    throw InputError(
+      "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
+  }
+  this->Mesh.MarkVertex(point, true);
+  triangles.Legalize(this->Around);
+  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// To the height of its column, a vertex that is farther from that than the bound: it can not be inserted once more.
+void MeshRefiner::PutBack(PointId point, TriangleId triangle)
+{
+  this->Mesh.PutBack(point);
+  this->Mesh.Triangles().FindRing(point, triangle, this->Around);
+  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId around) { this->AddNew(around); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::AddNew(TriangleId triangle)
+{
+  if (this->IsNew[triangle] == 0)
+  {
+    this->IsNew[triangle] = 1;
+    this->New.push_back(triangle);
+  }
+}
+}
