@@ -9,6 +9,7 @@
 #include "BoundarySimplification/BoundarySimplification.h"
 #include "Common/BoundedHorizon.h"
 #include "Common/CountingSort.h"
+#include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
@@ -306,6 +307,48 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
   return { (here.X + end.X) / 2, (here.Y + end.Y) / 2 };
 }
 
+/// Marks the points that are within 16 to 31 columns of a loop along both axes.
+std::vector<unsigned char> MarkNearLoops(PlanePoints columns, const Loops& loops)
+{
+  constexpr int shift = 4; // squares of 16 columns
+  const auto squareAt = [](std::int64_t i, std::int64_t j)
+  { return (i + (std::int64_t(1) << 31)) << 32 | (j & 0xffffffff); };
+  std::vector<std::int64_t> squares;
+  loops.ForEachPoint(
+    [&](PointId point)
+    {
+      const PlanePoint& column = columns[point];
+      for (int n = 0; n < 9; ++n)
+      {
+        const std::int64_t square = squareAt((column.X >> shift) + n % 3 - 1, (column.Y >> shift) + n / 3 - 1);
+        if (squares.empty() || squares.back() != square)
+        {
+          squares.push_back(square);
+        }
+      }
+    });
+  std::sort(squares.begin(), squares.end());
+  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
+  std::vector<unsigned char> marks(columns.size());
+  ParallelFor(std::int64_t(columns.size()), 4096,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      std::int64_t last = 0;
+      unsigned char isNear = 0;
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        const std::int64_t square = squareAt(columns[n].X >> shift, columns[n].Y >> shift);
+        if (n == begin || square != last)
+        {
+          last = square;
+          isNear = std::binary_search(squares.begin(), squares.end(), square) ? 1 : 0;
+        }
+        marks[n] = isNear;
+      }
+    });
+  return marks;
+}
+
 // What the first mesh brings back can leave slivers of its own.
 constexpr int SliverRounds = 2;
 // Larger angles, in degrees, meshes within an error do not keep inside either.
@@ -368,29 +411,39 @@ private:
   {
     return this->Result.Kept.empty()
       ? 0
-      : this->DecimateFast(error, this->Options.FitHeights, monitor).Triangles.size() / 3;
+      : this->DecimateFast(this->CopyHorizon(), error, this->Options.FitHeights, monitor).Triangles.size() / 3;
   }
 
-  Decimation DecimateFast(double error, bool fitHeights, const Monitor& monitor)
+  Decimation DecimateFast(BoundedHorizon horizon, double error, bool fitHeights, const Monitor& monitor) const
   {
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
     options.FitHeights = fitHeights;
     options.MaximumError = error;
-    return SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor);
+    return SeismicHorizons::Decimate(std::move(horizon), options, monitor);
   }
 
   /// A long side of an outline beside ground that takes many vertices leaves nothing but slivers between the two. Where
-  /// that is, a mesh of the fast effort tells: outlines keep the points next to its slivers, so that the best effort,
+  /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that the best effort,
   /// which gets rid of those inside, finds none that it has to leave.
   void KeepBesideSlivers(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
     const bool isAsked = this->Options.Effort == DecimationEffort::Best && this->Options.SmallestAngle > 0.0;
-    for (int round = 0; round < SliverRounds && isAsked && error > 0.0; ++round)
+    if (!isAsked || error == 0.0)
+    {
+      return;
+    }
+    const std::vector<unsigned char> isNear = MarkNearLoops(this->Columns(), this->Result.Boundary.Boundary);
+    for (int round = 0; round < SliverRounds; ++round)
     {
       const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
-      const Decimation mesh = this->DecimateFast(error, false, step.Step(0.0, 0.8));
+      BoundedHorizon strip = this->CopyHorizon();
+      for (std::size_t n = 0; n < isNear.size(); ++n)
+      {
+        strip.Patch[n] = isNear[n] != 0 ? strip.Patch[n] : NoPatch;
+      }
+      const Decimation mesh = this->DecimateFast(std::move(strip), error, false, step.Step(0.0, 0.8));
       if (!this->KeepBesideSliversOf(mesh))
       {
         return;
