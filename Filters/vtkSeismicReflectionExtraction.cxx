@@ -10,6 +10,8 @@
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
+#include "Marshalling/GuidePicks.h"
+#include "Marshalling/HorizonTree.h"
 #include "Marshalling/ImageCube.h"
 #include "Reflections/ReflectionExtraction.h"
 
@@ -29,9 +31,15 @@
 
 using namespace SeismicHorizons;
 
+namespace
+{
+constexpr int GuidesPort = 1;
+}
+
 struct vtkSeismicReflectionExtraction::Surfaces
 {
   ImageCube Cube;
+  std::vector<GuidePicks> Guides;
   Extraction Result;
 };
 
@@ -40,7 +48,7 @@ vtkStandardNewMacro(vtkSeismicReflectionExtraction);
 //----------------------------------------------------------------------------------------------------------------------
 vtkSeismicReflectionExtraction::vtkSeismicReflectionExtraction()
 {
-  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
@@ -48,8 +56,14 @@ vtkSeismicReflectionExtraction::vtkSeismicReflectionExtraction()
 vtkSeismicReflectionExtraction::~vtkSeismicReflectionExtraction() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkSeismicReflectionExtraction::FillInputPortInformation(int, vtkInformation* info)
+int vtkSeismicReflectionExtraction::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == GuidesPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    AcceptHorizons(info);
+    return 1;
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
 }
@@ -71,6 +85,11 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
   options.SmallestContact = this->SmallestContact;
   options.SmallestSize = this->SmallestSize;
   options.LargestNumber = this->LargestNumber;
+  options.Order = this->Order == Energy ? SurfaceOrder::Energy : SurfaceOrder::Size;
+  options.Guidance.Tolerance = this->GuideTolerance;
+  options.Guidance.GrowthCorrelation = this->GrowthCorrelation;
+  options.Guidance.GrowthReach = this->GrowthReach;
+  options.Guidance.KeepOthers = this->KeepOthers;
   return options;
 }
 
@@ -121,12 +140,21 @@ std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Moni
   vtkImageData* const image = this->GetCube();
   this->Found = std::make_unique<Surfaces>();
   this->Found->Cube = MakeImageCube(image, this->FindAmplitudes(image));
-  this->Found->Result = ExtractReflections(this->Found->Cube.Traces, this->MakeOptions(), monitor);
+  std::vector<Guide> guides;
+  if (vtkDataObject* const picks = this->GetInputDataObject(GuidesPort, 0))
+  {
+    this->Found->Guides = ReadGuides(picks, this->Found->Cube);
+    for (const GuidePicks& guide : this->Found->Guides)
+    {
+      guides.push_back(guide.Given);
+    }
+  }
+  this->Found->Result = ExtractReflections(this->Found->Cube.Traces, this->MakeOptions(), monitor, guides);
   this->Describe();
   std::vector<std::string> names;
-  for (const LatticeHorizon& surface : this->Found->Result.Surfaces)
+  for (std::size_t n = 0; n < this->Found->Result.Surfaces.size(); ++n)
   {
-    names.push_back(HorizonName(surface.SurfaceId));
+    names.push_back(n < guides.size() ? guides[n].Name : HorizonName(static_cast<int>(n - guides.size()) + 1));
   }
   return names;
 }
@@ -162,9 +190,77 @@ void vtkSeismicReflectionExtraction::Describe()
   {
     text << "median correlation of links " << result.MedianCorrelation << '\n';
   }
-  text << result.NumberOfSurfaces << " surfaces of " << this->SmallestSize << " picks or more, "
-       << result.Surfaces.size() << " taken";
-  this->Description = text.str();
+  this->DescribeGuides(text);
+  std::string description = text.str();
+  if (this->Found->Guides.empty() || this->KeepOthers)
+  {
+    description += std::to_string(result.NumberOfSurfaces) + " surfaces of " + std::to_string(this->SmallestSize) +
+      " picks or more, " + std::to_string(result.Surfaces.size() - this->Found->Guides.size()) + " taken\n";
+  }
+  description.pop_back(); // the end of the last line
+  this->Description = std::move(description);
+}
+
+namespace
+{
+/// The numbers of some picks from 1 on, and where the first of them is.
+std::string PicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide)
+{
+  constexpr std::size_t most = 5;
+  std::ostringstream text;
+  text << numbers.size() << " of " << guide.Places.size() << " picks, number";
+  for (std::size_t n = 0; n < numbers.size() && n < most; ++n)
+  {
+    text << (n > 0 ? ", " : " ") << numbers[n] + 1;
+  }
+  const std::array<double, 3>& first = guide.Places[numbers.front()];
+  text << (numbers.size() > most ? ", ..." : "") << ", the first at "
+       << ToText(Eigen::Map<const Eigen::Vector3d>(first.data()));
+  return text.str();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
+{
+  const Extraction& result = this->Found->Result;
+  for (std::size_t n = 0; n < this->Found->Guides.size(); ++n)
+  {
+    const GuidePicks& guide = this->Found->Guides[n];
+    const GuideUse& use = result.Guides[n];
+    const std::string name = "guide \"" + guide.Given.Name + "\": ";
+    std::array<std::int64_t, 3> counts = { 0, 0, 0 };
+    for (const double origin : result.Surfaces[n].Attributes.front().second)
+    {
+      ++counts[static_cast<std::size_t>(origin)];
+    }
+    text << guide.Given.Name << ": " << result.Surfaces[n].Column.size() << " points of "
+         << (use.IsNegative ? "negative" : "positive") << " reflections, " << counts[0] << " picks, " << counts[1]
+         << " on parts, " << counts[2] << " grown; unused picks: " << use.Unused.size() << " near no reflection, "
+         << use.Strays.size() << " contradicted, " << guide.Outside << " outside of the cube\n";
+    if (!use.Strays.empty())
+    {
+      vtkWarningMacro(<< name << PicksText(use.Strays, guide)
+                      << ", are on another event than those around them, expected one event: they were not followed");
+    }
+    if (2 * use.Unused.size() > guide.Places.size())
+    {
+      vtkWarningMacro(<< name << PicksText(use.Unused, guide)
+                      << ", are near no reflection of their sign, expected most to be: see GuideTolerance");
+    }
+    if (3 * use.OtherSign > static_cast<std::int64_t>(guide.Places.size()))
+    {
+      vtkWarningMacro(<< name << use.OtherSign << " of " << guide.Places.size()
+                      << " picks are nearer to a reflection of " << (use.IsNegative ? "positive" : "negative")
+                      << " amplitude than to one of the sign of the others, expected one sign");
+    }
+    if (use.Shared > 0)
+    {
+      vtkWarningMacro(<< name << use.Shared << " of its points went to guide \""
+                      << this->Found->Guides[use.SharedWith].Given.Name
+                      << "\", or more, which is on the same event and nearer, expected events of their own");
+    }
+  }
 }
 
 namespace
@@ -231,6 +327,11 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestContact: " << this->SmallestContact << '\n';
   os << indent << "SmallestSize: " << this->SmallestSize << '\n';
   os << indent << "LargestNumber: " << this->LargestNumber << '\n';
+  os << indent << "Order: " << (this->Order == Energy ? "Energy" : "Size") << '\n';
+  os << indent << "GuideTolerance: " << this->GuideTolerance << '\n';
+  os << indent << "GrowthCorrelation: " << this->GrowthCorrelation << '\n';
+  os << indent << "GrowthReach: " << this->GrowthReach << '\n';
+  os << indent << "KeepOthers: " << (this->KeepOthers ? "on" : "off") << '\n';
   os << indent << "Elevation: " << (this->Elevation == RealZ ? "RealZ" : "VerticalIndex") << '\n';
   os << indent << "Description: " << this->Description << '\n';
 }

@@ -9,9 +9,12 @@
  * Points that vtkGhostType hides, and numbers that are not finite, are no samples; traces of zeros have no reflections.
  *
  * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009). Strong ones are thinned
- * to a pick, and picks of neighbouring traces joined to surfaces, which are named "Horizon 1" and so on from the
- * largest on. Three ways to join are there, see SetJoining(); Documentation/SeismicReflectionExtraction.md has how good
- * they are.
+ * to a pick, and picks of neighbouring traces joined to surfaces, which are named "Horizon 1" and so on, the strongest
+ * first. Three ways to join are there, see SetJoining(); Documentation/SeismicReflectionExtraction.md has how good they
+ * are.
+ *
+ * With picks of an interpreter at the second input, the output has a horizon for each of his, of the same name: the
+ * parts of surfaces that his picks are on, and what grows from them.
  *
  * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
  * and one vertex cell per pick, at most one in a column. Point data, one component each:
@@ -21,6 +24,10 @@
  * - Amplitude (double): the mean of the samples of the run
  * - RealZ (double): the place of the pick, to parts of a sample: world z with the sign of VerticalDirection
  * - PointCount (vtkIdType): 1
+ *
+ * Those of guided horizons have two more:
+ * - Origin (double): 0 where a pick of the guide is, 1 on a part that was taken, 2 where it grew
+ * - GuideDistance (double): to the nearest column with a pick of the guide that was followed, in columns
  *
  * Field data as from that reader: LatticeDimensions, LatticeToWorld, VerticalDirection and DroppedDuplicates. The
  * first three are those of the input where it has them, and then the extent of the image counts on that lattice; else
@@ -126,7 +133,7 @@ public:
   ///@{
   /**
    * How many of the peaks of the polarity are too weak; with Middle, of the samples that are not 0. High values lose
-   * surfaces where they fade. Unit: percent. Range: 0 to 100. Default: 25.
+   * surfaces where they fade. With guides all peaks count. Unit: percent. Range: 0 to 100. Default: 25.
    */
   vtkSetMacro(AmplitudePercentile, double);
   vtkGetMacro(AmplitudePercentile, double);
@@ -210,10 +217,78 @@ public:
 
   ///@{
   /**
-   * How many horizons there are at most: the largest surfaces. Unit: surfaces. Range: at least 1. Default: 100.
+   * How many horizons there are at most: the first surfaces. Unit: surfaces. Range: at least 1. Default: 100.
    */
   vtkSetMacro(LargestNumber, int);
   vtkGetMacro(LargestNumber, int);
+  ///@}
+
+  /// Values of Order.
+  enum Orders
+  {
+    Energy = 0,
+    Size = 1
+  };
+
+  ///@{
+  /**
+   * Which surfaces come first. Energy: those of the largest sum of squared amplitudes at their picks, which are the
+   * main reflectors. Size: those of most picks. Default: Energy.
+   */
+  vtkSetClampMacro(Order, int, Energy, Size);
+  vtkGetMacro(Order, int);
+  void SetOrderToEnergy() { this->SetOrder(Energy); }
+  void SetOrderToSize() { this->SetOrder(Size); }
+  ///@}
+
+  ///@{
+  /**
+   * Picks of horizons that are wanted, in the coordinates of the cube: points of lines, wells or an older horizon, such as
+   * those of vtkHorizonTextReader; optional. Each block is a horizon, named by it; the point array Horizon, of numbers or
+   * texts, parts the points of a dataset among several. Picks outside of the cube are left out. Range: points. Default:
+   * none.
+   *
+   * Input 1.
+   */
+  void SetGuidesConnection(vtkAlgorithmOutput* guides) { this->SetInputConnection(1, guides); }
+  void RemoveGuides() { this->SetInputConnection(1, nullptr); }
+  ///@}
+
+  ///@{
+  /**
+   * How far a pick of a guide may be from the reflection that it means. Picks that are near none are not used. 0: 0.2 of
+   * the dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
+   */
+  vtkSetMacro(GuideTolerance, double);
+  vtkGetMacro(GuideTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * How similar the waveforms of neighbouring picks must be where a guided horizon grows: their correlation. Range: 0 to
+   * 1. Default: 0.6.
+   */
+  vtkSetMacro(GrowthCorrelation, double);
+  vtkGetMacro(GrowthCorrelation, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far a guided horizon grows from the parts that were taken and from picks of the guide. 0: not at all, which is the
+   * safest. Unit: columns. Range: at least 0. Default: 60.
+   */
+  vtkSetMacro(GrowthReach, int);
+  vtkGetMacro(GrowthReach, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the surfaces that no guide asks for come too, behind those of guides and without what these took. Range: on,
+   * off. Default: off.
+   */
+  vtkSetMacro(KeepOthers, bool);
+  vtkGetMacro(KeepOthers, bool);
+  vtkBooleanMacro(KeepOthers, bool);
   ///@}
 
   /// Values of Elevation.
@@ -281,6 +356,7 @@ private:
   vtkImageData* GetCube();
   vtkDataArray* FindAmplitudes(vtkImageData* cube);
   void Describe();
+  void DescribeGuides(std::ostream& text);
 
   int Polarity = Both;
   int Position = Peak;
@@ -294,6 +370,11 @@ private:
   double SmallestContact = 0.5;
   vtkIdType SmallestSize = 100;
   int LargestNumber = 100;
+  int Order = Energy;
+  double GuideTolerance = 0.0;
+  double GrowthCorrelation = 0.6;
+  int GrowthReach = 60;
+  bool KeepOthers = false;
   int Elevation = RealZ;
 
   vtkIdType NumberOfSamples = 0;

@@ -240,6 +240,8 @@ def _add_cube_options(group):
                        help="how many surfaces of a cube become meshes, the largest ones (default: 20)")
     group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                        help="surfaces of fewer picks are left out (default: 100)")
+    group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE",
+                       help="the horizons that picks of a file ask for, in place of all: some picks of each, by name")
     group.add_argument("--inlines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
                        help="only these inlines, by their numbers (default: all)")
     group.add_argument("--crosslines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),

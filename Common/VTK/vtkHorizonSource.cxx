@@ -261,13 +261,16 @@ int vtkHorizonSource::AnnouncePieces(vtkInformationVector* outputs)
 int vtkHorizonSource::AskForWholeInput(vtkInformationVector** inputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (vtkInformation* const input = inputs[0]->GetInformationObject(0))
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    if (input->Has(Pipeline::WHOLE_EXTENT()))
+    if (vtkInformation* const input = inputs[port]->GetInformationObject(0))
     {
-      input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      if (input->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+      }
     }
   }
   return 1;

@@ -83,8 +83,8 @@ protected:
   /// Tells of an output only that it can be made in pieces.
   static int AnnouncePieces(vtkInformationVector* outputs);
 
-  /// Asks for the whole input, out of which each process makes its own horizons.
-  static int AskForWholeInput(vtkInformationVector** inputs);
+  /// Asks for all inputs whole, out of which each process makes its own horizons.
+  int AskForWholeInput(vtkInformationVector** inputs);
 
   // The following throw InputError (Common/Errors.h).
 

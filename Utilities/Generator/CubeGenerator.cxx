@@ -43,6 +43,34 @@ double NormalRandom(std::uint64_t seed, std::int64_t trace, std::int64_t sample)
   return sum;
 }
 
+/// The cosine and sine of an angle of at most 360 degrees, by their series.
+std::array<double, 2> CosineAndSine(double degrees)
+{
+  constexpr int terms = 40;
+  const double angle = degrees / 180.0 * Pi;
+  std::array<double, 2> sums = { 0.0, 0.0 };
+  double term = 1.0;
+  for (int n = 0; n < terms; ++n)
+  {
+    sums[std::size_t(n % 2)] += n / 2 % 2 == 0 ? term : -term;
+    term *= angle / (n + 1);
+  }
+  return sums;
+}
+
+/// exp(-x^2) times the integral of exp(t^2) from 0 to x, for x^2 up to LargestExponent, by its series.
+double DawsonIntegral(double x)
+{
+  double sum = 0.0;
+  double power = x; // x^(2n+1) / n!
+  for (int n = 0; std::abs(power) > 1e-17 * std::abs(sum) || n == 0; ++n)
+  {
+    sum += power / (2 * n + 1);
+    power *= x * x / (n + 1);
+  }
+  return NegativeExponential(x * x) * sum;
+}
+
 double TimeOf(double samples, double interval)
 {
   return samples * interval / 1000.0;
@@ -57,14 +85,50 @@ double RickerWavelet(double frequency, double time)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double TurnedRickerWavelet(double frequency, double time)
+{
+  constexpr double twoByRootPi = 1.12837916709551257390;
+  const double a = Pi * frequency * time;
+  return a * a < LargestExponent ? twoByRootPi * (a + DawsonIntegral(a) * (1.0 - 2.0 * a * a)) : 0.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 CubeGenerator::CubeGenerator(const CubeGeneratorOptions& options)
   : Given((CheckOptions(options), options))
   , Reflectors(options)
+  , Turn(CosineAndSine(options.Phase))
 {
   const double reach = std::sqrt(LargestExponent) / (Pi * options.Frequency) * 1000.0 / options.SampleInterval;
   for (int sample = -int(reach); sample <= int(reach); ++sample)
   {
     this->Wavelet.push_back(RickerWavelet(options.Frequency, TimeOf(sample, options.SampleInterval)));
+  }
+  this->MakePlaneWaves();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CubeGenerator::MakePlaneWaves()
+{
+  constexpr int waves = 3;
+  const std::uint64_t seed = Mix(this->Given.Seed + 0x5A5AU);
+  for (int n = 0; n < waves; ++n)
+  {
+    PlaneWave wave;
+    double reach = 2.0;
+    for (const std::size_t axis : { 0U, 1U })
+    {
+      wave.Slope[axis] = (0.2 + 0.8 * Random(seed, n, std::int64_t(axis))) *
+        (Random(seed, n, 2 + std::int64_t(axis)) < 0.5 ? -1.0 : 1.0);
+      reach += std::abs(wave.Slope[axis]) * this->Given.Size[axis];
+    }
+    wave.First = -std::ceil(reach);
+    std::vector<double> random(std::size_t(this->Given.Size[2] - 2.0 * wave.First) + this->Wavelet.size());
+    for (std::size_t sample = 0; sample < random.size(); ++sample)
+    {
+      random[sample] = NormalRandom(seed, 4 + n, std::int64_t(sample));
+    }
+    wave.Samples = this->InBand(random);
+    this->Waves.push_back(std::move(wave));
   }
 }
 
@@ -80,8 +144,9 @@ void CubeGenerator::AddWavelet(double place, double strength, float* trace) cons
   const int last = std::min(this->Given.Size[2] - 1, int(std::floor(place + reach)));
   for (int sample = first; sample <= last; ++sample)
   {
-    trace[sample] +=
-      float(strength * RickerWavelet(this->Given.Frequency, TimeOf(sample - place, this->Given.SampleInterval)));
+    const double time = TimeOf(sample - place, this->Given.SampleInterval);
+    const double turned = this->Turn[1] == 0.0 ? 0.0 : this->Turn[1] * TurnedRickerWavelet(this->Given.Frequency, time);
+    trace[sample] += float(strength * (this->Turn[0] * RickerWavelet(this->Given.Frequency, time) + turned));
   }
 }
 
@@ -92,46 +157,74 @@ void CubeGenerator::AddSignal(int i, int j, float* trace) const
   {
     this->AddWavelet(this->Reflectors.Place(n, i, j), this->Reflectors.Strength(n, i, j), trace);
   }
-  if (this->Given.HasChannel)
+  for (int channel = 0; channel < this->Given.Channels; ++channel)
   {
-    this->AddWavelet(this->Reflectors.ChannelPlace(i, j), this->Reflectors.ChannelStrength(), trace);
+    this->AddWavelet(this->Reflectors.ChannelPlace(channel, i, j), this->Reflectors.ChannelStrength(channel), trace);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double CubeGenerator::NoiseHeight() const
+std::vector<double> CubeGenerator::InBand(const std::vector<double>& random) const
 {
-  if (this->Given.Noise == NoiseKind::White)
-  {
-    return 1.0;
-  }
   double energy = 0.0;
   for (const double value : this->Wavelet)
   {
     energy += value * value;
   }
-  return std::sqrt(energy);
+  const double height = 1.0 / std::sqrt(energy);
+  std::vector<double> result(random.size() - this->Wavelet.size());
+  for (std::size_t sample = 0; sample < result.size(); ++sample)
+  {
+    for (std::size_t n = 0; n < this->Wavelet.size(); ++n)
+    {
+      result[sample] += this->Wavelet[n] * random[sample + n];
+    }
+    result[sample] *= height;
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeGenerator::CoherentNoise(int i, int j, int sample) const
+{
+  double sum = 0.0;
+  for (const PlaneWave& wave : this->Waves)
+  {
+    const double place = sample - wave.Slope[0] * i - wave.Slope[1] * j - wave.First;
+    const auto before = std::size_t(place);
+    const double part = place - double(before);
+    sum += (1.0 - part) * wave.Samples[before] + part * wave.Samples[before + 1];
+  }
+  return sum / std::sqrt(double(this->Waves.size()));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void CubeGenerator::AddNoise(int i, int j, double height, float* trace) const
 {
-  const std::uint64_t seed = Mix(this->Given.Seed + 0xA5A5U);
+  const NoiseKind kind = this->Given.Noise;
+  const bool isMixed = kind == NoiseKind::Mixed;
+  const double white = kind == NoiseKind::White ? 1.0 : (isMixed ? 0.5 : 0.0);
+  const double inBand = kind == NoiseKind::InBand ? 1.0 : (isMixed ? std::sqrt(0.5) : 0.0);
+  const double coherent = kind == NoiseKind::Coherent ? 1.0 : (isMixed ? 0.5 : 0.0);
   const std::int64_t number = i + std::int64_t(this->Given.Size[0]) * j;
-  const auto width = int(this->Wavelet.size());
-  const bool isWhite = this->Given.Noise == NoiseKind::White;
-  std::vector<double> noise(std::size_t(this->Given.Size[2] + (isWhite ? 0 : width)));
-  for (std::size_t sample = 0; sample < noise.size(); ++sample)
+  const auto makeRandom = [&](std::uint64_t seed, std::size_t size)
   {
-    noise[sample] = NormalRandom(seed, number, std::int64_t(sample));
-  }
-  for (int sample = 0; sample < this->Given.Size[2]; ++sample)
-  {
-    double value = isWhite ? noise[std::size_t(sample)] : 0.0;
-    for (int n = 0; !isWhite && n < width; ++n)
+    std::vector<double> random(size);
+    for (std::size_t sample = 0; sample < size; ++sample)
     {
-      value += this->Wavelet[std::size_t(n)] * noise[std::size_t(sample + n)];
+      random[sample] = NormalRandom(seed, number, std::int64_t(sample));
     }
+    return random;
+  };
+  const std::uint64_t seed = Mix(this->Given.Seed + 0xA5A5U);
+  const auto samples = std::size_t(this->Given.Size[2]);
+  const std::vector<double> random = makeRandom(isMixed ? Mix(seed) : seed, white > 0.0 ? samples : 0);
+  const std::vector<double> band =
+    inBand > 0.0 ? this->InBand(makeRandom(seed, samples + this->Wavelet.size())) : std::vector<double>();
+  for (std::size_t sample = 0; sample < samples; ++sample)
+  {
+    const double value = (white > 0.0 ? white * random[sample] : 0.0) + (inBand > 0.0 ? inBand * band[sample] : 0.0) +
+      (coherent > 0.0 ? coherent * this->CoherentNoise(i, j, int(sample)) : 0.0);
     trace[sample] += float(height * value);
   }
 }
@@ -157,7 +250,7 @@ std::vector<float> CubeGenerator::MakeTraces() const
   {
     energy += double(value) * double(value);
   }
-  const double height = this->Given.NoiseFraction * std::sqrt(energy / double(traces.size())) / this->NoiseHeight();
+  const double height = this->Given.NoiseFraction * std::sqrt(energy / double(traces.size()));
   forEachTrace(
     [&, nZ = nZ](int i, int j, float* trace)
     {

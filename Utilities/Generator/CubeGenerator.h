@@ -14,6 +14,7 @@
 #include "CubeGeneratorOptions.h"
 #include "CubeReflectors.h"
 
+#include <array>
 #include <vector>
 
 namespace SeismicHorizons
@@ -34,16 +35,31 @@ private:
   void AddSignal(int i, int j, float* trace) const;
   void AddWavelet(double place, double strength, float* trace) const;
   void AddNoise(int i, int j, double height, float* trace) const;
-  /// The root mean square of the noise before it is scaled.
-  double NoiseHeight() const;
+  void MakePlaneWaves();
+  /// Random numbers of variance 1, and so many samples more, as the wavelet moves them.
+  std::vector<double> InBand(const std::vector<double>& random) const;
+  double CoherentNoise(int i, int j, int sample) const;
+
+  /// A dipping wave: its samples at column (0, 0), from the first that any column needs on.
+  struct PlaneWave
+  {
+    std::array<double, 2> Slope = { 0.0, 0.0 }; // samples from a column to the next one
+    double First = 0.0;
+    std::vector<double> Samples;
+  };
 
   CubeGeneratorOptions Given;
   CubeReflectors Reflectors;
   std::vector<double> Wavelet; // at whole samples, for noise of its frequencies
+  std::array<double, 2> Turn = { 1.0, 0.0 }; // cosine and sine of the phase
+  std::vector<PlaneWave> Waves;
 };
 
 /// (1 - 2a) exp(-a) with a = (pi frequency time)^2: a wavelet of amplitude 1 at time 0. Time in seconds.
 double RickerWavelet(double frequency, double time);
+
+/// Its Hilbert transform.
+double TurnedRickerWavelet(double frequency, double time);
 }
 
 #endif

@@ -14,7 +14,9 @@ namespace SeismicHorizons
 enum class NoiseKind
 {
   White, // of all frequencies, as of instruments
-  InBand // of the frequencies of the signal, as of sources
+  InBand, // of the frequencies of the signal, as of sources
+  Coherent, // three dipping plane waves of these frequencies, as of multiples and ground roll
+  Mixed // a half of its energy in band, a quarter white and a quarter coherent
 };
 
 /// The default is an easy cube: reflectors far apart and of one strength all over, and a fault across which none faces
@@ -31,9 +33,13 @@ struct CubeGeneratorOptions
   double FoldHeight = 10.0; // of folds up and down, in samples
   double FaultThrow = 16.0; // how far the fault throws layers down, in samples; 0: no fault
   double FaultDip = 0.15; // how many columns the fault moves in a sample downwards
+  int ShortFaults = 0; // others of all directions, whose throw falls to 0 at their ends inside the cube: 0 to 100
   double SmallestStrength = 0.4; // of the weakest reflector; that of the strongest is 1
   double Fading = 1.0; // to what part of its strength a reflector fades, here and there
-  bool HasChannel = false; // whether a channel cuts into the middle reflector
+  int Channels = 0; // each cuts into a reflector of its own, one into the middle one: 0 to 10
+  /// Whether older layers are tilted and cut off at a surface, which younger ones end against where it is high.
+  bool HasUnconformity = false;
+  double Phase = 0.0; // of the wavelet, in degrees, -360 to 360: 90 is its Hilbert transform
   double DeadFraction = 0.0; // traces of zeros
   double MissingFraction = 0.0; // traces that are not there
   double NoiseFraction = 0.0; // root mean square of the noise, as a part of that of the signal
@@ -43,6 +49,9 @@ struct CubeGeneratorOptions
 /// A hard one: layers thick and thin, reflectors that fade and face others across the fault, a channel, and dead and
 /// missing traces.
 CubeGeneratorOptions HardCube(std::uint64_t seed);
+
+/// A wild one: that, larger, with two channels, an unconformity, and one to four short faults beside the long one.
+CubeGeneratorOptions WildCube(std::uint64_t seed);
 
 /// Throws InputError when an option is out of range.
 void CheckOptions(const CubeGeneratorOptions& options);

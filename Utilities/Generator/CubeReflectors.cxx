@@ -26,7 +26,9 @@ enum Purpose : std::uint64_t
   Fades,
   ChannelCourse,
   DeadTraces,
-  MissingTraces
+  MissingTraces,
+  Erosion,
+  FaultShape
 };
 
 double RandomOf(std::uint64_t seed, Purpose purpose, std::int64_t i, std::int64_t j)
@@ -53,9 +55,20 @@ CubeGeneratorOptions HardCube(std::uint64_t seed)
   options.FaultDip = 0.1 + 0.15 * Random(Mix(seed), 3, 0);
   options.SmallestStrength = 0.35;
   options.Fading = 0.12;
-  options.HasChannel = true;
+  options.Channels = 1;
   options.DeadFraction = 0.005;
   options.MissingFraction = 0.02;
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubeGeneratorOptions WildCube(std::uint64_t seed)
+{
+  CubeGeneratorOptions options = HardCube(seed);
+  options.Size = { 110, 96, 280 };
+  options.Channels = 2;
+  options.HasUnconformity = true;
+  options.ShortFaults = 1 + int(4.0 * Random(Mix(seed), 4, 0));
   return options;
 }
 
@@ -74,6 +87,9 @@ void CheckOptions(const CubeGeneratorOptions& options)
   CheckWithin("height of folds", options.FoldHeight, 0.0, double(mostSamples), " samples");
   CheckWithin("throw", options.FaultThrow, 0.0, double(mostSamples), " samples");
   CheckWithin("dip of the fault", options.FaultDip, 0.0, 10.0, " columns");
+  CheckWithin("short faults", options.ShortFaults, 0, 100, "");
+  CheckWithin("channels", options.Channels, 0, 10, "");
+  CheckWithin("phase", options.Phase, -360.0, 360.0, " degrees");
   CheckWithin("smallest strength", options.SmallestStrength, 0.01, 1.0, "");
   CheckWithin("fading", options.Fading, 0.0, 1.0, "");
   CheckWithin("part of dead traces", options.DeadFraction, 0.0, 1.0, "");
@@ -87,20 +103,72 @@ CubeReflectors::CubeReflectors(const CubeGeneratorOptions& options)
 {
   double depth = options.FoldHeight + 0.5 * options.Spacing;
   const double last = options.Size[2] - 0.5 * options.Spacing;
+  const double eroded = 0.45 * options.Size[2];
   for (int n = 0; depth < last; ++n)
   {
-    Layer layer;
-    layer.Depth = depth;
-    layer.Seed = Mix(options.Seed + Mix(std::uint64_t(n)));
-    const double part = RandomOf(options.Seed, LayerStrength, n, 0);
-    const double sign = RandomOf(options.Seed, LayerStrength, n, 1) < 0.5 ? -1.0 : 1.0;
-    // The second is as weak as any.
-    layer.Strength =
-      sign * (n == 1 ? options.SmallestStrength : options.SmallestStrength + part * (1.0 - options.SmallestStrength));
-    this->Layers.push_back(layer);
+    const bool isOld = options.HasUnconformity && depth > eroded;
+    if (isOld && this->Layers.back().Kind == LayerKind::Young)
+    {
+      this->AddLayer(eroded, LayerKind::Unconformity);
+    }
+    this->AddLayer(depth, !options.HasUnconformity ? LayerKind::Plain : (isOld ? LayerKind::Old : LayerKind::Young));
     depth +=
       options.Spacing * (1.0 + options.SpacingVariation * (2.0 * RandomOf(options.Seed, LayerSpacing, n, 0) - 1.0));
   }
+  this->AddShortFaults();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CubeReflectors::AddLayer(double depth, LayerKind kind)
+{
+  const std::uint64_t seed = this->Given.Seed;
+  const int n = this->Size();
+  const double smallest = this->Given.SmallestStrength;
+  Layer layer;
+  layer.Kind = kind;
+  layer.Depth = depth;
+  layer.Seed = Mix(seed + Mix(std::uint64_t(n)));
+  const double part = RandomOf(seed, LayerStrength, n, 0);
+  const double sign = RandomOf(seed, LayerStrength, n, 1) < 0.5 ? -1.0 : 1.0;
+  // The second is as weak as any.
+  layer.Strength = sign * (n == 1 ? smallest : smallest + part * (1.0 - smallest));
+  this->Layers.push_back(layer);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CubeReflectors::AddShortFaults()
+{
+  const double period = 1000.0 / (this->Given.Frequency * this->Given.SampleInterval);
+  for (int n = 0; n < this->Given.ShortFaults; ++n)
+  {
+    const auto random = [&](std::int64_t which) { return RandomOf(this->Given.Seed, FaultShape, n, which); };
+    ShortFault fault;
+    fault.Middle = { (0.15 + 0.7 * random(0)) * this->Given.Size[0], (0.15 + 0.7 * random(1)) * this->Given.Size[1] };
+    const double x = 2.0 * random(2) - 1.0;
+    const double y = 2.0 * random(3) - 1.0;
+    const double length = std::sqrt(x * x + y * y);
+    fault.Across = length > 0.1 ? std::array<double, 2>{ x / length, y / length } : std::array<double, 2>{ 1.0, 0.0 };
+    fault.Dip = 0.1 + 0.15 * random(4);
+    fault.Throw = period * (0.3 + 2.2 * random(5));
+    fault.HalfLength = 25.0 + 35.0 * random(6);
+    this->Faults.push_back(fault);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::ShortFault::ThrowAt(double i, double j) const
+{
+  const double along =
+    ((i - this->Middle[0]) * this->Across[1] - (j - this->Middle[1]) * this->Across[0]) / this->HalfLength;
+  return this->Throw * std::max(0.0, 1.0 - along * along);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::UnconformityPlace(int i, int j) const
+{
+  constexpr double width = 45.0; // columns
+  return 0.45 * this->Given.Size[2] +
+    this->Given.Spacing * SmoothOf(this->Given.Seed, Erosion, i / width, j / width, 2);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -119,7 +187,7 @@ double CubeReflectors::FaultDistance(double i, double j, double sample) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
+double CubeReflectors::LaidPlace(const Layer& layer, int i, int j) const
 {
   constexpr double foldWidth = 48.0; // columns
   constexpr double shapeWidth = 30.0;
@@ -127,6 +195,37 @@ double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
   const double growth = 0.6 + 0.4 * layer.Depth / this->Given.Size[2];
   const double place = layer.Depth + growth * this->Given.FoldHeight * this->Fold(i / foldWidth, j / foldWidth) +
     shapeHeight * this->Given.Spacing * SmoothOf(layer.Seed, LayerShape, i / shapeWidth, j / shapeWidth, 1);
+  switch (layer.Kind)
+  {
+    case LayerKind::Young:
+      return place < this->UnconformityPlace(i, j) ? place : None;
+    case LayerKind::Unconformity:
+      return this->UnconformityPlace(i, j);
+    case LayerKind::Old:
+    {
+      constexpr double tilt = 0.3; // samples for each column
+      const double tilted = place + tilt * (i - 0.5 * (this->Given.Size[0] - 1));
+      return tilted > this->UnconformityPlace(i, j) ? tilted : None;
+    }
+    default:
+      return place;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
+{
+  double place = this->LaidPlace(layer, i, j);
+  for (const ShortFault& fault : this->Faults)
+  {
+    const auto isBeyond = [&](double sample)
+    {
+      const double across = (i - fault.Middle[0]) * fault.Across[0] + (j - fault.Middle[1]) * fault.Across[1];
+      return across > (sample - 0.5 * (this->Given.Size[2] - 1)) * fault.Dip;
+    };
+    const double moved = place + fault.ThrowAt(i, j);
+    place = !isBeyond(place) ? place : (isBeyond(moved) ? moved : None);
+  }
   const double thrown = place + this->Given.FaultThrow;
   if (this->Given.FaultThrow == 0.0 || this->FaultDistance(i, j, place) < 0.0)
   {
@@ -140,7 +239,11 @@ double CubeReflectors::Place(int reflector, int i, int j) const
 {
   const double place = this->LayerPlace(this->Layers[std::size_t(reflector)], i, j);
   const bool isInside = place >= 0.0 && place <= this->Given.Size[2] - 1;
-  const bool isCut = reflector == this->ChannelReflector() && this->InsideChannel(i, j) > 0.0;
+  bool isCut = false;
+  for (int channel = 0; channel < this->Given.Channels; ++channel)
+  {
+    isCut = isCut || (reflector == this->ChannelReflector(channel) && this->InsideChannel(channel, i, j) > 0.0);
+  }
   return isInside && !isCut ? place : None;
 }
 
@@ -156,34 +259,38 @@ double CubeReflectors::Strength(int reflector, int i, int j) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double CubeReflectors::InsideChannel(int i, int j) const
+int CubeReflectors::ChannelReflector(int channel) const
+{
+  const int middle = this->Size() / 2;
+  const int step = channel % 2 == 1 ? -(channel + 1) : channel; // every second one up and down
+  return std::clamp(middle + step, 0, this->Size() - 1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::InsideChannel(int channel, int i, int j) const
 {
   constexpr double halfWidth = 4.0; // columns
   constexpr double bend = 12.0;
   constexpr double length = 20.0;
-  if (!this->Given.HasChannel)
-  {
-    return -halfWidth;
-  }
-  const double middle =
-    0.3 * this->Given.Size[1] + bend * SmoothOf(this->Given.Seed, ChannelCourse, i / length, 0.5, 1);
+  const double middle = (channel % 2 == 0 ? 0.3 : 0.7) * this->Given.Size[1] +
+    bend * SmoothOf(this->Given.Seed, ChannelCourse, i / length, 0.5 + 3.0 * channel, 1);
   return halfWidth - std::abs(j - middle);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double CubeReflectors::ChannelPlace(int i, int j) const
+double CubeReflectors::ChannelPlace(int channel, int i, int j) const
 {
   constexpr double depthPerColumn = 1.5;
-  const double inside = this->InsideChannel(i, j);
+  const double inside = this->InsideChannel(channel, i, j);
   return inside > 0.0
-    ? this->LayerPlace(this->Layers[std::size_t(this->ChannelReflector())], i, j) + depthPerColumn * inside
+    ? this->LayerPlace(this->Layers[std::size_t(this->ChannelReflector(channel))], i, j) + depthPerColumn * inside
     : None;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double CubeReflectors::ChannelStrength() const
+double CubeReflectors::ChannelStrength(int channel) const
 {
-  return -0.8 * this->Layers[std::size_t(this->ChannelReflector())].Strength;
+  return -0.8 * this->Layers[std::size_t(this->ChannelReflector(channel))].Strength;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -3,13 +3,14 @@
 //
 // The layers of a synthetic cube: where each reflector is, and how strong. All share folds, which grow with depth, and
 // have some of their own. A plane fault goes through the whole cube. On its upper side all layers are thrown down, so
-// that it leaves a gap in each.
+// that it leaves a gap in each. Short faults do the same to what others left, by less towards their ends.
 
 #ifndef SeismicHorizonsCubeReflectors_h
 #define SeismicHorizonsCubeReflectors_h
 
 #include "CubeGeneratorOptions.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,11 +30,11 @@ public:
   /// The reflection coefficient there; its sign is that of the reflection.
   double Strength(int reflector, int i, int j) const;
 
-  /// The bottom of the channel, nan outside of it, and its reflection coefficient.
-  double ChannelPlace(int i, int j) const;
-  double ChannelStrength() const;
-  /// The reflector that the channel cuts into; -1 without one.
-  int ChannelReflector() const { return this->Given.HasChannel ? this->Size() / 2 : -1; }
+  /// The bottom of a channel, nan outside of it, and its reflection coefficient.
+  double ChannelPlace(int channel, int i, int j) const;
+  double ChannelStrength(int channel) const;
+  /// The reflector that a channel cuts into; of channel 0, the middle one, and of the others those around it.
+  int ChannelReflector(int channel) const;
 
   /// How far a place is from the fault, in columns: negative on the side that stayed.
   double FaultDistance(double i, double j, double sample) const;
@@ -42,21 +43,48 @@ public:
   bool IsMissing(int i, int j) const;
 
 private:
+  enum class LayerKind
+  {
+    Plain, // of a cube without unconformity
+    Old,
+    Young,
+    Unconformity
+  };
+
   struct Layer
   {
+    LayerKind Kind = LayerKind::Plain;
     double Depth = 0.0;
     double Strength = 1.0;
     std::uint64_t Seed = 0;
   };
 
-  /// Before the channel.
+  /// A plane fault that dips along `Across`, with the throw at its middle, and none from `HalfLength` along it on.
+  struct ShortFault
+  {
+    std::array<double, 2> Middle = { 0.0, 0.0 }; // at the middle sample
+    std::array<double, 2> Across = { 1.0, 0.0 }; // of length 1
+    double Dip = 0.0;
+    double Throw = 0.0;
+    double HalfLength = 1.0;
+
+    double ThrowAt(double i, double j) const;
+  };
+
+  void AddLayer(double depth, LayerKind kind);
+  void AddShortFaults();
+  /// Before faults and channels; nan where the layer is eroded, or was never laid down.
+  double LaidPlace(const Layer& layer, int i, int j) const;
+  double UnconformityPlace(int i, int j) const;
+  /// Before channels.
   double LayerPlace(const Layer& layer, int i, int j) const;
-  /// Half the width of the channel less the distance to its middle, in columns.
-  double InsideChannel(int i, int j) const;
+  /// Half the width of a channel less the distance to its middle, in columns.
+  double InsideChannel(int channel, int i, int j) const;
   double Fold(double x, double y) const;
 
   CubeGeneratorOptions Given;
   std::vector<Layer> Layers;
+  std::vector<ShortFault> Faults;
 };
 }
 

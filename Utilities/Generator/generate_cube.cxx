@@ -23,6 +23,7 @@ and y at 181 and 185; a turned survey). The same options give the same file ever
 
   --hard            layers thick and thin that fade and face others across the fault, a channel, dead and missing
                     traces; the seed chooses frequency and throw. Options after it change that
+  --wild            the same, larger, with two channels, an unconformity, and short faults beside the long one
   --size NX NY NZ   crosslines, inlines and samples (default 80 64 220)
   --interval MS     from sample to sample (default 4)
   --frequency HZ    of the Ricker wavelet (default 30)
@@ -33,11 +34,16 @@ and y at 181 and 185; a turned survey). The same options give the same file ever
   --dip N           how many columns the fault moves in a sample (default 0.15)
   --weakest PART    strength of the weakest reflector (default 0.4)
   --fading PART     to what part of their strength reflectors fade here and there (default 1)
-  --channel         a channel cuts into the middle reflector
+  --channels N      each cuts into a reflector, one into the middle one (default 0)
+  --short-faults N  whose throw ends inside the cube (default 0)
+  --unconformity    older layers are tilted and cut off, and younger ones end against the surface
+  --phase DEGREES   of the wavelet (default 0)
   --dead PART       traces of zeros (default 0)
   --missing PART    traces that are not there (default 0)
   --noise PART      root mean square of the noise, as a part of the signal's (default 0)
   --in-band         noise of the frequencies of the signal
+  --coherent        noise of dipping plane waves
+  --mixed           noise of all three kinds
   --seed N          another number gives another cube (default 1)
   --truth TEXT      another file, with the place of each reflector in each column as text
   --help            this text
@@ -51,6 +57,9 @@ struct Arguments
   bool Help = false;
 };
 
+const std::map<std::string, NoiseKind> Noises = { { "--in-band", NoiseKind::InBand },
+  { "--coherent", NoiseKind::Coherent }, { "--mixed", NoiseKind::Mixed } };
+
 /// Options with one number.
 bool ParseNumberOption(const std::string& option, CommandWords& words, CubeGeneratorOptions& options)
 {
@@ -59,7 +68,7 @@ bool ParseNumberOption(const std::string& option, CommandWords& words, CubeGener
     { "--variation", &options.SpacingVariation }, { "--folds", &options.FoldHeight },
     { "--throw", &options.FaultThrow }, { "--dip", &options.FaultDip }, { "--weakest", &options.SmallestStrength },
     { "--fading", &options.Fading }, { "--dead", &options.DeadFraction }, { "--missing", &options.MissingFraction },
-    { "--noise", &options.NoiseFraction } };
+    { "--noise", &options.NoiseFraction }, { "--phase", &options.Phase } };
   const auto found = numbers.find(option);
   if (found == numbers.end())
   {
@@ -87,13 +96,21 @@ void ParseOption(const std::string& option, CommandWords& words, Arguments& argu
   {
     words.Take(option, options.Seed);
   }
-  else if (option == "--channel")
+  else if (option == "--channels")
   {
-    options.HasChannel = true;
+    words.Take(option, options.Channels);
   }
-  else if (option == "--in-band")
+  else if (option == "--short-faults")
   {
-    options.Noise = NoiseKind::InBand;
+    words.Take(option, options.ShortFaults);
+  }
+  else if (option == "--unconformity")
+  {
+    options.HasUnconformity = true;
+  }
+  else if (const auto noise = Noises.find(option); noise != Noises.end())
+  {
+    options.Noise = noise->second;
   }
   else if (option == "--truth")
   {
@@ -129,9 +146,10 @@ Arguments ParseArguments(int argc, char* argv[])
     {
       arguments.Help = true;
     }
-    else if (word == "--hard")
+    else if (word == "--hard" || word == "--wild")
     {
-      arguments.Options = HardCube(FindSeed(CommandWords(argc, argv), arguments.Options.Seed));
+      const std::uint64_t seed = FindSeed(CommandWords(argc, argv), arguments.Options.Seed);
+      arguments.Options = word == "--hard" ? HardCube(seed) : WildCube(seed);
     }
     else if (word.size() > 1 && word[0] == '-')
     {

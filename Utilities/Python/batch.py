@@ -297,6 +297,12 @@ def has_display():
 
 def _draws_without_display():
     from vtkmodules import vtkRenderingOpenGL2  # noqa: F401: makes windows
+    from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
-    return not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow")
+    before = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.SetGlobalWarningDisplay(False)  # later versions try X first, and warn
+    try:
+        return not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow")
+    finally:
+        vtkObject.SetGlobalWarningDisplay(before)

@@ -4,6 +4,8 @@
 
 import pathlib
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
 from .memory import size_text
 from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
@@ -11,7 +13,7 @@ from .stage import HorizonError, configure, make, update, watched
 READER = "vtkSEGYCubeReader"
 EXTRACTION = "vtkSeismicReflectionExtraction"
 
-# How many surfaces of a cube become meshes, the largest ones.
+# How many surfaces of a cube become meshes, the strongest ones.
 LARGEST_NUMBER = 20
 # Bytes per sample, at most, of a cube whose reflections are joined, its own included (ReflectionBenchmark).
 WORKED = 20
@@ -26,11 +28,12 @@ def is_extraction(source):
     return source.IsA(EXTRACTION)
 
 
-def open_cube(path, **properties):
-    """The extraction from a cube, connected to its reader. Properties are those of both. Raises HorizonError when neither
-    has one."""
+def open_cube(path, Picks=None, **properties):
+    """The extraction from a cube, connected to its reader. Properties are those of both, and Picks, a file that is kept as
+    `picks`. Raises HorizonError when neither has one."""
     reader = make(READER, FileName=str(path))
     extraction = make(EXTRACTION, LargestNumber=LARGEST_NUMBER)
+    extraction.picks = Picks
     extraction.SetInputConnection(reader.GetOutputPort())
     for name, value in properties.items():
         owner = next((owner for owner in (reader, extraction) if hasattr(owner, "Set" + name)), None)
@@ -52,6 +55,16 @@ def count_samples(extraction):
 def read(extraction, path):
     """Reads the cube; an error is then that of its reader. Returns the seconds it took. Raises HorizonError."""
     return update(extraction.GetInputAlgorithm(), "%s: reading the cube" % path.name, work=file_work(path))
+
+
+def lattice_properties(extraction):
+    """Properties of readers of picks, by which these stand on the columns of a cube that has been read. Picks of wells and of
+    other surveys are between columns."""
+    data = extraction.GetInputAlgorithm().GetOutputDataObject(0).GetFieldData()
+    matrix = vtk_to_numpy(data.GetArray("LatticeToWorld")).reshape(4, 4)
+    return {"Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
+            "LatticeTolerance": 0.499, "StrayPicks": "LeaveOut",
+            "VerticalDirection": "Up" if data.GetArray("VerticalDirection").GetValue(0) > 0 else "Down"}
 
 
 def require(extraction, budget, path):

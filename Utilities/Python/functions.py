@@ -22,7 +22,7 @@ from typing import Any
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
-from . import calls, cubes, reading, tsurf, writing
+from . import calls, cubes, making, reading, tsurf, writing
 from .calls import details  # noqa: F401: a function of the package
 from .making import horizon, horizon_from_points  # noqa: F401: functions of the package
 from .stage import make
@@ -109,13 +109,15 @@ def read_cube(path: str | os.PathLike, **keywords: Any) -> vtkImageData:
     return calls.wrap(reader.GetOutputDataObject(0))
 
 
-def extract(cube: vtkImageData, **keywords: Any) -> dict[str, vtkPolyData]:
+def extract(cube: vtkImageData, picks: Any = None, **keywords: Any) -> dict[str, vtkPolyData]:
     """The reflections of a seismic cube, joined to horizons.
 
     Parameters
     ----------
     cube : vtkImageData
         what `read_cube` gives, or any image with amplitudes.
+    picks : dict of str to vtkPolyData or to array of shape (n, 3), or one of these, optional
+        some picks of each horizon that is wanted, in the coordinates of the cube, in place of all horizons that there are.
     **keywords
         properties of SeismicReflectionExtraction: `largest_number` (20 by default), `polarity`, `joining`,
         `amplitude_percentile`, `smallest_size` and the like.
@@ -123,12 +125,26 @@ def extract(cube: vtkImageData, **keywords: Any) -> dict[str, vtkPolyData]:
     Returns
     -------
     dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
-        the largest first.
+        the strongest first; with picks the horizons that these ask for. Points have the arrays Origin, which is 0 where a
+        pick is, 1 on a part that was taken and 2 where it grew, and GuideDistance in columns.
 
     Raises
     ------
     TypeError, ValueError, MemoryError
-        no image, an image without amplitudes, or one that is too large.
+        no image, an image without amplitudes, one that is too large, or picks that are not on it.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> from vtkmodules.util.numpy_support import numpy_to_vtk
+    >>> from vtkmodules.vtkCommonDataModel import vtkImageData
+    >>> cube = vtkImageData()
+    >>> cube.SetDimensions(30, 20, 40)
+    >>> amplitudes = np.zeros((40, 20, 30))
+    >>> amplitudes[9:12], amplitudes[25] = [[[1.0]], [[3.0]], [[1.0]]], 5.0
+    >>> _ = cube.GetPointData().SetScalars(numpy_to_vtk(amplitudes.ravel(), deep=True))
+    >>> {name: top.GetNumberOfPoints() for name, top in sh.extract(cube, {"Top": [[7, 3, 10]]}).items()}
+    {'Top': 600}
     """
     if not isinstance(cube, vtkImageData):
         raise TypeError("%s, expected a cube as vtkImageData: read_cube(path) gives that of a SEG-Y file"
@@ -136,6 +152,8 @@ def extract(cube: vtkImageData, **keywords: Any) -> dict[str, vtkPolyData]:
     extraction = make(cubes.EXTRACTION, LargestNumber=cubes.LARGEST_NUMBER)
     calls.set_keywords(extraction, keywords, cube)
     extraction.SetInputDataObject(cube)
+    if picks is not None:
+        extraction.SetInputDataObject(1, making.collect_picks(picks))
     calls.run(extraction, "extract")
     return {name: calls.wrap(points) for name, points in reading.list_horizons(extraction.GetOutputDataObject(0))}
 

@@ -5,13 +5,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
 
 from . import calls
 from .reading import list_horizons
@@ -114,6 +114,16 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     >>> sh.details(top).lattice_dimensions[:2].tolist()
     [30, 20]
     """
+    data = _points_of(points)
+    source = make("vtkHorizonFromPoints")
+    calls.set_keywords(source, keywords)
+    source.SetInputDataObject(data)
+    calls.run(source, name or "horizon")
+    (_, found), *_ = list_horizons(source.GetOutputDataObject(0))
+    return calls.wrap(found)
+
+
+def _points_of(points):
     places = np.asarray(points, dtype=float)
     if places.ndim != 2 or places.shape[1] != 3:
         raise ValueError("points of shape %s, expected (n, 3): x, y and z; horizon makes horizons of grids"
@@ -124,12 +134,18 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     data = vtkPolyData()
     data.SetPoints(vtkPoints())
     data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(places), deep=True))
-    source = make("vtkHorizonFromPoints")
-    calls.set_keywords(source, keywords)
-    source.SetInputDataObject(data)
-    calls.run(source, name or "horizon")
-    (_, found), *_ = list_horizons(source.GetOutputDataObject(0))
-    return calls.wrap(found)
+    return data
+
+
+def collect_picks(picks):
+    """The picks of horizons, by their names where there are some, as one dataset."""
+    if not isinstance(picks, Mapping):
+        return picks if isinstance(picks, vtkPolyData) else _points_of(picks)
+    blocks = vtkPartitionedDataSetCollection()
+    for number, (name, points) in enumerate(picks.items()):
+        blocks.SetPartition(number, 0, points if isinstance(points, vtkPolyData) else _points_of(points))
+        blocks.GetMetaData(number).Set(blocks.NAME(), str(name))
+    return blocks
 
 
 def _require_none(what, **given):

@@ -134,6 +134,8 @@ def read_source(source, path, horizons=None):
     seconds = 0.0
     if cubes.is_extraction(source):
         seconds += cubes.read(source, path)
+        if source.picks:
+            seconds += _guide(source, pathlib.Path(source.picks))
     elif horizons is not None:
         select(source, horizons, path)
     seconds += update(source, "%s: reading" % path.name, work=None if cubes.is_extraction(source) else file_work(path))
@@ -146,6 +148,18 @@ def read_source(source, path, horizons=None):
     if getattr(source, "kind", "") == READERS[geotiff.SOURCE]:  # whose horizon has no name but that of its file
         found = [(path.stem, points) for _, points in found]
     return found, seconds
+
+
+def _guide(extraction, path):
+    """Gives an extraction the picks of a file. Returns the seconds it took."""
+    reader = open_file(path)
+    if cubes.is_extraction(reader):
+        raise HorizonError("%s: a seismic cube, expected picks of horizons" % path)
+    if hasattr(reader, "SetLatticeSource"):  # a few picks have no lattice of their own
+        reader = open_file(path, **cubes.lattice_properties(extraction))
+    seconds = update(reader, "%s: reading" % path.name, work=file_work(path))
+    extraction.SetInputConnection(1, reader.GetOutputPort())
+    return seconds
 
 
 def list_horizons(output):

@@ -5,20 +5,24 @@
 //    each other: each sign is worked on by itself.
 // 2. Picks are joined to surfaces, which are numbers of picks (SurfaceJoining.h). Best first does it twice: by links of
 //    long waveforms, and then, for what is small or narrow, by links of short ones.
-// 3. The largest surfaces are written as voxels. Only now, the traces are read once more: thicknesses and amplitudes of
+// 3. Guides take what they ask for (GuidedJoining.h).
+// 4. The first surfaces are written as voxels. Only now, the traces are read once more: thicknesses and amplitudes of
 //    the picks that come out are found again, as keeping those of all would take more memory than the picks themselves.
 
 #include "ReflectionExtraction.h"
 
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "GuideSeeds.h"
 #include "SurfaceJoining.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <tuple>
 
 namespace SeismicHorizons
 {
@@ -66,6 +70,8 @@ public:
     this->Link.LargestStep = Depth(std::lround(figures.LargestStep * DepthsPerSample));
   }
 
+  Depth LargestStep() const { return this->Link.LargestStep; }
+
   /// Gives the surface of each pick, and the median correlation of its links.
   RawVector<PointId> Join(const ReflectionPicks& picks, double& medianCorrelation, const Monitor& monitor)
   {
@@ -110,16 +116,18 @@ private:
   LinkOptions Link;
 };
 
-// ---- Writing -------------------------------------------------------------------------------------------------------
+// ---- Which surfaces come out ---------------------------------------------------------------------------------------
 
 struct SurfaceSize
 {
   int Sign = 0;
   PointId Surface = NoPoint;
   PointId Columns = 0;
+  double Energy = 0.0;
 };
 
-/// Appends the surfaces of at least that many columns, in the order of their first picks.
+/// Appends the surfaces of at least that many columns, in the order of their first picks. A column with several picks
+/// counts by the strongest.
 void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces, int sign, std::int64_t smallestSize,
   std::vector<SurfaceSize>& sizes)
 {
@@ -127,37 +135,55 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
   {
     PointId Columns = 0;
     std::int32_t LastColumn = -1;
+    double Energy = 0.0;
+    double LastEnergy = 0.0; // of the last column
   };
   std::vector<Extent> extents(surfaces.size());
   picks.ForEach(
     [&](PointId pick, std::int32_t column)
     {
-      if (surfaces[pick] != NoPoint)
+      if (surfaces[pick] == NoPoint)
       {
-        Extent& extent = extents[surfaces[pick]];
-        extent.Columns += extent.LastColumn == column ? 0 : 1;
-        extent.LastColumn = column;
+        return;
       }
+      Extent& extent = extents[surfaces[pick]];
+      const double strength = StrengthOf(picks.CoarseStrengthOf(pick));
+      const bool isNew = extent.LastColumn != column;
+      const double more = isNew ? strength * strength : std::max(0.0, strength * strength - extent.LastEnergy);
+      extent.Columns += isNew ? 1 : 0;
+      extent.Energy += more;
+      extent.LastEnergy = isNew ? more : extent.LastEnergy + more;
+      extent.LastColumn = column;
     });
   for (const PointId surface : surfaces)
   {
     if (surface != NoPoint && extents[surface].Columns >= smallestSize)
     {
-      sizes.push_back({ sign, surface, extents[surface].Columns });
+      sizes.push_back({ sign, surface, extents[surface].Columns, extents[surface].Energy });
       extents[surface].Columns = 0; // it is listed
     }
   }
 }
 
-/// Gives each pick the position of its surface among those that are taken, or NoPoint.
-void Renumber(const std::vector<SurfaceSize>& sizes, int sign, RawVector<PointId>& surfaces)
+/// Brings the surfaces into their order, and leaves the first ones.
+void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes)
+{
+  std::stable_sort(sizes.begin(), sizes.end(),
+    [&](const SurfaceSize& a, const SurfaceSize& b)
+    { return options.Order == SurfaceOrder::Energy ? a.Energy > b.Energy : a.Columns > b.Columns; });
+  sizes.resize(std::min(options.LargestNumber, std::int64_t(sizes.size())));
+}
+
+/// Gives each pick the position of its surface among those that are taken, which are the ones from `first` on; or
+/// NoPoint.
+void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, RawVector<PointId>& surfaces)
 {
   std::vector<PointId> positions(surfaces.size(), NoPoint);
   for (std::size_t n = 0; n < sizes.size(); ++n)
   {
     if (sizes[n].Sign == sign)
     {
-      positions[sizes[n].Surface] = PointId(n);
+      positions[sizes[n].Surface] = first + PointId(n);
     }
   }
   for (PointId& surface : surfaces)
@@ -165,6 +191,173 @@ void Renumber(const std::vector<SurfaceSize>& sizes, int sign, RawVector<PointId
     surface = surface == NoPoint ? NoPoint : positions[surface];
   }
 }
+
+// ---- Guides --------------------------------------------------------------------------------------------------------
+
+/// The surfaces that guides ask for.
+class GuidedExtraction
+{
+public:
+  GuidedExtraction(const std::vector<Guide>& guides, const CubeReflections& reflections, int samples,
+    const ExtractionOptions& options, Extraction& result)
+    : Options(options.Guidance)
+    , Period(reflections.Period)
+    , Surfaces(guides.size())
+    , Result(result)
+  {
+    const double tolerance = this->Options.Tolerance > 0.0
+      ? this->Options.Tolerance
+      : std::max(LeastTolerance, TolerancePerPeriod * this->Period);
+    for (const Guide& guide : guides)
+    {
+      this->Seeds.push_back(FindGuideSeeds(guide, reflections.BySign, samples, tolerance, this->Period / 4.0));
+      GuideUse use;
+      use.IsNegative = this->Seeds.back().Sign == 1;
+      use.OtherSign = this->Seeds.back().OtherSign;
+      use.Unused = this->Seeds.back().Unused;
+      result.Guides.push_back(std::move(use));
+    }
+  }
+
+  /// Finds those of a sign. What they take is no longer part of the surfaces.
+  void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, RawVector<PointId>& surfaces,
+    Depth largestStep, const Monitor& monitor)
+  {
+    if (std::none_of(this->Seeds.begin(), this->Seeds.end(), [&](const GuideSeeds& s) { return s.Sign == sign; }))
+    {
+      return;
+    }
+    LinkOptions link;
+    link.Connectivity = ColumnConnectivity::Eight;
+    link.LargestStep = largestStep;
+    link.HalfWidth = HalfWidth(GrowthWaveform, this->Period);
+    ReflectionLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
+    links.Drop(this->Options.GrowthCorrelation);
+    const GuidedJoining joining(picks, surfaces, links, this->Period, this->Options);
+    ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor.Step(0.7, 1.0),
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t n = begin; n < end; ++n)
+        {
+          if (this->Seeds[n].Sign == sign)
+          {
+            this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n].Seeds));
+          }
+        }
+      });
+    this->ClaimPicks(picks, sign, surfaces);
+  }
+
+  /// Gives the picks of guided surfaces the numbers of their guides.
+  void Number(std::array<RawVector<PointId>, 2>& positions) const
+  {
+    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
+    {
+      for (const GuidedPick& pick : this->Surfaces[n].Picks)
+      {
+        positions[this->Seeds[n].Sign][pick.Pick] = PointId(n);
+      }
+    }
+  }
+
+  std::size_t SizeOf(std::size_t guide) const { return this->Surfaces[guide].Picks.size(); }
+
+  /// Tells of each pick how it came, and how far it is from the guide.
+  void AddAttributes() const
+  {
+    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
+    {
+      LatticeHorizon& horizon = this->Result.Surfaces[n];
+      HeapArray<double> origins;
+      HeapArray<double> distances;
+      for (const GuidedPick& pick : this->Surfaces[n].Picks)
+      {
+        origins.push_back(double(pick.Origin));
+        distances.push_back(double(pick.Distance));
+      }
+      horizon.Attributes.push_back({ "Origin", std::move(origins) });
+      horizon.Attributes.push_back({ "GuideDistance", std::move(distances) });
+    }
+  }
+
+private:
+  // What the waveforms of picks that grow reach to each side, in dominant periods: short ones, to get through where
+  // layers thin out.
+  static constexpr double GrowthWaveform = 1.5;
+  static constexpr double TolerancePerPeriod = 0.2;
+  static constexpr double LeastTolerance = 1.5;
+
+  /// How good the reason is by which a guide has a pick.
+  struct Claim
+  {
+    PickOrigin Origin = PickOrigin::Growth;
+    int Distance = 0;
+    std::size_t Guide = 0;
+
+    bool operator<(const Claim& other) const
+    {
+      return std::tie(this->Origin, this->Distance, this->Guide) < std::tie(other.Origin, other.Distance, other.Guide);
+    }
+  };
+
+  /// Of the guides that took a pick, it belongs to the one that means it; else to one that has its part, and that is the
+  /// nearest.
+  void ClaimPicks(const ReflectionPicks& picks, int sign, RawVector<PointId>& surfaces)
+  {
+    const std::size_t none = this->Surfaces.size();
+    std::vector<Claim> best(picks.Places.size(), { PickOrigin::Growth, std::numeric_limits<int>::max(), none });
+    const auto forEachGuide = [&](auto&& visit)
+    {
+      for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
+      {
+        if (this->Seeds[n].Sign == sign)
+        {
+          visit(n, this->Surfaces[n].Picks);
+        }
+      }
+    };
+    forEachGuide(
+      [&](std::size_t n, const std::vector<GuidedPick>& taken)
+      {
+        for (const GuidedPick& pick : taken)
+        {
+          best[pick.Pick] = std::min(best[pick.Pick], { pick.Origin, pick.Distance, n });
+        }
+      });
+    forEachGuide(
+      [&](std::size_t n, std::vector<GuidedPick>& taken)
+      {
+        GuideUse& use = this->Result.Guides[n];
+        use.Strays = this->Surfaces[n].Strays;
+        std::vector<GuidedPick> kept;
+        for (const GuidedPick& pick : taken)
+        {
+          const std::size_t owner = best[pick.Pick].Guide;
+          if (owner == n)
+          {
+            kept.push_back(pick);
+          }
+          else
+          {
+            use.SharedWith = use.Shared++ == 0 ? owner : use.SharedWith;
+          }
+        }
+        taken = std::move(kept);
+      });
+    for (PointId pick = 0; pick < picks.Size(); ++pick)
+    {
+      surfaces[pick] = best[pick].Guide == none ? surfaces[pick] : NoPoint;
+    }
+  }
+
+  const GuidanceOptions& Options;
+  const double Period;
+  std::vector<GuideSeeds> Seeds; // of each guide
+  std::vector<GuidedSurface> Surfaces;
+  Extraction& Result;
+};
+
+// ---- Writing -------------------------------------------------------------------------------------------------------
 
 /// A pick of a surface that is taken.
 struct Taken
@@ -264,36 +457,6 @@ private:
   const CubeReflections& Reflections;
   const std::array<RawVector<PointId>, 2>& Positions;
 };
-
-/// Writes the largest surfaces, and their number, to the result. `surfaces` has for each pick of a sign the number of a
-/// pick that its surface is named by, or NoPoint; it is used up. Of the picks of a surface in one column that of the
-/// largest mean amplitude stays, of equal ones the upper.
-void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections,
-  std::array<RawVector<PointId>, 2>& surfaces, const ExtractionOptions& options, Extraction& result,
-  const Monitor& monitor)
-{
-  std::vector<SurfaceSize> sizes;
-  for (const int sign : { 0, 1 })
-  {
-    ListSizes(reflections.BySign[sign], surfaces[sign], sign, options.SmallestSize, sizes);
-  }
-  std::stable_sort(
-    sizes.begin(), sizes.end(), [](const SurfaceSize& a, const SurfaceSize& b) { return a.Columns > b.Columns; });
-  result.NumberOfSurfaces = std::int64_t(sizes.size());
-  sizes.resize(std::min(options.LargestNumber, result.NumberOfSurfaces));
-  result.Surfaces.resize(sizes.size());
-  for (std::size_t n = 0; n < sizes.size(); ++n)
-  {
-    result.Surfaces[n].SurfaceId = int(n) + 1;
-    const std::size_t size = sizes[n].Columns;
-    ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
-  }
-  for (const int sign : { 0, 1 })
-  {
-    Renumber(sizes, sign, surfaces[sign]);
-  }
-  Writer(cube, reflections, surfaces).Write(result.Surfaces, monitor);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -305,13 +468,27 @@ void CheckOptions(const ExtractionOptions& options)
   CheckWithin("SmallestContact", options.SmallestContact, 0.0, 1.0, "");
   CheckAtLeast<std::int64_t>("SmallestSize", options.SmallestSize, 1, " pick");
   CheckAtLeast<std::int64_t>("LargestNumber", options.LargestNumber, 1, " surface");
+  CheckWithin("GuideTolerance", options.Guidance.Tolerance, 0.0, double(MostSamples), " samples");
+  CheckWithin("GrowthCorrelation", options.Guidance.GrowthCorrelation, 0.0, 1.0, "");
+  CheckAtLeast("GrowthReach", options.Guidance.GrowthReach, 0, " columns");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options, const Monitor& monitor)
+Extraction ExtractReflections(
+  const TraceCube& cube, const ExtractionOptions& options, const Monitor& monitor, const std::vector<Guide>& guides)
 {
   CheckOptions(options);
-  CubeReflections reflections = FindReflections(cube, options.Reflections, monitor.Step(0.0, 0.3));
+  if (!guides.empty() && options.Joining == SurfaceJoining::Components)
+  {
+    throw InputError(
+      "guides and Joining Components, whose surfaces pass columns twice, expected BestFirst or Continuous");
+  }
+  ReflectionOptions reflectionOptions = options.Reflections;
+  if (!guides.empty())
+  {
+    reflectionOptions.AmplitudePercentile = 0.0; // an interpreter sees where a weak reflection goes on
+  }
+  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3));
   Extraction result;
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
@@ -321,15 +498,39 @@ Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& op
     options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastStep, StepPerPeriod * result.Period);
   std::array<double, 2> medians = { 0.0, 0.0 };
   std::array<RawVector<PointId>, 2> surfaces;
+  std::vector<SurfaceSize> sizes;
+  GuidedExtraction guided(guides, reflections, cube.Size[2], options, result);
   for (const int sign : { 0, 1 })
   {
-    const double begin = sign == 0 ? 0.3 : 0.6;
-    surfaces[sign] =
-      Joiner(cube, options, result).Join(reflections.BySign[sign], medians[sign], monitor.Step(begin, begin + 0.3));
+    const ReflectionPicks& picks = reflections.BySign[sign];
+    const Monitor part = monitor.Step(sign == 0 ? 0.3 : 0.6, sign == 0 ? 0.6 : 0.9);
+    const double joined = guides.empty() ? 1.0 : 0.7;
+    Joiner joiner(cube, options, result);
+    surfaces[sign] = joiner.Join(picks, medians[sign], part.Step(0.0, joined));
+    guided.Follow(cube, sign, picks, surfaces[sign], joiner.LargestStep(), part.Step(joined, 1.0));
+    if (guides.empty() || options.Guidance.KeepOthers)
+    {
+      ListSizes(picks, surfaces[sign], sign, options.SmallestSize, sizes);
+    }
     reflections.BySign[sign].FreePicks();
   }
   result.MedianCorrelation = std::max(medians[0], medians[1]);
-  WriteSurfaces(cube, reflections, surfaces, options, result, monitor.Step(0.9, 1.0));
+  result.NumberOfSurfaces = std::int64_t(sizes.size());
+  TakeFirst(options, sizes);
+  for (const int sign : { 0, 1 })
+  {
+    Renumber(sizes, sign, PointId(guides.size()), surfaces[sign]);
+  }
+  guided.Number(surfaces);
+  result.Surfaces.resize(guides.size() + sizes.size());
+  for (std::size_t n = 0; n < result.Surfaces.size(); ++n)
+  {
+    result.Surfaces[n].SurfaceId = int(n) + 1;
+    const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
+    ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
+  }
+  Writer(cube, reflections, surfaces).Write(result.Surfaces, monitor.Step(0.9, 1.0));
+  guided.AddAttributes();
   return result;
 }
 }

@@ -9,6 +9,7 @@
 
 #include "Common/LatticeHorizon.h"
 #include "Common/Monitor.h"
+#include "GuidedJoining.h"
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"
 #include "TraceCube.h"
@@ -26,6 +27,13 @@ enum class SurfaceJoining
   Components // whatever touches, as in the thesis; of several picks in a column the strongest stays
 };
 
+/// Which surfaces come first.
+enum class SurfaceOrder
+{
+  Energy, // those of the largest sum of squared strengths
+  Size // those of most columns
+};
+
 struct ExtractionOptions
 {
   ReflectionOptions Reflections;
@@ -38,14 +46,30 @@ struct ExtractionOptions
   /// Of two parts that are joined (BestFirst): 0 to 1.
   double SmallestContact = 0.5;
   std::int64_t SmallestSize = 100; // of a surface, in picks: at least 1
-  std::int64_t LargestNumber = 100; // of surfaces, at least 1: the largest ones
+  std::int64_t LargestNumber = 100; // of surfaces, at least 1: the first ones
+  SurfaceOrder Order = SurfaceOrder::Energy;
+  GuidanceOptions Guidance;
+};
+
+/// What became of the picks of a guide.
+struct GuideUse
+{
+  bool IsNegative = false; // the sign of the reflections that it means
+  std::int64_t OtherSign = 0; // picks that mean a reflection of the other sign, better than one of this
+  std::vector<std::size_t> Unused; // numbers of picks without a reflection of the sign in tolerance
+  std::vector<std::size_t> Strays; // numbers of picks that the others contradict
+  std::int64_t Shared = 0; // picks of the surface that belong rather to another guide
+  std::size_t SharedWith = 0; // the first one of these
 };
 
 struct Extraction
 {
-  /// The largest one first; of equal ones the positive, then that of the first column. Voxels are by ascending j and
-  /// then i. RealZ is the place of the pick in samples, and the vertical index the sample nearest to it.
+  /// Those of guides in their order. Then the others in the order asked for; of equal ones the positive, then that of
+  /// the first column. Voxels are by ascending j and then i. RealZ is the place of the pick in samples, and the vertical
+  /// index the sample nearest to it. Those of guides have the attributes Origin (PickOrigin) and GuideDistance, to the
+  /// nearest column with a pick of the guide, in columns.
   std::vector<LatticeHorizon> Surfaces;
+  std::vector<GuideUse> Guides;
 
   std::int64_t Samples = 0; // that are not missing
   std::int64_t Picks = 0; // that reach the threshold
@@ -59,10 +83,13 @@ struct Extraction
 /// Throws InputError when an option is out of range, those of the reflections included.
 void CheckOptions(const ExtractionOptions& options);
 
-/// Gives the same on any number of threads. Throws InputError on options out of range, and when FindReflections does.
-/// Takes about 30 bytes per pick beside the result.
-Extraction ExtractReflections(
-  const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(), const Monitor& monitor = Monitor());
+/// With guides, reflections of all percentiles count. Gives the same on any number of threads, and in any order of the
+/// picks of a guide. Throws InputError on options out
+/// of range, when FindReflections does, and on guides without picks, with some outside of the cube, with none near a
+/// reflection, or with two of them that contradict each other in a column. Takes about 30 bytes per pick beside the
+/// result, and 75 with guides.
+Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
+  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {});
 }
 
 #endif

@@ -24,6 +24,7 @@ ExtractionOptions With(SurfaceJoining joining)
 {
   ExtractionOptions options;
   options.Joining = joining;
+  options.Order = SurfaceOrder::Size;
   return options;
 }
 

@@ -20,6 +20,7 @@ public:
     : Truth(cube.Truth())
     , Size(cube.Options().Size)
     , HasFault(cube.Options().FaultThrow > 0.0)
+    , HasChannel(cube.Options().Channels > 0)
     // The middle lobe of the wavelet is 0.45 / f wide: half a period.
     , Tolerance(0.225 * 1000.0 / (cube.Options().Frequency * cube.Options().SampleInterval))
     , Surfaces(extraction.Surfaces)
@@ -142,7 +143,7 @@ private:
     {
       this->Result.WeakestFound = std::min(this->Result.WeakestFound, double(found) / double(all));
     }
-    if (int(reflector) == this->Truth.ChannelReflector())
+    if (this->HasChannel && int(reflector) == this->Truth.ChannelReflector(0))
     {
       this->CountChannel(reflector);
     }
@@ -209,7 +210,7 @@ private:
     {
       for (int i = 0; i < this->Size[0]; ++i)
       {
-        const double bottom = this->Truth.ChannelPlace(i, j);
+        const double bottom = this->Truth.ChannelPlace(0, i, j);
         const bool isChannel = bottom == bottom && !this->Truth.IsDead(i, j) && !this->Truth.IsMissing(i, j);
         this->Result.ChannelColumns += isChannel ? 1 : 0;
         this->Result.TakenColumns += isChannel && isTaken[this->ColumnAt(i, j)] ? 1 : 0;
@@ -220,6 +221,7 @@ private:
   const CubeReflectors& Truth;
   const std::array<int, 3> Size;
   const bool HasFault;
+  const bool HasChannel;
   const double Tolerance;
   const std::vector<LatticeHorizon>& Surfaces;
 

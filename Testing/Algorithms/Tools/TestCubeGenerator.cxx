@@ -92,7 +92,8 @@ void TestNoise()
 {
   CubeGeneratorOptions options = SmallCube();
   const std::vector<float> quiet = CubeGenerator(options).MakeTraces();
-  for (const NoiseKind kind : { NoiseKind::White, NoiseKind::InBand })
+  const auto isWave = [](NoiseKind kind) { return kind == NoiseKind::Coherent || kind == NoiseKind::Mixed; };
+  for (const NoiseKind kind : { NoiseKind::White, NoiseKind::InBand, NoiseKind::Coherent, NoiseKind::Mixed })
   {
     options.NoiseFraction = 0.5;
     options.Noise = kind;
@@ -104,10 +105,82 @@ void TestNoise()
       neighbours += n > 0 ? double(noise[n]) * double(noise[n - 1]) : 0.0;
     }
     const double height = RootMeanSquare(noise);
-    CHECK(std::abs(height / RootMeanSquare(quiet) - 0.5) < 0.01);
+    // The same waves go through all traces: there are few of them, and linear interpolation takes a little.
+    CHECK(std::abs(height / RootMeanSquare(quiet) - 0.5) < (isWave(kind) ? 0.08 : 0.01));
     const double correlation = neighbours / double(noise.size()) / (height * height);
-    CHECK(kind == NoiseKind::White ? std::abs(correlation) < 0.01 : correlation > 0.5);
+    CHECK(kind == NoiseKind::White ? std::abs(correlation) < 0.01 : correlation > 0.4);
   }
+}
+
+/// The Hilbert transform of the wavelet is odd, has its energy, and none of it in common with it; turned by 90 degrees, a
+/// reflection is 0 at its place.
+void TestPhase()
+{
+  double own = 0.0;
+  double turned = 0.0;
+  double common = 0.0;
+  for (int n = -400; n <= 400; ++n)
+  {
+    const double time = n * 0.0002;
+    const double a = RickerWavelet(30.0, time);
+    const double b = TurnedRickerWavelet(30.0, time);
+    CHECK(std::abs(b + TurnedRickerWavelet(30.0, -time)) < 1e-12);
+    own += a * a;
+    turned += b * b;
+    common += a * b;
+  }
+  CHECK(std::abs(turned / own - 1.0) < 0.001);
+  CHECK(std::abs(common / own) < 1e-9);
+  CubeGeneratorOptions options;
+  options.FoldHeight = 0.0;
+  options.FaultThrow = 0.0;
+  options.Phase = 180.0;
+  const std::vector<float> reversed = CubeGenerator(options).MakeTraces();
+  options.Phase = 0.0;
+  const std::vector<float> plain = CubeGenerator(options).MakeTraces();
+  for (std::size_t n = 0; n < plain.size(); ++n)
+  {
+    CHECK(std::abs(plain[n] + reversed[n]) < 1e-5F);
+  }
+}
+
+/// Old layers are below the unconformity and cut off by it, young ones above it. Short faults throw layers by what is
+/// left of their throw, and not at all beyond their ends.
+void TestWildCube()
+{
+  int eroded = 0;
+  int missing = 0;
+  int thrown = 0;
+  int same = 0;
+  CubeGeneratorOptions options = WildCube(5);
+  const CubeReflectors truth(options);
+  options.ShortFaults = 0;
+  options.Channels = 0;
+  const CubeReflectors unbroken(options);
+  options.HasUnconformity = false;
+  const CubeReflectors plain(options);
+  CHECK_EQUAL(truth.Size(), plain.Size() + 1);
+  for (int j = 0; j < options.Size[1]; ++j)
+  {
+    for (int i = 0; i < options.Size[0]; ++i)
+    {
+      double last = -1.0;
+      for (int n = 0; n < truth.Size(); ++n)
+      {
+        const double place = unbroken.Place(n, i, j);
+        const double broken = truth.Place(n, i, j);
+        const bool isPlain = n < plain.Size() && plain.Place(n, i, j) == plain.Place(n, i, j);
+        missing += place == place ? 0 : 1;
+        eroded += isPlain && !(place == place) ? 1 : 0;
+        thrown += broken > place ? 1 : 0;
+        same += broken == place ? 1 : 0;
+        CHECK(!(broken < place));
+        CHECK(!(place == place) || place > last);
+        last = place == place ? place : last;
+      }
+    }
+  }
+  CHECK(eroded > 1000 && missing > eroded && thrown > 10000 && same > 10000);
 }
 
 /// The throw of the fault, its gap, the channel, and dead and missing traces.
@@ -120,7 +193,7 @@ void TestFeatures()
   const CubeReflectors& truth = cube.Truth();
   CubeGeneratorOptions unbroken = options;
   unbroken.FaultThrow = 0.0;
-  unbroken.HasChannel = false;
+  unbroken.Channels = 0;
   const CubeReflectors whole(unbroken);
   CHECK_EQUAL(whole.Size(), truth.Size());
   const std::vector<float> traces = cube.MakeTraces();
@@ -139,9 +212,9 @@ void TestFeatures()
       CHECK_EQUAL(first != first, truth.IsMissing(i, j));
       dead += truth.IsDead(i, j) ? 1 : 0;
       missing += truth.IsMissing(i, j) ? 1 : 0;
-      const double bottom = truth.ChannelPlace(i, j);
+      const double bottom = truth.ChannelPlace(0, i, j);
       channel += bottom == bottom ? 1 : 0;
-      CHECK(!(bottom == bottom) || !(truth.Place(truth.ChannelReflector(), i, j) == bottom));
+      CHECK(!(bottom == bottom) || !(truth.Place(truth.ChannelReflector(0), i, j) == bottom));
     }
   }
   CHECK(std::abs(dead / 5120.0 - 0.1) < 0.02 && std::abs(missing / 5120.0 - 0.1) < 0.02 && channel > 200);
@@ -235,6 +308,8 @@ int TestCubeGenerator(int, char*[])
   TestWavelet();
   TestTraces();
   TestNoise();
+  TestPhase();
+  TestWildCube();
   TestFeatures();
   TestFile();
   TestSame();

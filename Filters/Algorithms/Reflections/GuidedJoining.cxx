@@ -1,0 +1,465 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// 1. Parts of surfaces are taken that the guide has picks on. A part that passes more picks of the guide at another
+//    place than it has itself is another event: its picks are strays. One that passes few ran on into another event:
+//    it is cut halfway.
+// 2. The surface grows from all its picks at once, over the best link first (Prim 1957), into columns it does not have.
+//    Blocks that grow from both sides hold their ground against each other.
+// 3. A part that growth runs along is taken whole, and the surface grows anew: parts are right where growth may not be.
+
+#include "GuidedJoining.h"
+
+#include "Common/CountingSort.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <queue>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Parts of fewer picks are left to growth.
+constexpr PointId SmallestPart = 30;
+
+// Of the columns of a part that picks of the guide are on, or that growth found, so many may be taken by another event.
+constexpr double LargestSeededConflict = 0.3;
+constexpr double LargestGrownConflict = 0.1;
+
+// A part is found by growth where it has so many columns in common with it, and so many of them at the same picks.
+constexpr PointId FewestCommonColumns = 10;
+constexpr double SmallestAgreement = 0.7;
+
+// Picks of a guide are strays where the part that they are on passes so many times as many others elsewhere.
+constexpr std::int64_t FewestMissesOfStray = 3;
+
+// After so many rounds of growth and of parts that it found, no part comes that is worth it.
+constexpr int Rounds = 2;
+
+/// A link from the rim of a surface to a pick beyond it.
+struct RimLink
+{
+  float Score = 0.0F;
+  PointId To = NoPoint;
+  int Reach = 0; // of the pick, in columns from what it grows from
+
+  /// The better one comes first out of a std::priority_queue; of equal ones that to the first pick.
+  friend bool operator<(const RimLink& a, const RimLink& b)
+  {
+    return a.Score != b.Score ? a.Score < b.Score : (a.To != b.To ? a.To > b.To : a.Reach > b.Reach);
+  }
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+class GuidedJoining::Follower
+{
+public:
+  explicit Follower(const GuidedJoining& joining)
+    : Joining(joining)
+    , Picks(joining.Picks)
+    , Found(joining.Picks.Starts.size() - 1, NoPoint)
+    , Grown(this->Found)
+  {
+  }
+
+  GuidedSurface Run(std::vector<GuideSeed> seeds)
+  {
+    std::sort(seeds.begin(), seeds.end(), [](const GuideSeed& a, const GuideSeed& b) { return a.Column < b.Column; });
+    GuidedSurface result;
+    this->Seeds = std::move(seeds);
+    this->DropStrays(result.Strays);
+    for (const GuideSeed& seed : this->Seeds)
+    {
+      this->Found[seed.Column] = seed.Pick;
+    }
+    this->MeasureDistances();
+    for (const auto& [hits, part] : this->PartsWithSeeds())
+    {
+      this->TakePart(part, LargestSeededConflict);
+    }
+    this->Grow();
+    for (int round = 0; round < Rounds && this->TakeGrownParts(); ++round)
+    {
+      this->Grow();
+    }
+    this->Write(result);
+    return result;
+  }
+
+private:
+  PointId PartOf(PointId pick) const
+  {
+    const PointId part = this->Joining.Surfaces[pick];
+    return part != NoPoint && this->SizeOf(part) >= SmallestPart ? part : NoPoint;
+  }
+  PointId SizeOf(PointId part) const { return this->Joining.Starts[part + 1] - this->Joining.Starts[part]; }
+
+  template <typename Visit>
+  void ForEachMember(PointId part, Visit&& visit) const
+  {
+    for (PointId n = this->Joining.Starts[part]; n < this->Joining.Starts[part + 1]; ++n)
+    {
+      visit(this->Joining.Members[n]);
+    }
+  }
+
+  /// The pick of a part in a column; NoPoint without one.
+  PointId MemberIn(PointId part, std::int64_t column) const
+  {
+    for (PointId pick = this->Picks.Begin(column); pick < this->Picks.End(column); ++pick)
+    {
+      if (this->Joining.Surfaces[pick] == part)
+      {
+        return pick;
+      }
+    }
+    return NoPoint;
+  }
+
+  bool AreSameEvent(PointId a, PointId b) const
+  {
+    return std::abs(this->Picks.PlaceOf(a) - this->Picks.PlaceOf(b)) <= this->Joining.Quarter;
+  }
+
+  /// How many seeds are on each part that has any, and how many it passes elsewhere.
+  struct Votes
+  {
+    std::int64_t Hits = 0;
+    std::int64_t Misses = 0;
+  };
+  std::map<PointId, Votes> CountVotes() const
+  {
+    std::map<PointId, Votes> votes;
+    for (const GuideSeed& seed : this->Seeds)
+    {
+      const PointId part = this->PartOf(seed.Pick);
+      if (part != NoPoint)
+      {
+        ++votes[part].Hits;
+      }
+    }
+    for (auto& [part, vote] : votes)
+    {
+      vote.Misses = std::int64_t(this->MissesOf(part).size());
+    }
+    return votes;
+  }
+
+  /// The picks of a part in the columns of seeds that are another event.
+  std::vector<PointId> MissesOf(PointId part) const
+  {
+    std::vector<PointId> misses;
+    for (const GuideSeed& seed : this->Seeds)
+    {
+      const PointId member = this->MemberIn(part, seed.Column);
+      if (member != NoPoint && !this->AreSameEvent(member, seed.Pick))
+      {
+        misses.push_back(member);
+      }
+    }
+    return misses;
+  }
+
+  void DropStrays(std::vector<std::size_t>& strays)
+  {
+    const std::map<PointId, Votes> votes = this->CountVotes();
+    const auto isStray = [&](const GuideSeed& seed)
+    {
+      const auto vote = votes.find(this->PartOf(seed.Pick));
+      return vote != votes.end() && vote->second.Misses >= FewestMissesOfStray * vote->second.Hits;
+    };
+    for (const GuideSeed& seed : this->Seeds)
+    {
+      if (isStray(seed))
+      {
+        strays.push_back(seed.Number);
+      }
+    }
+    std::sort(strays.begin(), strays.end());
+    this->Seeds.erase(std::remove_if(this->Seeds.begin(), this->Seeds.end(), isStray), this->Seeds.end());
+  }
+
+  /// Each column is one further away than the nearest of those around it: first of those before it, then of those after.
+  void MeasureDistances()
+  {
+    const auto [columns, rows] = this->Picks.Columns;
+    this->Distances.assign(this->Found.size(), columns + rows);
+    for (const GuideSeed& seed : this->Seeds)
+    {
+      this->Distances[seed.Column] = 0;
+    }
+    for (const int sign : { -1, 1 })
+    {
+      for (std::size_t n = 0; n < this->Distances.size(); ++n)
+      {
+        const auto column = std::int32_t(sign < 0 ? n : this->Distances.size() - 1 - n);
+        this->ForEachNeighbour(column,
+          [&](std::int64_t next)
+          { this->Distances[column] = std::min(this->Distances[column], this->Distances[next] + 1); });
+      }
+    }
+  }
+
+  /// Those with most seeds first.
+  std::vector<std::pair<std::int64_t, PointId>> PartsWithSeeds() const
+  {
+    std::vector<std::pair<std::int64_t, PointId>> parts;
+    for (const auto& [part, vote] : this->CountVotes())
+    {
+      if (vote.Hits >= vote.Misses)
+      {
+        parts.push_back({ -vote.Hits, part });
+      }
+    }
+    std::sort(parts.begin(), parts.end());
+    return parts;
+  }
+
+  /// Takes a part whose columns are free, or at the same event, but for that share of them.
+  bool TakePart(PointId part, double largestConflict)
+  {
+    std::vector<PointId> members = this->MembersBesideMisses(part);
+    std::int64_t conflicts = 0;
+    std::int64_t news = 0;
+    for (const PointId member : members)
+    {
+      const PointId found = this->Found[this->Joining.Columns[member]];
+      conflicts += found != NoPoint && !this->AreSameEvent(found, member) ? 1 : 0;
+      news += found == NoPoint ? 1 : 0;
+    }
+    if (double(conflicts) > largestConflict * double(members.size()) || news == 0)
+    {
+      return false;
+    }
+    for (const PointId member : members)
+    {
+      PointId& found = this->Found[this->Joining.Columns[member]];
+      found = found == NoPoint ? member : found;
+    }
+    return true;
+  }
+
+  /// The picks of a part; of one that passes seeds elsewhere, those that are nearer along it to picks of the surface.
+  std::vector<PointId> MembersBesideMisses(PointId part) const
+  {
+    std::vector<PointId> members;
+    const std::vector<PointId> misses = this->MissesOf(part);
+    std::map<PointId, bool> isNear; // ... to the surface, of the members reached
+    std::vector<PointId> front;
+    this->ForEachMember(part,
+      [&](PointId member)
+      {
+        members.push_back(member);
+        const std::int32_t column = this->Joining.Columns[member];
+        if (!misses.empty() && (this->Found[column] == member || this->Grown[column] == member))
+        {
+          front.push_back(member);
+          isNear[member] = true;
+        }
+      });
+    if (misses.empty())
+    {
+      return members;
+    }
+    for (const PointId miss : misses)
+    {
+      front.push_back(miss);
+      isNear[miss] = false;
+    }
+    for (std::size_t n = 0; n < front.size(); ++n) // all that are one step away first, and so on
+    {
+      const bool near = isNear[front[n]];
+      this->ForEachNeighbour(this->Joining.Columns[front[n]],
+        [&](std::int64_t column)
+        {
+          const PointId next = this->MemberIn(part, column);
+          if (next != NoPoint && isNear.insert({ next, near }).second)
+          {
+            front.push_back(next);
+          }
+        });
+    }
+    members.erase(std::remove_if(members.begin(), members.end(),
+                    [&](PointId member)
+                    {
+                      const auto found = isNear.find(member);
+                      return found == isNear.end() || !found->second;
+                    }),
+      members.end());
+    return members;
+  }
+
+  template <typename Visit>
+  void ForEachNeighbour(std::int32_t column, Visit&& visit) const
+  {
+    const int i = this->Picks.IOf(column);
+    const int j = this->Picks.JOf(column);
+    for (const ColumnStep& step : NeighbourSteps)
+    {
+      for (const int sign : { 1, -1 })
+      {
+        const int nextI = i + sign * step.I;
+        const int nextJ = j + sign * step.J;
+        if (nextI >= 0 && nextI < this->Picks.Columns[0] && nextJ >= 0 && nextJ < this->Picks.Columns[1])
+        {
+          visit(this->Picks.ColumnAt(nextI, nextJ));
+        }
+      }
+    }
+  }
+
+  void Grow()
+  {
+    std::fill(this->Grown.begin(), this->Grown.end(), NoPoint);
+    std::priority_queue<RimLink> rim;
+    const auto addRim = [&](PointId pick, int reach)
+    {
+      if (reach < this->Joining.Options.GrowthReach)
+      {
+        this->ForEachLink(pick,
+          [&](PointId to, double score)
+          {
+            const std::int32_t column = this->Joining.Columns[to];
+            if (this->Found[column] == NoPoint && this->Grown[column] == NoPoint)
+            {
+              rim.push({ float(score), to, reach + 1 });
+            }
+          });
+      }
+    };
+    for (const PointId pick : this->Found)
+    {
+      if (pick != NoPoint)
+      {
+        addRim(pick, 0);
+      }
+    }
+    while (!rim.empty())
+    {
+      const RimLink link = rim.top();
+      rim.pop();
+      PointId& place = this->Grown[this->Joining.Columns[link.To]];
+      if (place == NoPoint)
+      {
+        place = link.To;
+        addRim(link.To, link.Reach);
+      }
+    }
+  }
+
+  template <typename Visit>
+  void ForEachLink(PointId pick, Visit&& visit) const
+  {
+    const ReflectionLinks& links = this->Joining.Links;
+    for (int direction = 0; direction < links.Directions(); ++direction)
+    {
+      if (const PointId next = links.Next(pick, direction); next != NoPoint)
+      {
+        visit(next, links.Score(pick, direction));
+      }
+      if (const PointId previous = links.Previous(pick, direction); previous != NoPoint)
+      {
+        visit(previous, links.Score(previous, direction));
+      }
+    }
+  }
+
+  /// Takes the parts that growth runs along, those with most columns in common first. Gives whether there was any.
+  bool TakeGrownParts()
+  {
+    const std::vector<PointId>& grown = this->Grown;
+    std::map<PointId, Votes> votes;
+    for (std::size_t column = 0; column < grown.size(); ++column)
+    {
+      for (PointId pick = this->Picks.Begin(column); grown[column] != NoPoint && pick < this->Picks.End(column); ++pick)
+      {
+        if (const PointId part = this->PartOf(pick); part != NoPoint)
+        {
+          votes[part].Hits += pick == grown[column] ? 1 : 0;
+          votes[part].Misses += pick != grown[column] ? 1 : 0;
+        }
+      }
+    }
+    std::vector<std::pair<std::int64_t, PointId>> parts;
+    for (const auto& [part, vote] : votes)
+    {
+      const std::int64_t common = vote.Hits + vote.Misses;
+      if (common >= FewestCommonColumns && double(vote.Hits) >= SmallestAgreement * double(common))
+      {
+        parts.push_back({ -vote.Hits, part });
+      }
+    }
+    std::sort(parts.begin(), parts.end());
+    bool isAny = false;
+    for (const auto& [hits, part] : parts)
+    {
+      isAny |= this->TakePart(part, LargestGrownConflict);
+    }
+    return isAny;
+  }
+
+  void Write(GuidedSurface& result) const
+  {
+    auto seed = this->Seeds.begin();
+    for (std::size_t column = 0; column < this->Found.size(); ++column)
+    {
+      const bool isFound = this->Found[column] != NoPoint;
+      const bool isSeed = seed != this->Seeds.end() && std::size_t(seed->Column) == column;
+      seed += isSeed ? 1 : 0;
+      if (isFound || this->Grown[column] != NoPoint)
+      {
+        const PickOrigin origin = isSeed ? PickOrigin::Guide : (isFound ? PickOrigin::Part : PickOrigin::Growth);
+        result.Picks.push_back(
+          { isFound ? this->Found[column] : this->Grown[column], origin, this->Distances[column] });
+      }
+    }
+  }
+
+  const GuidedJoining& Joining;
+  const ReflectionPicks& Picks;
+  std::vector<GuideSeed> Seeds;
+  std::vector<PointId> Found; // by column: seeds and parts
+  std::vector<PointId> Grown; // the same for what the surface grew to last
+  std::vector<int> Distances; // of columns from seeds
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+GuidedJoining::GuidedJoining(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
+  const ReflectionLinks& links, double period, const GuidanceOptions& options)
+  : Picks(picks)
+  , Surfaces(surfaces)
+  , Links(links)
+  , Options(options)
+  , Quarter(Depth(std::lround(period / 4.0 * DepthsPerSample)))
+  , Columns(picks.ListColumns())
+{
+  CountingSort<PointId> sort(picks.Size());
+  const auto forEach = [&](auto&& visit)
+  {
+    for (PointId pick = 0; pick < picks.Size(); ++pick)
+    {
+      if (surfaces[pick] != NoPoint)
+      {
+        visit(pick);
+      }
+    }
+  };
+  forEach([&](PointId pick) { sort.Count(surfaces[pick]); });
+  sort.EndCounting();
+  this->Members.resize(sort.Size());
+  forEach([&](PointId pick) { this->Members[sort.NextPosition(surfaces[pick])] = pick; });
+  this->Starts.assign(sort.Firsts(), sort.Firsts() + picks.Size() + 1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GuidedSurface GuidedJoining::Follow(std::vector<GuideSeed> seeds) const
+{
+  return Follower(*this).Run(std::move(seeds));
+}
+}

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces that follow picks: on small cubes to the pick, and on cubes whose reflectors are known.
+
+#include "PickFixtures.h"
+#include "Tools/Check.h"
+#include "Tools/GuideScore.h"
+#include "Tools/MonitorChecker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+using namespace PickFixtures;
+
+namespace
+{
+/// A wavelet of three samples at a place.
+void Put(float* trace, int sample, float strength)
+{
+  trace[sample - 1] += strength;
+  trace[sample] += 2.0F * strength;
+  trace[sample + 1] += strength;
+}
+
+/// Two flat layers, at samples 10 and 25, the upper one positive and the lower one negative.
+Traces TwoLayers(const std::array<int, 3>& size = { 40, 30, 40 })
+{
+  Traces traces = Empty(size);
+  for (int n = 0; n < size[0] * size[1]; ++n)
+  {
+    Put(traces.Trace(n % size[0], n / size[0]), 10, 1.0F);
+    Put(traces.Trace(n % size[0], n / size[0]), 25, -2.0F);
+  }
+  return traces;
+}
+
+Extraction Follow(const Traces& traces, const std::vector<Guide>& guides, const ExtractionOptions& options = {})
+{
+  return ExtractReflections(traces.View(), options, Monitor(), guides);
+}
+
+std::map<double, int> CountOrigins(const LatticeHorizon& surface)
+{
+  std::map<double, int> counts;
+  for (const double origin : surface.Attributes.at(0).second)
+  {
+    ++counts[origin];
+  }
+  return counts;
+}
+
+/// Each guide gives its layer whole, in the order of guides, whatever that of energies; origins and distances are exact.
+void TestLayers()
+{
+  const Traces traces = TwoLayers();
+  const Extraction found =
+    Follow(traces, { { "upper", { { 5, 7, 10.9 } } }, { "lower", { { 0, 0, 25.0 }, { 39, 29, 24.0 } } } });
+  CHECK_EQUAL(found.Surfaces.size(), 2u);
+  for (const std::size_t n : { 0U, 1U })
+  {
+    const LatticeHorizon& surface = found.Surfaces[n];
+    CHECK_EQUAL(surface.Column.size(), 1200u);
+    CHECK(std::all_of(surface.K.begin(), surface.K.end(), [n](int k) { return k == (n == 0 ? 10 : 25); }));
+    CHECK_EQUAL(surface.Attributes[0].first, "Origin");
+    CHECK_EQUAL(surface.Attributes[1].first, "GuideDistance");
+    CHECK_EQUAL(CountOrigins(surface)[0.0], n == 0 ? 1 : 2);
+    CHECK_EQUAL(CountOrigins(surface)[1.0], n == 0 ? 1199 : 1198);
+    CHECK_EQUAL(found.Guides[n].IsNegative, n == 1);
+    CHECK(found.Guides[n].Unused.empty() && found.Guides[n].Strays.empty());
+  }
+  for (std::size_t n = 0; n < 1200; ++n)
+  {
+    const PlanePoint& column = found.Surfaces[0].Column[n];
+    CHECK_EQUAL(found.Surfaces[0].Attributes[1].second[n], std::max(std::abs(column.X - 5), std::abs(column.Y - 7)));
+  }
+}
+
+/// A part is taken, and not grown; without growth a hole with nothing in it stays, and so does what is beyond.
+void TestReach()
+{
+  Traces traces = TwoLayers();
+  for (int j = 0; j < 30; ++j)
+  {
+    for (int i = 20; i < 22; ++i)
+    {
+      std::fill_n(traces.Trace(i, j), 40, 0.0F); // two dead lines: nothing links both sides
+    }
+  }
+  const std::vector<Guide> guides = { { "upper", { { 5, 7, 10.0 } } } };
+  CHECK_EQUAL(Follow(traces, guides).Surfaces[0].Column.size(), 600u);
+  const std::vector<Guide> both = { { "upper", { { 5, 7, 10.0 }, { 30, 7, 10.0 } } } };
+  CHECK_EQUAL(Follow(traces, both).Surfaces[0].Column.size(), 1140u);
+
+  // One trace alone is no part: it grows as far as it may.
+  ExtractionOptions options;
+  const Traces small = TwoLayers({ 5, 5, 40 });
+  CHECK_EQUAL(CountOrigins(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0])[2.0], 24);
+  options.Guidance.GrowthReach = 2;
+  CHECK_EQUAL(CountOrigins(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0])[2.0], 8);
+  options.Guidance.GrowthReach = 0;
+  CHECK_EQUAL(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0].Column.size(), 1u);
+}
+
+/// Picks on another event than the others of their guide are named, and not followed; those near nothing are not used.
+void TestBadPicks()
+{
+  Traces traces = Empty({ 40, 30, 60 });
+  for (int n = 0; n < 1200; ++n)
+  {
+    Put(traces.Trace(n % 40, n / 40), 10, 1.0F);
+    Put(traces.Trace(n % 40, n / 40), 25, 2.0F);
+    Put(traces.Trace(n % 40, n / 40), 40, -2.0F);
+  }
+  const Extraction found = Follow(traces,
+    { { "upper", { { 3, 3, 10 }, { 30, 3, 10 }, { 20, 20, 25 }, { 3, 25, 10 }, { 35, 25, 10 }, { 9, 9, 17 } } } });
+  CHECK_EQUAL(found.Guides[0].Strays.size(), 1u);
+  CHECK_EQUAL(found.Guides[0].Strays.at(0), 2u);
+  CHECK_EQUAL(found.Guides[0].Unused.size(), 1u);
+  CHECK_EQUAL(found.Guides[0].Unused.at(0), 5u);
+  CHECK_EQUAL(found.Surfaces[0].Column.size(), 1200u);
+  CHECK(std::all_of(found.Surfaces[0].K.begin(), found.Surfaces[0].K.end(), [](int k) { return k == 10; }));
+  const Extraction mixed = Follow(traces, { { "mixed", { { 3, 3, 25 }, { 30, 3, 25 }, { 20, 20, 40 } } } });
+  CHECK(!mixed.Guides[0].IsNegative);
+  CHECK_EQUAL(mixed.Guides[0].OtherSign, 1);
+  CHECK_EQUAL(mixed.Guides[0].Unused.size(), 1u);
+}
+
+/// Two guides of one event share it by which is nearer, and the first has what is as near to both. With the others,
+/// these are what is left.
+void TestSharing()
+{
+  const Traces traces = TwoLayers();
+  ExtractionOptions options;
+  options.Guidance.KeepOthers = true;
+  const Extraction found = Follow(traces, { { "one", { { 5, 7, 10.0 } } }, { "two", { { 20, 20, 10.0 } } } }, options);
+  CHECK_EQUAL(found.Surfaces.size(), 3u);
+  CHECK_EQUAL(found.Surfaces[0].Column.size() + found.Surfaces[1].Column.size(), 1200u);
+  CHECK_EQUAL(std::size_t(found.Guides[1].Shared), found.Surfaces[0].Column.size());
+  CHECK_EQUAL(found.Guides[1].SharedWith, 0u);
+  for (const PlanePoint& column : found.Surfaces[0].Column)
+  {
+    CHECK(std::max(std::abs(column.X - 5), std::abs(column.Y - 7)) <=
+      std::max(std::abs(column.X - 20), std::abs(column.Y - 20)));
+  }
+  CHECK_EQUAL(found.Surfaces[2].Column.size(), 1200u);
+  CHECK_EQUAL(found.Surfaces[2].K[0], 25);
+  CHECK_EQUAL(found.NumberOfSurfaces, 1);
+}
+
+bool AreEqual(const Extraction& a, const Extraction& b)
+{
+  return std::equal(a.Surfaces.begin(), a.Surfaces.end(), b.Surfaces.begin(), b.Surfaces.end(),
+    [](const LatticeHorizon& one, const LatticeHorizon& other)
+    { return one.Column == other.Column && one.RealZ == other.RealZ && one.Attributes == other.Attributes; });
+}
+
+/// On any number of threads, and in any order of the picks and of guides.
+void TestOrder()
+{
+  CubeGeneratorOptions options = HardCube(3);
+  options.NoiseFraction = 0.4;
+  const CubeGenerator cube(options);
+  const Traces traces = Generate(options);
+  std::vector<Guide> guides = MakeGuides(cube, { 3, 1.0, 0.0 }, 5);
+  guides.erase(
+    std::remove_if(guides.begin(), guides.end(), [](const Guide& guide) { return guide.Picks.empty(); }), guides.end());
+  const auto [one, three] = OnThreads([&]() { return Follow(traces, guides); });
+  CHECK(one.Surfaces.size() > 4u && AreEqual(one, three));
+  std::vector<Guide> turned = guides;
+  for (Guide& guide : turned)
+  {
+    std::reverse(guide.Picks.begin(), guide.Picks.end());
+  }
+  CHECK(AreEqual(one, Follow(traces, turned)));
+  for (const std::size_t n : { std::size_t(0), guides.size() - 1 })
+  {
+    const Extraction alone = Follow(traces, { guides[n] });
+    CHECK(one.Guides[n].Shared > 0 || alone.Surfaces[0].Column == one.Surfaces[n].Column);
+  }
+}
+
+/// On a wild cube with noise of a fifth of the signal.
+void TestWildCube()
+{
+  CubeGeneratorOptions options = WildCube(9);
+  options.NoiseFraction = 0.2;
+  options.Noise = NoiseKind::Mixed;
+  const CubeGenerator cube(options);
+  const Traces traces = Generate(options);
+  std::vector<Guide> guides = MakeGuides(cube, { 5, 0.0, 0.0 }, 9);
+  CHECK(std::none_of(guides.begin(), guides.end(), [](const Guide& guide) { return guide.Picks.empty(); }));
+  const GuideScore guided = ScoreGuided(cube, Follow(traces, guides).Surfaces);
+  ExtractionOptions all;
+  all.SmallestSize = 10;
+  all.LargestNumber = 100000;
+  const std::vector<LatticeHorizon> surfaces = ExtractReflections(traces.View(), all).Surfaces;
+  const GuideScore unguided = ScoreUnguided(cube, surfaces);
+  CHECK(guided.Found() > 0.93);
+  CHECK(guided.Found() > unguided.Found() + 0.02);
+  CHECK(guided.Off() < 0.02);
+  CHECK(guided.Absent() < 0.1);
+  CHECK(CountMain(cube, surfaces, 20) >= 15);
+}
+
+/// The strongest surface comes first, or the largest one.
+void TestSurfaceOrder()
+{
+  Traces traces = Empty({ 10, 10, 40 });
+  for (int n = 0; n < 100; ++n)
+  {
+    Put(traces.Trace(n % 10, n / 10), 10, 1.0F);
+    if (n < 50)
+    {
+      Put(traces.Trace(n % 10, n / 10), 25, 2.0F);
+    }
+  }
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  options.Reflections.AmplitudePercentile = 0.0;
+  CHECK_EQUAL(ExtractReflections(traces.View(), options).Surfaces[0].K[0], 25); // 50 x 16 beside 100 x 4
+  options.Order = SurfaceOrder::Size;
+  CHECK_EQUAL(ExtractReflections(traces.View(), options).Surfaces[0].K[0], 10);
+}
+
+void TestErrors()
+{
+  const Traces traces = TwoLayers();
+  const auto refuse = [&](const Guide& guide, const std::string& message)
+  { CHECK_THROWS_WITH(Follow(traces, { guide }), message); };
+  refuse({ "top", {} }, "guide \"top\": no picks, expected one or more");
+  refuse({ "top", { { 5, 5, 10 }, { 40, 5, 10 } } },
+    "guide \"top\": pick 2 at column 40, row 5, sample 10, is outside of the cube, which has 40 columns, 30 rows and "
+    "40");
+  refuse({ "top", { { 5, 5, 39.5 } } }, "is outside of the cube");
+  refuse({ "top", { { 5, 5, std::nan("") } } }, "is outside of the cube");
+  refuse({ "top", { { 5, 5, 17 }, { 6, 6, 32 } } }, "none of 2 picks is within 1.5 samples of a strong reflection");
+  refuse({ "top", { { 5, 5, 10 }, { 5, 5, 25 } } },
+    "two picks in one column, at column 5, row 5, sample 10 and 25, expected");
+  ExtractionOptions options;
+  options.Joining = SurfaceJoining::Components;
+  CHECK_THROWS_WITH(Follow(traces, { { "top", { { 5, 5, 10 } } } }, options), "guides and Joining Components");
+  options = {};
+  options.Guidance.GrowthReach = -1;
+  CHECK_THROWS_WITH(Follow(traces, {}, options), "GrowthReach -1, expected at least 0 columns");
+  options = {};
+  options.Guidance.GrowthCorrelation = 1.5;
+  CHECK_THROWS_WITH(Follow(traces, {}, options), "GrowthCorrelation 1.5, expected 0 to 1");
+  options = {};
+  options.Guidance.Tolerance = -0.5;
+  CHECK_THROWS_WITH(Follow(traces, {}, options), "GuideTolerance -0.5, expected 0 to 262143 samples");
+}
+
+void TestMonitor()
+{
+  const Traces traces = TwoLayers();
+  CHECK_EQUAL(MonitorChecker::Check(4,
+                [&](const Monitor& monitor) {
+                  ExtractReflections(traces.View(), {}, monitor, { { "top", { { 5, 5, 10 } } } });
+                }),
+    "");
+}
+}
+
+int TestGuides(int, char*[])
+{
+  TestLayers();
+  TestReach();
+  TestBadPicks();
+  TestSharing();
+  TestOrder();
+  TestWildCube();
+  TestSurfaceOrder();
+  TestErrors();
+  TestMonitor();
+  return Check::Result();
+}
