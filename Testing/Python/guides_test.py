@@ -1,0 +1,183 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Horizons that follow picks, from the files that a user has: a turned survey, picks in the world, and what comes out
+compared with the reflectors that the generator wrote. Arguments: generate_cube, the program horizon_mesh.py, and a folder.
+"""
+
+import pathlib
+import random
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+import seismichorizons as sh
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
+QUARTER = 8.0 * 4.0 / 4.0  # of the period, about, in ms
+
+
+def points_of(places, names=None):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(places, dtype=float), deep=True))
+    if names is not None:
+        array = vtkStringArray()
+        array.SetName("Horizon")
+        for name in names:
+            array.InsertNextValue(name)
+        data.GetPointData().AddArray(array)
+    return data
+
+
+def places_of(horizon):
+    return vtk_to_numpy(horizon.GetPoints().GetData())
+
+
+def array_of(horizon, name):
+    return vtk_to_numpy(horizon.GetPointData().GetArray(name))
+
+
+class GuidesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        cls.path, truth = FOLDER / "cube.sgy", FOLDER / "truth.txt"
+        subprocess.run([GENERATOR, "--hard", "--seed", "4", "--size", "80", "64", "220", "--noise", "0.3", "--truth", truth, cls.path],
+                       check=True, stdout=subprocess.DEVNULL)
+        rows = np.loadtxt(truth, skiprows=1)
+        cls.truth = {}  # by reflector: places in the world, as in the files; z in ms, downwards
+        for number in np.unique(rows[:, 0]):
+            own = rows[rows[:, 0] == number]
+            if len(own) > 2000:
+                cls.truth["Reflector %d" % number] = np.column_stack((own[:, 3], own[:, 4], -own[:, 5]))
+        cls.cube = sh.read_cube(cls.path)
+
+    def picks(self, count, seed=1):
+        draw = random.Random(seed)
+        return {name: np.array(draw.sample(places.tolist(), count)) for name, places in self.truth.items()}
+
+    def check(self, found, names, least):
+        """Of the places of each reflector so many are found, and of the points there few are elsewhere."""
+        self.assertEqual(list(found), names)
+        for name in names:
+            known = {(round(x, 1), round(y, 1)): z for x, y, z in self.truth[name]}
+            places = places_of(found[name])
+            there = np.array([(z, known[round(x, 1), round(y, 1)]) for x, y, z in places if (round(x, 1), round(y, 1)) in known])
+            off = np.abs(there[:, 0] - there[:, 1])
+            self.assertGreater(np.count_nonzero(off <= QUARTER) / len(known), least, name)
+            self.assertLess(np.count_nonzero(off > 2.0 * QUARTER) / len(off), 0.06, name)
+
+    def test_found(self):
+        picks = self.picks(12)
+        self.assertGreater(len(picks), 5)
+        self.check(sh.extract(self.cube, picks), list(picks), 0.8)
+
+    def test_arrays(self):
+        """Where a pick is the pick is, and distances are those to the nearest pick."""
+        picks = self.picks(6)
+        name = next(iter(picks))
+        top = sh.extract(self.cube, {name: picks[name]})[name]
+        places, origins, distances = places_of(top), array_of(top, "Origin"), array_of(top, "GuideDistance")
+        self.assertEqual(set(origins.tolist()) - {0.0, 1.0, 2.0}, set())
+        for x, y, z in picks[name]:
+            nearest = np.argmin(np.hypot(places[:, 0] - x, places[:, 1] - y))
+            self.assertEqual((origins[nearest], distances[nearest]), (0.0, 0.0))
+            self.assertLess(abs(places[nearest, 2] - z), 6.0)
+        self.assertEqual(np.count_nonzero(origins == 0.0), np.count_nonzero(distances == 0.0))
+        columns = array_of(top, "Column")[:, :2]
+        own = columns[origins == 0.0]
+        expected = np.abs(columns[:, None, :] - own[None, :, :]).max(axis=2).min(axis=1)
+        np.testing.assert_array_equal(distances, expected)
+
+    def test_forms(self):
+        """A dict of arrays, datasets, and one dataset with names give the same; without a name it is Guide 1."""
+        picks = dict(list(self.picks(5).items())[:2])
+        expected = [places_of(top) for top in sh.extract(self.cube, picks).values()]
+        names = [name for name, places in picks.items() for _ in places]
+        for given in ({name: points_of(places) for name, places in picks.items()},
+                      points_of(np.concatenate(list(picks.values())), names)):
+            found = sh.extract(self.cube, given)
+            self.assertEqual(list(found), list(picks))
+            for places, top in zip(expected, found.values()):
+                np.testing.assert_array_equal(places, places_of(top))
+        self.assertEqual(list(sh.extract(self.cube, next(iter(picks.values())))), ["Guide 1"])
+
+    def test_others(self):
+        picks = dict(list(self.picks(5).items())[:1])
+        found = sh.extract(self.cube, picks, keep_others=True, largest_number=5)
+        self.assertEqual(list(found), [*picks, *("Horizon %d" % (n + 1) for n in range(5))])
+        taken = set(map(tuple, places_of(next(iter(found.values()))).tolist()))
+        for top in list(found.values())[1:]:
+            self.assertFalse(taken & set(map(tuple, places_of(top).tolist())))
+            self.assertIsNone(top.GetPointData().GetArray("Origin"))
+
+    def test_without_growth(self):
+        picks = self.picks(8)
+        grown, parts = sh.extract(self.cube, picks), sh.extract(self.cube, picks, growth_reach=0)
+        for name, top in parts.items():
+            self.assertFalse(np.any(array_of(top, "Origin") == 2.0))
+            self.assertLessEqual(top.GetNumberOfPoints(), grown[name].GetNumberOfPoints())
+
+    def test_errors(self):
+        name, places = next(iter(self.picks(4).items()))
+        for given, message in (({name: places + [0.0, 0.0, 5000.0]}, 'guide "%s": none of its 4 points is on the cube' % name),
+                               ({name: np.zeros((0, 3))}, "no points, expected some that are not nan"),
+                               ({name: places[:, :2]}, "points of shape (4, 2), expected (n, 3)"),
+                               (points_of(places, ["a"] * 3), "array Horizon of 3 tuples"),
+                               ({name: np.concatenate((places, places + [0.0, 0.0, -60.0]))}, "two picks in one column")):
+            with self.assertRaises(ValueError, msg=message) as caught:
+                sh.extract(self.cube, given)
+            self.assertIn(message, str(caught.exception))
+        with self.assertRaises(ValueError) as caught:
+            sh.extract(self.cube, {name: places}, joining="Components")
+        self.assertIn("expected BestFirst or Continuous", str(caught.exception))
+
+    def run_program(self, *words):
+        done = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    def test_command(self):
+        """A text of picks that stand on no lattice of their own, one of them between columns."""
+        picks = self.picks(6)
+        text = ["Horizon X Y Z"]
+        for name, places in picks.items():
+            text += ["%s %.2f %.2f %.3f" % (name.replace(" ", "_"), x + 4.0, y - 3.0, -z) for x, y, z in places]
+        (FOLDER / "picks.dat").write_text("\n".join(text) + "\n", encoding="utf-8")
+        out = FOLDER / "out"
+        code, told = self.run_program("--no-pictures", "--output-folder", out, "--formats", "vtp", "--report", FOLDER / "report.html",
+                                      "--picks", FOLDER / "picks.dat", self.path)
+        self.assertEqual(code, 0, told)
+        self.assertEqual({path.name for path in out.glob("*.vtp")}, {"cube_%s.vtp" % name.replace(" ", "_") for name in picks})
+        self.assertIn("picks.dat", (FOLDER / "report.html").read_text(encoding="utf-8"))
+        for wrong, message in ((FOLDER / "none.dat", "none.dat"), (self.path, "a seismic cube, expected picks of horizons")):
+            code, told = self.run_program("--no-pictures", "--output-folder", out, "--picks", wrong, self.path)
+            self.assertEqual(code, 1)
+            self.assertIn(message, told)
+        code, told = self.run_program("--no-pictures", "--output-folder", out, "--picks", self.path, FOLDER / "picks.dat")
+        self.assertEqual(code, 1, told)
+        self.assertIn("its format leaves no choice of Picks", told)
+
+    def test_bad_picks_are_named(self):
+        picks = list(self.truth.items())
+        name, places = picks[2]
+        draw = random.Random(3)
+        bad = draw.sample(picks[3][1].tolist(), 1)
+        given = np.array(draw.sample(places.tolist(), 9) + bad)
+        from seismichorizons import vtkSeismicReflectionExtraction
+        extraction = vtkSeismicReflectionExtraction()
+        extraction.SetInputData(self.cube)
+        extraction.SetInputDataObject(1, points_of(given))
+        warnings = []
+        extraction.AddObserver("WarningEvent", lambda *_: warnings.append(1))
+        extraction.Update()
+        line = next(line for line in extraction.GetDescription().splitlines() if line.startswith("Guide 1: "))
+        self.assertIn("0 outside of the cube", line)
+        self.assertTrue(" 1 contradicted" in line or " 1 near no reflection" in line, line)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
