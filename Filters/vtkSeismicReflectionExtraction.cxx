@@ -254,7 +254,8 @@ void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
                       << " picks are nearer to a reflection of " << (use.IsNegative ? "positive" : "negative")
                       << " amplitude than to one of the sign of the others, expected one sign");
     }
-    if (use.Shared > 0)
+    constexpr std::int64_t many = 20; // one of so many points; guides meet along their rims
+    if (many * use.Shared > static_cast<std::int64_t>(result.Surfaces[n].Column.size()) + use.Shared)
     {
       vtkWarningMacro(<< name << use.Shared << " of its points went to guide \""
                       << this->Found->Guides[use.SharedWith].Given.Name

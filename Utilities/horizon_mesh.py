@@ -237,7 +237,7 @@ def _add_reader_options(group):
 
 def _add_cube_options(group):
     group.add_argument("--surfaces", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="how many surfaces of a cube become meshes, the largest ones (default: 20)")
+                       help="how many surfaces of a cube become meshes, the strongest ones (default: 20)")
     group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                        help="surfaces of fewer picks are left out (default: 100)")
     group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE",

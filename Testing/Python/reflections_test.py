@@ -27,7 +27,7 @@ def main():
     cube = simple.Wavelet(WholeExtent=[0, 40, 5, 40, -20, 20])
     wave = simple.Calculator(Input=cube, Function="RTData - 150", ResultArrayName="centred")
     wave.UpdatePipeline()
-    extraction = simple.SeismicReflectionExtraction(Input=wave, SmallestSize=50)
+    extraction = simple.SeismicReflectionExtraction(Input=wave, SmallestSize=50, Order="Size")
     assert extraction.AmplitudeArray[1] == "centred", extraction.AmplitudeArray
     horizons = fetch(extraction)
     assert list(horizons) == ["Horizon %d" % (n + 1) for n in range(len(horizons))] and len(horizons) >= 2, horizons
@@ -47,6 +47,13 @@ def main():
     extraction.AmplitudeArray = ["POINTS", "centred"]
     extraction.LargestNumber = 2
     assert list(fetch(extraction)) == ["Horizon 1", "Horizon 2"]
+
+    # An older horizon as guide brings that horizon, by its name.
+    guided = fetch(simple.SeismicReflectionExtraction(Input=wave, Guides=extraction))
+    assert list(guided) == ["Horizon 1", "Horizon 2"], list(guided)
+    for name, horizon in guided.items():
+        assert horizon.GetNumberOfPoints() >= fetch(extraction)[name].GetNumberOfPoints(), name
+        assert set(values(horizon, "Origin")) <= {0.0, 1.0, 2.0} and values(horizon, "Origin")[0] == 0.0
 
     # A file of voxels has them all again; so have the stages.
     path = str(folder / "cube.vsm")

@@ -5,6 +5,8 @@
 
     cube_pictures.py CUBE.sgy PICTURE.png      for Documentation/Pictures/CubeToMesh.png: the cube of
                                                generate_cube --noise 0.2 --folds 22 --spacing 36 --weakest 0.6 CUBE.sgy
+    cube_pictures.py CUBE.sgy PICTURE.png TRUTH.txt   for Guides.png: the cube of
+                                               generate_cube --wild --seed 2001 --noise 0.5 --mixed --truth TRUTH.txt CUBE.sgy
 
 Needs an X server, and the package seismichorizons in PYTHONPATH.
 """
@@ -13,14 +15,14 @@ import pathlib
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-from seismichorizons import cubes, pictures, reading
+from seismichorizons import cubes, functions, pictures, reading
 from seismichorizons.pipeline import surface
 
 PANEL_SIZE = (480, 430)
@@ -114,8 +116,61 @@ def panel(title, caption, actors, exaggeration, toward, zoom):
     return renderer
 
 
+def origin_strokes(points, row):
+    """The picks of a guided horizon on an inline: what grew, parts, and picks of the guide on top."""
+    strokes = []
+    origins = vtk_to_numpy(points.GetPointData().GetArray("Origin"))
+    places = vtk_to_numpy(points.GetPoints().GetData())
+    for origin, color, size in ((2, "17a2e0", 3.5), (1, "ffb000", 3.5), (0, "e3123c", 9.0)):
+        some = vtkPolyData()
+        some.SetPoints(vtkPoints())
+        some.GetPoints().SetData(numpy_to_vtk(places[origins == origin], deep=True))
+        some.SetFieldData(points.GetFieldData())
+        dots = actor(picks_of(some, row), color)
+        dots.GetProperty().SetPointSize(size)
+        dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+        strokes.append(dots)
+    return strokes
+
+
+def draw_guides(path, picture, truth):
+    """A section with the strongest surfaces, and with the horizons that picks of reflectors ask for."""
+    picks_of_each = 25
+    extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
+    cubes.read(extraction, path)
+    cube = extraction.GetInputAlgorithm().GetOutput()
+    extraction.Update()
+    strokes = []
+    row = cube.GetDimensions()[1] // 2
+    for number, (_, points) in enumerate(reading.list_horizons(extraction.GetOutput())):
+        dots = actor(picks_of(points, row), COLORS[number % len(COLORS)])
+        dots.GetProperty().SetPointSize(3.5)
+        dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+        strokes.append(dots)
+    rows, draw, guides = np.loadtxt(truth, skiprows=1), np.random.default_rng(1), {}
+    for reflector in np.unique(rows[:, 0]):
+        own = draw.choice(rows[rows[:, 0] == reflector], picks_of_each)
+        guides["Reflector %d" % reflector] = own[:, 3:6] * [1.0, 1.0, -1.0]
+    guided = []
+    for points in functions.extract(cube, guides).values():
+        guided += origin_strokes(points, row)
+    bounds = np.array(cube.GetBounds()).reshape(3, 2)
+    exaggeration = HEIGHT * np.hypot(*(bounds[:2, 1] - bounds[:2, 0])) / (bounds[2, 1] - bounds[2, 0])
+    matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
+    across = -matrix[:3, 1] / np.linalg.norm(matrix[:3, 1])
+    panels = [panel(title, caption, [section(cube, row), *dots], exaggeration, across, 1.18) for title, caption, dots in (
+        ("Without guides", "the %d strongest surfaces" % LARGEST_NUMBER, strokes),
+        ("With guides", "picks red, parts yellow, grown blue", guided))]
+    for number, renderer in enumerate(panels):
+        renderer.SetViewport(0.5 * number, 0.0, 0.5 * number + 0.5, 1.0)
+    pictures.write(pictures.render(panels, (2 * PANEL_SIZE[0], PANEL_SIZE[1])), picture)
+
+
 def main():
     path, picture = (pathlib.Path(argument) for argument in sys.argv[1:3])
+    if len(sys.argv) > 3:
+        draw_guides(path, picture, sys.argv[3])
+        return
     extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
     cubes.read(extraction, path)
     cube = extraction.GetInputAlgorithm().GetOutput()

@@ -17,6 +17,7 @@ EXTRACTION = "vtkSeismicReflectionExtraction"
 LARGEST_NUMBER = 20
 # Bytes per sample, at most, of a cube whose reflections are joined, its own included (ReflectionBenchmark).
 WORKED = 20
+WORKED_WITH_PICKS = 45
 
 
 def is_named_so(path):
@@ -69,6 +70,6 @@ def lattice_properties(extraction):
 
 def require(extraction, budget, path):
     """Raises HorizonError where the cube and its picks do not fit in memory."""
-    size = WORKED * count_samples(extraction)
+    size = (WORKED_WITH_PICKS if extraction.picks else WORKED) * count_samples(extraction)
     budget.require_bytes(size, "%s: a cube that takes %s with its picks" % (path, size_text(size)),
                          "; --inlines and --crosslines read a part")

@@ -87,7 +87,7 @@ void CheckOptions(const ExtractionOptions& options);
 /// picks of a guide. Throws InputError on options out
 /// of range, when FindReflections does, and on guides without picks, with some outside of the cube, with none near a
 /// reflection, or with two of them that contradict each other in a column. Takes about 30 bytes per pick beside the
-/// result, and 75 with guides.
+/// result, and 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {});
 }
