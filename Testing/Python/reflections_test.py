@@ -48,8 +48,8 @@ def main():
     extraction.LargestNumber = 2
     assert list(fetch(extraction)) == ["Horizon 1", "Horizon 2"]
 
-    # An older horizon as guide brings that horizon, by its name.
-    guided = fetch(simple.SeismicReflectionExtraction(Input=wave, Guides=extraction))
+    # An older horizon as guide brings that horizon, by its name. By Input=, ParaView takes the array of the active source.
+    guided = fetch(simple.SeismicReflectionExtraction(wave, Guides=extraction))
     assert list(guided) == ["Horizon 1", "Horizon 2"], list(guided)
     for name, horizon in guided.items():
         assert horizon.GetNumberOfPoints() >= fetch(extraction)[name].GetNumberOfPoints(), name
