@@ -28,6 +28,8 @@ constexpr const char* VerticalDistance = "VerticalDistance";
 constexpr const char* Throw = "Throw";
 constexpr const char* Filled = "Filled";
 constexpr const char* Spike = "Spike";
+constexpr const char* Origin = "Origin";
+constexpr const char* GuideDistance = "GuideDistance";
 }
 
 namespace CellArray

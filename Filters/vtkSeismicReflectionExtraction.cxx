@@ -194,7 +194,7 @@ void vtkSeismicReflectionExtraction::Describe()
   std::string description = text.str();
   if (this->Found->Guides.empty() || this->KeepOthers)
   {
-    description += std::to_string(result.NumberOfSurfaces) + " surfaces of " + std::to_string(this->SmallestSize) +
+    description += std::to_string(result.NumberOfSurfaces) + " surfaces of " + std::to_string(result.SmallestSize) +
       " picks or more, " + std::to_string(result.Surfaces.size() - this->Found->Guides.size()) + " taken\n";
   }
   description.pop_back(); // the end of the last line

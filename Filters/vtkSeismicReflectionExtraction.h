@@ -209,7 +209,8 @@ public:
 
   ///@{
   /**
-   * Surfaces of fewer picks are left out. Unit: picks. Range: at least 1. Default: 100.
+   * Surfaces of fewer picks are left out. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0.
+   * Default: 0.
    */
   vtkSetMacro(SmallestSize, vtkIdType);
   vtkGetMacro(SmallestSize, vtkIdType);
@@ -368,7 +369,7 @@ private:
   double LargestStep = 0.0;
   double SmallestCorrelation = 0.85;
   double SmallestContact = 0.5;
-  vtkIdType SmallestSize = 100;
+  vtkIdType SmallestSize = 0;
   int LargestNumber = 100;
   int Order = Energy;
   double GuideTolerance = 0.0;

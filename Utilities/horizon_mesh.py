@@ -239,7 +239,7 @@ def _add_cube_options(group):
     group.add_argument("--surfaces", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                        help="how many surfaces of a cube become meshes, the strongest ones (default: 20)")
     group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="surfaces of fewer picks are left out (default: 100)")
+                       help="surfaces of fewer picks are left out (default: a twentieth of the traces, 10 to 100)")
     group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE",
                        help="the horizons that picks of a file ask for, in place of all: some picks of each, by name")
     group.add_argument("--inlines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),

@@ -42,12 +42,10 @@ using namespace SeismicHorizons;
 /// Whether the selection lists these names, in this order.
 bool IsListed(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
-  bool isListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
-  for (std::size_t index = 0; isListed && index < names.size(); ++index)
-  {
-    isListed = names[index] == selection->GetArrayName(static_cast<int>(index));
-  }
-  return isListed;
+  int index = 0;
+  return static_cast<int>(names.size()) == selection->GetNumberOfArrays() &&
+    std::all_of(
+      names.begin(), names.end(), [&](const std::string& name) { return name == selection->GetArrayName(index++); });
 }
 
 /// Makes these the names of the selection. Those that it has keep their setting; it does not count as changed.

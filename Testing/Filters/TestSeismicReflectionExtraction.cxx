@@ -13,14 +13,12 @@
 #include "vtkFloatArray.h"
 #include "vtkHorizonExteriorBoundary.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkShortArray.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -339,64 +337,6 @@ void TestWrongImages()
   CheckRefused(MakeFilter(half), "no field data array LatticeDimensions");
 }
 
-vtkSmartPointer<vtkPolyData> MakePicks(const std::vector<std::array<double, 3>>& places)
-{
-  auto picks = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const std::array<double, 3>& place : places)
-  {
-    points->InsertNextPoint(place.data());
-  }
-  picks->SetPoints(points);
-  return picks;
-}
-
-/// The cube is from (0, 0, 0) to (5, 4, 39); its levels are at 9 + i and 27.
-void TestGuides()
-{
-  Filter filter = MakeFilter(MakeCube<vtkFloatArray>());
-  filter->SetInputData(1, MakePicks({ { 2.0, 1.0, 11.0 }, { 2.4, 9.0, 11.0 } }));
-  filter->Update();
-  vtkPartitionedDataSetCollection* const output = filter->GetOutput();
-  CHECK_EQUAL(output->GetNumberOfPartitionedDataSets(), 1u);
-  CHECK_EQUAL(std::string(output->GetMetaData(0u)->Get(vtkCompositeDataSet::NAME())), "Guide 1");
-  auto* const found = vtkPolyData::SafeDownCast(output->GetPartition(0, 0));
-  CHECK_EQUAL(found->GetNumberOfPoints(), 30);
-  CHECK_EQUAL(found->GetPointData()->GetArray("Origin")->GetRange()[0], 0.0);
-  CHECK_EQUAL(found->GetPointData()->GetArray("GuideDistance")->GetRange()[1], 3.0);
-  const std::string description = filter->GetDescription();
-  CHECK(description.find("Guide 1: 30 points of positive reflections, 1 picks, ") != std::string::npos);
-  CHECK(description.find("0 contradicted, 1 outside of the cube") != std::string::npos);
-  CHECK(description.find("surfaces") == std::string::npos);
-
-  // Without the picks it is what it was.
-  filter->RemoveGuides();
-  filter->SetSmallestSize(10);
-  filter->Update();
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
-
-  const auto refuse = [](vtkPolyData* picks, const std::string& message)
-  {
-    Filter wrong = MakeFilter(MakeCube<vtkFloatArray>());
-    wrong->SetInputData(1, picks);
-    CheckRefused(wrong, message);
-  };
-  refuse(MakePicks({}), "guides without points, expected picks");
-  refuse(MakePicks({ { 2.0, 1.0, 50.0 }, { 7.0, 1.0, 11.0 } }),
-    "guide \"Guide 1\": none of its 2 points is on the cube, the first is at (2, 1, 50), expected points from (0, 0, "
-    "0) to "
-    "(5, 4, 39)");
-  refuse(MakePicks({ { 2.0, Missing, 11.0 } }), "guide \"Guide 1\": a point at (2, nan, 11), expected finite numbers");
-  const auto picks = MakePicks({ { 2.0, 1.0, 11.0 } });
-  vtkNew<vtkFloatArray> names;
-  names->SetName("Horizon");
-  names->SetNumberOfComponents(2);
-  names->InsertNextTuple2(1.0, 2.0);
-  picks->GetPointData()->AddArray(names);
-  refuse(picks, "guide array Horizon of 2 components, expected the number or the name of the horizon of each point");
-}
-
 void TestWrongParameters()
 {
   const auto refuse = [](auto&& change, const std::string& message)
@@ -410,7 +350,7 @@ void TestWrongParameters()
   refuse([](Filter& filter) { filter->SetLargestStep(-1.0); }, "LargestStep -1, expected 0 to 262143 samples");
   refuse([](Filter& filter) { filter->SetSmallestCorrelation(2.0); }, "SmallestCorrelation 2, expected 0 to 1");
   refuse([](Filter& filter) { filter->SetSmallestContact(Missing); }, "SmallestContact nan, expected 0 to 1");
-  refuse([](Filter& filter) { filter->SetSmallestSize(0); }, "SmallestSize 0, expected at least 1 pick");
+  refuse([](Filter& filter) { filter->SetSmallestSize(-1); }, "SmallestSize -1, expected at least 0 picks");
   refuse([](Filter& filter) { filter->SetGuideTolerance(-1.0); }, "GuideTolerance -1, expected 0 to 262143 samples");
   refuse([](Filter& filter) { filter->SetGrowthCorrelation(2.0); }, "GrowthCorrelation 2, expected 0 to 1");
   refuse([](Filter& filter) { filter->SetGrowthReach(-1); }, "GrowthReach -1, expected at least 0 columns");
@@ -429,7 +369,6 @@ int TestSeismicReflectionExtraction(int, char*[])
   TestPieces();
   TestWrongArrays();
   TestWrongImages();
-  TestGuides();
   TestWrongParameters();
   return Check::Result();
 }

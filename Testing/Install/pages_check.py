@@ -59,7 +59,7 @@ def run_readme(picks, cube):
     shutil.copy(picks, folder / "picks.dat")
     shutil.copy(cube, folder / "survey.sgy")
     run("horizon-mesh --formats irap --output-folder . -- picks.dat && mv picks.irap top_reek.irap", folder, shell=True)
-    run("horizon-mesh --surfaces 1 --formats irap --output-folder . -- survey.sgy && mv survey_Horizon_1.irap tops.dat", folder,
+    run("horizon-mesh --surfaces 1 --formats irap --output-folder . -- survey.sgy && mv survey_horizon_1.irap tops.dat", folder,
         shell=True)
     commands = [line for block in blocks("README.md", "sh") for line in block.splitlines()
                 if line and not line.startswith(OTHERS)]

@@ -127,11 +127,19 @@ class GuidesTest(unittest.TestCase):
         for given, message in (({name: places + [0.0, 0.0, 5000.0]}, 'guide "%s": none of its 4 points is on the cube' % name),
                                ({name: np.zeros((0, 3))}, "no points, expected some that are not nan"),
                                ({name: places[:, :2]}, "points of shape (4, 2), expected (n, 3)"),
+                               (points_of(np.zeros((0, 3))), "guides without points, expected picks"),
+                               (points_of(places * [1.0, np.nan, 1.0]), 'guide "Guide 1": a point at ('),
                                (points_of(places, ["a"] * 3), "array Horizon of 3 tuples"),
                                ({name: np.concatenate((places, places + [0.0, 0.0, -60.0]))}, "two picks in one column")):
             with self.assertRaises(ValueError, msg=message) as caught:
                 sh.extract(self.cube, given)
             self.assertIn(message, str(caught.exception))
+        vectors = points_of(places)
+        vectors.GetPointData().AddArray(numpy_to_vtk(places, deep=True))
+        vectors.GetPointData().GetArray(0).SetName("Horizon")
+        with self.assertRaises(ValueError) as caught:
+            sh.extract(self.cube, vectors)
+        self.assertIn("guide array Horizon of 3 components, expected the number or the name", str(caught.exception))
         with self.assertRaises(ValueError) as caught:
             sh.extract(self.cube, {name: places}, joining="Components")
         self.assertIn("expected BestFirst or Continuous", str(caught.exception))
@@ -166,16 +174,15 @@ class GuidesTest(unittest.TestCase):
         name, places = picks[2]
         draw = random.Random(3)
         bad = draw.sample(picks[3][1].tolist(), 1)
-        given = np.array(draw.sample(places.tolist(), 9) + bad)
+        given = np.array(draw.sample(places.tolist(), 9) + bad + [[0.0, 0.0, 0.0]])
         from seismichorizons import vtkSeismicReflectionExtraction
         extraction = vtkSeismicReflectionExtraction()
         extraction.SetInputData(self.cube)
         extraction.SetInputDataObject(1, points_of(given))
-        warnings = []
-        extraction.AddObserver("WarningEvent", lambda *_: warnings.append(1))
         extraction.Update()
         line = next(line for line in extraction.GetDescription().splitlines() if line.startswith("Guide 1: "))
-        self.assertIn("0 outside of the cube", line)
+        self.assertIn("1 outside of the cube", line)
+        self.assertNotIn("surfaces of", extraction.GetDescription())
         self.assertTrue(" 1 contradicted" in line or " 1 near no reflection" in line, line)
 
 

@@ -11,6 +11,7 @@
 
 #include "ReflectionExtraction.h"
 
+#include "Common/DataModel.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "GuideSeeds.h"
@@ -115,6 +116,12 @@ private:
   const double Period;
   LinkOptions Link;
 };
+
+// Surfaces of fewer picks are left out where no number is given: a part of the traces, as lines have few, from a least
+// one to what is enough of any cube.
+constexpr std::int64_t TracesPerSmallest = 20;
+constexpr std::int64_t LeastSize = 10;
+constexpr std::int64_t LargestLeastSize = 100;
 
 // ---- Which surfaces come out ---------------------------------------------------------------------------------------
 
@@ -275,8 +282,8 @@ public:
         origins.push_back(double(pick.Origin));
         distances.push_back(double(pick.Distance));
       }
-      horizon.Attributes.push_back({ "Origin", std::move(origins) });
-      horizon.Attributes.push_back({ "GuideDistance", std::move(distances) });
+      horizon.Attributes.push_back({ PointArray::Origin, std::move(origins) });
+      horizon.Attributes.push_back({ PointArray::GuideDistance, std::move(distances) });
     }
   }
 
@@ -466,7 +473,7 @@ void CheckOptions(const ExtractionOptions& options)
   CheckWithin("LargestStep", options.LargestStep, 0.0, double(MostSamples), " samples");
   CheckWithin("SmallestCorrelation", options.SmallestCorrelation, 0.0, 1.0, "");
   CheckWithin("SmallestContact", options.SmallestContact, 0.0, 1.0, "");
-  CheckAtLeast<std::int64_t>("SmallestSize", options.SmallestSize, 1, " pick");
+  CheckAtLeast<std::int64_t>("SmallestSize", options.SmallestSize, 0, " picks");
   CheckAtLeast<std::int64_t>("LargestNumber", options.LargestNumber, 1, " surface");
   CheckWithin("GuideTolerance", options.Guidance.Tolerance, 0.0, double(MostSamples), " samples");
   CheckWithin("GrowthCorrelation", options.Guidance.GrowthCorrelation, 0.0, 1.0, "");
@@ -496,6 +503,9 @@ Extraction ExtractReflections(
   result.Period = reflections.Period;
   result.LargestStep =
     options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastStep, StepPerPeriod * result.Period);
+  result.SmallestSize = options.SmallestSize > 0
+    ? options.SmallestSize
+    : std::clamp(std::int64_t(cube.Size[0]) * cube.Size[1] / TracesPerSmallest, LeastSize, LargestLeastSize);
   std::array<double, 2> medians = { 0.0, 0.0 };
   std::array<RawVector<PointId>, 2> surfaces;
   std::vector<SurfaceSize> sizes;
@@ -510,7 +520,7 @@ Extraction ExtractReflections(
     guided.Follow(cube, sign, picks, surfaces[sign], joiner.LargestStep(), part.Step(joined, 1.0));
     if (guides.empty() || options.Guidance.KeepOthers)
     {
-      ListSizes(picks, surfaces[sign], sign, options.SmallestSize, sizes);
+      ListSizes(picks, surfaces[sign], sign, result.SmallestSize, sizes);
     }
     reflections.BySign[sign].FreePicks();
   }

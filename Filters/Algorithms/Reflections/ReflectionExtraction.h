@@ -45,7 +45,7 @@ struct ExtractionOptions
   double SmallestCorrelation = 0.85;
   /// Of two parts that are joined (BestFirst): 0 to 1.
   double SmallestContact = 0.5;
-  std::int64_t SmallestSize = 100; // of a surface, in picks: at least 1
+  std::int64_t SmallestSize = 0; // of a surface, in picks: at least 0; 0: a twentieth of the traces, 10 to 100
   std::int64_t LargestNumber = 100; // of surfaces, at least 1: the first ones
   SurfaceOrder Order = SurfaceOrder::Energy;
   GuidanceOptions Guidance;
@@ -77,7 +77,8 @@ struct Extraction
   double Period = 0.0; // the dominant one, in samples (ReflectionFinder.h)
   double LargestStep = 0.0; // in samples
   double MedianCorrelation = 0.0; // of links, before those of less than the smallest correlation are dropped
-  std::int64_t NumberOfSurfaces = 0; // of the smallest size or more
+  std::int64_t SmallestSize = 0; // of a surface, as given or chosen
+  std::int64_t NumberOfSurfaces = 0; // of that size or more
 };
 
 /// Throws InputError when an option is out of range, those of the reflections included.

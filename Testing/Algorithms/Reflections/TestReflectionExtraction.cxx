@@ -207,6 +207,9 @@ void TestSelection()
     CHECK_EQUAL(ExtractReflections(traces.View(), options).NumberOfSurfaces, 2);
     options.SmallestSize = 13;
     CHECK_EQUAL(ExtractReflections(traces.View(), options).NumberOfSurfaces, 1);
+    options.SmallestSize = 0; // a twentieth of the traces, 10 at least
+    CHECK_EQUAL(ExtractReflections(traces.View(), options).SmallestSize, 10);
+    CHECK_EQUAL(ExtractReflections(traces.View(), options).NumberOfSurfaces, 2);
     options.SmallestSize = 21;
     CHECK(ExtractReflections(traces.View(), options).Surfaces.empty());
   }
@@ -267,7 +270,7 @@ void TestErrors()
   refuse([](auto& options) { options.LargestStep = std::nan(""); }, "LargestStep nan, expected 0 to 262143 samples");
   refuse([](auto& options) { options.SmallestCorrelation = 1.5; }, "SmallestCorrelation 1.5, expected 0 to 1");
   refuse([](auto& options) { options.SmallestContact = -0.5; }, "SmallestContact -0.5, expected 0 to 1");
-  refuse([](auto& options) { options.SmallestSize = 0; }, "SmallestSize 0, expected at least 1 pick");
+  refuse([](auto& options) { options.SmallestSize = -1; }, "SmallestSize -1, expected at least 0 picks");
   refuse([](auto& options) { options.LargestNumber = 0; }, "LargestNumber 0, expected at least 1 surface");
   refuse(
     [](auto& options) { options.Reflections.AmplitudePercentile = 200.0; }, "AmplitudePercentile 200, expected 0 to");
