@@ -72,6 +72,7 @@ int vtkSeismicReflectionExtraction::FillInputPortInformation(int port, vtkInform
 ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
 {
   ExtractionOptions options;
+  options.PhaseRotation = this->PhaseRotation;
   options.Reflections.Polarity = static_cast<ReflectionPolarity>(this->Polarity);
   options.Reflections.Position = this->Position == Middle ? ReflectionPosition::Middle : ReflectionPosition::Peak;
   options.Reflections.Threshold =
@@ -181,11 +182,15 @@ void vtkSeismicReflectionExtraction::Describe()
   this->DominantPeriod = result.Period;
   this->UsedStep = result.LargestStep;
   this->MedianCorrelation = result.MedianCorrelation;
+  this->EstimatedPhase = result.Phase.Degrees;
+  this->PhaseDeviation = result.Phase.Deviation;
   std::ostringstream text;
   text.precision(4);
   text << result.Samples << " samples, " << result.Picks << " picks of an amplitude of " << result.Threshold
        << " or more\n"
        << "dominant period " << result.Period << " samples, largest step " << result.LargestStep << '\n';
+  text << "phase of the wavelet " << result.Phase.Degrees << " or " << result.Phase.Degrees + 180.0
+       << " degrees, parts of the traces within " << result.Phase.Deviation << '\n';
   if (result.MedianCorrelation != 0.0)
   {
     text << "median correlation of links " << result.MedianCorrelation << '\n';
@@ -316,6 +321,7 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 3> polarities = { "Both", "Positive", "Negative" };
   constexpr std::array<const char*, 3> joinings = { "BestFirst", "Continuous", "Components" };
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "PhaseRotation: " << this->PhaseRotation << '\n';
   os << indent << "Polarity: " << polarities[static_cast<std::size_t>(this->Polarity)] << '\n';
   os << indent << "Position: " << (this->Position == Middle ? "Middle" : "Peak") << '\n';
   os << indent << "ThresholdType: " << (this->ThresholdType == Amplitude ? "Amplitude" : "Percentile") << '\n';

@@ -13,8 +13,7 @@
  * first. Three ways to join are there, see SetJoining(); Documentation/SeismicReflectionExtraction.md has how good they
  * are.
  *
- * With picks of an interpreter at the second input, the output has a horizon for each of his, of the same name: the
- * parts of surfaces that his picks are on, and what grows from them.
+ * With picks of an interpreter at the second input, the output has the horizons that these ask for, of their names.
  *
  * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
  * and one vertex cell per pick, at most one in a column. Point data, one component each:
@@ -24,10 +23,8 @@
  * - Amplitude (double): the mean of the samples of the run
  * - RealZ (double): the place of the pick, to parts of a sample: world z with the sign of VerticalDirection
  * - PointCount (vtkIdType): 1
- *
- * Those of guided horizons have two more:
- * - Origin (double): 0 where a pick of the guide is, 1 on a part that was taken, 2 where it grew
- * - GuideDistance (double): to the nearest column with a pick of the guide that was followed, in columns
+ * - Origin (double), with picks: 0 where one is, 1 on a part of a surface that was taken, 2 where it grew
+ * - GuideDistance (double), with picks: how far the nearest is, in columns
  *
  * Field data as from that reader: LatticeDimensions, LatticeToWorld, VerticalDirection and DroppedDuplicates. The
  * first three are those of the input where it has them, and then the extent of the image counts on that lattice; else
@@ -35,10 +32,7 @@
  * CoordinateSystem and LineNumbers are those of the input.
  *
  * The result is the same on any number of threads. Each of several processes works on the whole cube, and gives a part
- * of the horizons. Beside the input and output it takes about 30 bytes for each pick, of which there is one in six to
- * ten samples.
- *
- * What is wrong with the input or a parameter gives one error; the output is empty then.
+ * of the horizons. An error leaves the output empty. It takes about 30 bytes for each pick, 90 with guides.
  *
  * @sa vtkVerneySparseMatrixReader vtkHorizonExteriorBoundary vtkHorizonSurface
  */
@@ -65,6 +59,15 @@ public:
   static vtkSeismicReflectionExtraction* New();
   vtkTypeMacro(vtkSeismicReflectionExtraction, vtkHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * By how much the phase of the wavelet is turned first. Picks stand on interfaces where it is 0 then: minus what
+   * EstimatedPhase says of the cube as it is. Unit: degrees. Range: -180 to 180. Default: 0.
+   */
+  vtkSetMacro(PhaseRotation, double);
+  vtkGetMacro(PhaseRotation, double);
+  ///@}
 
   /// Values of Polarity.
   enum Polarities
@@ -244,10 +247,9 @@ public:
 
   ///@{
   /**
-   * Picks of horizons that are wanted, in the coordinates of the cube: points of lines, wells or an older horizon, such as
-   * those of vtkHorizonTextReader; optional. Each block is a horizon, named by it; the point array Horizon, of numbers or
-   * texts, parts the points of a dataset among several. Picks outside of the cube are left out. Range: points. Default:
-   * none.
+   * Picks of horizons that are wanted, in the coordinates of the cube: points of lines, wells or an older horizon;
+   * optional. Each block is a horizon, named by it; the point array Horizon, of numbers or texts, parts the points of a
+   * dataset among several. Picks outside of the cube are left out. Range: points. Default: none.
    *
    * Input 1.
    */
@@ -257,8 +259,8 @@ public:
 
   ///@{
   /**
-   * How far a pick of a guide may be from the reflection that it means. Picks that are near none are not used. 0: 0.2 of
-   * the dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
+   * How far a pick of a guide may be from the reflection that it means. Picks near none are not used. 0: 0.2 of the
+   * dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(GuideTolerance, double);
   vtkGetMacro(GuideTolerance, double);
@@ -266,8 +268,8 @@ public:
 
   ///@{
   /**
-   * How similar the waveforms of neighbouring picks must be where a guided horizon grows: their correlation. Range: 0 to
-   * 1. Default: 0.6.
+   * How similar the waveforms of neighbouring picks must be where a guided horizon grows: their correlation. Range: 0
+   * to 1. Default: 0.6.
    */
   vtkSetMacro(GrowthCorrelation, double);
   vtkGetMacro(GrowthCorrelation, double);
@@ -275,8 +277,8 @@ public:
 
   ///@{
   /**
-   * How far a guided horizon grows from the parts that were taken and from picks of the guide. 0: not at all, which is the
-   * safest. Unit: columns. Range: at least 0. Default: 60.
+   * How far a guided horizon grows from parts that were taken and from picks. 0: not at all, which is the safest. Unit:
+   * columns. Range: at least 0. Default: 60.
    */
   vtkSetMacro(GrowthReach, int);
   vtkGetMacro(GrowthReach, int);
@@ -284,12 +286,10 @@ public:
 
   ///@{
   /**
-   * Whether the surfaces that no guide asks for come too, behind those of guides and without what these took. Range: on,
-   * off. Default: off.
+   * Whether surfaces that no guide asks for come too, behind those of guides. Range: on, off. Default: off.
    */
   vtkSetMacro(KeepOthers, bool);
   vtkGetMacro(KeepOthers, bool);
-  vtkBooleanMacro(KeepOthers, bool);
   ///@}
 
   /// Values of Elevation.
@@ -320,7 +320,8 @@ public:
   /**
    * What was found by the last update: samples that are there, picks that are strong enough, surfaces of the smallest
    * size or more, the absolute amplitude that picks have at least, the dominant period and the largest step in samples,
-   * and the median correlation of links (0 for components). 0 before the first update.
+   * the median correlation of links (0 for components), and the phase of the wavelet after the rotation, -90 to 90
+   * degrees, whose sign can not be told, and how far those of parts of the traces are from it. 0 before any update.
    */
   vtkGetMacro(NumberOfSamples, vtkIdType);
   vtkGetMacro(NumberOfPicks, vtkIdType);
@@ -329,6 +330,8 @@ public:
   vtkGetMacro(DominantPeriod, double);
   vtkGetMacro(UsedStep, double);
   vtkGetMacro(MedianCorrelation, double);
+  vtkGetMacro(EstimatedPhase, double);
+  vtkGetMacro(PhaseDeviation, double);
   ///@}
 
   ///@{
@@ -359,6 +362,7 @@ private:
   void Describe();
   void DescribeGuides(std::ostream& text);
 
+  double PhaseRotation = 0.0;
   int Polarity = Both;
   int Position = Peak;
   int ThresholdType = Percentile;
@@ -385,6 +389,8 @@ private:
   double DominantPeriod = 0.0;
   double UsedStep = 0.0;
   double MedianCorrelation = 0.0;
+  double EstimatedPhase = 0.0;
+  double PhaseDeviation = 0.0;
   std::string Description;
 
   struct Surfaces;

@@ -470,6 +470,7 @@ private:
 void CheckOptions(const ExtractionOptions& options)
 {
   CheckOptions(options.Reflections);
+  CheckWithin("PhaseRotation", options.PhaseRotation, -180.0, 180.0, " degrees");
   CheckWithin("LargestStep", options.LargestStep, 0.0, double(MostSamples), " samples");
   CheckWithin("SmallestCorrelation", options.SmallestCorrelation, 0.0, 1.0, "");
   CheckWithin("SmallestContact", options.SmallestContact, 0.0, 1.0, "");
@@ -482,7 +483,7 @@ void CheckOptions(const ExtractionOptions& options)
 
 //----------------------------------------------------------------------------------------------------------------------
 Extraction ExtractReflections(
-  const TraceCube& cube, const ExtractionOptions& options, const Monitor& monitor, const std::vector<Guide>& guides)
+  const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor, const std::vector<Guide>& guides)
 {
   CheckOptions(options);
   if (!guides.empty() && options.Joining == SurfaceJoining::Components)
@@ -490,6 +491,7 @@ Extraction ExtractReflections(
     throw InputError(
       "guides and Joining Components, whose surfaces pass columns twice, expected BestFirst or Continuous");
   }
+  const TraceCube cube = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
   ReflectionOptions reflectionOptions = options.Reflections;
   if (!guides.empty())
   {
@@ -501,6 +503,7 @@ Extraction ExtractReflections(
   result.Picks = reflections.CountPicks();
   result.Threshold = reflections.Threshold;
   result.Period = reflections.Period;
+  result.Phase = EstimatePhase(cube);
   result.LargestStep =
     options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastStep, StepPerPeriod * result.Period);
   result.SmallestSize = options.SmallestSize > 0

@@ -13,6 +13,7 @@
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"
 #include "TraceCube.h"
+#include "WaveletPhase.h"
 
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,8 @@ enum class SurfaceOrder
 
 struct ExtractionOptions
 {
+  /// By how much the phase of the wavelet is turned before anything else, in degrees: -180 to 180.
+  double PhaseRotation = 0.0;
   ReflectionOptions Reflections;
   SurfaceJoining Joining = SurfaceJoining::BestFirst;
   ColumnConnectivity Connectivity = ColumnConnectivity::Four;
@@ -75,6 +78,7 @@ struct Extraction
   std::int64_t Picks = 0; // that reach the threshold
   float Threshold = 0.0F; // of absolute amplitude
   double Period = 0.0; // the dominant one, in samples (ReflectionFinder.h)
+  WaveletPhase Phase; // after the rotation
   double LargestStep = 0.0; // in samples
   double MedianCorrelation = 0.0; // of links, before those of less than the smallest correlation are dropped
   std::int64_t SmallestSize = 0; // of a surface, as given or chosen
