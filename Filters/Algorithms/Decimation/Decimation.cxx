@@ -163,12 +163,6 @@ private:
   Decimation Result;
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-Decimation MakeResult(const HeightMesh& mesh, double smallestAngle, const Monitor& monitor)
-{
-  return Collector(mesh, smallestAngle).Run(monitor);
-}
-
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
 // With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
 // error itself. What was not fitted again then needs some room: heights move less than the error.
@@ -256,7 +250,9 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
   }
 }
 
-Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+/// Calls finish(mesh, monitor) with the mesh that it comes to.
+template <typename Finish>
+void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Finish&& finish)
 {
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
@@ -267,9 +263,10 @@ Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const M
     // No vertex can go to a neighbour any more, as none of these sees all of what is around it. That is rare.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
-    return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0));
+    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), finish);
+    return;
   }
-  return MakeResult(mesh, options.SmallestAngle, monitor.Step(0.9, 1.0));
+  finish(mesh, monitor.Step(0.9, 1.0));
 }
 }
 
@@ -278,7 +275,9 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
 {
   assert(horizon.SubVoxelsPerColumn == 1);
   Check(options);
-  Decimation result = Run(std::move(horizon), options, monitor);
+  Decimation result;
+  Run(std::move(horizon), options, monitor,
+    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
   if (MeshChecker::IsOn)
   {
     const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
@@ -286,5 +285,26 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
       isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
   }
   return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+{
+  Check(options);
+  RawVector<PointId> triangles;
+  Run(std::move(horizon), options, monitor,
+    [&](const HeightMesh& mesh, const Monitor&)
+    {
+      const PlaneMesh& plane = mesh.Triangles();
+      triangles.reserve(3 * std::size_t(plane.Size()));
+      for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          triangles.push_back(plane.Corner(triangle, corner));
+        }
+      }
+    });
+  return triangles;
 }
 }
