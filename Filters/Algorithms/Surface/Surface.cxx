@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -28,50 +29,60 @@ namespace
 {
 constexpr double SpannedShare = 0.95; // of the steps along either axis
 
-using Lines = ItemLists<std::int32_t, std::uint32_t>; // coordinates along each line of the lattice
-
-/// The same points by lines across, in the order of the lines they came by.
-Lines Turn(const Lines& lines, std::int64_t size, std::int64_t across)
+/// Of two places, the one that comes first row by row.
+bool IsBefore(const PlanePoint& a, const PlanePoint& b)
 {
-  return Lines(across,
-    [&](auto&& add)
-    {
-      for (std::int64_t line = 0; line < size; ++line)
-      {
-        std::for_each(lines.begin(line), lines.end(line), [&](std::int32_t place) { add(place, std::int32_t(line)); });
-      }
-    });
+  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
 }
 
-/// Of lines whose points are in order.
-GapHistogram CountSteps(const Lines& lines, std::int64_t size)
+/// The same places row by row.
+std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
 {
-  GapHistogram steps = {};
-  for (std::int64_t line = 0; line < size; ++line)
-  {
-    for (const std::int32_t* place = lines.begin(line); place < lines.end(line) - 1; ++place)
+  using Lines = ItemLists<PlanePoint, std::uint32_t>;
+  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
+  const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
+  const Lines byX(width,
+    [&](auto&& add)
     {
-      ++steps[std::min(place[1] - place[0], LargestRadius + 1)];
-    }
-  }
-  return steps;
+      std::for_each(
+        columns.begin(), columns.end(), [&](const PlanePoint& column) { add(column.X - box.Least.X, column); });
+    });
+  const Lines byY(height,
+    [&](auto&& add)
+    {
+      std::for_each(
+        byX.begin(0), byX.end(width - 1), [&](const PlanePoint& column) { add(column.Y - box.Least.Y, column); });
+    });
+  return { byY.begin(0), byY.end(height - 1) };
 }
 
 GapHistograms Count(PlanePoints columns)
 {
   const PlaneBox box(columns);
-  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
-  const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
-  const Lines unordered(width,
-    [&](auto&& add)
+  std::vector<PlanePoint> sorted;
+  if (!std::is_sorted(columns.begin(), columns.end(), IsBefore))
+  {
+    sorted = SortByRows(columns, box);
+    columns = sorted;
+  }
+  GapHistograms steps;
+  constexpr auto None = std::numeric_limits<std::int32_t>::max(); // no point is below this row
+  std::vector<std::int32_t> rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), None); // of the last ones
+  for (std::size_t n = 0; n < columns.size(); ++n)
+  {
+    const PlanePoint& column = columns[n];
+    if (n > 0 && columns[n - 1].Y == column.Y)
     {
-      for (const PlanePoint& column : columns)
-      {
-        add(column.X - box.Least.X, column.Y - box.Least.Y);
-      }
-    });
-  const Lines rows = Turn(unordered, width, height);
-  return { CountSteps(rows, height), CountSteps(Turn(rows, height, width), width) };
+      ++steps.AlongRows[std::min(column.X - columns[n - 1].X, LargestRadius + 1)];
+    }
+    std::int32_t& row = rows[column.X - box.Least.X];
+    if (row < column.Y)
+    {
+      ++steps.AlongColumns[std::min(column.Y - row, LargestRadius + 1)];
+    }
+    row = column.Y;
+  }
+  return steps;
 }
 
 int LeastSpanning(const GapHistogram& steps)
@@ -236,12 +247,6 @@ double FindErrorForTriangles(std::size_t most, double first, double largest, con
 
 namespace
 {
-/// Of two places, the one that comes first row by row.
-bool IsBefore(const PlanePoint& a, const PlanePoint& b)
-{
-  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
-}
-
 /// The points that were dropped from loops, to be found by their places.
 class DroppedPlaces
 {
