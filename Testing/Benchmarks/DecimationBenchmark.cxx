@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Measures the decimation beside other methods, at as many vertices, and how many vertices it takes for an error.
-// Prints Markdown.
+// Measures the decimation beside other methods, at as many vertices: for a number of them, and for an error. Prints
+// Markdown.
 //
 //   DecimationBenchmark [POINTS | FILE.ijz=STEP]...     (148317 886639 when none is given)
 //
 // POINTS are generated horizons with real and with whole heights; a file holds lines "i j z", and STEP is the z of one
-// vertical index. Outlines have the fewest points within half a voxel. Seconds are those of the clock, the least of
+// vertical index. Outlines have the fewest points within half a voxel, or within the error. Seconds are those of the
+// clock, the least of
 // several runs, on all threads; peers have one. Errors are vertical, in voxels, at all points of the horizon that the
 // mesh covers; inside are those with no column without a point nearer than six columns. Peers start from what they
 // need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where there is
@@ -151,12 +152,28 @@ DecimationOptions AtMost(std::size_t vertices, DecimationEffort effort)
   return options;
 }
 
-void RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
+DecimationOptions Within(double error, DecimationEffort effort)
+{
+  DecimationOptions options;
+  options.MaximumError = error;
+  options.Effort = effort;
+  return options;
+}
+
+/// Gives the vertices it leaves.
+std::size_t RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
 {
   Decimation decimation;
   const double seconds = BenchmarkTools::Time(
     [&]() { decimation = Decimate(TestHorizons::OnColumns(surface.Horizon), options); }, CLOCK_MONOTONIC);
   PrintRow(name, surface, ToMesh(surface, decimation), seconds);
+  return decimation.Points.Source.size();
+}
+
+void PrintHead()
+{
+  std::printf("| method | vertices | seconds | mean error | largest inside | largest |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
 }
 
 /// On the bounding box, one column wider, whose corners have the mean height.
@@ -293,8 +310,7 @@ void RunNumber(const Surface& surface, double part)
 {
   auto vertices = std::size_t(part * double(surface.Columns.size()));
   std::printf("\n%zu points, %g %% of the points\n\n", surface.Columns.size(), 100.0 * part);
-  std::printf("| method | vertices | seconds | mean error | largest inside | largest |\n"
-              "| --- | --- | --- | --- | --- | --- |\n");
+  PrintHead();
 #ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
   vertices = RunMeshoptimizer(surface, 2 * vertices);
 #endif
@@ -310,28 +326,23 @@ void RunNumber(const Surface& surface, double part)
   RunOwn("decimation, fast, heights not fitted", surface, options);
 }
 
-void RunErrors(const Patches::Columns& columns, const std::vector<double>& heights)
+/// Outlines are within the error too. Peers get as many vertices as the best effort leaves.
+void RunError(const Patches::Columns& columns, const std::vector<double>& heights, double error)
 {
-  std::printf("\nVertices for a largest error, of which on outlines; seconds\n\n"
-              "| largest error | best | fast | heights not fitted | on outlines | seconds, best | fast |\n"
-              "| --- | --- | --- | --- | --- | --- | --- |\n");
-  for (const double error : { 0.5, 0.75, 1.0, 2.0 })
-  {
-    const BoundedHorizon horizon = Surface(columns, heights, error).Horizon;
-    DecimationOptions options;
-    options.MaximumError = error;
-    Decimation result;
-    const auto decimate = [&]() { result = Decimate(TestHorizons::OnColumns(horizon), options); };
-    const double best = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
-    std::printf("| %g | %zu |", error, result.Points.Source.size());
-    options.Effort = DecimationEffort::Fast;
-    const double fast = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
-    std::printf(" %zu |", result.Points.Source.size());
-    options.FitHeights = false;
-    decimate();
-    std::printf(
-      " %zu | %zu | %.3f | %.3f |\n", result.Points.Source.size(), horizon.Boundary.TotalLength(), best, fast);
-  }
+  const Surface surface(columns, heights, error);
+  std::printf("\n%zu points within %g, %zu of them on outlines\n\n", surface.Columns.size(), error,
+    surface.Horizon.Boundary.TotalLength());
+  PrintHead();
+  const std::size_t vertices = RunOwn("decimation, best", surface, Within(error, DecimationEffort::Best));
+  DecimationOptions options = Within(error, DecimationEffort::Fast);
+  RunOwn("decimation, fast", surface, options);
+  options.FitHeights = false;
+  RunOwn("decimation, fast, heights not fitted", surface, options);
+#ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
+  RunMeshoptimizer(surface, 2 * vertices);
+#endif
+  RunGreedyTerrain(surface, 2 * vertices);
+  RunMaskedGreedy(surface, vertices);
 }
 
 /// The box begins at the origin.
@@ -347,7 +358,10 @@ void Run(Patches::Columns columns, const std::vector<double>& heights)
   {
     RunNumber(surface, part);
   }
-  RunErrors(columns, heights);
+  for (const double error : { 0.5, 0.75, 1.0, 2.0 })
+  {
+    RunError(columns, heights, error);
+  }
 }
 
 void RunGenerated(std::int64_t points)

@@ -7,6 +7,7 @@
 
 #include "Common/MeshChecker.h"
 #include "Common/Monitor.h"
+#include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/Predicates.h"
 #include "Common/Types.h"
@@ -20,6 +21,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -31,6 +33,9 @@ namespace SeismicHorizons
 {
 namespace
 {
+// How many points a thread looks at at a time.
+constexpr std::int64_t PointGrain = 1 << 14;
+
 // ---- The result ----------------------------------------------------------------------------------------------------
 class Collector
 {
@@ -123,14 +128,18 @@ private:
   void CheckAllAssigned() const
   {
     const std::vector<PointId>& target = this->Result.Points.Target;
-    for (PointId point = 0; std::size_t(point) < target.size(); ++point)
-    {
-      if (target[point] == NoPoint && this->Surface.HasPoint(point))
+    ParallelFor(std::int64_t(target.size()), PointGrain,
+      [&](std::int64_t first, std::int64_t last)
       {
-        throw InputError("point " + std::to_string(point) +
-          " lies outside the boundary of its patch, expected loops around all points");
-      }
-    }
+        for (PointId point = PointId(first); point < PointId(last); ++point)
+        {
+          if (target[point] == NoPoint && this->Surface.HasPoint(point))
+          {
+            throw InputError("point " + std::to_string(point) +
+              " lies outside the boundary of its patch, expected loops around all points");
+          }
+        }
+      });
   }
 
   /// Each side once.

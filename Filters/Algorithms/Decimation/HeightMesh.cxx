@@ -66,7 +66,7 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   this->MakeRasters();
   this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
   this->FindRange();
-  this->RaisedPoints.resize(this->Patches.size());
+  this->RaisedPoints = HeapArray<RaisedPoint>(this->Patches.size());
   ParallelFor(std::int64_t(this->Patches.size()), PointGrain,
     [this](std::int64_t first, std::int64_t last)
     {
