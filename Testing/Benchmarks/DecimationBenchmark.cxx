@@ -8,12 +8,12 @@
 //
 // POINTS are generated horizons with real and with whole heights; a file holds lines "i j z", and STEP is the z of one
 // vertical index. Outlines have the fewest points within half a voxel, or within the error. Seconds are those of the
-// clock, the least of
-// several runs, on all threads; peers have one. Errors are vertical, in voxels, at all points of the horizon that the
-// mesh covers; inside are those with no column without a point nearer than six columns. Peers start from what they
-// need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where there is
-// none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more vertices than
-// asked for: the others get as many. Masked greedy insertion is ours on the bounding box in place of the outline.
+// processor, of all threads together, the least of several runs. Errors are vertical, in voxels, at all points of the
+// horizon that the mesh covers; inside are those with no column without a point nearer than six columns. Peers start
+// from what they need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where
+// there is none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more vertices
+// than asked for: for a number the others get as many. Masked greedy insertion is ours on the bounding box in place of
+// the outline.
 
 #include "BenchmarkTools.h"
 #include "Decimation/Decimation.h"
@@ -164,8 +164,8 @@ DecimationOptions Within(double error, DecimationEffort effort)
 std::size_t RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
 {
   Decimation decimation;
-  const double seconds = BenchmarkTools::Time(
-    [&]() { decimation = Decimate(TestHorizons::OnColumns(surface.Horizon), options); }, CLOCK_MONOTONIC);
+  const double seconds =
+    BenchmarkTools::Time([&]() { decimation = Decimate(TestHorizons::OnColumns(surface.Horizon), options); });
   PrintRow(name, surface, ToMesh(surface, decimation), seconds);
   return decimation.Points.Source.size();
 }
@@ -245,8 +245,7 @@ void RunGreedyTerrain(const Surface& surface, std::size_t triangles)
     {
       greedy->Modified();
       greedy->Update();
-    },
-    CLOCK_MONOTONIC);
+    });
   Mesh mesh;
   vtkPolyData* const output = greedy->GetOutput();
   for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
@@ -282,8 +281,7 @@ std::size_t RunMeshoptimizer(const Surface& surface, std::size_t triangles)
       left.resize(indices.size());
       left.resize(meshopt_simplify(left.data(), indices.data(), indices.size(), places.data(), surface.Columns.size(),
         3 * sizeof(float), 3 * triangles, 1.0F, meshopt_SimplifyLockBorder));
-    },
-    CLOCK_MONOTONIC);
+    });
   Mesh mesh;
   std::vector<std::size_t> number(surface.Columns.size(), surface.Columns.size());
   for (std::size_t first = 0; first < left.size(); first += 3)
