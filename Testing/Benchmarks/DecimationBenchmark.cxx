@@ -210,17 +210,19 @@ void RunMaskedGreedy(const Surface& surface, std::size_t vertices)
 vtkSmartPointer<vtkImageData> FillBox(const Surface& surface)
 {
   const PlaneBox box(surface.Columns);
-  const int width = box.Greatest.X + 1;
-  const int height = box.Greatest.Y + 1;
+  const int width = box.Greatest.X - box.Least.X + 1;
+  const int height = box.Greatest.Y - box.Least.Y + 1;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(width, height, 1);
+  image->SetOrigin(box.Least.X, box.Least.Y, 0.0);
   vtkNew<vtkFloatArray> heights;
   heights->SetNumberOfTuples(vtkIdType(width) * height);
   heights->FillValue(NAN);
   for (std::size_t point = 0; point < surface.Columns.size(); ++point)
   {
     const PlanePoint& column = surface.Columns[point];
-    heights->SetValue(vtkIdType(column.Y) * width + column.X, float(surface.Horizon.Height[point]));
+    const vtkIdType place = vtkIdType(column.Y - box.Least.Y) * width + (column.X - box.Least.X);
+    heights->SetValue(place, float(surface.Horizon.Height[point]));
   }
   float last = float(surface.Horizon.Height.front());
   for (vtkIdType place = 0; place < heights->GetNumberOfTuples(); ++place)
@@ -343,20 +345,14 @@ void RunError(const Patches::Columns& columns, const std::vector<double>& height
   RunMaskedGreedy(surface, vertices);
 }
 
-/// The box begins at the origin.
-void Run(Patches::Columns columns, const std::vector<double>& heights)
+void Run(const Patches::Columns& columns, const std::vector<double>& heights)
 {
-  const PlanePoint least = PlaneBox(columns).Least;
-  std::for_each(columns.begin(), columns.end(),
-    [&least](PlanePoint& column) {
-      column = { column.X - least.X, column.Y - least.Y };
-    });
   const Surface surface(columns, heights, 0.5);
   for (const double part : { 0.01, 0.03, 0.1 })
   {
     RunNumber(surface, part);
   }
-  for (const double error : { 0.5, 0.75, 1.0, 2.0 })
+  for (const double error : { 0.5, 0.75, 1.0 })
   {
     RunError(columns, heights, error);
   }
