@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Measures the decimation beside other methods, at as many vertices: for a number of them, and for an error. Prints
-// Markdown.
+// Measures the decimation beside other methods, for a number of vertices and for an error, as Markdown.
 //
 //   DecimationBenchmark [POINTS | FILE.ijz=STEP]...     (148317 886639 when none is given)
 //
@@ -135,10 +134,9 @@ Mesh ToMesh(const Surface& surface, const Decimation& decimation)
     mesh.Vertices.push_back(
       { surface.Columns[std::size_t(decimation.Points.Source[vertex])], decimation.Points.Height[vertex] });
   }
-  for (std::size_t first = 0; first < decimation.Triangles.size(); first += 3)
+  for (auto vertex = decimation.Triangles.begin(); vertex != decimation.Triangles.end(); vertex += 3)
   {
-    mesh.Triangles.push_back({ std::size_t(decimation.Triangles[first]), std::size_t(decimation.Triangles[first + 1]),
-      std::size_t(decimation.Triangles[first + 2]) });
+    mesh.Triangles.push_back({ std::size_t(vertex[0]), std::size_t(vertex[1]), std::size_t(vertex[2]) });
   }
   return mesh;
 }
@@ -148,14 +146,6 @@ DecimationOptions AtMost(std::size_t vertices, DecimationEffort effort)
   DecimationOptions options;
   options.MaximumError = 0.0;
   options.MaximumNumberOfPoints = vertices;
-  options.Effort = effort;
-  return options;
-}
-
-DecimationOptions Within(double error, DecimationEffort effort)
-{
-  DecimationOptions options;
-  options.MaximumError = error;
   options.Effort = effort;
   return options;
 }
@@ -333,8 +323,10 @@ void RunError(const Patches::Columns& columns, const std::vector<double>& height
   std::printf("\n%zu points within %g, %zu of them on outlines\n\n", surface.Columns.size(), error,
     surface.Horizon.Boundary.TotalLength());
   PrintHead();
-  const std::size_t vertices = RunOwn("decimation, best", surface, Within(error, DecimationEffort::Best));
-  DecimationOptions options = Within(error, DecimationEffort::Fast);
+  DecimationOptions options;
+  options.MaximumError = error;
+  const std::size_t vertices = RunOwn("decimation, best", surface, options);
+  options.Effort = DecimationEffort::Fast;
   RunOwn("decimation, fast", surface, options);
   options.FitHeights = false;
   RunOwn("decimation, fast, heights not fitted", surface, options);
