@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Measures the decimation beside other methods, at as many vertices, and how many vertices it takes for an error.
-// Prints Markdown.
+// Measures the decimation beside other methods, for a number of vertices and for an error, as Markdown.
 //
 //   DecimationBenchmark [POINTS | FILE.ijz=STEP]...     (148317 886639 when none is given)
 //
 // POINTS are generated horizons with real and with whole heights; a file holds lines "i j z", and STEP is the z of one
-// vertical index. Outlines have the fewest points within half a voxel. Seconds are those of the clock, the least of
-// several runs, on all threads; peers have one. Errors are vertical, in voxels, at all points of the horizon that the
-// mesh covers; inside are those with no column without a point nearer than six columns. Peers start from what they
-// need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where there is
-// none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more vertices than
-// asked for: the others get as many. Masked greedy insertion is ours on the bounding box in place of the outline.
+// vertical index. Outlines have the fewest points within half a voxel, or within the error. Seconds are those of the
+// processor, of all threads together, the least of several runs. Errors are vertical, in voxels, at all points of the
+// horizon that the mesh covers; inside are those with no column without a point nearer than six columns. Peers start
+// from what they need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where
+// there is none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more vertices
+// than asked for: for a number the others get as many. Masked greedy insertion is ours on the bounding box in place of
+// the outline.
 
 #include "BenchmarkTools.h"
 #include "Decimation/Decimation.h"
@@ -134,10 +134,9 @@ Mesh ToMesh(const Surface& surface, const Decimation& decimation)
     mesh.Vertices.push_back(
       { surface.Columns[std::size_t(decimation.Points.Source[vertex])], decimation.Points.Height[vertex] });
   }
-  for (std::size_t first = 0; first < decimation.Triangles.size(); first += 3)
+  for (auto vertex = decimation.Triangles.begin(); vertex != decimation.Triangles.end(); vertex += 3)
   {
-    mesh.Triangles.push_back({ std::size_t(decimation.Triangles[first]), std::size_t(decimation.Triangles[first + 1]),
-      std::size_t(decimation.Triangles[first + 2]) });
+    mesh.Triangles.push_back({ std::size_t(vertex[0]), std::size_t(vertex[1]), std::size_t(vertex[2]) });
   }
   return mesh;
 }
@@ -151,12 +150,20 @@ DecimationOptions AtMost(std::size_t vertices, DecimationEffort effort)
   return options;
 }
 
-void RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
+/// Gives the vertices it leaves.
+std::size_t RunOwn(const char* name, const Surface& surface, const DecimationOptions& options)
 {
   Decimation decimation;
-  const double seconds = BenchmarkTools::Time(
-    [&]() { decimation = Decimate(TestHorizons::OnColumns(surface.Horizon), options); }, CLOCK_MONOTONIC);
+  const double seconds =
+    BenchmarkTools::Time([&]() { decimation = Decimate(TestHorizons::OnColumns(surface.Horizon), options); });
   PrintRow(name, surface, ToMesh(surface, decimation), seconds);
+  return decimation.Points.Source.size();
+}
+
+void PrintHead()
+{
+  std::printf("| method | vertices | seconds | mean error | largest inside | largest |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
 }
 
 /// On the bounding box, one column wider, whose corners have the mean height.
@@ -193,17 +200,19 @@ void RunMaskedGreedy(const Surface& surface, std::size_t vertices)
 vtkSmartPointer<vtkImageData> FillBox(const Surface& surface)
 {
   const PlaneBox box(surface.Columns);
-  const int width = box.Greatest.X + 1;
-  const int height = box.Greatest.Y + 1;
+  const int width = box.Greatest.X - box.Least.X + 1;
+  const int height = box.Greatest.Y - box.Least.Y + 1;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(width, height, 1);
+  image->SetOrigin(box.Least.X, box.Least.Y, 0.0);
   vtkNew<vtkFloatArray> heights;
   heights->SetNumberOfTuples(vtkIdType(width) * height);
   heights->FillValue(NAN);
   for (std::size_t point = 0; point < surface.Columns.size(); ++point)
   {
     const PlanePoint& column = surface.Columns[point];
-    heights->SetValue(vtkIdType(column.Y) * width + column.X, float(surface.Horizon.Height[point]));
+    const vtkIdType place = vtkIdType(column.Y - box.Least.Y) * width + (column.X - box.Least.X);
+    heights->SetValue(place, float(surface.Horizon.Height[point]));
   }
   float last = float(surface.Horizon.Height.front());
   for (vtkIdType place = 0; place < heights->GetNumberOfTuples(); ++place)
@@ -228,8 +237,7 @@ void RunGreedyTerrain(const Surface& surface, std::size_t triangles)
     {
       greedy->Modified();
       greedy->Update();
-    },
-    CLOCK_MONOTONIC);
+    });
   Mesh mesh;
   vtkPolyData* const output = greedy->GetOutput();
   for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
@@ -265,8 +273,7 @@ std::size_t RunMeshoptimizer(const Surface& surface, std::size_t triangles)
       left.resize(indices.size());
       left.resize(meshopt_simplify(left.data(), indices.data(), indices.size(), places.data(), surface.Columns.size(),
         3 * sizeof(float), 3 * triangles, 1.0F, meshopt_SimplifyLockBorder));
-    },
-    CLOCK_MONOTONIC);
+    });
   Mesh mesh;
   std::vector<std::size_t> number(surface.Columns.size(), surface.Columns.size());
   for (std::size_t first = 0; first < left.size(); first += 3)
@@ -293,8 +300,7 @@ void RunNumber(const Surface& surface, double part)
 {
   auto vertices = std::size_t(part * double(surface.Columns.size()));
   std::printf("\n%zu points, %g %% of the points\n\n", surface.Columns.size(), 100.0 * part);
-  std::printf("| method | vertices | seconds | mean error | largest inside | largest |\n"
-              "| --- | --- | --- | --- | --- | --- |\n");
+  PrintHead();
 #ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
   vertices = RunMeshoptimizer(surface, 2 * vertices);
 #endif
@@ -310,44 +316,38 @@ void RunNumber(const Surface& surface, double part)
   RunOwn("decimation, fast, heights not fitted", surface, options);
 }
 
-void RunErrors(const Patches::Columns& columns, const std::vector<double>& heights)
+/// Outlines are within the error too. Peers get as many vertices as the best effort leaves.
+void RunError(const Patches::Columns& columns, const std::vector<double>& heights, double error)
 {
-  std::printf("\nVertices for a largest error, of which on outlines; seconds\n\n"
-              "| largest error | best | fast | heights not fitted | on outlines | seconds, best | fast |\n"
-              "| --- | --- | --- | --- | --- | --- | --- |\n");
-  for (const double error : { 0.5, 0.75, 1.0, 2.0 })
-  {
-    const BoundedHorizon horizon = Surface(columns, heights, error).Horizon;
-    DecimationOptions options;
-    options.MaximumError = error;
-    Decimation result;
-    const auto decimate = [&]() { result = Decimate(TestHorizons::OnColumns(horizon), options); };
-    const double best = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
-    std::printf("| %g | %zu |", error, result.Points.Source.size());
-    options.Effort = DecimationEffort::Fast;
-    const double fast = BenchmarkTools::Time(decimate, CLOCK_MONOTONIC);
-    std::printf(" %zu |", result.Points.Source.size());
-    options.FitHeights = false;
-    decimate();
-    std::printf(
-      " %zu | %zu | %.3f | %.3f |\n", result.Points.Source.size(), horizon.Boundary.TotalLength(), best, fast);
-  }
+  const Surface surface(columns, heights, error);
+  std::printf("\n%zu points within %g, %zu of them on outlines\n\n", surface.Columns.size(), error,
+    surface.Horizon.Boundary.TotalLength());
+  PrintHead();
+  DecimationOptions options;
+  options.MaximumError = error;
+  const std::size_t vertices = RunOwn("decimation, best", surface, options);
+  options.Effort = DecimationEffort::Fast;
+  RunOwn("decimation, fast", surface, options);
+  options.FitHeights = false;
+  RunOwn("decimation, fast, heights not fitted", surface, options);
+#ifdef SEISMICHORIZONS_HAS_MESHOPTIMIZER
+  RunMeshoptimizer(surface, 2 * vertices);
+#endif
+  RunGreedyTerrain(surface, 2 * vertices);
+  RunMaskedGreedy(surface, vertices);
 }
 
-/// The box begins at the origin.
-void Run(Patches::Columns columns, const std::vector<double>& heights)
+void Run(const Patches::Columns& columns, const std::vector<double>& heights)
 {
-  const PlanePoint least = PlaneBox(columns).Least;
-  std::for_each(columns.begin(), columns.end(),
-    [&least](PlanePoint& column) {
-      column = { column.X - least.X, column.Y - least.Y };
-    });
   const Surface surface(columns, heights, 0.5);
   for (const double part : { 0.01, 0.03, 0.1 })
   {
     RunNumber(surface, part);
   }
-  RunErrors(columns, heights);
+  for (const double error : { 0.5, 0.75, 1.0 })
+  {
+    RunError(columns, heights, error);
+  }
 }
 
 void RunGenerated(std::int64_t points)

@@ -7,6 +7,7 @@
 
 #include "Common/MeshChecker.h"
 #include "Common/Monitor.h"
+#include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/Predicates.h"
 #include "Common/Types.h"
@@ -20,6 +21,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -31,6 +33,9 @@ namespace SeismicHorizons
 {
 namespace
 {
+// How many points a thread looks at at a time.
+constexpr std::int64_t PointGrain = 1 << 14;
+
 // ---- The result ----------------------------------------------------------------------------------------------------
 class Collector
 {
@@ -123,14 +128,18 @@ private:
   void CheckAllAssigned() const
   {
     const std::vector<PointId>& target = this->Result.Points.Target;
-    for (PointId point = 0; std::size_t(point) < target.size(); ++point)
-    {
-      if (target[point] == NoPoint && this->Surface.HasPoint(point))
+    ParallelFor(std::int64_t(target.size()), PointGrain,
+      [&](std::int64_t first, std::int64_t last)
       {
-        throw InputError("point " + std::to_string(point) +
-          " lies outside the boundary of its patch, expected loops around all points");
-      }
-    }
+        for (PointId point = PointId(first); point < PointId(last); ++point)
+        {
+          if (target[point] == NoPoint && this->Surface.HasPoint(point))
+          {
+            throw InputError("point " + std::to_string(point) +
+              " lies outside the boundary of its patch, expected loops around all points");
+          }
+        }
+      });
   }
 
   /// Each side once.
@@ -162,12 +171,6 @@ private:
   const double SmallestSine;
   Decimation Result;
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-Decimation MakeResult(const HeightMesh& mesh, double smallestAngle, const Monitor& monitor)
-{
-  return Collector(mesh, smallestAngle).Run(monitor);
-}
 
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
 // With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
@@ -256,7 +259,9 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
   }
 }
 
-Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+/// Calls finish(mesh, monitor) with the mesh that it comes to.
+template <typename Finish>
+void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Finish&& finish)
 {
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
@@ -267,9 +272,10 @@ Decimation Run(BoundedHorizon horizon, const DecimationOptions& options, const M
     // No vertex can go to a neighbour any more, as none of these sees all of what is around it. That is rare.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
-    return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0));
+    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), finish);
+    return;
   }
-  return MakeResult(mesh, options.SmallestAngle, monitor.Step(0.9, 1.0));
+  finish(mesh, monitor.Step(0.9, 1.0));
 }
 }
 
@@ -278,7 +284,9 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
 {
   assert(horizon.SubVoxelsPerColumn == 1);
   Check(options);
-  Decimation result = Run(std::move(horizon), options, monitor);
+  Decimation result;
+  Run(std::move(horizon), options, monitor,
+    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
   if (MeshChecker::IsOn)
   {
     const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
@@ -286,5 +294,26 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
       isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
   }
   return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+{
+  Check(options);
+  RawVector<PointId> triangles;
+  Run(std::move(horizon), options, monitor,
+    [&](const HeightMesh& mesh, const Monitor&)
+    {
+      const PlaneMesh& plane = mesh.Triangles();
+      triangles.reserve(3 * std::size_t(plane.Size()));
+      for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          triangles.push_back(plane.Corner(triangle, corner));
+        }
+      }
+    });
+  return triangles;
 }
 }

@@ -92,6 +92,9 @@ struct Decimation
 /// beside the result, and the memory of the horizon where that is moved.
 Decimation Decimate(
   BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(), const Monitor& monitor = Monitor());
+
+/// Its triangles alone, three points of the horizon each: what their errors are is not measured.
+RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -65,7 +66,7 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   this->MakeRasters();
   this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
   this->FindRange();
-  this->RaisedPoints.resize(this->Patches.size());
+  this->RaisedPoints = HeapArray<RaisedPoint>(this->Patches.size());
   ParallelFor(std::int64_t(this->Patches.size()), PointGrain,
     [this](std::int64_t first, std::int64_t last)
     {
@@ -160,9 +161,13 @@ void HeightMesh::MakeRasters()
 InnerHeights HeightMesh::Heights() const
 {
   InnerHeights heights;
-  for (PointId point = 0; std::size_t(point) < this->Marks.size(); ++point)
+  const unsigned char* const marks = this->Marks.data();
+  const auto next = [&](std::size_t first) // few are marked
+  { return static_cast<const unsigned char*>(std::memchr(marks + first, 1, this->Marks.size() - first)); };
+  for (auto mark = next(0); mark; mark = next(std::size_t(mark - marks) + 1))
   {
-    if (this->IsVertex(point) && !this->IsOnLoop(point))
+    const auto point = PointId(mark - marks);
+    if (!this->IsOnLoop(point))
     {
       heights.Points.push_back(point);
       heights.Heights.push_back(this->Height(point));

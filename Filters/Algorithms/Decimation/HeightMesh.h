@@ -7,6 +7,7 @@
 #define SeismicHorizonsHeightMesh_h
 
 #include "Common/BoundedHorizon.h"
+#include "Common/HeapArray.h"
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
 #include "Common/Types.h"
@@ -163,7 +164,7 @@ private:
   PlaneMesh Mesh;
   std::vector<HeightRaster> Rasters; // by patch
   const HeightRaster* OnlyRaster; // of a single patch, else null
-  std::vector<RaisedPoint> RaisedPoints; // by point: columns with the heights of the mesh
+  HeapArray<RaisedPoint> RaisedPoints; // by point: columns with the heights of the mesh
   double Range = 0.0;
   double RoundingError = 0.0;
   std::vector<HeightError> Errors; // by triangle

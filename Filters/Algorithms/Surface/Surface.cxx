@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -28,50 +29,60 @@ namespace
 {
 constexpr double SpannedShare = 0.95; // of the steps along either axis
 
-using Lines = ItemLists<std::int32_t, std::uint32_t>; // coordinates along each line of the lattice
-
-/// The same points by lines across, in the order of the lines they came by.
-Lines Turn(const Lines& lines, std::int64_t size, std::int64_t across)
+/// Of two places, the one that comes first row by row.
+bool IsBefore(const PlanePoint& a, const PlanePoint& b)
 {
-  return Lines(across,
-    [&](auto&& add)
-    {
-      for (std::int64_t line = 0; line < size; ++line)
-      {
-        std::for_each(lines.begin(line), lines.end(line), [&](std::int32_t place) { add(place, std::int32_t(line)); });
-      }
-    });
+  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
 }
 
-/// Of lines whose points are in order.
-GapHistogram CountSteps(const Lines& lines, std::int64_t size)
+/// The same places row by row.
+std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
 {
-  GapHistogram steps = {};
-  for (std::int64_t line = 0; line < size; ++line)
-  {
-    for (const std::int32_t* place = lines.begin(line); place < lines.end(line) - 1; ++place)
+  using Lines = ItemLists<PlanePoint, std::uint32_t>;
+  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
+  const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
+  const Lines byX(width,
+    [&](auto&& add)
     {
-      ++steps[std::min(place[1] - place[0], LargestRadius + 1)];
-    }
-  }
-  return steps;
+      std::for_each(
+        columns.begin(), columns.end(), [&](const PlanePoint& column) { add(column.X - box.Least.X, column); });
+    });
+  const Lines byY(height,
+    [&](auto&& add)
+    {
+      std::for_each(
+        byX.begin(0), byX.end(width - 1), [&](const PlanePoint& column) { add(column.Y - box.Least.Y, column); });
+    });
+  return { byY.begin(0), byY.end(height - 1) };
 }
 
 GapHistograms Count(PlanePoints columns)
 {
   const PlaneBox box(columns);
-  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
-  const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
-  const Lines unordered(width,
-    [&](auto&& add)
+  std::vector<PlanePoint> sorted;
+  if (!std::is_sorted(columns.begin(), columns.end(), IsBefore))
+  {
+    sorted = SortByRows(columns, box);
+    columns = sorted;
+  }
+  GapHistograms steps;
+  constexpr auto None = std::numeric_limits<std::int32_t>::max(); // no point is below this row
+  std::vector<std::int32_t> rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), None); // of the last ones
+  for (std::size_t n = 0; n < columns.size(); ++n)
+  {
+    const PlanePoint& column = columns[n];
+    if (n > 0 && columns[n - 1].Y == column.Y)
     {
-      for (const PlanePoint& column : columns)
-      {
-        add(column.X - box.Least.X, column.Y - box.Least.Y);
-      }
-    });
-  const Lines rows = Turn(unordered, width, height);
-  return { CountSteps(rows, height), CountSteps(Turn(rows, height, width), width) };
+      ++steps.AlongRows[std::min(column.X - columns[n - 1].X, LargestRadius + 1)];
+    }
+    std::int32_t& row = rows[column.X - box.Least.X];
+    if (row < column.Y)
+    {
+      ++steps.AlongColumns[std::min(column.Y - row, LargestRadius + 1)];
+    }
+    row = column.Y;
+  }
+  return steps;
 }
 
 int LeastSpanning(const GapHistogram& steps)
@@ -236,12 +247,6 @@ double FindErrorForTriangles(std::size_t most, double first, double largest, con
 
 namespace
 {
-/// Of two places, the one that comes first row by row.
-bool IsBefore(const PlanePoint& a, const PlanePoint& b)
-{
-  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
-}
-
 /// The points that were dropped from loops, to be found by their places.
 class DroppedPlaces
 {
@@ -307,47 +312,71 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
   return { (here.X + end.X) / 2, (here.Y + end.Y) / 2 };
 }
 
-/// Marks the points that are within 16 to 31 columns of a loop along both axes.
-std::vector<unsigned char> MarkNearLoops(PlanePoints columns, const Loops& loops)
+/// The points, of so many, that only one of the two has.
+std::vector<PointId> FindChanged(const Loops& before, const Loops& after, std::size_t points)
 {
-  constexpr int shift = 4; // squares of 16 columns
-  const auto squareAt = [](std::int64_t i, std::int64_t j)
-  { return (i + (std::int64_t(1) << 31)) << 32 | (j & 0xffffffff); };
-  std::vector<std::int64_t> squares;
-  loops.ForEachPoint(
-    [&](PointId point)
+  const std::vector<unsigned char> were = before.MarkPoints(points);
+  const std::vector<unsigned char> are = after.MarkPoints(points);
+  std::vector<PointId> changed;
+  for (std::size_t point = 0; point < points; ++point)
+  {
+    if (were[point] != are[point])
     {
-      const PlanePoint& column = columns[point];
+      changed.push_back(PointId(point));
+    }
+  }
+  return changed;
+}
+
+/// The squares of the lattice near some points: all columns within 8, and none from 16 on, along both axes.
+class SquaresNear
+{
+public:
+  SquaresNear(PlanePoints columns, const std::vector<PointId>& points)
+  {
+    for (const PointId point : points)
+    {
+      const Square middle = SquareOf(columns[point]);
       for (int n = 0; n < 9; ++n)
       {
-        const std::int64_t square = squareAt((column.X >> shift) + n % 3 - 1, (column.Y >> shift) + n / 3 - 1);
-        if (squares.empty() || squares.back() != square)
-        {
-          squares.push_back(square);
-        }
+        this->Squares.emplace_back(middle.first + n / 3 - 1, middle.second + n % 3 - 1);
       }
-    });
-  std::sort(squares.begin(), squares.end());
-  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
-  std::vector<unsigned char> marks(columns.size());
-  ParallelFor(std::int64_t(columns.size()), 4096,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      std::int64_t last = 0;
-      unsigned char isNear = 0;
-      for (std::int64_t n = begin; n < end; ++n)
+    }
+    std::sort(this->Squares.begin(), this->Squares.end());
+    this->Squares.erase(std::unique(this->Squares.begin(), this->Squares.end()), this->Squares.end());
+  }
+
+  /// Marks the points whose columns are in them.
+  std::vector<unsigned char> Mark(PlanePoints columns) const
+  {
+    std::vector<unsigned char> marks(columns.size());
+    ParallelFor(std::int64_t(columns.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
       {
-        const std::int64_t square = squareAt(columns[n].X >> shift, columns[n].Y >> shift);
-        if (n == begin || square != last)
+        marks[first] = this->Has(columns[first]) ? 1 : 0;
+        for (std::int64_t n = first + 1; n < last; ++n) // of most, the one before is in the same square
         {
-          last = square;
-          isNear = std::binary_search(squares.begin(), squares.end(), square) ? 1 : 0;
+          const bool isSame = SquareOf(columns[n]) == SquareOf(columns[n - 1]);
+          marks[n] = isSame ? marks[n - 1] : this->Has(columns[n]) ? 1 : 0;
         }
-        marks[n] = isNear;
-      }
-    });
-  return marks;
-}
+      });
+    return marks;
+  }
+
+private:
+  using Square = std::pair<std::int32_t, std::int32_t>;
+
+  static constexpr int Bits = 3; // of the number of columns along a side
+  static constexpr std::int64_t Grain = 1 << 14;
+
+  static Square SquareOf(const PlanePoint& column) { return { column.Y >> Bits, column.X >> Bits }; }
+  bool Has(const PlanePoint& column) const
+  {
+    return std::binary_search(this->Squares.begin(), this->Squares.end(), SquareOf(column));
+  }
+
+  std::vector<Square> Squares;
+};
 
 // What the first mesh brings back can leave slivers of its own.
 constexpr int SliverRounds = 2;
@@ -411,21 +440,21 @@ private:
   {
     return this->Result.Kept.empty()
       ? 0
-      : this->DecimateFast(this->CopyHorizon(), error, this->Options.FitHeights, monitor).Triangles.size() / 3;
+      : MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor).size() / 3;
   }
 
-  Decimation DecimateFast(BoundedHorizon horizon, double error, bool fitHeights, const Monitor& monitor) const
+  DecimationOptions FastOptions(double error, bool fitHeights) const
   {
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
     options.FitHeights = fitHeights;
     options.MaximumError = error;
-    return SeismicHorizons::Decimate(std::move(horizon), options, monitor);
+    return options;
   }
 
   /// A long side of an outline beside ground that takes many vertices leaves nothing but slivers between the two. Where
-  /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that the best effort,
-  /// which gets rid of those inside, finds none that it has to leave.
+  /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that the best
+  /// effort, which gets rid of those inside, finds none that it has to leave. Then the same where that changed outlines.
   void KeepBesideSlivers(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
@@ -434,52 +463,79 @@ private:
     {
       return;
     }
-    const std::vector<unsigned char> isNear = MarkNearLoops(this->Columns(), this->Result.Boundary.Boundary);
+    std::vector<PointId> changed =
+      FindChanged(this->Result.Boundary.Boundary, Loops(), this->Columns().size()); // all of its points
     for (int round = 0; round < SliverRounds; ++round)
     {
       const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
-      BoundedHorizon strip = this->CopyHorizon();
-      for (std::size_t n = 0; n < isNear.size(); ++n)
-      {
-        strip.Patch[n] = isNear[n] != 0 ? strip.Patch[n] : NoPatch;
-      }
-      const Decimation mesh = this->DecimateFast(std::move(strip), error, false, step.Step(0.0, 0.8));
-      if (!this->KeepBesideSliversOf(mesh))
+      const std::vector<PointId> found = this->FindBesideSlivers(changed, step.Step(0.0, 0.8));
+      if (found.empty())
       {
         return;
       }
+      this->Result.BesideSlivers.insert(this->Result.BesideSlivers.end(), found.begin(), found.end());
+      const Loops before = this->Outlines;
       this->Simplify(error, step.Step(0.8, 1.0));
+      changed = FindChanged(before, this->Outlines, this->Columns().size());
     }
   }
 
-  /// False when that is no point more.
-  bool KeepBesideSliversOf(const Decimation& mesh)
+  /// The points of the horizon in some squares, and those of its outlines.
+  KeptPoints Select(const SquaresNear& squares) const
   {
-    if (mesh.NumberOfSlivers == 0)
+    std::vector<unsigned char> isKept = squares.Mark(this->Columns());
+    for (const DroppedPoint& dropped : this->Dropped)
     {
-      return false;
+      isKept[std::size_t(dropped.Point)] = 0;
     }
+    this->Outlines.ForEachPoint([&](PointId point) { isKept[std::size_t(point)] = 1; });
+    KeptPoints kept(isKept.size());
+    for (std::size_t point = 0; point < isKept.size(); ++point)
+    {
+      kept.AppendRun(PointId(point), isKept[point]);
+    }
+    return kept;
+  }
+
+  /// Points that were dropped from outlines, next to slivers with a corner at one of these points, ascending.
+  std::vector<PointId> FindBesideSlivers(const std::vector<PointId>& points, const Monitor& monitor)
+  {
+    const KeptPoints near = this->Select(SquaresNear(this->Columns(), points));
+    const std::vector<PlanePoint> places = near.Select(this->Columns());
+    const RawVector<PointId> mesh = this->MeshOfSome(near, places, monitor);
+    const auto isOneOf = [&](PointId corner)
+    { return std::binary_search(points.begin(), points.end(), near[std::size_t(corner)]); };
     const SurfaceParameters& parameters = this->Result.Parameters;
     const double reach = std::min(parameters.OutlineTolerance, FarthestReach) + 2.0 * parameters.Radius;
     const double sine = SineOfDegrees(std::min(this->Options.SmallestAngle, LargestKeptAngle));
     const DroppedPlaces dropped(this->Columns(), this->Result.Boundary.Boundary, this->Outlines);
-    const std::size_t before = this->Result.BesideSlivers.size();
-    const std::vector<unsigned char> isOnLoop = mesh.Points.Boundary.MarkPoints(mesh.Points.Source.size());
-    for (auto vertex = mesh.Triangles.begin(); vertex != mesh.Triangles.end(); vertex += 3)
+    std::vector<PointId> found;
+    for (auto vertex = mesh.begin(); vertex != mesh.end(); vertex += 3)
     {
-      const auto place = [&](int corner) { return mesh.Points.Plane[std::size_t(vertex[corner])]; };
+      const auto place = [&](int corner) { return places[std::size_t(vertex[corner])]; };
       const std::array<PlanePoint, 3> corners = { place(0), place(1), place(2) };
-      if (SineOfSmallestAngle(corners[0], corners[1], corners[2]) < sine &&
-        std::any_of(vertex, vertex + 3, [&](PointId one) { return isOnLoop[std::size_t(one)] != 0; }))
+      if (SineOfSmallestAngle(corners[0], corners[1], corners[2]) < sine && std::any_of(vertex, vertex + 3, isOneOf))
       {
         const PointId nearest = dropped.FindNearest(PlaceToSplit(corners), std::int32_t(std::ceil(reach)));
         if (nearest != NoPoint)
         {
-          this->Result.BesideSlivers.push_back(nearest);
+          found.push_back(nearest);
         }
       }
     }
-    return this->Result.BesideSlivers.size() > before;
+    return found;
+  }
+
+  /// A mesh within the error of some points of the horizon at these places.
+  RawVector<PointId> MeshOfSome(const KeptPoints& points, PlanePoints places, const Monitor& monitor)
+  {
+    BoundedHorizon horizon;
+    horizon.Columns = places;
+    horizon.Height = points.Select(this->Height());
+    horizon.Patch = points.Select(this->Result.Boundary.Patch);
+    horizon.Boundary = this->Outlines.Renumbered(points.Numbers());
+    horizon.Cuts = this->CutLinks();
+    return MeshOf(std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor);
   }
 
   /// Finds the boundary with the holes that an error leaves open, and simplifies it for that error.
@@ -523,9 +579,12 @@ private:
       horizon.Patch[dropped.Point] = NoPatch;
     }
     horizon.Boundary = this->Outlines;
-    horizon.Cuts = { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; // someone else's
+    horizon.Cuts = this->CutLinks();
     return horizon;
   }
+
+  /// Someone else's.
+  std::shared_ptr<const LinkCuts> CutLinks() const { return { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; }
 
   BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Height()); }
   BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Height())); }
@@ -647,7 +706,7 @@ private:
     options.Effort = DecimationEffort::Fast;
     options.FitHeights = false;
     options.MaximumNumberOfPoints = onLoops;
-    const std::size_t least = SeismicHorizons::Decimate(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
+    const std::size_t least = MeshOf(this->CopyHorizon(), options, monitor).size() / 3;
     const std::size_t most = this->Options.MaximumNumberOfTriangles;
     if (least > most && !this->Result.BesideSlivers.empty()) // the number comes before angles
     {

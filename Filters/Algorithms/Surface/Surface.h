@@ -125,7 +125,8 @@ struct GapHistograms
 };
 
 /// Linear in the points, and in the rows and columns of the lattice between the outermost ones; where these are far
-/// more than points, n log n. 12 bytes per point and 24 per such row and column.
+/// more than points, n log n. 4 bytes per such column; for points that do not come row by row 24 per point more, and 8
+/// per row and column.
 GapHistograms CountGaps(PlanePoints columns);
 
 /// The least radius that spans 95 % of the steps along rows, and of those along columns; LargestRadius when none does.
