@@ -23,9 +23,11 @@ RANKS = vtkMultiProcessController.GetGlobalController()
 OWN = RANKS.GetLocalProcessId()
 
 
-def alone(name, *inputs, port=0):
+def alone(name, *inputs, port=0, **properties):
     """The output of a stage that this process runs without the others."""
     stage = getattr(sh, "vtk" + name)()
+    for key, value in properties.items():
+        getattr(stage, "Set" + key)(value)
     for number, data in enumerate(inputs):
         stage.SetInputDataObject(number, data)
     stage.Update()
@@ -110,14 +112,19 @@ def check_extraction():
     cube = wavelet.GetOutput()
     amplitudes = vtk_to_numpy(cube.GetPointData().GetScalars())
     amplitudes -= 150.0
-    everything = mesh_checks.blocks(alone("SeismicReflectionExtraction", cube))
+    everything = mesh_checks.blocks(alone("SeismicReflectionExtraction", cube, Order=1))
     assert len(everything) >= 2, everything
-    data, errors, _ = run("SeismicReflectionExtraction", cube)
+    data, errors, _ = run("SeismicReflectionExtraction", cube, Order=1)
     assert errors == 0
     own = mesh_checks.blocks(data)
     assert list(own) == list(everything)[OWN::2], (own, everything)
     for name, horizon in own.items():
         assert (mesh_checks.coordinates(horizon) == mesh_checks.coordinates(everything[name])).all(), name
+    guides = alone("SeismicReflectionExtraction", cube, LargestNumber=2)
+    guided = mesh_checks.blocks(run("SeismicReflectionExtraction", cube, guides)[0])
+    assert len(guided) == 1, guided
+    for name, horizon in mesh_checks.blocks(alone("SeismicReflectionExtraction", cube, guides)).items():
+        assert name not in guided or points(guided[name]) == points(horizon), name
 
 
 def check_invalid(horizons):
