@@ -112,9 +112,9 @@ def check_extraction():
     cube = wavelet.GetOutput()
     amplitudes = vtk_to_numpy(cube.GetPointData().GetScalars())
     amplitudes -= 150.0
-    everything = mesh_checks.blocks(alone("SeismicReflectionExtraction", cube, Order=1))
+    everything = mesh_checks.blocks(alone("SeismicReflectionExtraction", cube, Order=1, SmallestSize=100))
     assert len(everything) >= 2, everything
-    data, errors, _ = run("SeismicReflectionExtraction", cube, Order=1)
+    data, errors, _ = run("SeismicReflectionExtraction", cube, Order=1, SmallestSize=100)
     assert errors == 0
     own = mesh_checks.blocks(data)
     assert list(own) == list(everything)[OWN::2], (own, everything)
