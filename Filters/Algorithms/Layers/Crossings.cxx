@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Crossings.h"
+
+#include "Common/Errors.h"
+#include "Common/FixedChunks.h"
+#include "Common/Parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t ColumnsOfChunk = 1 << 14;
+
+/// Successive horizons of a column that share a height.
+struct Pool
+{
+  double Depth = 0.0;
+  int Weight = 0; // the exponent of an infinite one
+  double Sum = 0.0; // of the depths of those that weigh most
+  int Count = 0; // of them
+  int Size = 0; // of all
+
+  void Take(const Pool& below)
+  {
+    if (below.Weight > this->Weight)
+    {
+      this->Weight = below.Weight;
+      this->Sum = below.Sum;
+      this->Count = below.Count;
+      this->Depth = below.Depth;
+    }
+    else if (below.Weight == this->Weight)
+    {
+      this->Sum += below.Sum;
+      this->Count += below.Count;
+      this->Depth = this->Sum / this->Count;
+    }
+    this->Size += below.Size;
+  }
+};
+
+struct RepairSums : CrossingRepair
+{
+  void Add(const RepairSums& other)
+  {
+    this->Interfaces.resize(other.Interfaces.size());
+    this->Horizons.resize(other.Horizons.size());
+    for (std::size_t n = 0; n < other.Interfaces.size(); ++n)
+    {
+      this->Interfaces[n].Add(other.Interfaces[n]);
+    }
+    for (std::size_t n = 0; n < other.Horizons.size(); ++n)
+    {
+      this->Horizons[n].Add(other.Horizons[n]);
+    }
+  }
+};
+
+std::vector<CrossingPolicy> PolicyOfEach(const CrossingOptions& options, std::size_t horizons)
+{
+  if (horizons < 2)
+  {
+    throw InputError((horizons == 1 ? "one horizon" : "no horizon") + std::string(", expected at least 2"));
+  }
+  if (options.Policies.size() == 1)
+  {
+    return std::vector<CrossingPolicy>(horizons - 1, options.Policies.front());
+  }
+  if (options.Policies.size() != horizons - 1)
+  {
+    throw InputError(std::to_string(options.Policies.size()) + " policies of crossings, expected one, or " +
+      std::to_string(horizons - 1) + " for " + std::to_string(horizons) + " horizons");
+  }
+  return options.Policies;
+}
+
+std::vector<int> WeightOfEach(const std::vector<CrossingPolicy>& policies)
+{
+  std::vector<int> weights = { 0 };
+  for (const CrossingPolicy policy : policies)
+  {
+    const int step = policy == CrossingPolicy::UpperWins ? -1 : policy == CrossingPolicy::LowerWins ? 1 : 0;
+    weights.push_back(weights.back() + step);
+  }
+  return weights;
+}
+
+/// Puts one column after the other in order.
+class ColumnRepair
+{
+public:
+  ColumnRepair(HeightStack& heights, const std::vector<int>& weights, const CrossingOptions& options, RepairSums& sums)
+    : Heights(heights)
+    , Weights(weights)
+    , Minimum(options.MinimumThickness)
+    , Sign(options.HeightsGrowDownwards ? 1.0 : -1.0)
+    , Sums(sums)
+  {
+    sums.Interfaces.resize(heights.size() - 1);
+    sums.Horizons.resize(heights.size());
+  }
+
+  void Repair(std::size_t column)
+  {
+    this->CountCrossings(column);
+    this->Pools.clear();
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    {
+      const double depth = this->Depth(horizon, column);
+      this->Pools.push_back({ depth, this->Weights[horizon], depth, 1, 1 });
+      while (this->Pools.size() > 1 && this->Overlap())
+      {
+        const Pool below = this->Pools.back();
+        this->Pools.pop_back();
+        this->Pools.back().Take(below);
+      }
+    }
+    std::size_t horizon = 0;
+    for (const Pool& pool : this->Pools)
+    {
+      for (int n = 0; n < pool.Size; ++n)
+      {
+        this->Move(horizon++, column, this->Sign * pool.Depth);
+      }
+    }
+  }
+
+private:
+  double Depth(std::size_t horizon, std::size_t column) const { return this->Sign * this->Heights[horizon][column]; }
+
+  /// Of the last two pools.
+  bool Overlap() const
+  {
+    const double between = this->Pools.back().Depth - this->Pools[this->Pools.size() - 2].Depth;
+    return between < 0.0 || (between > 0.0 && between < this->Minimum);
+  }
+
+  void CountCrossings(std::size_t column)
+  {
+    for (std::size_t n = 0; n + 1 < this->Heights.size(); ++n)
+    {
+      const double above = this->Depth(n, column) - this->Depth(n + 1, column);
+      if (above > 0.0)
+      {
+        this->Sums.Interfaces[n].Add({ 1, above });
+      }
+    }
+  }
+
+  void Move(std::size_t horizon, std::size_t column, double height)
+  {
+    double& old = this->Heights[horizon][column];
+    if (height != old)
+    {
+      this->Sums.Horizons[horizon].Add({ 1, std::abs(height - old) });
+      old = height;
+    }
+  }
+
+  HeightStack& Heights;
+  const std::vector<int>& Weights;
+  const double Minimum;
+  const double Sign;
+  RepairSums& Sums;
+  std::vector<Pool> Pools;
+};
+
+void StopWhereAsked(const std::vector<CrossingPolicy>& policies, const CrossingRepair& repair)
+{
+  for (std::size_t n = 0; n < policies.size(); ++n)
+  {
+    if (policies[n] == CrossingPolicy::Stop && repair.Interfaces[n].Columns > 0)
+    {
+      std::ostringstream message;
+      message << "horizons " << n + 1 << " and " << n + 2 << " cross in " << repair.Interfaces[n].Columns
+              << (repair.Interfaces[n].Columns == 1 ? " column" : " columns") << ", by up to "
+              << repair.Interfaces[n].Deepest << ", expected none";
+      throw InputError(message.str());
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CrossedInterface::Add(const CrossedInterface& other)
+{
+  this->Columns += other.Columns;
+  this->Deepest = std::max(this->Deepest, other.Deepest);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MovedHorizon::Add(const MovedHorizon& other)
+{
+  this->Columns += other.Columns;
+  this->Farthest = std::max(this->Farthest, other.Farthest);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CrossingRepair RepairCrossings(HeightStack& heights, const CrossingOptions& options, const Monitor& monitor)
+{
+  const std::vector<CrossingPolicy> policies = PolicyOfEach(options, heights.size());
+  CheckAtLeast("minimum thickness", options.MinimumThickness, 0.0, " lattice units");
+  const std::vector<int> weights = WeightOfEach(policies);
+  const auto columns = std::int64_t(heights.front().size());
+  RepairSums sums = AddUpChunks<RepairSums>(columns, ColumnsOfChunk, monitor,
+    [&](RepairSums& part, std::int64_t first, std::int64_t last)
+    {
+      ColumnRepair repair(heights, weights, options, part);
+      for (std::int64_t column = first; column < last; ++column)
+      {
+        repair.Repair(std::size_t(column));
+      }
+    });
+  sums.Interfaces.resize(policies.size()); // where there is no column
+  sums.Horizons.resize(heights.size());
+  StopWhereAsked(policies, sums);
+  return sums;
+}
+}
