@@ -63,19 +63,36 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   , Vertices(this->OnLoops)
   , Mesh(this->Columns(), this->MeshLoops(monitor))
 {
-  this->MakeRasters();
+  this->Rasters = this->MakeRasters(this->Horizon.Height);
   this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
   this->FindRange();
-  this->RaisedPoints = HeapArray<RaisedPoint>(this->Patches.size());
+  this->RaisedPoints = this->RaisePoints(this->Horizon.Height);
+  this->Horizon.Height = std::vector<double>();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeapArray<RaisedPoint> HeightMesh::RaisePoints(const std::vector<double>& heights) const
+{
+  HeapArray<RaisedPoint> raised(this->Patches.size());
   ParallelFor(std::int64_t(this->Patches.size()), PointGrain,
-    [this](std::int64_t first, std::int64_t last)
+    [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t point = first; point < last; ++point)
       {
-        this->RaisedPoints[point] = { this->Places[point], this->Horizon.Height[point] };
+        raised[point] = { this->Places[point], heights[point] };
       }
     });
-  this->Horizon.Height = std::vector<double>();
+  return raised;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::AddHorizon(const std::vector<double>& heights)
+{
+  this->Others.push_back({ this->MakeRasters(heights), this->RaisePoints(heights) });
+  for (const HeightRaster& raster : this->Others.back().Rasters)
+  {
+    this->AddRounding(raster.LowestHeight(), raster.HighestHeight());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -122,14 +139,21 @@ void HeightMesh::FindRange()
   if (!this->Rasters.empty())
   {
     this->Range = highest - lowest;
-    this->RoundingError = UnitsOfRounding * std::max(std::abs(lowest), std::abs(highest));
+    this->AddRounding(lowest, highest);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// One for each patch: they can be far apart, and one can lie in a hole of another one.
-void HeightMesh::MakeRasters()
+void HeightMesh::AddRounding(double lowest, double highest)
 {
+  this->RoundingError = std::max(this->RoundingError, UnitsOfRounding * std::max(std::abs(lowest), std::abs(highest)));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// One for each patch: they can be far apart, and one can lie in a hole of another one.
+std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& heights) const
+{
+  std::vector<HeightRaster> rasters;
   const std::vector<std::int32_t>& patch = this->Patches;
   const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
   const auto forEachPoint = [&patch](auto&& add)
@@ -144,16 +168,27 @@ void HeightMesh::MakeRasters()
   };
   if (patches == 1)
   {
-    this->Rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Columns(), this->Horizon.Height, this->Horizon.Cuts.get());
-    return;
+    rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
+      this->Columns(), heights, this->Horizon.Cuts.get());
+    return rasters;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
-  this->Rasters.reserve(std::size_t(patches));
+  rasters.reserve(std::size_t(patches));
   for (std::int32_t number = 0; number < patches; ++number)
   {
-    this->Rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Columns(), this->Horizon.Height, this->Horizon.Cuts.get());
+    rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
+      this->Columns(), heights, this->Horizon.Cuts.get());
+  }
+  return rasters;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::PutBack(PointId point)
+{
+  this->RaisedPoints[point].Height = this->ColumnHeight(point);
+  for (std::size_t other = 0; other < this->Others.size(); ++other)
+  {
+    this->Others[other].RaisedPoints[point].Height = this->ColumnHeight(other + 1, point);
   }
 }
 
@@ -221,8 +256,22 @@ void HeightMesh::Measure(
     {
       const HeightRaster& raster = this->RasterOf(triangle);
       const RaisedTriangle corners = this->RaisedCorners(triangle);
-      return power.Power == 0 ? raster.MeasureAbove(corners, bound) : raster.Measure(corners, power);
+      return power.Power == 0 ? this->MeasureOthers(triangle, bound, raster.MeasureAbove(corners, bound))
+                              : raster.Measure(corners, power);
     });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The largest error of all, where that of the first horizon is known.
+HeightError HeightMesh::MeasureOthers(TriangleId triangle, double bound, HeightError error) const
+{
+  for (std::size_t horizon = 1; horizon < this->NumberOfHorizons(); ++horizon)
+  {
+    const HeightError other =
+      this->RasterOf(horizon, triangle).MeasureAbove(this->RaisedCorners(horizon, triangle), bound);
+    error = other.Largest > error.Largest ? other : error;
+  }
+  return error;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -269,16 +318,28 @@ std::vector<TriangleId> HeightMesh::AllTriangles() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Each side once: of the first of its two triangles.
 HeightError HeightMesh::MeasureSides(TriangleId triangle, double bound, bool isEachOnce) const
 {
-  const HeightRaster& raster = this->RasterOf(triangle);
   HeightError error = this->Errors[triangle];
+  for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
+  {
+    const HeightError ofSides = this->MeasureSides(horizon, triangle, bound, isEachOnce);
+    error = ofSides.Largest > error.Largest ? ofSides : error;
+  }
+  return error;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Each side once: of the first of its two triangles. Nothing that is not above the bound.
+HeightError HeightMesh::MeasureSides(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const
+{
+  const HeightRaster& raster = this->RasterOf(horizon, triangle);
+  HeightError error;
   for (int side = 0; side < 3; ++side)
   {
     const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-    const RaisedPoint& from = this->Raised(this->Mesh.Corner(triangle, side));
-    const RaisedPoint& to = this->Raised(this->Mesh.Corner(triangle, NextCorner(side)));
+    const RaisedPoint& from = this->Raised(horizon, this->Mesh.Corner(triangle, side));
+    const RaisedPoint& to = this->Raised(horizon, this->Mesh.Corner(triangle, NextCorner(side)));
     if (beyond != NoTriangle && (beyond > triangle || !isEachOnce) && !raster.IsSideWithin(from, to, bound))
     {
       const HeightError ofSide = raster.MeasureSide(from, to, this->Marks);

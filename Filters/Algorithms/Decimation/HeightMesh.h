@@ -56,6 +56,12 @@ public:
   /// Meshes the loops. The places of the horizon are columns.
   HeightMesh(BoundedHorizon horizon, const Monitor& monitor);
 
+  /// Lays the mesh over another horizon, too, of the same points with other heights. Vertices then have a height of each,
+  /// at first that of its column, and errors are the largest ones of all, which are measured without powers. What has no
+  /// number of a horizon is about the first one, and so are sums.
+  void AddHorizon(const std::vector<double>& heights);
+  std::size_t NumberOfHorizons() const { return 1 + this->Others.size(); }
+
   /// Gives the horizon back; the mesh can not be used any more.
   BoundedHorizon TakeHorizon();
 
@@ -77,12 +83,17 @@ public:
   /// A point that is no vertex has the height of its column.
   void MarkVertex(PointId point, bool isVertex);
   /// To the height of its column.
-  void PutBack(PointId point) { this->RaisedPoints[point].Height = this->ColumnHeight(point); }
+  void PutBack(PointId point);
 
   /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
   double Height(PointId point) const { return this->RaisedPoints[point].Height; }
   /// Of the horizon.
   double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->RaisedPoints[point].Column); }
+  double Height(std::size_t horizon, PointId point) const { return this->Raised(horizon, point).Height; }
+  double ColumnHeight(std::size_t horizon, PointId point) const
+  {
+    return this->RasterAt(horizon, point).HeightAt(this->RaisedPoints[point].Column);
+  }
   /// Those of the vertices that are on no loop.
   InnerHeights Heights() const;
   void SetHeights(const InnerHeights& heights);
@@ -95,6 +106,20 @@ public:
   }
   /// The heights of the patch that a triangle belongs to.
   const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterAt(this->Mesh.Corner(triangle, 0)); }
+
+  const RaisedPoint& Raised(std::size_t horizon, PointId point) const
+  {
+    return horizon == 0 ? this->RaisedPoints[point] : this->Others[horizon - 1].RaisedPoints[point];
+  }
+  RaisedTriangle RaisedCorners(std::size_t horizon, TriangleId triangle) const
+  {
+    return { this->Raised(horizon, this->Mesh.Corner(triangle, 0)),
+      this->Raised(horizon, this->Mesh.Corner(triangle, 1)), this->Raised(horizon, this->Mesh.Corner(triangle, 2)) };
+  }
+  const HeightRaster& RasterOf(std::size_t horizon, TriangleId triangle) const
+  {
+    return this->RasterAt(horizon, this->Mesh.Corner(triangle, 0));
+  }
 
   /// Of a side of a triangle, wherever it crosses lines between columns.
   HeightError MeasureCrossings(TriangleId triangle, int side, const ErrorPower& power = ErrorPower()) const
@@ -140,15 +165,30 @@ public:
   double HeightRange() const { return this->Range > 0.0 ? this->Range : 1.0; }
 
 private:
+  /// The same points in other heights.
+  struct OtherHorizon
+  {
+    std::vector<HeightRaster> Rasters;
+    HeapArray<RaisedPoint> RaisedPoints;
+  };
+
   const PlanePoints& Columns() const { return this->Places; }
   const HeightRaster& RasterAt(PointId point) const
   {
     return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[point]];
   }
+  const HeightRaster& RasterAt(std::size_t horizon, PointId point) const
+  {
+    return horizon == 0 ? this->RasterAt(point) : this->Others[horizon - 1].Rasters[this->Patches[point]];
+  }
   RawVector<PointId> MeshLoops(const Monitor& monitor) const;
-  void MakeRasters();
+  std::vector<HeightRaster> MakeRasters(const std::vector<double>& heights) const;
+  HeapArray<RaisedPoint> RaisePoints(const std::vector<double>& heights) const;
+  void AddRounding(double lowest, double highest);
   void FindRange();
   std::vector<TriangleId> AllTriangles() const;
+  HeightError MeasureOthers(TriangleId triangle, double bound, HeightError error) const;
+  HeightError MeasureSides(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const;
   HeightError MeasureSides(TriangleId triangle, double bound, bool isEachOnce) const;
   template <typename Measuring>
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
@@ -165,6 +205,7 @@ private:
   std::vector<HeightRaster> Rasters; // by patch
   const HeightRaster* OnlyRaster; // of a single patch, else null
   HeapArray<RaisedPoint> RaisedPoints; // by point: columns with the heights of the mesh
+  std::vector<OtherHorizon> Others; // all but the first one
   double Range = 0.0;
   double RoundingError = 0.0;
   std::vector<HeightError> Errors; // by triangle

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayerBody.h"
+
+#include "Decimation/PlaneMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+class BodyMaker
+{
+public:
+  BodyMaker(const LayerPlan& plan, std::size_t layer)
+    : Plan(plan)
+    , Layer(layer)
+    , Mesh(plan.Columns, plan.Triangles)
+  {
+  }
+
+  LayerBody Run()
+  {
+    this->FindCells();
+    this->FindClosed();
+    this->FindSectors();
+    this->MakePoints();
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      if (this->HasCell(triangle))
+      {
+        this->AddTopAndBase(triangle);
+        this->AddWalls(triangle);
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  using CornerId = std::int32_t; // three per triangle
+
+  bool IsPinched(PointId vertex) const { return this->Thickness[std::size_t(vertex)] <= 0.0; }
+  bool HasCell(TriangleId triangle) const { return triangle != NoTriangle && this->IsKept[std::size_t(triangle)] != 0; }
+  PointId Begin(TriangleId triangle, int side) const { return this->Mesh.Corner(triangle, side); }
+  PointId End(TriangleId triangle, int side) const { return this->Mesh.Corner(triangle, NextCorner(side)); }
+
+  void FindCells()
+  {
+    for (std::size_t vertex = 0; vertex < this->Plan.Columns.size(); ++vertex)
+    {
+      this->Thickness.push_back(this->Plan.Thickness(this->Layer, PointId(vertex)));
+    }
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      const bool isPinched = this->IsPinched(this->Mesh.Corner(triangle, 0)) &&
+        this->IsPinched(this->Mesh.Corner(triangle, 1)) && this->IsPinched(this->Mesh.Corner(triangle, 2));
+      this->IsKept.push_back(isPinched ? 0 : 1);
+    }
+  }
+
+  /// The pinched vertices where top and base are one point: those at the border of the cells, and those that edges
+  /// between pinched vertices lead to from there.
+  void FindClosed()
+  {
+    this->IsClosed.assign(this->Plan.Columns.size(), 0);
+    std::vector<std::array<PointId, 2>> edges; // of cells, both ways, between pinched vertices
+    std::vector<PointId> waiting;
+    const auto close = [&](PointId vertex)
+    {
+      if (this->IsPinched(vertex) && this->IsClosed[std::size_t(vertex)] == 0)
+      {
+        this->IsClosed[std::size_t(vertex)] = 1;
+        waiting.push_back(vertex);
+      }
+    };
+    this->ForEachSide(
+      [&](TriangleId triangle, int side)
+      {
+        const PointId begin = this->Begin(triangle, side);
+        const PointId end = this->End(triangle, side);
+        if (!this->HasCell(this->Mesh.Neighbour(triangle, side)))
+        {
+          close(begin);
+          close(end);
+        }
+        if (this->IsPinched(begin) && this->IsPinched(end))
+        {
+          edges.push_back({ begin, end });
+          edges.push_back({ end, begin });
+        }
+      });
+    std::sort(edges.begin(), edges.end());
+    while (!waiting.empty())
+    {
+      const PointId vertex = waiting.back();
+      waiting.pop_back();
+      auto edge = std::lower_bound(edges.begin(), edges.end(), std::array<PointId, 2>{ vertex, 0 });
+      for (; edge != edges.end() && edge->front() == vertex; ++edge)
+      {
+        close(edge->back());
+      }
+    }
+  }
+
+  /// Whether top and base meet along a side.
+  bool IsParted(TriangleId triangle, int side) const
+  {
+    const auto isClosed = [this](PointId vertex) { return this->IsClosed[std::size_t(vertex)] != 0; };
+    // Where one is closed and the other one pinched, that is closed as well.
+    return isClosed(this->Begin(triangle, side)) && isClosed(this->End(triangle, side));
+  }
+
+  /// Corners that are in one sector of their vertex have the same root.
+  void FindSectors()
+  {
+    this->Roots.resize(3 * std::size_t(this->Mesh.Size()));
+    std::iota(this->Roots.begin(), this->Roots.end(), 0);
+    this->ForEachSide(
+      [this](TriangleId triangle, int side)
+      {
+        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+        if (this->HasCell(beyond) && !this->IsParted(triangle, side))
+        {
+          for (const int corner : { side, NextCorner(side) })
+          {
+            this->Join(
+              3 * triangle + corner, 3 * beyond + this->Mesh.CornerAt(beyond, this->Mesh.Corner(triangle, corner)));
+          }
+        }
+      });
+  }
+
+  CornerId RootOf(CornerId corner)
+  {
+    while (this->Roots[std::size_t(corner)] != corner)
+    {
+      CornerId& root = this->Roots[std::size_t(corner)];
+      root = this->Roots[std::size_t(root)];
+      corner = root;
+    }
+    return corner;
+  }
+
+  void Join(CornerId a, CornerId b)
+  {
+    const auto [first, second] = std::minmax({ this->RootOf(a), this->RootOf(b) });
+    this->Roots[std::size_t(second)] = first;
+  }
+
+  /// For each sector, in the order of their first corners, a point of the top and one of the base, or one for both.
+  void MakePoints()
+  {
+    this->Points.resize(this->Roots.size(), { NoPoint, NoPoint });
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3 && this->HasCell(triangle); ++corner)
+      {
+        const CornerId own = 3 * triangle + corner;
+        const CornerId root = this->RootOf(own);
+        if (root == own)
+        {
+          const PointId vertex = this->Mesh.Corner(triangle, corner);
+          const PointId top = this->AddPoint(vertex, this->Layer);
+          const bool isOne = this->IsClosed[std::size_t(vertex)] != 0;
+          this->Points[std::size_t(own)] = { top, isOne ? top : this->AddPoint(vertex, this->Layer + 1) };
+        }
+        this->Points[std::size_t(own)] = this->Points[std::size_t(root)]; // the first one of its sector
+      }
+    }
+  }
+
+  PointId AddPoint(PointId vertex, std::size_t horizon)
+  {
+    this->Result.Vertices.push_back(vertex);
+    this->Result.Heights.push_back(this->Plan.Heights[horizon][std::size_t(vertex)]);
+    return PointId(this->Result.Vertices.size() - 1);
+  }
+
+  PointId Top(TriangleId triangle, int corner) const { return this->Points[std::size_t(3 * triangle + corner)][0]; }
+  PointId Base(TriangleId triangle, int corner) const { return this->Points[std::size_t(3 * triangle + corner)][1]; }
+
+  void AddTopAndBase(TriangleId triangle)
+  {
+    this->AddFace(BodyFace::Top, this->Top(triangle, 0), this->Top(triangle, 1), this->Top(triangle, 2));
+    this->AddFace(BodyFace::Base, this->Base(triangle, 0), this->Base(triangle, 2), this->Base(triangle, 1));
+  }
+
+  /// Along the outline, where the layer has a thickness at one end at least.
+  void AddWalls(TriangleId triangle)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      const int next = NextCorner(side);
+      if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
+      {
+        continue;
+      }
+      if (!this->IsPinched(this->Begin(triangle, side)))
+      {
+        this->AddFace(
+          BodyFace::Outline, this->Top(triangle, next), this->Top(triangle, side), this->Base(triangle, side));
+      }
+      if (!this->IsPinched(this->End(triangle, side)))
+      {
+        this->AddFace(
+          BodyFace::Outline, this->Top(triangle, next), this->Base(triangle, side), this->Base(triangle, next));
+      }
+    }
+  }
+
+  /// Counter-clockwise where the top has the greater heights.
+  void AddFace(BodyFace face, PointId a, PointId b, PointId c)
+  {
+    const bool isTopHigh = !this->Plan.HeightsGrowDownwards;
+    this->Result.Triangles.push_back(a);
+    this->Result.Triangles.push_back(isTopHigh ? b : c);
+    this->Result.Triangles.push_back(isTopHigh ? c : b);
+    this->Result.Faces.push_back(face);
+  }
+
+  /// Calls visit(triangle, side) for the sides of all triangles with a cell.
+  template <typename Visitor>
+  void ForEachSide(Visitor&& visit) const
+  {
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3 && this->HasCell(triangle); ++side)
+      {
+        visit(triangle, side);
+      }
+    }
+  }
+
+  const LayerPlan& Plan;
+  const std::size_t Layer;
+  const PlaneMesh Mesh;
+  std::vector<double> Thickness; // by vertex
+  std::vector<unsigned char> IsKept; // by triangle: it has a cell
+  std::vector<unsigned char> IsClosed; // by vertex
+  std::vector<CornerId> Roots; // by corner
+  std::vector<std::array<PointId, 2>> Points; // by corner, of top and base
+  LayerBody Result;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerBody MakeLayerBody(const LayerPlan& plan, std::size_t layer)
+{
+  return BodyMaker(plan, layer).Run();
+}
+}

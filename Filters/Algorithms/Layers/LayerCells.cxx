@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayerCells.h"
+
+#include "Common/Predicates.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace SeismicHorizons
+{
+namespace
+{
+using Corners = std::array<PointId, 3>;
+
+Corners CornersOf(const LayerPlan& plan, std::size_t triangle)
+{
+  const PointId* const first = plan.Triangles.data() + 3 * triangle;
+  return { first[0], first[1], first[2] };
+}
+
+double AreaOf(const LayerPlan& plan, const Corners& corners)
+{
+  const auto at = [&](int corner) { return plan.Columns[std::size_t(corners[std::size_t(corner)])]; };
+  return 0.5 * double(SignedArea(at(0), at(1), at(2)));
+}
+
+std::array<double, 3> ThicknessOf(const LayerPlan& plan, std::size_t layer, const Corners& corners)
+{
+  return { plan.Thickness(layer, corners[0]), plan.Thickness(layer, corners[1]), plan.Thickness(layer, corners[2]) };
+}
+
+double MeanOf(const std::array<double, 3>& values)
+{
+  return (values[0] + values[1] + values[2]) / 3.0;
+}
+
+class CellMaker
+{
+public:
+  explicit CellMaker(const LayerPlan& plan)
+    : Plan(plan)
+  {
+  }
+
+  LayerCells Run()
+  {
+    this->MakePoints();
+    for (std::size_t layer = 0; layer < this->Plan.NumberOfLayers(); ++layer)
+    {
+      for (std::size_t triangle = 0; triangle < this->Plan.NumberOfTriangles(); ++triangle)
+      {
+        this->AddCell(layer, triangle);
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  void MakePoints()
+  {
+    this->Result.PointsOfHorizons.resize(this->Plan.NumberOfHorizons());
+    for (std::size_t vertex = 0; vertex < this->Plan.Columns.size(); ++vertex)
+    {
+      for (std::size_t horizon = 0; horizon < this->Plan.NumberOfHorizons(); ++horizon)
+      {
+        const double height = this->Plan.Heights[horizon][vertex];
+        if (horizon == 0 || height != this->Plan.Heights[horizon - 1][vertex])
+        {
+          this->Result.Vertices.push_back(PointId(vertex));
+          this->Result.Heights.push_back(height);
+        }
+        this->Result.PointsOfHorizons[horizon].push_back(PointId(this->Result.Vertices.size() - 1));
+      }
+    }
+  }
+
+  void AddCell(std::size_t layer, std::size_t triangle)
+  {
+    const Corners corners = CornersOf(this->Plan, triangle);
+    const std::array<double, 3> thickness = ThicknessOf(this->Plan, layer, corners);
+    const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
+    if (thick == 0)
+    {
+      return;
+    }
+    // From the surface with the greater heights to the other one.
+    const bool isTopHigh = !this->Plan.HeightsGrowDownwards;
+    const std::vector<PointId>& high = this->Result.PointsOfHorizons[isTopHigh ? layer : layer + 1];
+    const std::vector<PointId>& low = this->Result.PointsOfHorizons[isTopHigh ? layer + 1 : layer];
+    this->AddCorners(corners, thickness, int(thick), high, low);
+    this->Result.Ends.push_back(std::int64_t(this->Result.Corners.size()));
+    this->Result.Layers.push_back(std::int32_t(layer));
+    this->Result.Triangles.push_back(std::int32_t(triangle));
+    this->Result.Thickness.push_back(MeanOf(thickness));
+    this->Result.Volumes.push_back(AreaOf(this->Plan, corners) * MeanOf(thickness));
+  }
+
+  //       wedge            pyramid           tetrahedron
+  //
+  //      0-------2        3-------2            3
+  //      |\     /|        |\     /|            |\ .
+  //      | \   / |        | \   / |            | \ .
+  //      |  \ /  |        |  \ /  |            |  \ .
+  //      3---1---5        0---4---1            0---\---2
+  //       \  |  /          \  |  /              \   \ /
+  //        \ | /            \ | /                \   /
+  //          4                4                    1
+  void AddCorners(const Corners& corners, const std::array<double, 3>& thickness, int thick,
+    const std::vector<PointId>& high, const std::vector<PointId>& low)
+  {
+    RawVector<PointId>& result = this->Result.Corners;
+    const auto add = [&result](const std::vector<PointId>& points, PointId vertex)
+    { result.push_back(points[std::size_t(vertex)]); };
+    if (thick == 3)
+    {
+      std::for_each(corners.begin(), corners.end(), [&](PointId vertex) { add(high, vertex); });
+      std::for_each(corners.begin(), corners.end(), [&](PointId vertex) { add(low, vertex); });
+      return;
+    }
+    // The corner that is unlike the two others, and these counter-clockwise after it.
+    std::size_t odd = 0;
+    while ((thickness[odd] > 0.0) != (thick == 1))
+    {
+      ++odd;
+    }
+    const PointId single = corners[odd];
+    const PointId next = corners[(odd + 1) % 3];
+    const PointId last = corners[(odd + 2) % 3];
+    if (thick == 1)
+    {
+      add(low, single);
+      add(low, next);
+      add(low, last);
+      add(high, single);
+      return;
+    }
+    add(low, last);
+    add(low, next);
+    add(high, next);
+    add(high, last);
+    add(low, single);
+  }
+
+  const LayerPlan& Plan;
+  LayerCells Result;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerCells MakeLayerCells(const LayerPlan& plan)
+{
+  return CellMaker(plan).Run();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
+{
+  LayerVolume result;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
+  {
+    const Corners corners = CornersOf(plan, triangle);
+    const std::array<double, 3> thickness = ThicknessOf(plan, layer, corners);
+    const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
+    ++result.Triangles[std::size_t(thick)];
+    if (thick > 0)
+    {
+      const double area = AreaOf(plan, corners);
+      result.Area += area;
+      result.Volume += area * MeanOf(thickness);
+      least = std::min(least, *std::min_element(thickness.begin(), thickness.end()));
+      result.LargestThickness =
+        std::max(result.LargestThickness, *std::max_element(thickness.begin(), thickness.end()));
+    }
+  }
+  if (result.Area > 0.0)
+  {
+    result.MeanThickness = result.Volume / result.Area;
+    result.LeastThickness = least;
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double IntegrateAboveZero(double area, std::array<double, 3> values)
+{
+  std::sort(values.begin(), values.end());
+  const auto [least, middle, most] = values;
+  if (most <= 0.0)
+  {
+    return 0.0;
+  }
+  if (middle <= 0.0) // what is left is a tetrahedron beside the largest value
+  {
+    return area * most * (most / (most - least)) * (most / (most - middle)) / 3.0;
+  }
+  const double all = area * MeanOf(values);
+  if (least >= 0.0)
+  {
+    return all;
+  }
+  return all - area * least * (least / (middle - least)) * (least / (most - least)) / 3.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact)
+{
+  const double sign = plan.HeightsGrowDownwards ? -1.0 : 1.0;
+  const auto above = [&](std::size_t horizon, PointId vertex)
+  { return sign * (plan.Heights[horizon][std::size_t(vertex)] - contact); };
+  double volume = 0.0;
+  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
+  {
+    const Corners corners = CornersOf(plan, triangle);
+    const double area = AreaOf(plan, corners);
+    const auto part = [&](std::size_t horizon)
+    {
+      return IntegrateAboveZero(
+        area, { above(horizon, corners[0]), above(horizon, corners[1]), above(horizon, corners[2]) });
+    };
+    volume += part(layer) - part(layer + 1);
+  }
+  return volume;
+}
+}

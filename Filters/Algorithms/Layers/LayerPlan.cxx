@@ -1,0 +1,432 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: the stack in order; the outline within the error of all horizons; the plan inside it; and what is told
+// of it.
+
+#include "LayerPlan.h"
+
+#include "Boundary/ExteriorBoundary.h"
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Common/BoundedHorizon.h"
+#include "Common/ColumnIndex.h"
+#include "Common/Errors.h"
+#include "Common/Parameters.h"
+#include "Common/SpacePoints.h"
+#include "Decimation/HeightMesh.h"
+#include "Decimation/MeshRefiner.h"
+#include "Surface/Surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// ---- The stack -----------------------------------------------------------------------------------------------------
+void CheckHorizons(const std::vector<HorizonView>& horizons)
+{
+  if (horizons.size() < 2)
+  {
+    throw InputError((horizons.empty() ? "no horizon" : "one horizon") + std::string(", expected at least 2"));
+  }
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    const double* const heights = horizons[n].Heights;
+    const double* const wrong =
+      std::find_if(heights, heights + horizons[n].Columns.size(), [](double height) { return !std::isfinite(height); });
+    if (wrong != heights + horizons[n].Columns.size())
+    {
+      throw InputError("horizon " + std::to_string(n + 1) + ": point " + std::to_string(wrong - heights) +
+        " without a height, expected a finite number");
+    }
+  }
+}
+
+/// Why horizons have no column in common: for two of them, where there are such.
+InputError NothingInCommon(const std::vector<HorizonView>& horizons)
+{
+  for (std::size_t a = 0; a < horizons.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < horizons.size(); ++b)
+    {
+      if (FindCommonColumns({ horizons[a], horizons[b] }).Columns.empty())
+      {
+        return InputError("horizons " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
+          " have no column in common, expected horizons that lie above each other");
+      }
+    }
+  }
+  return InputError("no column that all " + std::to_string(horizons.size()) +
+    " horizons have, expected horizons that lie above each other");
+}
+
+OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const CrossingOptions& options, const Monitor& monitor)
+{
+  CheckHorizons(horizons);
+  CommonColumns common = FindCommonColumns(horizons);
+  if (common.Columns.empty())
+  {
+    throw NothingInCommon(horizons);
+  }
+  OrderedStack stack;
+  stack.Columns = std::move(common.Columns);
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    std::vector<double> heights;
+    heights.reserve(stack.Columns.size());
+    std::transform(common.Points[n].begin(), common.Points[n].end(), std::back_inserter(heights),
+      [&](PointId point) { return horizons[n].Heights[point]; });
+    stack.Heights.push_back(std::move(heights));
+  }
+  stack.Repair = RepairCrossings(stack.Heights, options, monitor);
+  return stack;
+}
+
+// ---- The outline ---------------------------------------------------------------------------------------------------
+struct Outline
+{
+  Loops Boundary;
+  std::vector<std::int32_t> Patch; // by point: NoPatch for those outside
+};
+
+/// The fewest points for the first horizon; the others make loops keep more: of each edge that one of them is too far
+/// from, the point where it is farthest.
+class OutlineMaker
+{
+public:
+  /// The points are those that have a patch.
+  OutlineMaker(PlanePoints columns, const HeightStack& heights, double error, double tolerance)
+    : Columns(columns)
+    , Heights(heights)
+  {
+    this->Options.Method = OutlineMethod::FewestPoints;
+    this->Options.DistanceThreshold = error;
+    this->Options.OutlineTolerance = tolerance;
+  }
+
+  Outline Run(const ExteriorBoundary& boundary, const Monitor& monitor)
+  {
+    BoundarySimplification simplified;
+    const SpacePoints points(this->Columns, this->Heights.front(), 1);
+    std::vector<PointId> far;
+    do
+    {
+      this->Options.Fixed.insert(this->Options.Fixed.end(), far.begin(), far.end());
+      simplified = SimplifyBoundary(points, boundary.Boundary, this->Options, monitor);
+      far = this->FindFar(boundary.Boundary, simplified.Boundary.MarkPoints(this->Columns.size()));
+    } while (!far.empty());
+    Outline outline;
+    outline.Boundary = std::move(simplified.Boundary);
+    outline.Patch = boundary.Patch;
+    for (const DroppedPoint& dropped : simplified.Dropped)
+    {
+      outline.Patch[std::size_t(dropped.Point)] = NoPatch;
+    }
+    return outline;
+  }
+
+private:
+  /// Points to be kept, given the loops and a mark for each point that is.
+  std::vector<PointId> FindFar(const Loops& loops, const std::vector<unsigned char>& isKept) const
+  {
+    std::vector<PointId> far;
+    for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+    {
+      const PointId* const points = loops.begin(loop);
+      const std::size_t length = loops.Length(loop);
+      const auto at = [&](std::size_t n) { return points[n % length]; };
+      const auto first = std::size_t(
+        std::find_if(points, points + length, [&](PointId point) { return isKept[std::size_t(point)] != 0; }) - points);
+      for (std::size_t from = first; from < first + length && first < length;)
+      {
+        std::size_t to = from + 1;
+        while (isKept[std::size_t(at(to))] == 0)
+        {
+          ++to;
+        }
+        const std::size_t farthest = this->FindFarthest(at, from, to);
+        if (farthest != from)
+        {
+          far.push_back(at(farthest));
+        }
+        from = to;
+      }
+    }
+    return far;
+  }
+
+  /// Of the points of a loop between two that are kept, the one that a horizon but the first is farthest at from the
+  /// edge, where that is too far; else the first one.
+  template <typename PointAt>
+  std::size_t FindFarthest(const PointAt& at, std::size_t from, std::size_t to) const
+  {
+    std::size_t farthest = from;
+    double largest = this->Options.DistanceThreshold + this->Slack();
+    for (std::size_t n = from + 1; n < to; ++n)
+    {
+      for (std::size_t horizon = 1; horizon < this->Heights.size(); ++horizon)
+      {
+        const double distance = this->DistanceFrom(at(from), at(to), at(n), this->Heights[horizon]);
+        farthest = distance > largest ? n : farthest;
+        largest = std::max(largest, distance);
+      }
+    }
+    return farthest;
+  }
+
+  /// Vertically, where the edge is nearest in plan.
+  double DistanceFrom(PointId from, PointId to, PointId point, const std::vector<double>& heights) const
+  {
+    const PlanePoint& a = this->Columns[std::size_t(from)];
+    const PlanePoint& b = this->Columns[std::size_t(to)];
+    const auto length = double(SquaredDistance(a, b));
+    const auto along = double(ScalarProduct(a, b, this->Columns[std::size_t(point)]));
+    const double part = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+    const double start = heights[std::size_t(from)];
+    return std::abs(start + part * (heights[std::size_t(to)] - start) - heights[std::size_t(point)]);
+  }
+
+  /// What rounding may make of a distance.
+  double Slack() const { return 1e-9 * std::max(1.0, this->Options.DistanceThreshold); }
+
+  PlanePoints Columns;
+  const HeightStack& Heights;
+  BoundarySimplificationOptions Options;
+};
+
+// ---- The plan ------------------------------------------------------------------------------------------------------
+class LayerMaker
+{
+public:
+  LayerMaker(const std::vector<HorizonView>& horizons, const LayerOptions& options)
+    : Horizons(horizons)
+    , Options(options)
+  {
+  }
+
+  Layers Run(const Monitor& monitor)
+  {
+    this->Result.Stack = MakeStack(this->Horizons, this->Options.Crossings, monitor.Step(0.0, 0.1));
+    this->Result.Plan.Heights.resize(this->Horizons.size());
+    this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
+    this->Result.LargestErrors.resize(this->Horizons.size());
+    this->Result.LargestSideErrors.resize(this->Horizons.size());
+    this->Result.ColumnsOutside = std::int64_t(this->Result.Stack.Columns.size());
+    ExteriorBoundary boundary = this->FindBoundary(monitor.Step(0.1, 0.2));
+    const KeptPoints kept = DropPointsWithoutPatch(boundary);
+    if (kept.empty())
+    {
+      return std::move(this->Result);
+    }
+    this->Columns = kept.Select(this->Result.Stack.Columns);
+    for (const std::vector<double>& heights : this->Result.Stack.Heights)
+    {
+      this->Heights.push_back(kept.Select(heights));
+    }
+    OutlineMaker outline(this->Columns, this->Heights, this->Options.MaximumError, this->Result.OutlineTolerance);
+    HeightMesh mesh = this->MakeMesh(outline.Run(boundary, monitor.Step(0.2, 0.3)), monitor.Step(0.3, 0.4));
+    this->Refine(mesh, monitor.Step(0.4, 0.9));
+    this->Collect(mesh, monitor.Step(0.9, 1.0));
+    return std::move(this->Result);
+  }
+
+private:
+  ExteriorBoundary FindBoundary(const Monitor& monitor)
+  {
+    const PlanePoints columns = this->Result.Stack.Columns;
+    this->Result.OutlineTolerance = this->Options.OutlineTolerance.value_or(this->Options.MaximumError);
+    this->Result.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(columns);
+    this->Result.SmallestHoleSize = this->Options.SmallestHoleSize
+      ? *this->Options.SmallestHoleSize
+      : ChooseSmallestHoleSize(this->Result.Radius, this->Result.OutlineTolerance);
+    BoundaryOptions options;
+    options.Radius = this->Result.Radius;
+    options.HoleBoundaries = this->Options.HoleBoundaries;
+    options.SmallestHoleSize = this->Result.SmallestHoleSize;
+    options.MinimumPatchSize = this->Options.MinimumPatchSize;
+    return FindExteriorBoundary(columns, options, monitor);
+  }
+
+  HeightMesh MakeMesh(Outline outline, const Monitor& monitor) const
+  {
+    BoundedHorizon horizon;
+    horizon.Columns = this->Columns;
+    horizon.Height = this->Heights.front();
+    horizon.Patch = std::move(outline.Patch);
+    horizon.Boundary = std::move(outline.Boundary);
+    HeightMesh mesh(std::move(horizon), monitor);
+    for (std::size_t n = 1; n < this->Heights.size(); ++n)
+    {
+      mesh.AddHorizon(this->Heights[n]);
+    }
+    return mesh;
+  }
+
+  void Refine(HeightMesh& mesh, const Monitor& monitor) const
+  {
+    MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
+    refiner.InsertWhereFar(this->Options.MaximumError, monitor.Step(0.0, 0.7));
+    refiner.InsertAtSides(this->Options.MaximumError, monitor.Step(0.7, 1.0));
+  }
+
+  // ---- What is told of it ------------------------------------------------------------------------------------------
+  void Collect(const HeightMesh& mesh, const Monitor& monitor)
+  {
+    LayerPlan& plan = this->Result.Plan;
+    const PlaneMesh& triangles = mesh.Triangles();
+    std::vector<unsigned char> isCorner(this->Columns.size(), 0);
+    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        isCorner[std::size_t(triangles.Corner(triangle, corner))] = 1;
+      }
+    }
+    const Selection vertices(isCorner);
+    for (const PointId point : vertices.Points)
+    {
+      plan.Columns.push_back(this->Columns[std::size_t(point)]);
+      for (std::size_t horizon = 0; horizon < plan.Heights.size(); ++horizon)
+      {
+        plan.Heights[horizon].push_back(mesh.Height(horizon, point));
+      }
+    }
+    plan.Triangles.reserve(3 * std::size_t(triangles.Size()));
+    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        plan.Triangles.push_back(vertices.Numbers[std::size_t(triangles.Corner(triangle, corner))]);
+      }
+    }
+    this->MeasureErrors(mesh, monitor);
+    this->CountOutside(mesh);
+  }
+
+  void MeasureErrors(const HeightMesh& mesh, const Monitor& monitor)
+  {
+    std::vector<double> ofColumns(std::size_t(mesh.Triangles().Size()));
+    std::vector<double> ofSides(ofColumns.size());
+    const auto largest = [](const std::vector<double>& errors)
+    { return errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end()); };
+    const auto horizons = double(this->Heights.size());
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    {
+      mesh.ForEachTriangle(monitor.Step(double(horizon) / horizons, double(horizon + 1) / horizons),
+        [&](TriangleId triangle)
+        {
+          const HeightRaster& raster = mesh.RasterOf(horizon, triangle);
+          const RaisedTriangle corners = mesh.RaisedCorners(horizon, triangle);
+          ofColumns[std::size_t(triangle)] = raster.Measure(corners).Largest;
+          double ofInner = 0.0;
+          for (int side = 0; side < 3; ++side)
+          {
+            const bool isInner = mesh.Triangles().Neighbour(triangle, side) > triangle;
+            ofInner = isInner
+              ? std::max(ofInner,
+                  raster
+                    .MeasureCrossings(corners[std::size_t(side)], corners[std::size_t(NextCorner(side))], ErrorPower())
+                    .Largest)
+              : ofInner;
+          }
+          ofSides[std::size_t(triangle)] = ofInner;
+        });
+      this->Result.LargestErrors[horizon] = largest(ofColumns);
+      this->Result.LargestSideErrors[horizon] = largest(ofSides);
+    }
+  }
+
+  /// Columns that were dropped from loops may lie on their new edges, where the mesh does not count them.
+  void MeasureOutline(const HeightMesh& mesh, std::vector<unsigned char>& isInside)
+  {
+    const ColumnIndex index(this->Columns);
+    const PlaneMesh& triangles = mesh.Triangles();
+    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        if (triangles.Neighbour(triangle, side) == NoTriangle)
+        {
+          this->MeasureOutlineEdge(
+            mesh, index, triangles.Corner(triangle, side), triangles.Corner(triangle, NextCorner(side)), isInside);
+        }
+      }
+    }
+  }
+
+  void MeasureOutlineEdge(
+    const HeightMesh& mesh, const ColumnIndex& index, PointId from, PointId to, std::vector<unsigned char>& isInside)
+  {
+    const PlanePoint& a = this->Columns[std::size_t(from)];
+    const PlanePoint& b = this->Columns[std::size_t(to)];
+    const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
+    for (std::int32_t step = 1; step < steps; ++step)
+    {
+      const PlanePoint place = { a.X + step * ((b.X - a.X) / steps), a.Y + step * ((b.Y - a.Y) / steps) };
+      const PointId point = index[index.Place(place)];
+      if (point == NoPoint)
+      {
+        continue;
+      }
+      isInside[std::size_t(point)] = 1;
+      for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+      {
+        const double start = mesh.Height(horizon, from);
+        const double height = start + (mesh.Height(horizon, to) - start) * step / steps;
+        double& largest = this->Result.LargestErrors[horizon];
+        largest = std::max(largest, std::abs(height - this->Heights[horizon][std::size_t(point)]));
+      }
+    }
+  }
+
+  void CountOutside(const HeightMesh& mesh)
+  {
+    std::vector<unsigned char> isInside(this->Columns.size(), 0);
+    for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
+    {
+      mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
+        [&](PointId point, double, const std::array<double, 3>&) { isInside[std::size_t(point)] = 1; });
+    }
+    this->MeasureOutline(mesh, isInside);
+    this->Result.ColumnsOutside -= std::count(isInside.begin(), isInside.end(), 1);
+  }
+
+  const std::vector<HorizonView>& Horizons;
+  const LayerOptions& Options;
+  Layers Result;
+  std::vector<PlanePoint> Columns; // that have a patch
+  HeightStack Heights; // there
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
+{
+  CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
+  CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
+  return LayerMaker(horizons, options).Run(monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, bool heightsGrowDownwards)
+{
+  const CommonColumns common = FindCommonColumns(horizons);
+  std::vector<double> sums;
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    const double sum = std::accumulate(common.Points[n].begin(), common.Points[n].end(), 0.0,
+      [&](double before, PointId point) { return before + horizons[n].Heights[point]; });
+    sums.push_back(heightsGrowDownwards ? sum : -sum);
+  }
+  std::vector<std::size_t> order(horizons.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&sums](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
+  return order;
+}
+}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One triangulation in plan for a stack of horizons, with a height of each at every vertex: what lies between two
+// horizons over a triangle is then a wedge with vertical sides, and layers share their points.
+//
+//   1. The domain is the columns in which all horizons have points. Neighbouring horizons that cross there are put in
+//      order (Crossings.h).
+//   2. The outline is that of the domain (ExteriorBoundary.h), with the fewest points for which all horizons are within
+//      the error along it (BoundarySimplification.h).
+//   3. Where two horizons become one over an area, vertices and edges are put on the line around it.
+//   4. Points are inserted where the largest error over all horizons is largest (Decimation.h).
+//   5. With the best effort, and for fitted heights, as Decimation.h does, with the errors of all horizons. At each
+//      vertex heights stay in order, and those of horizons that are one all around the column stay the same.
+//
+// All heights at a vertex are in order, and surfaces are linear in between: so no thickness is negative anywhere.
+
+#ifndef SeismicHorizonsLayerPlan_h
+#define SeismicHorizonsLayerPlan_h
+
+#include "Common/Monitor.h"
+#include "Common/RawVector.h"
+#include "Common/Types.h"
+#include "Crossings.h"
+#include "Thickness.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct LayerOptions
+{
+  /// The largest vertical distance of a point of any horizon from its surface, and of sides of the plan from lines
+  /// between neighbouring columns that they cross, in lattice units: at least 0.
+  double MaximumError = 0.75;
+  /// Of the outline, in columns; the error where it has no value.
+  std::optional<double> OutlineTolerance;
+  /// As in SurfaceOptions; chosen where they have no value.
+  std::optional<int> Radius;
+  std::optional<std::int64_t> SmallestHoleSize;
+  bool HoleBoundaries = true;
+  std::int64_t MinimumPatchSize = 1;
+  /// Which horizon is uppermost, and what is done where they cross.
+  CrossingOptions Crossings;
+};
+
+/// The horizons in the columns that all of them have, in order.
+struct OrderedStack
+{
+  std::vector<PlanePoint> Columns; // row by row
+  HeightStack Heights;
+  CrossingRepair Repair;
+};
+
+struct LayerPlan
+{
+  /// The place of each vertex, all of which are corners of triangles, and for each horizon its height there.
+  std::vector<PlanePoint> Columns;
+  HeightStack Heights;
+  bool HeightsGrowDownwards = false;
+  /// Three vertices per triangle, counter-clockwise seen from +z on the lattice.
+  RawVector<PointId> Triangles;
+
+  std::size_t NumberOfHorizons() const { return this->Heights.size(); }
+  std::size_t NumberOfLayers() const { return this->Heights.empty() ? 0 : this->Heights.size() - 1; }
+  std::size_t NumberOfTriangles() const { return this->Triangles.size() / 3; }
+  /// Of the layer below a horizon at a vertex: at least 0, and 0 only where the two heights are the same number.
+  double Thickness(std::size_t layer, PointId vertex) const
+  {
+    const double difference = this->Heights[layer][std::size_t(vertex)] - this->Heights[layer + 1][std::size_t(vertex)];
+    return this->HeightsGrowDownwards ? 0.0 - difference : difference;
+  }
+};
+
+struct Layers
+{
+  OrderedStack Stack; // what the plan was made of
+  LayerPlan Plan;
+  /// With which the outline was found.
+  int Radius = 1;
+  std::int64_t SmallestHoleSize = 1;
+  double OutlineTolerance = 0.0;
+  /// For each horizon the largest error at columns inside the plan, vertices included, and that of inner sides.
+  std::vector<double> LargestErrors;
+  std::vector<double> LargestSideErrors;
+  /// Columns of the domain that lie outside the plan: for which the outline was simplified, and those of patches that
+  /// are too small or have no area.
+  std::int64_t ColumnsOutside = 0;
+};
+
+/// The uppermost horizon first, all on one lattice; heights are finite and in lattice units. Empty horizons and those
+/// without a column in common are refused, as are those that RepairCrossings refuses (InputError). The result does not
+/// depend on the order of points or the number of threads.
+Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options = LayerOptions(),
+  const Monitor& monitor = Monitor());
+
+/// The numbers of the horizons, the uppermost first by their mean heights over the columns that all have.
+std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, bool heightsGrowDownwards);
+}
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What must be true of the plan of a stack, checked with none of the code that makes it: from the horizons and the result
+// alone.
+
+#ifndef SeismicHorizonsPlanChecker_h
+#define SeismicHorizonsPlanChecker_h
+
+#include "ClosedBodies.h"
+#include "Layers/LayerPlan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace LayerChecker
+{
+using namespace SeismicHorizons;
+using ClosedBodies::Point;
+
+using Column = std::pair<int, int>; // x, y
+
+struct Horizon
+{
+  std::vector<PlanePoint> Columns;
+  std::vector<double> Heights;
+};
+
+inline std::vector<HorizonView> ViewsOf(const std::vector<Horizon>& horizons)
+{
+  std::vector<HorizonView> views;
+  for (const Horizon& horizon : horizons)
+  {
+    views.push_back({ horizon.Columns, horizon.Heights.data() });
+  }
+  return views;
+}
+
+/// Twice the area of a, b, p.
+inline std::int64_t Turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
+{
+  return std::int64_t(b.X - a.X) * (p.Y - a.Y) - std::int64_t(b.Y - a.Y) * (p.X - a.X);
+}
+
+class PlanChecker
+{
+public:
+  PlanChecker(const std::vector<Horizon>& horizons, const Layers& layers, const LayerOptions& options)
+    : Horizons(horizons)
+    , Result(layers)
+    , Plan(layers.Plan)
+    , Options(options)
+    , Sign(options.Crossings.HeightsGrowDownwards ? -1.0 : 1.0)
+  {
+  }
+
+  /// What is wrong with the plan first; empty when nothing is.
+  std::string CheckPlan() const
+  {
+    std::string wrong = this->CheckStack();
+    wrong = wrong.empty() ? this->CheckTriangles() : wrong;
+    return wrong.empty() ? this->CheckBound() : wrong;
+  }
+
+  /// Columns where a layer has no thickness, and of them those where the plan has one.
+  std::array<std::int64_t, 2> CountGhosts(std::size_t layer) const
+  {
+    std::set<Column> pinched;
+    for (std::size_t n = 0; n < this->Result.Stack.Columns.size(); ++n)
+    {
+      if (this->Result.Stack.Heights[layer][n] == this->Result.Stack.Heights[layer + 1][n])
+      {
+        pinched.insert({ this->Result.Stack.Columns[n].X, this->Result.Stack.Columns[n].Y });
+      }
+    }
+    std::set<Column> ghosts;
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        this->ForEachColumnOf(t,
+          [&](int x, int y, const std::array<double, 3>& weights)
+          {
+            double thickness = 0.0;
+            for (std::size_t corner = 0; corner < 3; ++corner)
+            {
+              thickness += weights[corner] * this->Between(layer, t[corner]);
+            }
+            if (thickness > 0.0 && pinched.count({ x, y }) > 0)
+            {
+              ghosts.insert({ x, y });
+            }
+          });
+      });
+    return { std::int64_t(pinched.size()), std::int64_t(ghosts.size()) };
+  }
+
+protected:
+  const PlanePoint& At(std::size_t vertex) const { return this->Plan.Columns[vertex]; }
+  double Between(std::size_t layer, std::size_t vertex) const
+  {
+    return this->Sign * (this->Plan.Heights[layer][vertex] - this->Plan.Heights[layer + 1][vertex]);
+  }
+  Point PointAt(std::size_t vertex, double height) const
+  {
+    return { double(this->At(vertex).X), double(this->At(vertex).Y), height };
+  }
+
+  template <typename Visitor>
+  void ForEachTriangle(Visitor&& visit) const
+  {
+    for (std::size_t n = 0; n + 2 < this->Plan.Triangles.size(); n += 3)
+    {
+      visit({ std::size_t(this->Plan.Triangles[n]), std::size_t(this->Plan.Triangles[n + 1]),
+        std::size_t(this->Plan.Triangles[n + 2]) });
+    }
+  }
+
+  /// Those in a triangle and on its sides, with the weights of the corners, of which the sum is 1.
+  template <typename Visitor>
+  void ForEachColumnOf(const std::array<std::size_t, 3>& t, Visitor&& visit) const
+  {
+    const PlanePoint &a = this->At(t[0]), &b = this->At(t[1]), &c = this->At(t[2]);
+    const auto area = double(Turn(a, b, c));
+    for (int y = std::min({ a.Y, b.Y, c.Y }); y <= std::max({ a.Y, b.Y, c.Y }); ++y)
+    {
+      for (int x = std::min({ a.X, b.X, c.X }); x <= std::max({ a.X, b.X, c.X }); ++x)
+      {
+        const PlanePoint p{ x, y };
+        if (Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0 && Turn(a, b, p) >= 0)
+        {
+          visit(x, y, { double(Turn(b, c, p)) / area, double(Turn(c, a, p)) / area, double(Turn(a, b, p)) / area });
+        }
+      }
+    }
+  }
+
+  /// The stack has the columns that all have, in order, and heights of its own only where horizons cross.
+  std::string CheckStack() const
+  {
+    std::map<Column, std::vector<double>> common;
+    for (std::size_t n = 0; n < this->Horizons.size(); ++n)
+    {
+      for (std::size_t point = 0; point < this->Horizons[n].Columns.size(); ++point)
+      {
+        const PlanePoint& column = this->Horizons[n].Columns[point];
+        std::vector<double>& heights = common[{ column.X, column.Y }];
+        if (heights.size() == n)
+        {
+          heights.push_back(this->Horizons[n].Heights[point]);
+        }
+      }
+    }
+    const OrderedStack& stack = this->Result.Stack;
+    const auto full = std::count_if(
+      common.begin(), common.end(), [&](const auto& entry) { return entry.second.size() == this->Horizons.size(); });
+    if (stack.Columns.size() != std::size_t(full))
+    {
+      return "wrong number of common columns";
+    }
+    for (std::size_t n = 0; n < stack.Columns.size(); ++n)
+    {
+      const std::vector<double>& given = common[{ stack.Columns[n].X, stack.Columns[n].Y }];
+      bool isInOrder = true;
+      bool isAsGiven = true;
+      for (std::size_t horizon = 0; horizon < given.size(); ++horizon)
+      {
+        const double below = this->Sign * (horizon == 0 ? 0.0 : given[horizon - 1] - given[horizon]);
+        isInOrder = isInOrder && below >= 0.0 && (below == 0.0 || below >= this->Options.Crossings.MinimumThickness);
+        isAsGiven = isAsGiven && stack.Heights[horizon][n] == given[horizon];
+        if (horizon > 0 && this->Sign * (stack.Heights[horizon - 1][n] - stack.Heights[horizon][n]) < 0.0)
+        {
+          return "stack is not in order";
+        }
+      }
+      if (isInOrder && !isAsGiven)
+      {
+        return "heights moved where nothing crosses";
+      }
+    }
+    return "";
+  }
+
+  /// Triangles turn to the left, fit together, and no vertex lies in another triangle or on its sides.
+  std::string CheckTriangles() const
+  {
+    std::set<std::pair<std::size_t, std::size_t>> edges;
+    std::set<Column> places;
+    std::string wrong;
+    for (const PlanePoint& place : this->Plan.Columns)
+    {
+      wrong = places.insert({ place.X, place.Y }).second ? wrong : "two vertices in one column";
+    }
+    std::vector<bool> isUsed(this->Plan.Columns.size(), false);
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        wrong = Turn(this->At(t[0]), this->At(t[1]), this->At(t[2])) > 0 ? wrong : "triangle not counter-clockwise";
+        std::set<Column> corners;
+        for (std::size_t n = 0; n < 3; ++n)
+        {
+          isUsed[t[n]] = true;
+          corners.insert({ this->At(t[n]).X, this->At(t[n]).Y });
+          wrong = edges.insert({ t[n], t[(n + 1) % 3] }).second ? wrong : "triangles on each other";
+        }
+        this->ForEachColumnOf(t,
+          [&](int x, int y, const std::array<double, 3>&) {
+            wrong = places.count({ x, y }) > 0 && corners.count({ x, y }) == 0 ? "vertex in a triangle" : wrong;
+          });
+      });
+    wrong = std::count(isUsed.begin(), isUsed.end(), false) == 0 ? wrong : "vertex without triangle";
+    for (std::size_t horizon = 0; horizon + 1 < this->Horizons.size(); ++horizon)
+    {
+      for (std::size_t vertex = 0; vertex < this->Plan.Columns.size(); ++vertex)
+      {
+        wrong = this->Between(horizon, vertex) >= 0.0 ? wrong : "vertex not in order";
+      }
+    }
+    return wrong;
+  }
+
+  /// Of all columns in triangles, each counted in one that it is strictly inside of, once.
+  std::string CheckBound() const
+  {
+    std::map<Column, std::size_t> numbers;
+    for (std::size_t n = 0; n < this->Result.Stack.Columns.size(); ++n)
+    {
+      numbers[{ this->Result.Stack.Columns[n].X, this->Result.Stack.Columns[n].Y }] = n;
+    }
+    std::vector<double> largest(this->Horizons.size(), 0.0);
+    std::set<Column> covered;
+    std::set<Column> inside;
+    std::ostringstream text;
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        this->ForEachColumnOf(t,
+          [&](int x, int y, const std::array<double, 3>& w)
+          {
+            if (std::min({ w[0], w[1], w[2] }) > 0.0 && !inside.insert({ x, y }).second)
+            {
+              text << "column in two triangles; ";
+            }
+            const auto found = numbers.find({ x, y });
+            for (std::size_t n = 0; n < this->Horizons.size() && found != numbers.end(); ++n)
+            {
+              const std::vector<double>& h = this->Plan.Heights[n];
+              const double height = w[0] * h[t[0]] + w[1] * h[t[1]] + w[2] * h[t[2]];
+              largest[n] = std::max(largest[n], std::abs(height - this->Result.Stack.Heights[n][found->second]));
+              covered.insert({ x, y });
+            }
+          });
+      });
+    for (std::size_t n = 0; n < this->Horizons.size(); ++n)
+    {
+      if (largest[n] > this->Options.MaximumError + 1e-9 || std::abs(largest[n] - this->Result.LargestErrors[n]) > 1e-9)
+      {
+        text << "horizon " << n << ": error " << largest[n] << ", said " << this->Result.LargestErrors[n] << ", bound "
+             << this->Options.MaximumError << "; ";
+      }
+    }
+    if (std::int64_t(numbers.size() - covered.size()) != this->Result.ColumnsOutside)
+    {
+      text << numbers.size() - covered.size() << " columns outside, said " << this->Result.ColumnsOutside;
+    }
+    return text.str();
+  }
+
+  const std::vector<Horizon>& Horizons;
+  const Layers& Result;
+  const LayerPlan& Plan;
+  const LayerOptions& Options;
+  const double Sign; // heights upwards
+};
+}
+
+#endif
