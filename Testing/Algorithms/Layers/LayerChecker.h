@@ -67,6 +67,53 @@ public:
     return text.str();
   }
 
+  /// Over blocks of four columns, cut in two either way, and halves of three: the volume, by how much that of a plan
+  /// within the error may differ, and the area.
+  std::array<double, 3> LatticeVolume(std::size_t layer) const
+  {
+    std::map<Column, std::array<double, 2>> heights;
+    for (std::size_t n = 0; n < this->Result.Stack.Columns.size(); ++n)
+    {
+      heights[{ this->Result.Stack.Columns[n].X, this->Result.Stack.Columns[n].Y }] = {
+        this->Result.Stack.Heights[layer][n], this->Result.Stack.Heights[layer + 1][n]
+      };
+    }
+    std::array<double, 3> sums = { 0.0, 0.0, 0.0 };
+    std::set<Column> blocks;
+    for (const auto& entry : heights)
+    {
+      const auto [x, y] = entry.first;
+      blocks.insert({ { x, y }, { x - 1, y }, { x, y - 1 }, { x - 1, y - 1 } });
+    }
+    for (const auto& [x, y] : blocks)
+    {
+      const std::array<Column, 4> corners = { Column{ x, y }, { x + 1, y }, { x, y + 1 }, { x + 1, y + 1 } };
+      double sum = 0.0;
+      std::array<double, 2> twist = { 0.0, 0.0 };
+      int count = 0;
+      for (std::size_t n = 0; n < 4; ++n)
+      {
+        const auto found = heights.find(corners[n]);
+        if (found != heights.end())
+        {
+          ++count;
+          sum += this->Sign * (found->second[0] - found->second[1]);
+          twist[0] += (n == 0 || n == 3 ? 0.5 : -0.5) * found->second[0];
+          twist[1] += (n == 0 || n == 3 ? 0.5 : -0.5) * found->second[1];
+        }
+      }
+      if (count >= 3)
+      {
+        const double area = count == 4 ? 1.0 : 0.5;
+        sums[0] += area * sum / count; // the mean of both ways to cut four
+        sums[1] += area * 2.0 * this->Options.MaximumError;
+        sums[1] += count == 4 ? std::abs(twist[0]) + std::abs(twist[1]) : 0.0;
+        sums[2] += area;
+      }
+    }
+    return sums;
+  }
+
 private:
   /// One cell over each triangle with a thickness, turned the right way, and as large as the layer is there.
   std::string CheckCells(const LayerCells& cells, std::size_t layer) const
@@ -169,53 +216,6 @@ private:
     const double volume = ClosedBodies::EnclosedVolume(points, triangles);
     return !wrong.empty() || std::abs(volume - measured.Volume) <= 1e-9 * (1.0 + measured.Volume) ? wrong
                                                                                                   : "volume of a body";
-  }
-
-  /// Over blocks of four columns, cut in two either way, and halves of three: the volume, by how much that of a plan
-  /// within the error may differ, and the area.
-  std::array<double, 3> LatticeVolume(std::size_t layer) const
-  {
-    std::map<Column, std::array<double, 2>> heights;
-    for (std::size_t n = 0; n < this->Result.Stack.Columns.size(); ++n)
-    {
-      heights[{ this->Result.Stack.Columns[n].X, this->Result.Stack.Columns[n].Y }] = {
-        this->Result.Stack.Heights[layer][n], this->Result.Stack.Heights[layer + 1][n]
-      };
-    }
-    std::array<double, 3> sums = { 0.0, 0.0, 0.0 };
-    std::set<Column> blocks;
-    for (const auto& entry : heights)
-    {
-      const auto [x, y] = entry.first;
-      blocks.insert({ { x, y }, { x - 1, y }, { x, y - 1 }, { x - 1, y - 1 } });
-    }
-    for (const auto& [x, y] : blocks)
-    {
-      const std::array<Column, 4> corners = { Column{ x, y }, { x + 1, y }, { x, y + 1 }, { x + 1, y + 1 } };
-      double sum = 0.0;
-      std::array<double, 2> twist = { 0.0, 0.0 };
-      int count = 0;
-      for (std::size_t n = 0; n < 4; ++n)
-      {
-        const auto found = heights.find(corners[n]);
-        if (found != heights.end())
-        {
-          ++count;
-          sum += this->Sign * (found->second[0] - found->second[1]);
-          twist[0] += (n == 0 || n == 3 ? 0.5 : -0.5) * found->second[0];
-          twist[1] += (n == 0 || n == 3 ? 0.5 : -0.5) * found->second[1];
-        }
-      }
-      if (count >= 3)
-      {
-        const double area = count == 4 ? 1.0 : 0.5;
-        sums[0] += area * sum / count; // the mean of both ways to cut four
-        sums[1] += area * 2.0 * this->Options.MaximumError;
-        sums[1] += count == 4 ? std::abs(twist[0]) + std::abs(twist[1]) : 0.0;
-        sums[2] += area;
-      }
-    }
-    return sums;
   }
 };
 }
