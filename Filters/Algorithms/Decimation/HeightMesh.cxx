@@ -310,6 +310,28 @@ void HeightMesh::MeasureAllSides(double bound, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::MeasureMarked(const std::vector<TriangleId>& triangles, const std::vector<unsigned char>& marks)
+{
+  this->MeasureEach(triangles, Monitor(),
+    [&](TriangleId triangle)
+    {
+      HeightError error;
+      double most = -1.0;
+      this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
+        [&](PointId point, double, const std::array<double, 3>& weights)
+        {
+          const double least = *std::min_element(weights.begin(), weights.end());
+          if (marks[point] != 0 && !this->IsVertex(point) && least > most)
+          {
+            most = least;
+            error = { 1.0, point };
+          }
+        });
+      return error;
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<TriangleId> HeightMesh::AllTriangles() const
 {
   std::vector<TriangleId> all(std::size_t(this->Mesh.Size()));

@@ -138,6 +138,9 @@ public:
   /// the bound and above the error so far.
   void MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
   void MeasureAllSides(double bound, const Monitor& monitor);
+  /// Gives triangles with a marked point that is no vertex an error of 1 at the one that is farthest inside, others none.
+  void MeasureMarked(const std::vector<TriangleId>& triangles, const std::vector<unsigned char>& marks);
+  void MeasureAllMarked(const std::vector<unsigned char>& marks) { this->MeasureMarked(this->AllTriangles(), marks); }
   const HeightError& Error(TriangleId triangle) const { return this->Errors[triangle]; }
   void SetError(TriangleId triangle, const HeightError& error) { this->Errors[triangle] = error; }
   /// Of those that are kept: of all triangles, when all were measured after the last change.

@@ -79,6 +79,21 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
+{
+  constexpr double Bound = 0.5;
+  this->Mesh.MeasureAllMarked(marks);
+  this->StartWith(Bound);
+  double limit = Bound;
+  for (std::vector<TriangleId> marked; this->FindUrgent(limit, marked);)
+  {
+    this->InsertRound(marked);
+    this->Mesh.MeasureMarked(this->New, marks);
+    this->KeepFar(Bound);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 // By the points that made them, which come row by row: what is measured next is near then, for large horizons a fifth
 // of the time.
 void MeshRefiner::SortNew()

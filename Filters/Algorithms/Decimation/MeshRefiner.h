@@ -27,6 +27,8 @@ public:
   void InsertWhereFar(double error, const Monitor& monitor);
   /// Then the same where inner sides of the mesh cross lines between columns.
   void InsertAtSides(double error, const Monitor& monitor);
+  /// Inserts all points that are marked, whatever their error, and however many.
+  void InsertMarked(const std::vector<unsigned char>& marks);
 
 private:
   bool IsFull() const { return this->MostVertices > 0 && this->Mesh.NumberOfVertices() >= this->MostVertices; }

@@ -116,6 +116,10 @@ void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleI
   {
     return;
   }
+  if (onSide >= 0)
+  {
+    this->CutKept(this->Corner(triangle, onSide), this->Corner(triangle, NextCorner(onSide)), point);
+  }
   this->Split(point, triangle, around);
   if (onSide >= 0)
   {
@@ -123,6 +127,16 @@ void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleI
     const TriangleId flat = around[onSide];
     around.push_back(this->Neighbour(flat, Opposite));
     this->Flip(flat, Opposite);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::CutKept(PointId a, PointId b, PointId between)
+{
+  if (!this->Kept.empty() && this->Kept.erase(SideKey(a, b)) > 0)
+  {
+    this->Keep(a, between);
+    this->Keep(between, b);
   }
 }
 
@@ -199,7 +213,8 @@ bool PlaneMesh::IsDelaunay(TriangleId triangle, int side) const
 {
   return this->Neighbour(triangle, side) == NoTriangle ||
     InCircle(this->Place(this->Corner(triangle, 0)), this->Place(this->Corner(triangle, 1)),
-      this->Place(this->Corner(triangle, 2)), this->Place(this->Beyond(triangle, side))) <= 0;
+      this->Place(this->Corner(triangle, 2)), this->Place(this->Beyond(triangle, side))) <= 0 ||
+    this->IsKeptSide(triangle, side);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mesh in plan that is changed step by step. Its sides without a triangle beyond, the boundary, stay.
+// A mesh in plan that is changed step by step. Its sides without a triangle beyond, the boundary, stay, and so do sides
+// that are kept on request (KeptSides.h); a point that is inserted on one cuts it in two that are kept.
 //
 // Insert: a point makes three triangles out of the one it lies in, and is the third corner of each. Flip: of two
 // triangles the side between them becomes the one between the corners opposite to it. Collapse: a point goes to the
@@ -19,9 +20,11 @@
 #include "Common/RawVector.h"
 #include "Common/Types.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 namespace SeismicHorizons
@@ -87,6 +90,18 @@ public:
   /// both sides of the side, ring[n] and the next one, go: they lose their corners.
   void Collapse(PointId point, const std::vector<TriangleId>& ring, std::size_t n);
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoPoint; }
+
+  /// Whether the side between two corners stays: no flip of Legalize takes it away.
+  bool IsKept(PointId a, PointId b) const { return !this->Kept.empty() && this->Kept.count(SideKey(a, b)) > 0; }
+  bool IsKeptSide(TriangleId triangle, int side) const
+  {
+    return this->IsKept(this->Corner(triangle, side), this->Corner(triangle, NextCorner(side)));
+  }
+  void Keep(PointId a, PointId b) { this->Kept.insert(SideKey(a, b)); }
+  void LetGo(PointId a, PointId b) { this->Kept.erase(SideKey(a, b)); }
+  /// Whether the circle of a triangle does not hold the corner beyond a side, or that stays.
+  bool IsDelaunay(TriangleId triangle, int side) const;
+
   /// Numbers the triangles that are left anew, in their order.
   void Compact();
   /// Numbers triangles by place, band by band: those of successive numbers are near each other, and so is what is read
@@ -100,15 +115,21 @@ private:
     std::array<TriangleId, 3> Neighbours;
   };
 
+  static std::uint64_t SideKey(PointId a, PointId b)
+  {
+    return std::uint64_t(std::uint32_t(std::min(a, b))) << 32U | std::uint32_t(std::max(a, b));
+  }
+
   void Connect();
+  void CutKept(PointId a, PointId b, PointId between);
   void Reorder(const std::vector<TriangleId>& order);
   void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);
   void Split(PointId point, TriangleId triangle, std::vector<TriangleId>& parts);
-  bool IsDelaunay(TriangleId triangle, int side) const;
   std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int side) const;
 
   const PlanePoints Plane;
   std::vector<Triangle> Triangles;
+  std::unordered_set<std::uint64_t> Kept; // sides
 };
 }
 

@@ -14,7 +14,9 @@
 #include "Common/Parameters.h"
 #include "Common/SpacePoints.h"
 #include "Decimation/HeightMesh.h"
+#include "Decimation/KeptSides.h"
 #include "Decimation/MeshRefiner.h"
+#include "PinchOuts.h"
 #include "Surface/Surface.h"
 
 #include <algorithm>
@@ -110,8 +112,10 @@ public:
     this->Options.OutlineTolerance = tolerance;
   }
 
-  Outline Run(const ExteriorBoundary& boundary, const Monitor& monitor)
+  /// `fixed` points stay.
+  Outline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
   {
+    this->Options.Fixed = fixed;
     BoundarySimplification simplified;
     const SpacePoints points(this->Columns, this->Heights.front(), 1);
     std::vector<PointId> far;
@@ -229,8 +233,11 @@ public:
     {
       this->Heights.push_back(kept.Select(heights));
     }
+    const PinchOutLines lines = this->FindLines(boundary, monitor.Step(0.2, 0.25));
     OutlineMaker outline(this->Columns, this->Heights, this->Options.MaximumError, this->Result.OutlineTolerance);
-    HeightMesh mesh = this->MakeMesh(outline.Run(boundary, monitor.Step(0.2, 0.3)), monitor.Step(0.3, 0.4));
+    HeightMesh mesh =
+      this->MakeMesh(outline.Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3)), monitor.Step(0.3, 0.4));
+    this->KeepLines(mesh, lines);
     this->Refine(mesh, monitor.Step(0.4, 0.9));
     this->Collect(mesh, monitor.Step(0.9, 1.0));
     return std::move(this->Result);
@@ -268,11 +275,96 @@ private:
     return mesh;
   }
 
-  void Refine(HeightMesh& mesh, const Monitor& monitor) const
+  PinchOutLines FindLines(const ExteriorBoundary& boundary, const Monitor& monitor) const
   {
-    MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
-    refiner.InsertWhereFar(this->Options.MaximumError, monitor.Step(0.0, 0.7));
-    refiner.InsertAtSides(this->Options.MaximumError, monitor.Step(0.7, 1.0));
+    if (!this->Options.PinchOutLines)
+    {
+      return {};
+    }
+    PinchOutOptions options;
+    options.SmallestPinch = this->Options.SmallestPinch;
+    options.Tolerance = this->Result.OutlineTolerance;
+    options.MaximumError = this->Options.MaximumError;
+    return FindPinchOutLines(
+      this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
+  }
+
+  /// Lines whose ends are outside, as the outline was simplified, and those that cross others, are left out.
+  void KeepLines(HeightMesh& mesh, const PinchOutLines& lines)
+  {
+    if (lines.Edges.empty())
+    {
+      return;
+    }
+    std::vector<unsigned char> marks(this->Columns.size(), 0);
+    for (const Edge& edge : lines.Edges)
+    {
+      marks[std::size_t(edge.From)] = 1;
+      marks[std::size_t(edge.To)] = 1;
+    }
+    MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(marks);
+    KeptSides sides(mesh.Triangles(), this->Columns.size());
+    for (const Edge& edge : lines.Edges)
+    {
+      const bool areVertices = mesh.IsVertex(edge.From) && mesh.IsVertex(edge.To);
+      this->Result.LinesLeftOut += areVertices && sides.Keep(edge.From, edge.To) ? 0 : 1;
+    }
+    this->Result.PinchOutLines = lines.Edges.size();
+    sides.Legalize();
+  }
+
+  void Refine(HeightMesh& mesh, const Monitor& monitor)
+  {
+    this->DropFarLines(mesh);
+    double part = 0.0;
+    do // more than once only where a line is cut by a vertex on it
+    {
+      const Monitor step = monitor.Step(part, 0.5 + 0.5 * part);
+      MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
+      refiner.InsertWhereFar(this->Options.MaximumError, step.Step(0.0, 0.7));
+      refiner.InsertAtSides(this->Options.MaximumError, step.Step(0.7, 1.0));
+      part = 0.5 + 0.5 * part;
+    } while (this->DropFarLines(mesh));
+  }
+
+  /// Lines that are too far from a horizon where they cross the lines between columns need not stay: that can not be
+  /// cured by points beside them. Whether there were some.
+  bool DropFarLines(HeightMesh& mesh)
+  {
+    PlaneMesh& triangles = mesh.Triangles();
+    std::size_t dropped = 0;
+    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        if (triangles.IsKeptSide(triangle, side) && this->IsFar(mesh, triangle, side))
+        {
+          triangles.LetGo(triangles.Corner(triangle, side), triangles.Corner(triangle, NextCorner(side)));
+          ++dropped;
+        }
+      }
+    }
+    if (dropped > 0)
+    {
+      KeptSides(triangles, this->Columns.size()).Legalize();
+    }
+    this->Result.LinesLeftOut += dropped;
+    return dropped > 0;
+  }
+
+  bool IsFar(const HeightMesh& mesh, TriangleId triangle, int side) const
+  {
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    {
+      const RaisedTriangle corners = mesh.RaisedCorners(horizon, triangle);
+      if (!mesh.RasterOf(horizon, triangle)
+             .IsSideWithin(corners[std::size_t(side)], corners[std::size_t(NextCorner(side))],
+               this->Options.MaximumError + mesh.Rounding()))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   // ---- What is told of it ------------------------------------------------------------------------------------------

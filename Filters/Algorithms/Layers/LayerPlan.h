@@ -45,6 +45,9 @@ struct LayerOptions
   std::int64_t MinimumPatchSize = 1;
   /// Which horizon is uppermost, and what is done where they cross.
   CrossingOptions Crossings;
+  /// Whether the plan has the lines around areas where a layer has no thickness (PinchOuts.h), of so many columns.
+  bool PinchOutLines = true;
+  std::int64_t SmallestPinch = 25;
 };
 
 /// The horizons in the columns that all of them have, in order.
@@ -89,6 +92,10 @@ struct Layers
   /// Columns of the domain that lie outside the plan: for which the outline was simplified, and those of patches that
   /// are too small or have no area.
   std::int64_t ColumnsOutside = 0;
+  /// How many edges pinch-out lines have, and how many of them are no sides of the plan, as they cross others or have
+  /// ends outside.
+  std::size_t PinchOutLines = 0;
+  std::size_t LinesLeftOut = 0;
 };
 
 /// The uppermost horizon first, all on one lattice; heights are finite and in lattice units. Empty horizons and those

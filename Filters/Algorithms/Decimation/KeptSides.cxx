@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "KeptSides.h"
+
+#include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+KeptSides::KeptSides(PlaneMesh& mesh, std::size_t points)
+  : Mesh(mesh)
+  , TriangleAt(points, NoTriangle)
+{
+  for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->TriangleAt[std::size_t(mesh.Corner(triangle, corner))] = triangle;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool KeptSides::Keep(PointId from, PointId to)
+{
+  while (from != to)
+  {
+    Side crossed;
+    PointId next = NoPoint;
+    if (this->TriangleAt[std::size_t(from)] == NoTriangle || !this->FindStart(from, to, crossed, next))
+    {
+      return false;
+    }
+    if (next == NoPoint)
+    {
+      if (!this->FindCrossed(from, to, crossed, next))
+      {
+        return false;
+      }
+      this->FlipCrossed(from, next);
+    }
+    this->Mesh.Keep(from, next);
+    from = next;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Calls visit(triangle, corner) for the triangles around a vertex until it gives true: counter-clockwise, and from the
+// first one clockwise where the boundary is met. Whether it did.
+template <typename Visitor>
+bool KeptSides::AnyAround(PointId point, Visitor&& visit) const
+{
+  const TriangleId first = this->TriangleAt[std::size_t(point)];
+  TriangleId triangle = first;
+  do
+  {
+    const int corner = this->Mesh.CornerAt(triangle, point);
+    if (visit(triangle, corner))
+    {
+      return true;
+    }
+    triangle = this->Mesh.Neighbour(triangle, PreviousCorner(corner));
+  } while (triangle != NoTriangle && triangle != first);
+  if (triangle == NoTriangle)
+  {
+    triangle = this->Mesh.Neighbour(first, this->Mesh.CornerAt(first, point));
+    while (triangle != NoTriangle)
+    {
+      const int corner = this->Mesh.CornerAt(triangle, point);
+      if (visit(triangle, corner))
+      {
+        return true;
+      }
+      triangle = this->Mesh.Neighbour(triangle, corner);
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Where a line leaves its first vertex: along a side, to the vertex at whose end, or across the side opposite to it.
+// False where it leaves the mesh.
+bool KeptSides::FindStart(PointId from, PointId to, Side& crossed, PointId& next) const
+{
+  const PlanePoint& a = this->Mesh.Place(from);
+  const PlanePoint& b = this->Mesh.Place(to);
+  return this->AnyAround(from,
+    [&](TriangleId triangle, int corner)
+    {
+      const PointId right = this->Mesh.Corner(triangle, NextCorner(corner));
+      const PointId left = this->Mesh.Corner(triangle, PreviousCorner(corner));
+      for (const PointId end : { right, left })
+      {
+        if (SignedArea(a, b, this->Mesh.Place(end)) == 0 && ScalarProduct(a, b, this->Mesh.Place(end)) > 0)
+        {
+          next = end;
+          return true;
+        }
+      }
+      crossed = { triangle, NextCorner(corner) };
+      return SignedArea(a, b, this->Mesh.Place(right)) < 0 && SignedArea(a, b, this->Mesh.Place(left)) > 0;
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The sides across a line up to the next vertex on it. False where one of them has to stay.
+bool KeptSides::FindCrossed(PointId from, PointId to, Side side, PointId& end)
+{
+  const PlanePoint& a = this->Mesh.Place(from);
+  const PlanePoint& b = this->Mesh.Place(to);
+  this->Crossed.clear();
+  while (true)
+  {
+    const TriangleId beyond = this->Mesh.Neighbour(side.Triangle, side.Number);
+    if (beyond == NoTriangle || this->Mesh.IsKeptSide(side.Triangle, side.Number))
+    {
+      return false;
+    }
+    this->Crossed.push_back(
+      { this->Mesh.Corner(side.Triangle, side.Number), this->Mesh.Corner(side.Triangle, NextCorner(side.Number)) });
+    const int back = this->Mesh.SideTo(beyond, side.Triangle);
+    const PointId apex = this->Mesh.Corner(beyond, PreviousCorner(back));
+    const std::int64_t turn = SignedArea(a, b, this->Mesh.Place(apex));
+    if (turn == 0)
+    {
+      end = apex;
+      return true;
+    }
+    // The triangle beyond is left, right, apex: on goes the side between the apex and the corner across the line.
+    side = { beyond, turn > 0 ? NextCorner(back) : PreviousCorner(back) };
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeptSides::FlipCrossed(PointId from, PointId end)
+{
+  const PlanePoint& a = this->Mesh.Place(from);
+  const PlanePoint& b = this->Mesh.Place(end);
+  while (!this->Crossed.empty())
+  {
+    const Edge edge = this->Crossed.front();
+    this->Crossed.pop_front();
+    const Side side = this->FindSide(edge.From, edge.To);
+    if (!this->IsConvex(side))
+    {
+      this->Crossed.push_back(edge);
+      continue;
+    }
+    const PointId one = this->Mesh.Corner(side.Triangle, PreviousCorner(side.Number));
+    const PointId other = this->Mesh.Beyond(side.Triangle, side.Number);
+    this->Flip(side);
+    if (ProperlyCross(a, b, this->Mesh.Place(one), this->Mesh.Place(other)))
+    {
+      this->Crossed.push_back({ one, other });
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// From a to b, of the triangle that it has to its left.
+KeptSides::Side KeptSides::FindSide(PointId a, PointId b) const
+{
+  Side side;
+  const auto isIt = [&](TriangleId triangle, int corner)
+  {
+    side = { triangle, corner };
+    return this->Mesh.Corner(triangle, corner) == a && this->Mesh.Corner(triangle, NextCorner(corner)) == b;
+  };
+  if (this->AnyAround(a, isIt))
+  {
+    return side;
+  }
+  // Where the boundary touches itself, a vertex has several rows of triangles around it. That is rare.
+  for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+  {
+    if (isIt(triangle, 0) || isIt(triangle, 1) || isIt(triangle, 2))
+    {
+      break;
+    }
+  }
+  return side;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Whether the other diagonal of its two triangles lies strictly inside them.
+bool KeptSides::IsConvex(const Side& side) const
+{
+  return ProperlyCross(this->Mesh.Place(this->Mesh.Corner(side.Triangle, side.Number)),
+    this->Mesh.Place(this->Mesh.Corner(side.Triangle, NextCorner(side.Number))),
+    this->Mesh.Place(this->Mesh.Corner(side.Triangle, PreviousCorner(side.Number))),
+    this->Mesh.Place(this->Mesh.Beyond(side.Triangle, side.Number)));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeptSides::Flip(const Side& side)
+{
+  const TriangleId other = this->Mesh.Neighbour(side.Triangle, side.Number);
+  this->Mesh.Flip(side.Triangle, side.Number);
+  for (const TriangleId triangle : { side.Triangle, other })
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->TriangleAt[std::size_t(this->Mesh.Corner(triangle, corner))] = triangle;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeptSides::Legalize()
+{
+  bool isAnyFlipped = true;
+  while (isAnyFlipped)
+  {
+    isAnyFlipped = false;
+    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        if (!this->Mesh.IsDelaunay(triangle, side))
+        {
+          this->Flip({ triangle, side });
+          isAnyFlipped = true;
+        }
+      }
+    }
+  }
+}
+}

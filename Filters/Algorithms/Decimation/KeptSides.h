@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Makes lines between vertices of a mesh sides that stay: the mesh remains constrained Delaunay, with these among the
+// constraints. Sides in the way of a line are flipped until it is one itself (Sloan 1993, "A fast algorithm for
+// generating constrained Delaunay triangulations").
+
+#ifndef SeismicHorizonsKeptSides_h
+#define SeismicHorizonsKeptSides_h
+
+#include "Common/Types.h"
+#include "PlaneMesh.h"
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace SeismicHorizons
+{
+class KeptSides
+{
+public:
+  /// Keeps a reference to the mesh, which is changed by nobody else meanwhile, and has points below this number.
+  KeptSides(PlaneMesh& mesh, std::size_t points);
+
+  /// Keeps the line between two vertices, piece by piece where it runs through others. False when the boundary or a side
+  /// that is kept already crosses it: pieces before the one that is crossed are kept, the others not.
+  bool Keep(PointId from, PointId to);
+
+  /// Flips other sides until all are Delaunay again.
+  void Legalize();
+
+private:
+  struct Side
+  {
+    TriangleId Triangle = NoTriangle;
+    int Number = 0;
+  };
+
+  bool FindStart(PointId from, PointId to, Side& crossed, PointId& next) const;
+  bool FindCrossed(PointId from, PointId to, Side first, PointId& end);
+  void FlipCrossed(PointId from, PointId end);
+  Side FindSide(PointId a, PointId b) const;
+  bool IsConvex(const Side& side) const;
+  void Flip(const Side& side);
+  template <typename Visitor>
+  bool AnyAround(PointId point, Visitor&& visit) const;
+
+  PlaneMesh& Mesh;
+  std::vector<TriangleId> TriangleAt; // by point, of vertices: one of its triangles
+  std::deque<Edge> Crossed; // the sides across the line, or those that are left of them
+};
+}
+
+#endif

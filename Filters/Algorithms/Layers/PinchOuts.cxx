@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PinchOuts.h"
+
+#include "Boundary/ExteriorBoundary.h"
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Common/KeptPoints.h"
+#include "Common/Parameters.h"
+#include "Common/SpacePoints.h"
+
+#include <cstddef>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The lines of one layer.
+class LineFinder
+{
+public:
+  LineFinder(PlanePoints columns, const std::vector<unsigned char>& isOnLoop, const PinchOutOptions& options,
+    PinchOutLines& lines)
+    : Columns(columns)
+    , IsOnLoop(isOnLoop)
+    , Options(options)
+    , Lines(lines)
+  {
+  }
+
+  void Run(const std::vector<double>& upper, const std::vector<double>& lower, const Monitor& monitor)
+  {
+    for (std::size_t point = 0; point < this->Columns.size(); ++point)
+    {
+      if (upper[point] == lower[point])
+      {
+        this->Pinched.push_back(PointId(point));
+        this->Places.push_back(this->Columns[point]);
+        this->Heights.push_back(upper[point]);
+      }
+    }
+    if (this->Pinched.empty())
+    {
+      return;
+    }
+    const Loops loops = this->FindLoops(monitor.Step(0.0, 0.5));
+    const Loops simplified = this->Simplify(loops, monitor.Step(0.5, 1.0));
+    this->AddEdges(loops, simplified.MarkPoints(this->Pinched.size()));
+  }
+
+private:
+  // Points of loops are numbers among the pinched ones.
+  bool IsOnOutline(PointId point) const { return this->IsOnLoop[std::size_t(this->Pinched[std::size_t(point)])] != 0; }
+
+  Loops FindLoops(const Monitor& monitor) const
+  {
+    BoundaryOptions options;
+    options.HoleBoundaries = true;
+    options.SmallestHoleSize = this->Options.SmallestPinch;
+    options.MinimumPatchSize = this->Options.SmallestPinch;
+    return FindExteriorBoundary(this->Places, options, monitor).Boundary;
+  }
+
+  /// Lines keep the points where they reach the outline.
+  Loops Simplify(const Loops& loops, const Monitor& monitor)
+  {
+    BoundarySimplificationOptions options;
+    options.Method = OutlineMethod::FewestPoints;
+    options.OutlineTolerance = this->Options.Tolerance;
+    options.DistanceThreshold = this->Options.MaximumError;
+    loops.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        if (this->IsOnOutline(from) != this->IsOnOutline(to))
+        {
+          options.Fixed.push_back(this->IsOnOutline(from) ? from : to);
+          this->Lines.OnOutline.push_back(this->Pinched[std::size_t(options.Fixed.back())]);
+        }
+      });
+    return SimplifyBoundary(SpacePoints(this->Places, this->Heights, 1), loops, options, monitor).Boundary;
+  }
+
+  /// From each point that is kept to the next one, but for those along the outline.
+  void AddEdges(const Loops& loops, const std::vector<unsigned char>& isKept)
+  {
+    for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+    {
+      PointId from = NoPoint; // the last one that is kept
+      bool isAlongOutline = true; // since then
+      const std::size_t length = loops.Length(loop);
+      for (std::size_t n = 0; n < 2 * length; ++n) // the second time on from the first one that is kept
+      {
+        const PointId point = loops.begin(loop)[n % length];
+        isAlongOutline = isAlongOutline && this->IsOnOutline(point);
+        if (isKept[std::size_t(point)] == 0)
+        {
+          continue;
+        }
+        if (from != NoPoint && from != point && !isAlongOutline && n >= length)
+        {
+          this->Lines.Edges.push_back({ this->Pinched[std::size_t(from)], this->Pinched[std::size_t(point)] });
+        }
+        from = point;
+        isAlongOutline = this->IsOnOutline(point);
+      }
+    }
+  }
+
+  PlanePoints Columns;
+  const std::vector<unsigned char>& IsOnLoop;
+  const PinchOutOptions& Options;
+  PinchOutLines& Lines;
+  std::vector<PointId> Pinched; // points without thickness
+  std::vector<PlanePoint> Places; // of these
+  std::vector<double> Heights;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PinchOutLines FindPinchOutLines(PlanePoints columns, const HeightStack& heights,
+  const std::vector<unsigned char>& isOnLoop, const PinchOutOptions& options, const Monitor& monitor)
+{
+  CheckAtLeast<std::int64_t>("smallest pinch-out", options.SmallestPinch, 1, " column");
+  PinchOutLines lines;
+  const auto layers = double(heights.size() - 1);
+  for (std::size_t layer = 0; layer + 1 < heights.size(); ++layer)
+  {
+    LineFinder(columns, isOnLoop, options, lines)
+      .Run(heights[layer], heights[layer + 1], monitor.Step(double(layer) / layers, double(layer + 1) / layers));
+  }
+  return lines;
+}
+}
