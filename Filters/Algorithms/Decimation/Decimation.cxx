@@ -11,7 +11,6 @@
 #include "Common/Parameters.h"
 #include "Common/Predicates.h"
 #include "Common/Types.h"
-#include "HeightFit.h"
 #include "HeightMesh.h"
 #include "MeshImprover.h"
 #include "MeshRefiner.h"
@@ -173,28 +172,9 @@ private:
 };
 
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
-// With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
-// error itself. What was not fitted again then needs some room: heights move less than the error.
-constexpr double ErrorBeforeFit = 1.3;
-constexpr double ReachOfFit = 0.9;
-
 // With the best effort, so many times the inner vertices that may be left are inserted, and then removed again. Twice
 // as many more make the mean error 1 to 2 % smaller.
 constexpr double Surplus = 4.0;
-
-void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
-{
-  const double error = options.MaximumError;
-  MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
-  if (options.FitHeights && error > 0.0)
-  {
-    refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
-    mesh.Triangles().SortByPlace(); // what is read next is near then
-    mesh.SetHeights(FitHeights(mesh, FitAim::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
-  }
-  refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
-  refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
-}
 
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {

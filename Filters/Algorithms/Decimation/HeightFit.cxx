@@ -332,11 +332,12 @@ constexpr std::int64_t ColumnGrain = 1024;
 class HeightFitter
 {
 public:
-  HeightFitter(const HeightMesh& mesh, double reach)
+  HeightFitter(const HeightMesh& mesh, double reach, std::size_t horizon)
     : Surface(mesh)
+    , Horizon(horizon)
     , Mesh(mesh.Triangles())
     , Reach(reach)
-    , Inner(mesh.Heights())
+    , Inner(mesh.Heights(horizon))
     , Corners(mesh, this->Inner.Points)
     , Equations(this->Mesh, this->Corners, this->Inner.Points.size())
     , Elements(std::size_t(this->Mesh.Size()))
@@ -347,7 +348,7 @@ public:
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          this->Columns[n] = this->Surface.ColumnHeight(this->Inner.Points[n]);
+          this->Columns[n] = this->Surface.ColumnHeight(this->Horizon, this->Inner.Points[n]);
         }
       });
   }
@@ -386,14 +387,14 @@ private:
   /// Of the columns that count for a triangle, and its sides.
   Element MakeElement(TriangleId triangle, double power) const
   {
-    RaisedTriangle raised = this->Surface.RaisedCorners(triangle);
+    RaisedTriangle raised = this->Surface.RaisedCorners(this->Horizon, triangle);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       const int unknown = this->Corners[triangle][corner];
       raised[corner].Height = unknown == MovableCorners::None ? raised[corner].Height : this->Inner.Heights[unknown];
     }
     const ErrorWeight weight(power, this->Reach);
-    const HeightRaster& raster = this->Surface.RasterOf(triangle);
+    const HeightRaster& raster = this->Surface.RasterOf(this->Horizon, triangle);
     if (raster.IsFloatEnough(this->Reach))
     {
       Element element = this->SumColumns<float>(triangle, raised, weight);
@@ -411,13 +412,14 @@ private:
     using Four = FourColumns<Real>;
     const Real perArea = Real(1.0 / double(SignedArea(raised[0].Column, raised[1].Column, raised[2].Column)));
     ElementSums<Real> sums;
-    this->Surface.RasterOf(triangle).ForEachFour<Real>(raised, this->Surface.OwnedColumns(triangle),
-      [&](const Four& errors, const Four& b, const Four& c, const Four& isIn)
-      {
-        const Four partOfB = b * perArea;
-        const Four partOfC = c * perArea;
-        sums.Add({ Four(Real(1) - partOfB - partOfC), partOfB, partOfC }, errors, weight(errors) * isIn);
-      });
+    this->Surface.RasterOf(this->Horizon, triangle)
+      .ForEachFour<Real>(raised, this->Surface.OwnedColumns(triangle),
+        [&](const Four& errors, const Four& b, const Four& c, const Four& isIn)
+        {
+          const Four partOfB = b * perArea;
+          const Four partOfC = c * perArea;
+          sums.Add({ Four(Real(1) - partOfB - partOfC), partOfB, partOfC }, errors, weight(errors) * isIn);
+        });
     return sums.Sum();
   }
 
@@ -432,23 +434,25 @@ private:
       if (this->Mesh.Neighbour(triangle, side) > triangle)
       {
         const int next = NextCorner(side);
-        this->Surface.RasterOf(triangle).ForEachCrossing<Real>(raised[side], raised[next],
-          [&](const Crossing& crossing)
-          {
-            const double part = crossing.PartOfSide;
-            const double weighs = partOfSides * weight(crossing.Error);
-            element.Corners[side] += weighs * (1.0 - part) * (1.0 - part);
-            element.Corners[next] += weighs * part * part;
-            element.Sides[side] += weighs * part * (1.0 - part);
-            element.Right[side] -= weighs * (1.0 - part) * crossing.Error;
-            element.Right[next] -= weighs * part * crossing.Error;
-            return true;
-          });
+        this->Surface.RasterOf(this->Horizon, triangle)
+          .ForEachCrossing<Real>(raised[side], raised[next],
+            [&](const Crossing& crossing)
+            {
+              const double part = crossing.PartOfSide;
+              const double weighs = partOfSides * weight(crossing.Error);
+              element.Corners[side] += weighs * (1.0 - part) * (1.0 - part);
+              element.Corners[next] += weighs * part * part;
+              element.Sides[side] += weighs * part * (1.0 - part);
+              element.Right[side] -= weighs * (1.0 - part) * crossing.Error;
+              element.Right[next] -= weighs * part * crossing.Error;
+              return true;
+            });
       }
     }
   }
 
   const HeightMesh& Surface;
+  const std::size_t Horizon;
   const PlaneMesh& Mesh;
   const double Reach;
   InnerHeights Inner;
@@ -465,15 +469,15 @@ constexpr double LeastPart = 0.25;
 class MoveLimit
 {
 public:
-  MoveLimit(HeightMesh& mesh, double error, const InnerHeights& heights)
+  MoveLimit(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights)
     : Mesh(mesh)
     , Error(error)
-    , Before(mesh.Heights())
+    , Before(mesh.AllHeights())
     , After(heights)
     , Heights(heights)
-    , Corners(mesh, heights.Points)
-    , Parts(heights.Points.size(), 1.0)
-    , IsMoved(heights.Points.size(), 1)
+    , Corners(mesh, heights.front().Points)
+    , Parts(heights.front().Points.size(), 1.0)
+    , IsMoved(heights.front().Points.size(), 1)
     , IsFar(std::size_t(mesh.Triangles().Size()))
   {
   }
@@ -484,7 +488,7 @@ public:
   {
     do
     {
-      this->Mesh.SetHeights(this->Heights);
+      this->Mesh.SetAllHeights(this->Heights);
       this->Mesh.ForEachTriangle(
         Monitor(), [this](TriangleId triangle) { this->IsFar[triangle] = this->FindFar(triangle); });
     } while (this->MoveBack());
@@ -505,10 +509,11 @@ private:
       return vertex != MovableCorners::None && this->IsMoved[vertex] != 0;
     };
     FarSides far = 0;
-    if (isMoved(0) || isMoved(1) || isMoved(2))
+    const std::size_t horizons = isMoved(0) || isMoved(1) || isMoved(2) ? this->Mesh.NumberOfHorizons() : 0;
+    for (std::size_t horizon = 0; horizon < horizons; ++horizon)
     {
-      const HeightRaster& raster = this->Mesh.RasterOf(triangle);
-      const RaisedTriangle raised = this->Mesh.RaisedCorners(triangle);
+      const HeightRaster& raster = this->Mesh.RasterOf(horizon, triangle);
+      const RaisedTriangle raised = this->Mesh.RaisedCorners(horizon, triangle);
       far |= raster.IsWithin(raised, this->Error) ? 0 : 1 << ColumnsBit;
       for (int side = 0; side < 3; ++side)
       {
@@ -543,23 +548,39 @@ private:
 
   bool MoveBack(int vertex)
   {
-    if (vertex == MovableCorners::None || this->Heights.Heights[vertex] == this->Before.Heights[vertex])
+    if (vertex == MovableCorners::None || !this->HasMoved(vertex))
     {
       return false;
     }
-    const double before = this->Before.Heights[vertex];
     double& part = this->Parts[vertex];
     part *= 0.5;
-    this->Heights.Heights[vertex] = part < LeastPart ? before : before + part * (this->After.Heights[vertex] - before);
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    {
+      const double before = this->Before[horizon].Heights[vertex];
+      const double after = this->After[horizon].Heights[vertex];
+      this->Heights[horizon].Heights[vertex] = part < LeastPart ? before : before + part * (after - before);
+    }
     this->IsMoved[vertex] = 1;
     return true;
   }
 
+  bool HasMoved(int vertex) const
+  {
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    {
+      if (this->Heights[horizon].Heights[vertex] != this->Before[horizon].Heights[vertex])
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   HeightMesh& Mesh;
   const double Error;
-  const InnerHeights Before; // of the same vertices as those below
-  const InnerHeights& After;
-  InnerHeights Heights;
+  const std::vector<InnerHeights> Before; // by horizon, of the same vertices as those below
+  const std::vector<InnerHeights>& After;
+  std::vector<InnerHeights> Heights;
   const MovableCorners Corners;
   std::vector<double> Parts; // by vertex
   std::vector<unsigned char> IsMoved; // by vertex, just now
@@ -568,13 +589,31 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor)
+InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor, std::size_t horizon)
 {
-  return HeightFitter(mesh, reach).Run(Powers(aim), monitor);
+  return HeightFitter(mesh, reach, horizon).Run(Powers(aim), monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MoveHeightsWithin(HeightMesh& mesh, double error, const InnerHeights& heights)
+std::vector<InnerHeights> FitAllHeights(
+  const HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor)
+{
+  std::vector<InnerHeights> heights;
+  const auto horizons = double(mesh.NumberOfHorizons());
+  for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons(); ++horizon)
+  {
+    const Monitor step = monitor.Step(double(horizon) / horizons, double(horizon + 1) / horizons);
+    heights.push_back(FitHeights(mesh, aim, reach, step, horizon));
+  }
+  if (rule)
+  {
+    rule(heights);
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights)
 {
   MoveLimit(mesh, error, heights).Run();
 }

@@ -18,6 +18,10 @@
 #include "Common/Monitor.h"
 #include "HeightMesh.h"
 
+#include <cstddef>
+#include <functional>
+#include <vector>
+
 namespace SeismicHorizons
 {
 /// Which error of a mesh becomes small.
@@ -29,11 +33,19 @@ enum class FitAim
 };
 
 /// The heights of the vertices of the mesh that are on no loop: none is farther than `reach` from that of its column.
-InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor);
+InnerHeights FitHeights(
+  const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor, std::size_t horizon = 0);
+
+/// May change heights that were fitted, those of each horizon at the same vertices.
+using HeightRule = std::function<void(std::vector<InnerHeights>&)>;
+
+/// The same of each horizon, with a rule for all of them.
+std::vector<InnerHeights> FitAllHeights(
+  const HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor);
 
 /// Gives the mesh new heights, for which no triangle and no inner side has an error above the one given, but where all
-/// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays.
-void MoveHeightsWithin(HeightMesh& mesh, double error, const InnerHeights& heights);
+/// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays, in all horizons alike.
+void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights);
 }
 
 #endif

@@ -193,7 +193,7 @@ void HeightMesh::PutBack(PointId point)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InnerHeights HeightMesh::Heights() const
+InnerHeights HeightMesh::Heights(std::size_t horizon) const
 {
   InnerHeights heights;
   const unsigned char* const marks = this->Marks.data();
@@ -205,18 +205,39 @@ InnerHeights HeightMesh::Heights() const
     if (!this->IsOnLoop(point))
     {
       heights.Points.push_back(point);
-      heights.Heights.push_back(this->Height(point));
+      heights.Heights.push_back(this->Height(horizon, point));
     }
   }
   return heights;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::SetHeights(const InnerHeights& heights)
+void HeightMesh::SetHeights(const InnerHeights& heights, std::size_t horizon)
 {
+  HeapArray<RaisedPoint>& raised = horizon == 0 ? this->RaisedPoints : this->Others[horizon - 1].RaisedPoints;
   for (std::size_t n = 0; n < heights.Points.size(); ++n)
   {
-    this->RaisedPoints[heights.Points[n]].Height = heights.Heights[n];
+    raised[heights.Points[n]].Height = heights.Heights[n];
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<InnerHeights> HeightMesh::AllHeights() const
+{
+  std::vector<InnerHeights> heights;
+  for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
+  {
+    heights.push_back(this->Heights(horizon));
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SetAllHeights(const std::vector<InnerHeights>& heights)
+{
+  for (std::size_t horizon = 0; horizon < heights.size(); ++horizon)
+  {
+    this->SetHeights(heights[horizon], horizon);
   }
 }
 

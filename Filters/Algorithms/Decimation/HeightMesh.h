@@ -80,6 +80,16 @@ public:
   /// By point, 1 for vertices and points of loops.
   const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
   bool IsOnLoop(PointId point) const { return this->LoopMarks[point] != 0; }
+  /// Whether a vertex stays: it is on a loop, or was asked to.
+  bool IsFixed(PointId point) const
+  {
+    return this->IsOnLoop(point) || (!this->FixedMarks.empty() && this->FixedMarks[point] != 0);
+  }
+  void Fix(PointId point)
+  {
+    this->FixedMarks.resize(this->Marks.size(), 0);
+    this->FixedMarks[point] = 1;
+  }
   /// A point that is no vertex has the height of its column.
   void MarkVertex(PointId point, bool isVertex);
   /// To the height of its column.
@@ -95,8 +105,11 @@ public:
     return this->RasterAt(horizon, point).HeightAt(this->RaisedPoints[point].Column);
   }
   /// Those of the vertices that are on no loop.
-  InnerHeights Heights() const;
-  void SetHeights(const InnerHeights& heights);
+  InnerHeights Heights(std::size_t horizon = 0) const;
+  void SetHeights(const InnerHeights& heights, std::size_t horizon = 0);
+  /// The same for each horizon.
+  std::vector<InnerHeights> AllHeights() const;
+  void SetAllHeights(const std::vector<InnerHeights>& heights);
 
   const RaisedPoint& Raised(PointId point) const { return this->RaisedPoints[point]; }
   RaisedTriangle RaisedCorners(TriangleId triangle) const
@@ -119,6 +132,11 @@ public:
   const HeightRaster& RasterOf(std::size_t horizon, TriangleId triangle) const
   {
     return this->RasterAt(horizon, this->Mesh.Corner(triangle, 0));
+  }
+  /// Of the patch that a point belongs to.
+  const HeightRaster& RasterAt(std::size_t horizon, PointId point) const
+  {
+    return horizon == 0 ? this->RasterAt(point) : this->Others[horizon - 1].Rasters[this->Patches[point]];
   }
 
   /// Of a side of a triangle, wherever it crosses lines between columns.
@@ -180,10 +198,6 @@ private:
   {
     return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[point]];
   }
-  const HeightRaster& RasterAt(std::size_t horizon, PointId point) const
-  {
-    return horizon == 0 ? this->RasterAt(point) : this->Others[horizon - 1].Rasters[this->Patches[point]];
-  }
   RawVector<PointId> MeshLoops(const Monitor& monitor) const;
   std::vector<HeightRaster> MakeRasters(const std::vector<double>& heights) const;
   HeapArray<RaisedPoint> RaisePoints(const std::vector<double>& heights) const;
@@ -201,6 +215,7 @@ private:
   std::vector<std::int32_t> Patches; // by point, without gaps; negative for those that the horizon does not have
   std::size_t Points;
   std::vector<unsigned char> LoopMarks; // by point
+  std::vector<unsigned char> FixedMarks; // by point, of those that are on no loop; empty where there is none
   std::vector<unsigned char> Marks; // by point
   std::size_t OnLoops; // points
   std::size_t Vertices;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: what a change to a mesh may cost; flips of sides; removal of vertices; and the rounds of both with
-// fitted heights in between.
+// In this order: what a change to a mesh may cost; flips of sides; removal of vertices; insertion to an error; and the
+// rounds of flips and removals with fitted heights in between.
 
 #include "MeshImprover.h"
 
@@ -10,8 +10,8 @@
 #include "Common/Predicates.h"
 #include "Common/RawVector.h"
 #include "Decimation.h"
-#include "HeightFit.h"
 #include "HeightMesh.h"
+#include "MeshRefiner.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +46,19 @@ struct MeshCost
     return raster.SumWithin(triangle, this->Power, this->LargestError, most);
   }
 
+  /// The same over all horizons of a mesh.
+  double Of(const HeightMesh& mesh, const std::array<PointId, 3>& corners, double most = Infinity) const
+  {
+    double sum = 0.0;
+    for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < most; ++horizon)
+    {
+      sum += this->Of(mesh.RasterAt(horizon, corners[0]),
+        { mesh.Raised(horizon, corners[0]), mesh.Raised(horizon, corners[1]), mesh.Raised(horizon, corners[2]) },
+        most - sum);
+    }
+    return sum < most ? sum : Infinity;
+  }
+
   /// Of a side. The sum counts for a part: at a cliff, where a mesh is far from lines between columns whatever it does,
   /// points would be given up for them. Beside a largest error it does not count.
   double OfSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
@@ -57,10 +70,20 @@ struct MeshCost
     return PartOfSides * raster.MeasureCrossings(from, to, this->Power).Sum;
   }
 
-  /// The same of a side that is there, whose errors are no larger.
-  double OfPresentSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
+  double OfSide(const HeightMesh& mesh, PointId from, PointId to) const
   {
-    return this->LargestError < Infinity ? 0.0 : this->OfSide(raster, from, to);
+    double sum = 0.0;
+    for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < Infinity; ++horizon)
+    {
+      sum += this->OfSide(mesh.RasterAt(horizon, from), mesh.Raised(horizon, from), mesh.Raised(horizon, to));
+    }
+    return sum;
+  }
+
+  /// The same of a side that is there, whose errors are no larger.
+  double OfPresentSide(const HeightMesh& mesh, PointId from, PointId to) const
+  {
+    return this->LargestError < Infinity ? 0.0 : this->OfSide(mesh, from, to);
   }
 
   /// Of all triangles of a mesh.
@@ -69,7 +92,13 @@ struct MeshCost
     std::vector<double> costs(std::size_t(mesh.Triangles().Size()));
     mesh.ForEachTriangle(monitor,
       [&](TriangleId triangle)
-      { costs[triangle] = mesh.RasterOf(triangle).SumWithin(mesh.RaisedCorners(triangle), this->Power, Infinity); });
+      {
+        for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons(); ++horizon)
+        {
+          costs[triangle] +=
+            mesh.RasterOf(horizon, triangle).SumWithin(mesh.RaisedCorners(horizon, triangle), this->Power, Infinity);
+        }
+      });
     return costs;
   }
 
@@ -151,7 +180,8 @@ private:
       for (int side = 0; side < 3; ++side)
       {
         const TriangleId other = this->Triangles.Neighbour(triangle, side);
-        if (other > triangle && (this->IsChanged[triangle] != 0 || this->IsChanged[other] != 0))
+        if (other > triangle && (this->IsChanged[triangle] != 0 || this->IsChanged[other] != 0) &&
+          !this->Triangles.IsKeptSide(triangle, side))
         {
           sides.push_back(3 * SideId(triangle) + side);
         }
@@ -205,33 +235,32 @@ private:
     const TriangleId triangle = TriangleId(id / 3);
     const int side = int(id % 3);
     const TriangleId other = this->Triangles.Neighbour(triangle, side);
-    const RaisedPoint a = this->Mesh.Raised(this->Triangles.Corner(triangle, side));
-    const RaisedPoint b = this->Mesh.Raised(this->Triangles.Corner(triangle, NextCorner(side)));
-    const RaisedPoint c = this->Mesh.Raised(this->Triangles.Corner(triangle, PreviousCorner(side)));
-    const RaisedPoint d = this->Mesh.Raised(this->Triangles.Beyond(triangle, side));
+    const PointId a = this->Triangles.Corner(triangle, side);
+    const PointId b = this->Triangles.Corner(triangle, NextCorner(side));
+    const PointId c = this->Triangles.Corner(triangle, PreviousCorner(side));
+    const PointId d = this->Triangles.Beyond(triangle, side);
+    const auto sineOf = [this](PointId p, PointId q, PointId r)
+    { return SquaredSineOf(this->Triangles.Place(p), this->Triangles.Place(q), this->Triangles.Place(r)); };
     Candidate result;
     result.Side = id;
-    const double sine =
-      std::min(SquaredSineOf(a.Column, d.Column, c.Column), SquaredSineOf(d.Column, b.Column, c.Column));
-    const double sineBefore =
-      std::min(SquaredSineOf(a.Column, b.Column, c.Column), SquaredSineOf(b.Column, a.Column, d.Column));
+    const double sine = std::min(sineOf(a, d, c), sineOf(d, b, c));
+    const double sineBefore = std::min(sineOf(a, b, c), sineOf(b, a, d));
     if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine < sineBefore))
     {
       return result;
     }
-    const HeightRaster& raster = this->Mesh.RasterOf(triangle);
-    const double before = this->Cost.OfPresentSide(raster, a, b) + this->Costs[triangle] + this->Costs[other];
+    const double before = this->Cost.OfPresentSide(this->Mesh, a, b) + this->Costs[triangle] + this->Costs[other];
     double most = (1.0 - LeastGain) * before;
-    result.Costs[0] = this->Cost.Of(raster, { a, d, c }, most);
+    result.Costs[0] = this->Cost.Of(this->Mesh, { a, d, c }, most);
     most -= result.Costs[0];
     if (most > 0.0)
     {
-      result.Costs[1] = this->Cost.Of(raster, { d, b, c }, most);
+      result.Costs[1] = this->Cost.Of(this->Mesh, { d, b, c }, most);
       most -= result.Costs[1];
     }
     if (most > 0.0)
     {
-      const double after = result.Costs[0] + result.Costs[1] + this->Cost.OfSide(raster, c, d);
+      const double after = result.Costs[0] + result.Costs[1] + this->Cost.OfSide(this->Mesh, c, d);
       result.Gain = after < (1.0 - LeastGain) * before ? before - after : 0.0;
     }
     return result;
@@ -271,12 +300,12 @@ constexpr std::int64_t RemovalGrain = 16;
 struct Ring
 {
   std::vector<TriangleId> Triangles;
-  std::vector<RaisedPoint> Ends;
+  std::vector<PointId> Ends;
   double Sum = 0.0; // of the errors now
   double Sine = 1.0; // the square, of the smallest angle now
 
   /// Of numbers up to twice as many as there are.
-  const RaisedPoint& End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
+  PointId End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
 };
 
 class VertexRemoval
@@ -338,7 +367,7 @@ private:
     }
     for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
     {
-      if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
+      if (this->Mesh.IsVertex(point) && !this->Mesh.IsFixed(point))
       {
         this->Candidates.push_back({ Infinity, point, 0 });
         this->IsOld[point] = 1;
@@ -411,10 +440,10 @@ private:
     {
       if (this->KeepsAngles(ring, end))
       {
-        const double error = this->ErrorOf(point, ring, end);
-        if (error <= this->Cost.LargestError)
+        const double least = this->LeastCostOf(point, ring, end);
+        if (least < Infinity)
         {
-          ends.push_back({ this->Cost.Power.Raise(error), end });
+          ends.push_back({ least, end });
         }
       }
     }
@@ -422,25 +451,42 @@ private:
       [](const End& a, const End& b) { return std::tie(a.Least, a.Number) < std::tie(b.Least, b.Number); });
   }
 
-  /// The distance of a vertex's point from the triangle that would be there.
-  double ErrorOf(PointId point, const Ring& ring, std::size_t end) const
+  /// What a vertex's own point adds to the sum where the triangle is that would be there; infinite where that is too
+  /// far.
+  double LeastCostOf(PointId point, const Ring& ring, std::size_t end) const
   {
-    const RaisedPoint& to = ring.End(end);
-    const PlanePoint& place = this->Mesh.Raised(point).Column;
+    const PointId to = ring.End(end);
+    const PlanePoint& place = this->Place(point);
     std::size_t n = end + 1;
-    while (n + 2 < end + ring.Ends.size() && SignedArea(to.Column, ring.End(n + 1).Column, place) > 0)
+    while (n + 2 < end + ring.Ends.size() && SignedArea(this->Place(to), this->Place(ring.End(n + 1)), place) > 0)
     {
       ++n;
     }
-    const RaisedPoint& b = ring.End(n);
-    const RaisedPoint& c = ring.End(n + 1);
-    const double area = double(SignedArea(to.Column, b.Column, c.Column));
-    const double height = to.Height +
-      ((b.Height - to.Height) * double(SignedArea(c.Column, to.Column, place)) +
-        (c.Height - to.Height) * double(SignedArea(to.Column, b.Column, place))) /
-        area;
-    return std::abs(height - this->Mesh.ColumnHeight(point));
+    double cost = 0.0;
+    for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
+    {
+      const double error = this->ErrorOf(horizon, point, { to, ring.End(n), ring.End(n + 1) });
+      cost += error <= this->Cost.LargestError ? this->Cost.Power.Raise(error) : Infinity;
+    }
+    return cost;
   }
+
+  /// The distance of a point from a triangle.
+  double ErrorOf(std::size_t horizon, PointId point, const std::array<PointId, 3>& corners) const
+  {
+    const PlanePoint& place = this->Place(point);
+    const RaisedPoint& a = this->Mesh.Raised(horizon, corners[0]);
+    const RaisedPoint& b = this->Mesh.Raised(horizon, corners[1]);
+    const RaisedPoint& c = this->Mesh.Raised(horizon, corners[2]);
+    const double area = double(SignedArea(a.Column, b.Column, c.Column));
+    const double height = a.Height +
+      ((b.Height - a.Height) * double(SignedArea(c.Column, a.Column, place)) +
+        (c.Height - a.Height) * double(SignedArea(a.Column, b.Column, place))) /
+        area;
+    return std::abs(height - this->Mesh.ColumnHeight(horizon, point));
+  }
+
+  const PlanePoint& Place(PointId point) const { return this->Mesh.Raised(point).Column; }
 
   void FindRing(PointId point, Ring& ring) const
   {
@@ -449,16 +495,15 @@ private:
     ring.Sum = 0.0;
     ring.Sine = 1.0;
     mesh.FindRing(point, this->TriangleAt[point], ring.Triangles);
-    const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
     for (const TriangleId triangle : ring.Triangles)
     {
-      ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
-      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(raster, this->Mesh.Raised(point), ring.Ends.back());
+      ring.Ends.push_back(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point))));
+      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(this->Mesh, point, ring.Ends.back());
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
       ring.Sine =
-        std::min(ring.Sine, SquaredSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
+        std::min(ring.Sine, SquaredSineOf(this->Place(point), this->Place(ring.End(n)), this->Place(ring.End(n + 1))));
     }
   }
 
@@ -468,7 +513,8 @@ private:
   {
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
     {
-      const double sine = SquaredSineOf(ring.End(end).Column, ring.End(n).Column, ring.End(n + 1).Column);
+      const double sine =
+        SquaredSineOf(this->Place(ring.End(end)), this->Place(ring.End(n)), this->Place(ring.End(n + 1)));
       if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine <= ring.Sine))
       {
         return false;
@@ -480,14 +526,13 @@ private:
   /// What the sum of errors is then; infinite when it is not below `most`, or an error too large.
   double SumAt(const Ring& ring, std::size_t end, double most) const
   {
-    const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
-    const RaisedPoint& to = ring.End(end);
+    const PointId to = ring.End(end);
     double sum = 0.0;
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size() && sum < most; ++n)
     {
       const bool isInner = n > end + 1; // the side to this end: the first one is that of the ring
-      sum += this->Cost.Of(raster, { to, ring.End(n), ring.End(n + 1) }, most - sum);
-      sum += isInner && sum < most ? this->Cost.OfSide(raster, to, ring.End(n)) : 0.0;
+      sum += this->Cost.Of(this->Mesh, { to, ring.End(n), ring.End(n + 1) }, most - sum);
+      sum += isInner && sum < most ? this->Cost.OfSide(this->Mesh, to, ring.End(n)) : 0.0;
     }
     return sum < most ? sum : Infinity;
   }
@@ -510,7 +555,9 @@ private:
         for (std::int64_t n = first; n < last; ++n)
         {
           const TriangleId triangle = this->Changed[n];
-          this->Costs[triangle] = this->Cost.Of(this->Mesh.RasterOf(triangle), this->Mesh.RaisedCorners(triangle));
+          const PlaneMesh& mesh = this->Mesh.Triangles();
+          this->Costs[triangle] =
+            this->Cost.Of(this->Mesh, { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) });
         }
       });
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
@@ -562,6 +609,12 @@ void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVer
   VertexRemoval(mesh, cost).Run(leastVertices, monitor);
 }
 
+// ---- Insertion -----------------------------------------------------------------------------------------------------
+// With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
+// error itself. What was not fitted again then needs some room: heights move less than the error.
+constexpr double ErrorBeforeFit = 1.3;
+constexpr double ReachOfFit = 0.9;
+
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
 // Rounds go on as long as each takes such a part of the inner vertices, which the first one of smooth horizons does not
 // quite. Where heights are rounded to whole numbers it takes several.
@@ -577,7 +630,23 @@ constexpr double HalfWay = 1.5;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule)
+{
+  const double error = options.MaximumError;
+  MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
+  if (options.FitHeights && error > 0.0)
+  {
+    refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
+    mesh.Triangles().SortByPlace(); // what is read next is near then
+    mesh.SetAllHeights(FitAllHeights(mesh, FitAim::LargestError, ReachOfFit * error, rule, monitor.Step(0.5, 0.6)));
+  }
+  refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
+  refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ImproveWithinError(
+  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule)
 {
   const double error = options.MaximumError;
   MeshCost cost(DecimationPriority::LargestError, error, options.SmallestAngle);
@@ -586,7 +655,7 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
   {
     if (options.FitHeights)
     {
-      MoveHeightsWithin(mesh, cost.LargestError, FitHeights(mesh, aim, error, step));
+      MoveHeightsWithin(mesh, cost.LargestError, FitAllHeights(mesh, aim, error, rule, step));
     }
   };
   // What is flipped and fitted is the smaller mesh, which also leaves the fewest vertices.
@@ -665,7 +734,7 @@ void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& m
     FitHeights(mesh, isForLargest ? FitAim::LargestError : FitAim::Mean, largest, monitor.Step(0.1, 1.0));
   if (isForLargest)
   {
-    MoveHeightsWithin(mesh, largest, heights);
+    MoveHeightsWithin(mesh, largest, { heights });
     return;
   }
   const InnerHeights before = mesh.Heights();

@@ -47,6 +47,19 @@ struct Pool
   }
 };
 
+/// Puts the pools of a column, from the first one on, in order.
+template <typename Overlap>
+void Push(std::vector<Pool>& pools, const Pool& next, Overlap&& overlap)
+{
+  pools.push_back(next);
+  while (pools.size() > 1 && overlap(pools[pools.size() - 2], pools.back()))
+  {
+    const Pool below = pools.back();
+    pools.pop_back();
+    pools.back().Take(below);
+  }
+}
+
 struct RepairSums : CrossingRepair
 {
   void Add(const RepairSums& other)
@@ -115,13 +128,8 @@ public:
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
       const double depth = this->Depth(horizon, column);
-      this->Pools.push_back({ depth, this->Weights[horizon], depth, 1, 1 });
-      while (this->Pools.size() > 1 && this->Overlap())
-      {
-        const Pool below = this->Pools.back();
-        this->Pools.pop_back();
-        this->Pools.back().Take(below);
-      }
+      Push(this->Pools, { depth, this->Weights[horizon], depth, 1, 1 },
+        [this](const Pool& above, const Pool& below) { return this->Overlap(above, below); });
     }
     std::size_t horizon = 0;
     for (const Pool& pool : this->Pools)
@@ -136,10 +144,9 @@ public:
 private:
   double Depth(std::size_t horizon, std::size_t column) const { return this->Sign * this->Heights[horizon][column]; }
 
-  /// Of the last two pools.
-  bool Overlap() const
+  bool Overlap(const Pool& above, const Pool& below) const
   {
-    const double between = this->Pools.back().Depth - this->Pools[this->Pools.size() - 2].Depth;
+    const double between = below.Depth - above.Depth;
     return between < 0.0 || (between > 0.0 && between < this->Minimum);
   }
 
@@ -223,5 +230,33 @@ CrossingRepair RepairCrossings(HeightStack& heights, const CrossingOptions& opti
   sums.Horizons.resize(heights.size());
   StopWhereAsked(policies, sums);
   return sums;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void OrderColumn(
+  std::vector<double>& heights, const std::vector<unsigned char>& isOneWithNext, bool heightsGrowDownwards)
+{
+  const double sign = heightsGrowDownwards ? 1.0 : -1.0;
+  std::vector<Pool> pools;
+  for (std::size_t horizon = 0; horizon < heights.size();)
+  {
+    Pool group;
+    bool goesOn = true;
+    for (; goesOn; ++horizon)
+    {
+      const double depth = sign * heights[horizon];
+      group.Take({ depth, 0, depth, 1, 1 });
+      goesOn = horizon + 1 < heights.size() && isOneWithNext[horizon] != 0;
+    }
+    Push(pools, group, [](const Pool& above, const Pool& below) { return below.Depth < above.Depth; });
+  }
+  std::size_t horizon = 0;
+  for (const Pool& pool : pools)
+  {
+    for (int n = 0; n < pool.Size; ++n)
+    {
+      heights[horizon++] = sign * pool.Depth;
+    }
+  }
 }
 }

@@ -77,6 +77,10 @@ using HeightStack = std::vector<std::vector<double>>;
 /// that have to stop: "horizons 1 and 2 cross in 13481 columns, by up to 2.1, expected none".
 CrossingRepair RepairCrossings(
   HeightStack& heights, const CrossingOptions& options = CrossingOptions(), const Monitor& monitor = Monitor());
+
+/// Puts the heights of one column in order, by the mean; those that are marked are one with the next one in any case.
+void OrderColumn(
+  std::vector<double>& heights, const std::vector<unsigned char>& isOneWithNext, bool heightsGrowDownwards);
 }
 
 #endif

@@ -22,6 +22,7 @@
 #include "Common/RawVector.h"
 #include "Common/Types.h"
 #include "Crossings.h"
+#include "Decimation/Decimation.h"
 #include "Thickness.h"
 
 #include <cstddef>
@@ -45,6 +46,10 @@ struct LayerOptions
   std::int64_t MinimumPatchSize = 1;
   /// Which horizon is uppermost, and what is done where they cross.
   CrossingOptions Crossings;
+  /// What the plan is like: as in DecimationQuality. Simulators want larger angles than surfaces do.
+  bool FitHeights = true;
+  DecimationEffort Effort = DecimationEffort::Best;
+  double SmallestAngle = 10.0;
   /// Whether the plan has the lines around areas where a layer has no thickness (PinchOuts.h), of so many columns.
   bool PinchOutLines = true;
   std::int64_t SmallestPinch = 25;
