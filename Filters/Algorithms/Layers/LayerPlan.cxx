@@ -32,10 +32,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Columns on the far side of a pinch-out line, within its tolerance, get a thickness that they do not have. With half
-// that of the outline they are a third as many, for a few percent more vertices.
-constexpr double LineTolerance = 0.5;
-
 // ---- The stack -----------------------------------------------------------------------------------------------------
 void CheckHorizons(const std::vector<HorizonView>& horizons)
 {
@@ -359,7 +355,7 @@ private:
     }
     PinchOutOptions options;
     options.SmallestPinch = this->Options.SmallestPinch;
-    options.Tolerance = LineTolerance * this->Result.OutlineTolerance;
+    options.Tolerance = this->Result.OutlineTolerance;
     options.MaximumError = this->Options.MaximumError;
     return FindPinchOutLines(
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
@@ -479,7 +475,7 @@ private:
         plan.Heights[horizon].push_back(mesh.Height(horizon, point));
       }
     }
-    this->OrderToTheLastDigit();
+    this->OrderToTheLastDigit(mesh.Rounding());
     plan.Triangles.reserve(3 * std::size_t(triangles.Size()));
     for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
     {
@@ -492,17 +488,18 @@ private:
     this->CountOutside(mesh);
   }
 
-  /// Heights that moved a part of their way may be out of order by what was rounded.
-  void OrderToTheLastDigit()
+  /// Heights that moved a part of their way may be out of order, and those of two horizons that were fitted to the same
+  /// may differ, by what was rounded: these are one.
+  void OrderToTheLastDigit(double rounding)
   {
     LayerPlan& plan = this->Result.Plan;
     for (std::size_t horizon = 1; horizon < plan.Heights.size(); ++horizon)
     {
       for (std::size_t vertex = 0; vertex < plan.Columns.size(); ++vertex)
       {
-        double& height = plan.Heights[horizon][vertex];
         const double above = plan.Heights[horizon - 1][vertex];
-        height = plan.HeightsGrowDownwards ? std::max(height, above) : std::min(height, above);
+        double& height = plan.Heights[horizon][vertex];
+        height = plan.Thickness(horizon - 1, PointId(vertex)) <= rounding ? above : height;
       }
     }
   }

@@ -100,6 +100,11 @@ private:
     options.SmallestHoleSize = 1;
     options.Crossings.HeightsGrowDownwards = this->Whole(0, 1) == 1;
     options.Crossings.MinimumThickness = this->Pick({ 0.0, 0.0, 0.5 });
+    options.FitHeights = this->Whole(0, 2) > 0;
+    options.Effort = this->Whole(0, 2) > 0 ? DecimationEffort::Best : DecimationEffort::Fast;
+    options.SmallestAngle = this->Pick({ 0.0, 2.0, 10.0, 30.0 });
+    options.PinchOutLines = this->Whole(0, 2) > 0;
+    options.SmallestPinch = this->Whole(0, 1) == 0 ? 1 : this->Whole(2, 25);
     options.Crossings.Policies.clear();
     for (std::size_t n = 0; n + 1 < stack.Horizons.size(); ++n)
     {

@@ -24,6 +24,8 @@ struct Tally
   int Pinched = 0;
   int Whole = 0;
   int Crossed = 0;
+  std::size_t Lines = 0;
+  std::size_t LeftOut = 0;
 };
 
 std::string Try(unsigned seed, Tally& tally)
@@ -43,6 +45,8 @@ std::string Try(unsigned seed, Tally& tally)
     ++tally.Whole;
     wrong = checker.CheckLattice();
   }
+  tally.Lines += layers.PinchOutLines;
+  tally.LeftOut += layers.LinesLeftOut;
   for (std::size_t layer = 0; layer < layers.Plan.NumberOfLayers(); ++layer)
   {
     const auto triangles = MeasureLayer(layers.Plan, layer).Triangles;
@@ -76,10 +80,12 @@ int TestRandomLayers(int argc, char* argv[])
     CHECK(wrong.empty());
   }
   std::cout << tally.Empty << " empty, " << tally.Whole << " with whole outlines, " << tally.Pinched
-            << " layers that pinch out, " << tally.Crossed << " crossed\n";
+            << " layers that pinch out, " << tally.Crossed << " crossed, " << tally.Lines
+            << " pieces of pinch-out lines, without " << tally.LeftOut << '\n';
   CHECK(tally.Empty < int(count / 4));
   CHECK(tally.Whole > int(count / 6));
   CHECK(tally.Pinched > int(count / 6));
   CHECK(tally.Crossed > int(count / 3));
+  CHECK(tally.Lines > 10 * count && tally.LeftOut < tally.Lines / 2);
   return Check::Result();
 }
