@@ -121,10 +121,12 @@ public:
     BoundarySimplification simplified;
     const SpacePoints points(this->Columns, this->Heights.front(), 1);
     std::vector<PointId> far;
+    Monitor step = monitor;
     do
     {
       this->Options.Fixed.insert(this->Options.Fixed.end(), far.begin(), far.end());
-      simplified = SimplifyBoundary(points, boundary.Boundary, this->Options, monitor);
+      simplified = SimplifyBoundary(points, boundary.Boundary, this->Options, step);
+      step = monitor.Step(1.0, 1.0);
       far = this->FindFar(boundary.Boundary, simplified.Boundary.MarkPoints(this->Columns.size()));
     } while (!far.empty());
     Outline outline;
@@ -404,12 +406,12 @@ private:
     while (this->DropFarLines(mesh)) // those that fitted heights have moved, or a vertex on them has cut
     {
       MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
-      refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.35));
-      refiner.InsertAtSides(options.MaximumError, monitor.Step(0.35, 0.4));
+      refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.3));
+      refiner.InsertAtSides(options.MaximumError, monitor.Step(0.3, 0.3));
     }
     if (this->Options.Effort == DecimationEffort::Best && options.MaximumError > 0.0)
     {
-      ImproveWithinError(mesh, options, monitor.Step(0.4, 1.0), rule);
+      ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0), rule);
     }
   }
 
