@@ -332,12 +332,13 @@ constexpr std::int64_t ColumnGrain = 1024;
 class HeightFitter
 {
 public:
-  HeightFitter(const HeightMesh& mesh, double reach, std::size_t horizon)
+  /// Of these vertices, from these heights on.
+  HeightFitter(const HeightMesh& mesh, double reach, std::size_t horizon, InnerHeights heights)
     : Surface(mesh)
     , Horizon(horizon)
     , Mesh(mesh.Triangles())
     , Reach(reach)
-    , Inner(mesh.Heights(horizon))
+    , Inner(std::move(heights))
     , Corners(mesh, this->Inner.Points)
     , Equations(this->Mesh, this->Corners, this->Inner.Points.size())
     , Elements(std::size_t(this->Mesh.Size()))
@@ -589,25 +590,76 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor, std::size_t horizon)
+InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor)
 {
-  return HeightFitter(mesh, reach, horizon).Run(Powers(aim), monitor);
+  return HeightFitter(mesh, reach, 0, mesh.Heights()).Run(Powers(aim), monitor);
+}
+
+namespace
+{
+/// Those vertices whose heights a rule has left as they were fitted, by horizon.
+std::vector<InnerHeights> FindUnruled(const std::vector<InnerHeights>& fitted, const std::vector<InnerHeights>& ruled)
+{
+  std::vector<InnerHeights> free(fitted.size());
+  for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
+  {
+    for (std::size_t n = 0; n < fitted[horizon].Points.size(); ++n)
+    {
+      if (ruled[horizon].Heights[n] == fitted[horizon].Heights[n])
+      {
+        free[horizon].Points.push_back(fitted[horizon].Points[n]);
+        free[horizon].Heights.push_back(fitted[horizon].Heights[n]);
+      }
+    }
+  }
+  return free;
+}
+
+void Write(const InnerHeights& some, InnerHeights& all)
+{
+  std::size_t n = 0;
+  for (std::size_t m = 0; m < some.Points.size(); ++m)
+  {
+    while (all.Points[n] != some.Points[m])
+    {
+      ++n;
+    }
+    all.Heights[n] = some.Heights[m];
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// What a rule has moved no longer fits what was fitted around it: that is fitted once more.
 std::vector<InnerHeights> FitAllHeights(
-  const HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor)
+  HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor)
 {
-  std::vector<InnerHeights> heights;
-  const auto horizons = double(mesh.NumberOfHorizons());
-  for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons(); ++horizon)
+  const std::vector<InnerHeights> before = mesh.AllHeights();
+  std::vector<InnerHeights> heights = before;
+  const auto fit = [&](std::vector<InnerHeights> free, const Monitor& step)
   {
-    const Monitor step = monitor.Step(double(horizon) / horizons, double(horizon + 1) / horizons);
-    heights.push_back(FitHeights(mesh, aim, reach, step, horizon));
-  }
+    const auto horizons = double(free.size());
+    for (std::size_t horizon = 0; horizon < free.size(); ++horizon)
+    {
+      const Monitor part = step.Step(double(horizon) / horizons, double(horizon + 1) / horizons);
+      Write(HeightFitter(mesh, reach, horizon, std::move(free[horizon])).Run(Powers(aim), part), heights[horizon]);
+    }
+  };
+  fit(before, monitor.Step(0.0, rule ? 0.5 : 1.0));
   if (rule)
   {
+    const std::vector<InnerHeights> fitted = heights;
     rule(heights);
+    std::vector<InnerHeights> free = FindUnruled(fitted, heights);
+    const bool isAnyMoved = std::any_of(free.begin(), free.end(),
+      [&](const InnerHeights& one) { return one.Points.size() < before.front().Points.size(); });
+    if (isAnyMoved)
+    {
+      mesh.SetAllHeights(heights);
+      fit(std::move(free), monitor.Step(0.5, 1.0));
+      rule(heights);
+      mesh.SetAllHeights(before);
+    }
   }
   return heights;
 }

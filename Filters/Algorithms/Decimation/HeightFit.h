@@ -33,15 +33,14 @@ enum class FitAim
 };
 
 /// The heights of the vertices of the mesh that are on no loop: none is farther than `reach` from that of its column.
-InnerHeights FitHeights(
-  const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor, std::size_t horizon = 0);
+InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor);
 
 /// May change heights that were fitted, those of each horizon at the same vertices.
 using HeightRule = std::function<void(std::vector<InnerHeights>&)>;
 
-/// The same of each horizon, with a rule for all of them.
+/// The same of each horizon, with a rule for all of them. The mesh is what it was afterwards.
 std::vector<InnerHeights> FitAllHeights(
-  const HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor);
+  HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor);
 
 /// Gives the mesh new heights, for which no triangle and no inner side has an error above the one given, but where all
 /// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays, in all horizons alike.
