@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 
 namespace SeismicHorizons
@@ -57,8 +56,8 @@ public:
       if (guide.Given.Picks.empty())
       {
         throw InputError("guide \"" + guide.Given.Name + "\": none of its " + std::to_string(guide.Outside) +
-          " points is on the cube, the first is at " + this->FirstOutside[guide.Given.Name] +
-          ", expected points from " + this->CornerText(0) + " to " + this->CornerText(1));
+          " points is on the cube, the first is at " + guide.FirstOutside + ", expected points from " +
+          this->CornerText(0) + " to " + this->CornerText(1));
       }
     }
     return std::move(this->Guides);
@@ -103,7 +102,7 @@ private:
     {
       if (guide.Outside++ == 0)
       {
-        this->FirstOutside[guide.Given.Name] = ToText(world);
+        guide.FirstOutside = ToText(world);
       }
       return;
     }
@@ -128,7 +127,6 @@ private:
   const Lattice Grid;
   std::vector<GuidePicks> Guides;
   std::map<std::string, std::size_t> Numbers; // of guides, by the names that were given
-  std::map<std::string, std::string> FirstOutside; // by the names of guides
 };
 }
 

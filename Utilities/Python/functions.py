@@ -117,7 +117,8 @@ def extract(cube: vtkImageData, picks: Any = None, **keywords: Any) -> dict[str,
     cube : vtkImageData
         what `read_cube` gives, or any image with amplitudes.
     picks : dict of str to vtkPolyData or to array of shape (n, 3), or one of these, optional
-        some picks of each horizon that is wanted, in the coordinates of the cube, in place of all horizons that there are.
+        some picks of each horizon that is wanted, in the coordinates of the cube, in place of all horizons that there are;
+        rows with nan are left out.
     **keywords
         properties of SeismicReflectionExtraction: `largest_number` (20 by default), `polarity`, `joining`,
         `amplitude_percentile`, `smallest_size` and the like.

@@ -156,7 +156,7 @@ def _guide(extraction, path):
     if cubes.is_extraction(reader):
         raise HorizonError("%s: a seismic cube, expected picks of horizons" % path)
     if hasattr(reader, "SetLatticeSource"):  # a few picks have no lattice of their own
-        reader = open_file(path, **cubes.lattice_properties(extraction))
+        configure(reader, **_with_lattice(reader, cubes.lattice_properties(extraction)))
     seconds = update(reader, "%s: reading" % path.name, work=file_work(path))
     extraction.SetInputConnection(1, reader.GetOutputPort())
     return seconds

@@ -117,13 +117,13 @@ private:
   LinkOptions Link;
 };
 
+// ---- Which surfaces come out ---------------------------------------------------------------------------------------
+
 // Surfaces of fewer picks are left out where no number is given: a part of the traces, as lines have few, from a least
 // one to what is enough of any cube.
 constexpr std::int64_t TracesPerSmallest = 20;
 constexpr std::int64_t LeastSize = 10;
 constexpr std::int64_t LargestLeastSize = 100;
-
-// ---- Which surfaces come out ---------------------------------------------------------------------------------------
 
 struct SurfaceSize
 {

@@ -89,10 +89,9 @@ struct Extraction
 void CheckOptions(const ExtractionOptions& options);
 
 /// With guides, reflections of all percentiles count. Gives the same on any number of threads, and in any order of the
-/// picks of a guide. Throws InputError on options out
-/// of range, when FindReflections does, and on guides without picks, with some outside of the cube, with none near a
-/// reflection, or with two of them that contradict each other in a column. Takes about 30 bytes per pick beside the
-/// result, and 90 with guides.
+/// picks of a guide. Throws InputError on options out of range, when FindReflections does, and on guides without picks,
+/// with some outside of the cube, with none near a reflection, or with two of them that contradict each other in a
+/// column. Takes about 30 bytes per pick beside the result, and 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {});
 }
