@@ -238,7 +238,7 @@ private:
   void FindNearest()
   {
     const vtkSmartPointer<vtkIntArray> array = NewColumnArray();
-    array->SetNumberOfTuples(this->Result.Horizon->GetNumberOfPoints());
+    SetNumberOfTuples(array, this->Result.Horizon->GetNumberOfPoints());
     PlanePoint* const columns = Columns(array);
     const Placement placement = this->Place(
       [&](Placement& part, std::int64_t point, const Eigen::Vector3d& place)
