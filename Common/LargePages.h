@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -31,6 +32,17 @@ inline void PreferLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std
     madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE); // a wish, which may be refused
   }
 #endif
+}
+
+/// A vector in such memory.
+template <typename T>
+std::vector<T> LargeVector(std::size_t count, const T& value = T())
+{
+  std::vector<T> values;
+  values.reserve(count);
+  PreferLargePages(values.data(), count * sizeof(T));
+  values.resize(count, value);
+  return values;
 }
 }
 

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
+#include "Common/LargePages.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/ColumnPoints.h"
 #include "Common/VTK/DataArrays.h"
@@ -161,7 +162,7 @@ public:
     CheckPoints(horizon);
     this->Result.Horizon = horizon;
     this->Result.Grid = ReadLattice(horizon);
-    this->Result.Height.resize(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
+    this->Result.Height = LargeVector<double>(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
     this->Tolerance = FindTolerance(horizon, this->Result.Grid);
   }
 
@@ -382,7 +383,7 @@ PlanePoints ColumnsOf(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
-  std::vector<PlanePoint> plane(points.Column.size());
+  std::vector<PlanePoint> plane = LargeVector<PlanePoint>(points.Column.size());
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
   ParallelFor(std::int64_t(plane.size()), Grain,
     [&](std::int64_t first, std::int64_t last)

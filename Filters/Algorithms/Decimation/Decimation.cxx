@@ -5,6 +5,7 @@
 
 #include "Decimation.h"
 
+#include "Common/LargePages.h"
 #include "Common/MeshChecker.h"
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
@@ -37,6 +38,7 @@ namespace
 constexpr std::int64_t PointGrain = 1 << 14;
 
 // ---- The result ----------------------------------------------------------------------------------------------------
+/// Of a mesh whose vertices are sorted.
 class Collector
 {
 public:
@@ -60,18 +62,18 @@ public:
 private:
   void WritePoints()
   {
-    Selection kept(this->Surface.VertexMarks());
     Reduction& points = this->Result.Points;
-    for (const PointId point : kept.Points)
+    points.Target = LargeVector(this->Surface.NumberOfAllPoints(), NoPoint);
+    for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
-      const RaisedPoint place = this->Surface.Raised(point);
+      const RaisedPoint& place = this->Surface.Raised(vertex);
+      points.Source.push_back(this->Surface.SourceOf(vertex));
+      points.Target[points.Source.back()] = PointId(vertex);
       points.Plane.push_back(place.Column);
       points.Height.push_back(place.Height);
-      points.Averaged.push_back(place.Height != this->Surface.ColumnHeight(point) ? 1 : 0);
+      points.Averaged.push_back(place.Height != this->Surface.ColumnHeight(vertex) ? 1 : 0);
     }
-    points.Boundary = this->Surface.Boundary().Renumbered(kept.Numbers);
-    points.Source = std::move(kept.Points);
-    points.Target = std::move(kept.Numbers);
+    points.Boundary = this->Surface.Boundary().Renumbered(points.Target);
   }
 
   void WriteTriangles()
@@ -81,8 +83,7 @@ private:
     {
       for (int corner = 0; corner < 3; ++corner)
       {
-        const std::size_t point = std::size_t(this->Mesh.Corner(triangle, corner));
-        this->Result.Triangles.push_back(this->Result.Points.Target[point]);
+        this->Result.Triangles.push_back(PointId(this->Mesh.Corner(triangle, corner)));
       }
       const auto place = [&](int corner) { return this->Mesh.Place(this->Mesh.Corner(triangle, corner)); };
       this->Result.NumberOfSlivers += SineOfSmallestAngle(place(0), place(1), place(2)) < this->SmallestSine ? 1 : 0;
@@ -97,7 +98,7 @@ private:
     this->Surface.ForEachTriangle(
       monitor, [&](TriangleId triangle) { sums[triangle] = this->AssignPointsOf(triangle); });
     double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    for (const PointId vertex : this->Result.Points.Source)
+    for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
       sum += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
     }
@@ -189,7 +190,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   if (options.FitHeights && error > 0.0)
   {
     refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
-    mesh.Triangles().SortByPlace(); // what is read next is near then
+    mesh.SortByPlace(); // what is read next is near then
     mesh.SetHeights(FitHeights(mesh, FitAim::LargestError, ReachOfFit * error, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
@@ -275,6 +276,7 @@ void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor
     Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), finish);
     return;
   }
+  mesh.SortVertices();
   finish(mesh, monitor.Step(0.9, 1.0));
 }
 }
@@ -310,7 +312,7 @@ RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& optio
       {
         for (int corner = 0; corner < 3; ++corner)
         {
-          triangles.push_back(plane.Corner(triangle, corner));
+          triangles.push_back(mesh.SourceOf(plane.Corner(triangle, corner)));
         }
       }
     });

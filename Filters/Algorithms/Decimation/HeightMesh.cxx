@@ -4,12 +4,13 @@
 #include "HeightMesh.h"
 
 #include "Common/CountingSort.h"
+#include "Common/HeapArray.h"
+#include "Common/LargePages.h"
 #include "Common/Parallel.h"
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -22,9 +23,8 @@ namespace
 // Heights of a triangle are right to some units in the last place of those of its corners.
 constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
 
-// How many triangles a thread measures at a time, and how many points it looks at.
+// How many triangles a thread measures at a time.
 constexpr std::int64_t Grain = 64;
-constexpr std::int64_t PointGrain = 1 << 14;
 
 /// Patches numbered from 0 on without gaps, by point. Points without a patch stay so.
 std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
@@ -57,56 +57,53 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
-  , LoopMarks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
-  , Marks(this->LoopMarks)
-  , OnLoops(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
-  , Vertices(this->OnLoops)
-  , Mesh(this->Columns(), this->MeshLoops(monitor))
+  , Marks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
 {
+  this->MeshLoops(monitor);
   this->MakeRasters();
   this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
   this->FindRange();
-  this->RaisedPoints = HeapArray<RaisedPoint>(this->Patches.size());
-  ParallelFor(std::int64_t(this->Patches.size()), PointGrain,
-    [this](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t point = first; point < last; ++point)
-      {
-        this->RaisedPoints[point] = { this->Places[point], this->Horizon.Height[point] };
-      }
-    });
   this->Horizon.Height = std::vector<double>();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 BoundedHorizon HeightMesh::TakeHorizon()
 {
-  for (PointId point = 0; std::size_t(point) < this->RaisedPoints.size(); ++point)
+  std::vector<double>& heights = this->Horizon.Height;
+  heights.assign(this->Patches.size(), 0.0); // of points without a patch no one looks at them
+  for (std::size_t point = 0; point < heights.size(); ++point)
   {
-    this->Horizon.Height.push_back(this->IsVertex(point) ? this->ColumnHeight(point) : this->Height(point));
+    if (this->Patches[point] >= 0)
+    {
+      heights[point] = this->Rasters[this->Patches[point]].HeightAt(this->Places[point]);
+    }
   }
   this->Horizon.Patch = std::move(this->Patches);
   return std::move(this->Horizon);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The mesh of the loops alone, over the points of the whole horizon.
-RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
+// The mesh of the loops alone.
+void HeightMesh::MeshLoops(const Monitor& monitor)
 {
-  const Selection loops(this->LoopMarks);
   BoundedHorizon outline;
-  for (const PointId point : loops.Points)
+  std::vector<PointId> numbers = LargeVector(this->Marks.size(), NoPoint);
+  for (std::size_t point = 0; point < this->Marks.size(); ++point)
   {
-    outline.Plane.push_back(this->Columns()[point]);
-    outline.Patch.push_back(this->Patches[point]);
+    if (this->Marks[point] != 0)
+    {
+      numbers[point] = PointId(this->Sources.size());
+      this->Sources.push_back(PointId(point));
+      this->Vertices.push_back({ this->Places[point], this->Horizon.Height[point] });
+      outline.Plane.push_back(this->Places[point]);
+      outline.Patch.push_back(this->Patches[point]);
+    }
   }
-  outline.Boundary = this->Horizon.Boundary.Renumbered(loops.Numbers);
-  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
-  for (PointId& point : triangles)
-  {
-    point = loops.Points[point];
-  }
-  return triangles;
+  this->OnLoops = this->Sources.size();
+  this->AreOnLoops.assign(this->OnLoops, 1);
+  outline.Boundary = this->Horizon.Boundary.Renumbered(numbers);
+  const RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
+  this->Mesh = PlaneMesh(std::move(outline.Plane), triangles);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -145,7 +142,7 @@ void HeightMesh::MakeRasters()
   if (patches == 1)
   {
     this->Rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Columns(), this->Horizon.Height, this->Horizon.Cuts.get());
+      this->Places, this->Horizon.Height, this->Horizon.Cuts.get());
     return;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -153,24 +150,90 @@ void HeightMesh::MakeRasters()
   for (std::int32_t number = 0; number < patches; ++number)
   {
     this->Rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Columns(), this->Horizon.Height, this->Horizon.Cuts.get());
+      this->Places, this->Horizon.Height, this->Horizon.Cuts.get());
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+VertexId HeightMesh::CornerOf(TriangleId triangle, PointId point) const
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const VertexId vertex = this->Mesh.Corner(triangle, corner);
+    if (this->Sources[vertex] == point)
+    {
+      return vertex;
+    }
+  }
+  return NoVertex;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
+{
+  this->Mesh.Insert(this->Places[point], triangle, around);
+  if (!around.empty())
+  {
+    const HeightRaster& raster = this->RasterOf(triangle);
+    this->Marks[point] = 1;
+    this->Sources.push_back(point);
+    this->AreOnLoops.push_back(0);
+    this->Vertices.push_back({ this->Places[point], raster.HeightAt(this->Places[point]) });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Remove(VertexId vertex)
+{
+  this->Marks[this->Sources[vertex]] = 0;
+  this->Sources[vertex] = NoPoint;
+  ++this->Removed;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SortVertices()
+{
+  std::vector<VertexId> order;
+  order.reserve(this->NumberOfVertices());
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
+  {
+    if (!this->IsRemoved(vertex))
+    {
+      order.push_back(vertex);
+    }
+  }
+  std::sort(order.begin(), order.end(), [this](VertexId a, VertexId b) { return this->Sources[a] < this->Sources[b]; });
+  this->Mesh.ReorderVertices(order);
+  this->Sources = Gather<std::vector<PointId>>(this->Sources, order);
+  this->AreOnLoops = Gather<std::vector<unsigned char>>(this->AreOnLoops, order);
+  this->Vertices = Gather<std::vector<RaisedPoint>>(this->Vertices, order);
+  this->Removed = 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SortByPlace()
+{
+  this->SortVertices();
+  this->Mesh.SortByPlace();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Compact()
+{
+  this->Mesh.Compact();
+  this->SortVertices();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 InnerHeights HeightMesh::Heights() const
 {
   InnerHeights heights;
-  const unsigned char* const marks = this->Marks.data();
-  const auto next = [&](std::size_t first) // few are marked
-  { return static_cast<const unsigned char*>(std::memchr(marks + first, 1, this->Marks.size() - first)); };
-  for (auto mark = next(0); mark; mark = next(std::size_t(mark - marks) + 1))
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
   {
-    const auto point = PointId(mark - marks);
-    if (!this->IsOnLoop(point))
+    if (!this->IsOnLoop(vertex) && !this->IsRemoved(vertex))
     {
-      heights.Points.push_back(point);
-      heights.Heights.push_back(this->Height(point));
+      heights.Vertices.push_back(vertex);
+      heights.Heights.push_back(this->Height(vertex));
     }
   }
   return heights;
@@ -179,20 +242,9 @@ InnerHeights HeightMesh::Heights() const
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::SetHeights(const InnerHeights& heights)
 {
-  for (std::size_t n = 0; n < heights.Points.size(); ++n)
+  for (std::size_t n = 0; n < heights.Vertices.size(); ++n)
   {
-    this->RaisedPoints[heights.Points[n]].Height = heights.Heights[n];
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MarkVertex(PointId point, bool isVertex)
-{
-  this->Marks[point] = isVertex ? 1 : 0;
-  this->Vertices += isVertex ? 1 : -1;
-  if (!isVertex)
-  {
-    this->PutBack(point);
+    this->Vertices[heights.Vertices[n]].Height = heights.Heights[n];
   }
 }
 
@@ -360,9 +412,9 @@ HeightMesh::ErrorSums HeightMesh::SumErrors(double unit) const
     all.Squares += sum.Squares;
   }
   const InnerHeights inner = this->Heights();
-  for (std::size_t n = 0; n < inner.Points.size(); ++n)
+  for (std::size_t n = 0; n < inner.Vertices.size(); ++n)
   {
-    add(inner.Heights[n] - this->ColumnHeight(inner.Points[n]), all);
+    add(inner.Heights[n] - this->ColumnHeight(inner.Vertices[n]), all);
   }
   return all;
 }

@@ -7,7 +7,6 @@
 #define SeismicHorizonsHeightMesh_h
 
 #include "Common/BoundedHorizon.h"
-#include "Common/HeapArray.h"
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
 #include "Common/Types.h"
@@ -26,30 +25,11 @@ namespace SeismicHorizons
 /// The heights of the vertices of a mesh that are on no loop: those that can move.
 struct InnerHeights
 {
-  std::vector<PointId> Points; // ascending
+  std::vector<VertexId> Vertices; // ascending
   std::vector<double> Heights;
 };
 
-/// The points that are marked, in the order of their numbers, and the new number of each.
-struct Selection
-{
-  explicit Selection(const std::vector<unsigned char>& marks)
-    : Numbers(marks.size(), NoPoint)
-  {
-    for (std::size_t point = 0; point < marks.size(); ++point)
-    {
-      if (marks[point] != 0)
-      {
-        this->Numbers[point] = PointId(this->Points.size());
-        this->Points.push_back(PointId(point));
-      }
-    }
-  }
-
-  std::vector<PointId> Points;
-  std::vector<PointId> Numbers;
-};
-
+/// Vertices are numbered in the order in which they come, those of loops first; SortVertices() numbers them by points.
 class HeightMesh
 {
 public:
@@ -61,33 +41,49 @@ public:
 
   /// How many points the horizon has: those with a patch.
   std::size_t NumberOfPoints() const { return this->Points; }
+  /// And how many numbers points have.
+  std::size_t NumberOfAllPoints() const { return this->Patches.size(); }
   bool HasPoint(PointId point) const { return this->Patches[point] >= 0; }
   const Loops& Boundary() const { return this->Horizon.Boundary; }
+  const PlanePoint& Column(PointId point) const { return this->Places[point]; }
   const PlaneMesh& Triangles() const { return this->Mesh; }
   PlaneMesh& Triangles() { return this->Mesh; }
 
   /// How many points are vertices of the mesh or on loops.
-  std::size_t NumberOfVertices() const { return this->Vertices; }
+  std::size_t NumberOfVertices() const { return this->Vertices.size() - this->Removed; }
   /// And how many of these are on no loop.
-  std::size_t NumberOfInnerVertices() const { return this->Vertices - this->OnLoops; }
+  std::size_t NumberOfInnerVertices() const { return this->NumberOfVertices() - this->OnLoops; }
   bool IsVertex(PointId point) const { return this->Marks[point] != 0; }
-  /// By point, 1 for vertices and points of loops.
-  const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
-  bool IsOnLoop(PointId point) const { return this->LoopMarks[point] != 0; }
-  /// A point that is no vertex has the height of its column.
-  void MarkVertex(PointId point, bool isVertex);
-  /// To the height of its column.
-  void PutBack(PointId point) { this->RaisedPoints[point].Height = this->ColumnHeight(point); }
+  /// Beyond all numbers of vertices; some of those below may have been removed.
+  VertexId EndOfVertices() const { return VertexId(this->Vertices.size()); }
+  bool IsRemoved(VertexId vertex) const { return this->Sources[vertex] == NoPoint; }
+  bool IsOnLoop(VertexId vertex) const { return this->AreOnLoops[vertex] != 0; }
+  /// The point of a vertex.
+  PointId SourceOf(VertexId vertex) const { return this->Sources[vertex]; }
+  /// The corner of a triangle that a point is, or NoVertex.
+  VertexId CornerOf(TriangleId triangle, PointId point) const;
 
-  /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
-  double Height(PointId point) const { return this->RaisedPoints[point].Height; }
+  /// Inserts a point that lies in a triangle or on its sides as PlaneMesh does, at the height of its column.
+  void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
+  /// Once no triangle has it as a corner.
+  void Remove(VertexId vertex);
+  /// To the height of its column.
+  void PutBack(VertexId vertex) { this->Vertices[vertex].Height = this->ColumnHeight(vertex); }
+  /// Numbers vertices by points, without those that were removed.
+  void SortVertices();
+  /// The same, and triangles as PlaneMesh does.
+  void SortByPlace();
+  void Compact();
+
+  /// Of the mesh: at first that of the column.
+  double Height(VertexId vertex) const { return this->Vertices[vertex].Height; }
   /// Of the horizon.
-  double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->RaisedPoints[point].Column); }
+  double ColumnHeight(VertexId vertex) const { return this->RasterAt(vertex).HeightAt(this->Vertices[vertex].Column); }
   /// Those of the vertices that are on no loop.
   InnerHeights Heights() const;
   void SetHeights(const InnerHeights& heights);
 
-  const RaisedPoint& Raised(PointId point) const { return this->RaisedPoints[point]; }
+  const RaisedPoint& Raised(VertexId vertex) const { return this->Vertices[vertex]; }
   RaisedTriangle RaisedCorners(TriangleId triangle) const
   {
     return { this->Raised(this->Mesh.Corner(triangle, 0)), this->Raised(this->Mesh.Corner(triangle, 1)),
@@ -140,12 +136,11 @@ public:
   double HeightRange() const { return this->Range > 0.0 ? this->Range : 1.0; }
 
 private:
-  const PlanePoints& Columns() const { return this->Places; }
-  const HeightRaster& RasterAt(PointId point) const
+  const HeightRaster& RasterAt(VertexId vertex) const
   {
-    return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[point]];
+    return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[this->Sources[vertex]]];
   }
-  RawVector<PointId> MeshLoops(const Monitor& monitor) const;
+  void MeshLoops(const Monitor& monitor);
   void MakeRasters();
   void FindRange();
   std::vector<TriangleId> AllTriangles() const;
@@ -157,14 +152,15 @@ private:
   const PlanePoints Places; // its columns
   std::vector<std::int32_t> Patches; // by point, without gaps; negative for those that the horizon does not have
   std::size_t Points;
-  std::vector<unsigned char> LoopMarks; // by point
-  std::vector<unsigned char> Marks; // by point
-  std::size_t OnLoops; // points
-  std::size_t Vertices;
+  std::vector<unsigned char> Marks; // by point, 1 for vertices and points of loops
+  std::vector<PointId> Sources; // by vertex: its point; NoPoint for those that were removed
+  std::vector<unsigned char> AreOnLoops; // by vertex
+  std::vector<RaisedPoint> Vertices; // columns with the heights of the mesh
+  std::size_t OnLoops = 0; // vertices
+  std::size_t Removed = 0; // vertices
   PlaneMesh Mesh;
   std::vector<HeightRaster> Rasters; // by patch
   const HeightRaster* OnlyRaster; // of a single patch, else null
-  HeapArray<RaisedPoint> RaisedPoints; // by point: columns with the heights of the mesh
   double Range = 0.0;
   double RoundingError = 0.0;
   std::vector<HeightError> Errors; // by triangle

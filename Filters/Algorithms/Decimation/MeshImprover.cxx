@@ -8,7 +8,6 @@
 
 #include "Common/Parallel.h"
 #include "Common/Predicates.h"
-#include "Common/RawVector.h"
 #include "Decimation.h"
 #include "HeightFit.h"
 #include "HeightMesh.h"
@@ -306,14 +305,14 @@ public:
       isPossible = !cheapest.empty();
       monitor.Progress(1.0 - 0.95 * double(this->Mesh.NumberOfVertices()) / first);
     }
-    this->Mesh.Triangles().Compact();
+    this->Mesh.Compact();
   }
 
 private:
   struct Candidate
   {
     double Cost; // by how much the sum of errors grows; infinite where the vertex can not go
-    PointId Point;
+    VertexId Vertex;
     std::int32_t Side; // of its ring, that is collapsed
   };
 
@@ -327,7 +326,7 @@ private:
   void FindVertices()
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    this->TriangleAt.resize(this->Mesh.VertexMarks().size());
+    this->TriangleAt.resize(std::size_t(this->Mesh.EndOfVertices()));
     this->IsOld.resize(this->TriangleAt.size());
     for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
     {
@@ -336,13 +335,10 @@ private:
         this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
       }
     }
-    for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
+    for (const VertexId vertex : this->Mesh.Heights().Vertices)
     {
-      if (this->Mesh.IsVertex(point) && !this->Mesh.IsOnLoop(point))
-      {
-        this->Candidates.push_back({ Infinity, point, 0 });
-        this->IsOld[point] = 1;
-      }
+      this->Candidates.push_back({ Infinity, vertex, 0 });
+      this->IsOld[vertex] = 1;
     }
   }
 
@@ -350,7 +346,7 @@ private:
   std::vector<Candidate> FindCheapest() const
   {
     const auto isCheaper = [](const Candidate& a, const Candidate& b)
-    { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); };
+    { return std::tie(a.Cost, a.Vertex) < std::tie(b.Cost, b.Vertex); };
     std::vector<Candidate> possible;
     std::copy_if(this->Candidates.begin(), this->Candidates.end(), std::back_inserter(possible),
       [](const Candidate& one) { return one.Cost < Infinity; });
@@ -374,21 +370,21 @@ private:
         for (std::int64_t n = first; n < last; ++n)
         {
           Candidate& candidate = this->Candidates[n];
-          if (this->IsOld[candidate.Point] != 0)
+          if (this->IsOld[candidate.Vertex] != 0)
           {
-            candidate = this->Try(candidate.Point, ring, ends);
-            this->IsOld[candidate.Point] = 0;
+            candidate = this->Try(candidate.Vertex, ring, ends);
+            this->IsOld[candidate.Vertex] = 0;
           }
         }
       });
   }
 
   /// In the memory of the one before.
-  Candidate Try(PointId point, Ring& ring, std::vector<End>& ends) const
+  Candidate Try(VertexId vertex, Ring& ring, std::vector<End>& ends) const
   {
-    this->FindRing(point, ring);
-    this->FindEnds(ring, point, ends);
-    Candidate best{ Infinity, point, 0 };
+    this->FindRing(vertex, ring);
+    this->FindEnds(ring, vertex, ends);
+    Candidate best{ Infinity, vertex, 0 };
     for (const End& end : ends)
     {
       const double most = ring.Sum + best.Cost;
@@ -404,14 +400,14 @@ private:
   }
 
   /// Those with the least first: that of the best one is compared with those of the others.
-  void FindEnds(const Ring& ring, PointId point, std::vector<End>& ends) const
+  void FindEnds(const Ring& ring, VertexId vertex, std::vector<End>& ends) const
   {
     ends.clear();
     for (std::size_t end = 0; end < ring.Ends.size(); ++end)
     {
       if (this->KeepsAngles(ring, end))
       {
-        const double error = this->ErrorOf(point, ring, end);
+        const double error = this->ErrorOf(vertex, ring, end);
         if (error <= this->Cost.LargestError)
         {
           ends.push_back({ this->Cost.Power.Raise(error), end });
@@ -423,10 +419,10 @@ private:
   }
 
   /// The distance of a vertex's point from the triangle that would be there.
-  double ErrorOf(PointId point, const Ring& ring, std::size_t end) const
+  double ErrorOf(VertexId vertex, const Ring& ring, std::size_t end) const
   {
     const RaisedPoint& to = ring.End(end);
-    const PlanePoint& place = this->Mesh.Raised(point).Column;
+    const PlanePoint& place = this->Mesh.Raised(vertex).Column;
     std::size_t n = end + 1;
     while (n + 2 < end + ring.Ends.size() && SignedArea(to.Column, ring.End(n + 1).Column, place) > 0)
     {
@@ -439,26 +435,26 @@ private:
       ((b.Height - to.Height) * double(SignedArea(c.Column, to.Column, place)) +
         (c.Height - to.Height) * double(SignedArea(to.Column, b.Column, place))) /
         area;
-    return std::abs(height - this->Mesh.ColumnHeight(point));
+    return std::abs(height - this->Mesh.ColumnHeight(vertex));
   }
 
-  void FindRing(PointId point, Ring& ring) const
+  void FindRing(VertexId vertex, Ring& ring) const
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
     ring.Ends.clear();
     ring.Sum = 0.0;
     ring.Sine = 1.0;
-    mesh.FindRing(point, this->TriangleAt[point], ring.Triangles);
+    mesh.FindRing(vertex, this->TriangleAt[vertex], ring.Triangles);
     const HeightRaster& raster = this->Mesh.RasterOf(ring.Triangles.front());
     for (const TriangleId triangle : ring.Triangles)
     {
-      ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point)))));
-      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(raster, this->Mesh.Raised(point), ring.Ends.back());
+      ring.Ends.push_back(this->Mesh.Raised(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, vertex)))));
+      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(raster, this->Mesh.Raised(vertex), ring.Ends.back());
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
-      ring.Sine =
-        std::min(ring.Sine, SquaredSineOf(this->Mesh.Raised(point).Column, ring.End(n).Column, ring.End(n + 1).Column));
+      ring.Sine = std::min(
+        ring.Sine, SquaredSineOf(this->Mesh.Raised(vertex).Column, ring.End(n).Column, ring.End(n + 1).Column));
     }
   }
 
@@ -514,7 +510,7 @@ private:
         }
       });
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
-                             [this](const Candidate& one) { return !this->Mesh.IsVertex(one.Point); }),
+                             [this](const Candidate& one) { return this->Mesh.IsRemoved(one.Vertex); }),
       this->Candidates.end());
   }
 
@@ -523,21 +519,21 @@ private:
   {
     PlaneMesh& mesh = this->Mesh.Triangles();
     std::vector<TriangleId> ring;
-    mesh.FindRing(candidate.Point, this->TriangleAt[candidate.Point], ring);
+    mesh.FindRing(candidate.Vertex, this->TriangleAt[candidate.Vertex], ring);
     if (std::any_of(ring.begin(), ring.end(), [this](TriangleId one) { return this->IsChanged[one] != 0; }))
     {
       return;
     }
-    mesh.Collapse(candidate.Point, ring, std::size_t(candidate.Side));
-    this->Mesh.MarkVertex(candidate.Point, false);
+    mesh.Collapse(candidate.Vertex, ring, std::size_t(candidate.Side));
+    this->Mesh.Remove(candidate.Vertex);
     for (const TriangleId triangle : ring)
     {
       this->IsChanged[triangle] = 1;
       for (int corner = 0; corner < 3 && !mesh.IsGone(triangle); ++corner)
       {
-        const std::size_t point = std::size_t(mesh.Corner(triangle, corner));
-        this->TriangleAt[point] = triangle;
-        this->IsOld[point] = 1;
+        const std::size_t vertex = std::size_t(mesh.Corner(triangle, corner));
+        this->TriangleAt[vertex] = triangle;
+        this->IsOld[vertex] = 1;
       }
       if (!mesh.IsGone(triangle))
       {
@@ -549,9 +545,9 @@ private:
   HeightMesh& Mesh;
   const MeshCost& Cost;
   std::vector<double> Costs; // by triangle
-  RawVector<TriangleId> TriangleAt; // by point, of vertices: one of its triangles
-  std::vector<Candidate> Candidates; // the vertices inside, in the order of their points: those next are near
-  RawVector<unsigned char> IsOld; // by point, of vertices: triangles around have changed since it was tried
+  std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles
+  std::vector<Candidate> Candidates; // the vertices inside, in their order: those next are near
+  std::vector<unsigned char> IsOld; // by vertex: triangles around have changed since it was tried
   std::vector<unsigned char> IsChanged; // by triangle, in one round
   std::vector<TriangleId> Changed; // in one round
 };
@@ -590,7 +586,7 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
     }
   };
   // What is flipped and fitted is the smaller mesh, which also leaves the fewest vertices.
-  mesh.Triangles().SortByPlace();
+  mesh.SortByPlace();
   RemoveVertices(mesh, cost, 0, monitor.Step(0.0, 0.3));
   bool isWorthIt = true;
   for (int round = 0; round < MostRounds && isWorthIt; ++round)
@@ -609,7 +605,7 @@ void ImproveWithinError(HeightMesh& mesh, const DecimationOptions& options, cons
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor)
 {
   const double largest = mesh.LargestError();
-  mesh.Triangles().SortByPlace();
+  mesh.SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
   // What is flipped and fitted half-way shows better which vertices can go.
@@ -642,7 +638,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
   const double largest = mesh.LargestError();
-  mesh.Triangles().SortByPlace();
+  mesh.SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   if (options.Priority == DecimationPriority::LargestError)
   {
