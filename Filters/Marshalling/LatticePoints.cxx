@@ -375,8 +375,7 @@ LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& 
 //----------------------------------------------------------------------------------------------------------------------
 PlanePoints ColumnsOf(vtkPolyData* horizon)
 {
-  vtkIntArray* const array = FindGivenColumns(horizon);
-  assert(array || horizon->GetNumberOfPoints() == 0);
+  vtkIntArray* const array = FindGivenColumns(horizon); // null only where there are no points
   return array ? PlanePoints(Columns(array), std::size_t(array->GetNumberOfTuples())) : PlanePoints();
 }
 
