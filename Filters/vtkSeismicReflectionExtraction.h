@@ -8,19 +8,21 @@
  * the active scalars, or where there are none the point array Amplitude). Traces run along k, which has to be vertical.
  * Points that vtkGhostType hides, and numbers that are not finite, are no samples; traces of zeros have no reflections.
  *
- * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009). Strong ones are thinned
+ * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009), or its end. Strong ones are thinned
  * to a pick, and picks of neighbouring traces joined to surfaces, which are named "Horizon 1" and so on, the strongest
  * first. Three ways to join are there, see SetJoining(); Documentation/SeismicReflectionExtraction.md has how good they
  * are.
  *
  * With picks of an interpreter at the second input, the output has the horizons that these ask for, of their names.
+ * Horizons at the third input limit where reflections are looked for.
  *
  * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
  * and one vertex cell per pick, at most one in a column. Point data, one component each:
  * - SurfaceId (int): the number of the horizon
  * - VerticalIndex (int): the sample nearest to the pick, on the lattice; the active scalars
- * - Thickness (double): how many samples the run has
- * - Amplitude (double): the mean of the samples of the run
+ * - Thickness (double): how many samples the run has; of both runs beside a zero crossing the mean
+ * - Amplitude (double): the mean of the samples of the run; at a zero crossing half the difference of the peaks beside
+ *   it
  * - RealZ (double): the place of the pick, to parts of a sample: world z with the sign of VerticalDirection
  * - PointCount (vtkIdType): 1
  * - Origin (double), with picks: 0 where one is, 1 on a part of a surface that was taken, 2 where it grew
@@ -92,19 +94,21 @@ public:
   enum Positions
   {
     Middle = 0,
-    Peak = 1
+    Peak = 1,
+    ZeroCrossing = 2
   };
 
   ///@{
   /**
    * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold, as in the
-   * thesis. Peak: at each local maximum of the absolute amplitude, to a fraction of a sample by a parabola. Default:
-   * Peak.
+   * thesis. Peak: at each local maximum of the absolute amplitude, to a fraction of a sample by a parabola.
+   * ZeroCrossing: where amplitudes change their sign; positive are those that become positive downwards. Default: Peak.
    */
-  vtkSetClampMacro(Position, int, Middle, Peak);
+  vtkSetClampMacro(Position, int, Middle, ZeroCrossing);
   vtkGetMacro(Position, int);
   void SetPositionToMiddle() { this->SetPosition(Middle); }
   void SetPositionToPeak() { this->SetPosition(Peak); }
+  void SetPositionToZeroCrossing() { this->SetPosition(ZeroCrossing); }
   ///@}
 
   /// Values of ThresholdType.
@@ -126,7 +130,8 @@ public:
 
   ///@{
   /**
-   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection. Unit: that of the
+   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection; at a zero crossing, the mean
+   * of the peaks beside it. Unit: that of the
    * amplitudes. Range: at least 0. Default: 0.
    */
   vtkSetMacro(AmplitudeThreshold, double);
@@ -292,6 +297,36 @@ public:
   vtkGetMacro(KeepOthers, bool);
   ///@}
 
+  ///@{
+  /**
+   * One or two older horizons on the traces of the cube; optional. With two, reflections between them are looked for,
+   * with one those on the side of LimitSide; on traces where a limit has no point, none. Waveforms are those of whole
+   * traces. Range: points. Default: none.
+   *
+   * Input 2, of several connections.
+   */
+  void AddLimitsConnection(vtkAlgorithmOutput* limits) { this->AddInputConnection(2, limits); }
+  void RemoveLimits() { this->SetInputConnection(2, nullptr); }
+  ///@}
+
+  /// Values of LimitSide.
+  enum LimitSides
+  {
+    Below = 0,
+    Above = 1
+  };
+
+  ///@{
+  /**
+   * On which side of a single limit reflections are looked for. Below: at and after it, in the order of the samples.
+   * Default: Below.
+   */
+  vtkSetClampMacro(LimitSide, int, Below, Above);
+  vtkGetMacro(LimitSide, int);
+  void SetLimitSideToBelow() { this->SetLimitSide(Below); }
+  void SetLimitSideToAbove() { this->SetLimitSide(Above); }
+  ///@}
+
   /// Values of Elevation.
   enum ElevationSource
   {
@@ -360,6 +395,7 @@ private:
   vtkImageData* GetCube();
   vtkDataArray* FindAmplitudes(vtkImageData* cube);
   void Describe();
+  void DescribeLimits(std::ostream& text);
   void DescribeGuides(std::ostream& text);
 
   double PhaseRotation = 0.0;
@@ -380,6 +416,7 @@ private:
   double GrowthCorrelation = 0.6;
   int GrowthReach = 60;
   bool KeepOthers = false;
+  int LimitSide = Below;
   int Elevation = RealZ;
 
   vtkIdType NumberOfSamples = 0;

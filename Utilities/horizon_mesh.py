@@ -36,6 +36,7 @@ HEIGHT_UNITS = ("ms", "s", "m", "ft")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS = ("BestFirst", "Continuous", "Components")
+LIMIT_SIDES = ("Below", "Above")
 POLARITIES = ("Both", "Positive", "Negative")
 STRAY_PICKS = ("Stop", "LeaveOut")
 GRIDDING = ("Plate", "Nearest")
@@ -242,6 +243,11 @@ def _add_cube_options(group):
                        help="surfaces of fewer picks are left out (default: a twentieth of the traces, 10 to 100)")
     group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE",
                        help="the horizons that picks of a file ask for, in place of all: some picks of each, by name")
+    group.add_argument("--limits", nargs="+", default=NOT_GIVEN, metavar="FILE",
+                       help="one or two older horizons on the traces: only what is between them, or on one side of one, is "
+                       "searched; put -- between them and files that follow")
+    group.add_argument("--limit-side", choices=LIMIT_SIDES, default=NOT_GIVEN,
+                       help="the side of a single limit (default: Below)")
     group.add_argument("--inlines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
                        help="only these inlines, by their numbers (default: all)")
     group.add_argument("--crosslines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),

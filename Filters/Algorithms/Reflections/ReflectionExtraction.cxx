@@ -377,9 +377,11 @@ struct Taken
 class Writer
 {
 public:
-  Writer(const TraceCube& cube, const CubeReflections& reflections, const std::array<RawVector<PointId>, 2>& positions)
+  Writer(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
+    const std::array<RawVector<PointId>, 2>& positions)
     : Cube(cube)
     , Reflections(reflections)
+    , Limits(limits)
     , Positions(positions)
   {
   }
@@ -421,9 +423,10 @@ private:
       [&](int i, const float* trace)
       {
         found.clear();
-        FindReflections(trace, this->Cube.Size[2], this->Reflections.Rules, found);
         const std::array<ReflectionPicks, 2>& picks = this->Reflections.BySign;
         const std::int64_t column = picks[0].ColumnAt(i, j);
+        FindReflections(trace, this->Cube.Size[2], this->Reflections.Rules, found);
+        LeaveOutBeyond(this->Limits, column, 0, found);
         std::array<PointId, 2> next = { picks[0].Begin(column), picks[1].Begin(column) };
         for (const Reflection& reflection : found)
         {
@@ -462,6 +465,7 @@ private:
 
   const TraceCube& Cube;
   const CubeReflections& Reflections;
+  const TraceLimits& Limits;
   const std::array<RawVector<PointId>, 2>& Positions;
 };
 }
@@ -482,8 +486,8 @@ void CheckOptions(const ExtractionOptions& options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Extraction ExtractReflections(
-  const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor, const std::vector<Guide>& guides)
+Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor,
+  const std::vector<Guide>& guides, const TraceLimits& limits)
 {
   CheckOptions(options);
   if (!guides.empty() && options.Joining == SurfaceJoining::Components)
@@ -497,7 +501,7 @@ Extraction ExtractReflections(
   {
     reflectionOptions.AmplitudePercentile = 0.0; // an interpreter sees where a weak reflection goes on
   }
-  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3));
+  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3), limits);
   Extraction result;
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
@@ -542,7 +546,7 @@ Extraction ExtractReflections(
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  Writer(cube, reflections, surfaces).Write(result.Surfaces, monitor.Step(0.9, 1.0));
+  Writer(cube, reflections, limits, surfaces).Write(result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   return result;
 }

@@ -88,12 +88,12 @@ struct Extraction
 /// Throws InputError when an option is out of range, those of the reflections included.
 void CheckOptions(const ExtractionOptions& options);
 
-/// With guides, reflections of all percentiles count. Gives the same on any number of threads, and in any order of the
+/// With guides, reflections of all percentiles count; with limits, those within these. Gives the same on any number of threads, and in any order of the
 /// picks of a guide. Throws InputError on options out of range, when FindReflections does, and on guides without picks,
 /// with some outside of the cube, with none near a reflection, or with two of them that contradict each other in a
 /// column. Takes about 30 bytes per pick beside the result, and 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
-  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {});
+  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
 }
 
 #endif
