@@ -90,7 +90,7 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
   options.SmallestContact = this->SmallestContact;
   options.SmallestSize = this->SmallestSize;
   options.LargestNumber = this->LargestNumber;
-  options.Order = this->Order == Energy ? SurfaceOrder::Energy : SurfaceOrder::Size;
+  options.Order = this->Order == Strength ? SurfaceOrder::Strength : SurfaceOrder::Size;
   options.Guidance.Tolerance = this->GuideTolerance;
   options.Guidance.GrowthCorrelation = this->GrowthCorrelation;
   options.Guidance.GrowthReach = this->GrowthReach;
@@ -190,13 +190,8 @@ std::vector<std::int64_t> vtkSeismicReflectionExtraction::CountHorizonPoints()
 void vtkSeismicReflectionExtraction::Describe()
 {
   const Extraction& result = this->Found->Result;
-  this->NumberOfSamples = static_cast<vtkIdType>(result.Samples);
-  this->NumberOfPicks = static_cast<vtkIdType>(result.Picks);
   this->NumberOfSurfaces = static_cast<vtkIdType>(result.NumberOfSurfaces);
-  this->UsedThreshold = result.Threshold;
   this->DominantPeriod = result.Period;
-  this->UsedStep = result.LargestStep;
-  this->MedianCorrelation = result.MedianCorrelation;
   this->EstimatedPhase = result.Phase.Degrees;
   this->PhaseDeviation = result.Phase.Deviation;
   std::ostringstream text;
@@ -369,7 +364,7 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestContact: " << this->SmallestContact << '\n';
   os << indent << "SmallestSize: " << this->SmallestSize << '\n';
   os << indent << "LargestNumber: " << this->LargestNumber << '\n';
-  os << indent << "Order: " << (this->Order == Energy ? "Energy" : "Size") << '\n';
+  os << indent << "Order: " << (this->Order == Strength ? "Strength" : "Size") << '\n';
   os << indent << "GuideTolerance: " << this->GuideTolerance << '\n';
   os << indent << "GrowthCorrelation: " << this->GrowthCorrelation << '\n';
   os << indent << "GrowthReach: " << this->GrowthReach << '\n';

@@ -130,7 +130,7 @@ struct SurfaceSize
   int Sign = 0;
   PointId Surface = NoPoint;
   PointId Columns = 0;
-  double Energy = 0.0;
+  double Strength = 0.0;
 };
 
 /// Appends the surfaces of at least that many columns, in the order of their first picks. A column with several picks
@@ -142,8 +142,8 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
   {
     PointId Columns = 0;
     std::int32_t LastColumn = -1;
-    double Energy = 0.0;
-    double LastEnergy = 0.0; // of the last column
+    double Strength = 0.0;
+    double LastStrength = 0.0; // of the last column
   };
   std::vector<Extent> extents(surfaces.size());
   picks.ForEach(
@@ -156,17 +156,18 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
       Extent& extent = extents[surfaces[pick]];
       const double strength = StrengthOf(picks.CoarseStrengthOf(pick));
       const bool isNew = extent.LastColumn != column;
-      const double more = isNew ? strength * strength : std::max(0.0, strength * strength - extent.LastEnergy);
+      const double cube = strength * strength * strength;
+      const double more = isNew ? cube : std::max(0.0, cube - extent.LastStrength);
       extent.Columns += isNew ? 1 : 0;
-      extent.Energy += more;
-      extent.LastEnergy = isNew ? more : extent.LastEnergy + more;
+      extent.Strength += more;
+      extent.LastStrength = isNew ? more : extent.LastStrength + more;
       extent.LastColumn = column;
     });
   for (const PointId surface : surfaces)
   {
     if (surface != NoPoint && extents[surface].Columns >= smallestSize)
     {
-      sizes.push_back({ sign, surface, extents[surface].Columns, extents[surface].Energy });
+      sizes.push_back({ sign, surface, extents[surface].Columns, extents[surface].Strength });
       extents[surface].Columns = 0; // it is listed
     }
   }
@@ -177,7 +178,7 @@ void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes
 {
   std::stable_sort(sizes.begin(), sizes.end(),
     [&](const SurfaceSize& a, const SurfaceSize& b)
-    { return options.Order == SurfaceOrder::Energy ? a.Energy > b.Energy : a.Columns > b.Columns; });
+    { return options.Order == SurfaceOrder::Strength ? a.Strength > b.Strength : a.Columns > b.Columns; });
   sizes.resize(std::min(options.LargestNumber, std::int64_t(sizes.size())));
 }
 

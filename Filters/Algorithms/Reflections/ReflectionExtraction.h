@@ -31,7 +31,7 @@ enum class SurfaceJoining
 /// Which surfaces come first.
 enum class SurfaceOrder
 {
-  Energy, // those of the largest sum of squared strengths
+  Strength, // those of the largest sum of cubed strengths: by squares, more side lobes are among the first
   Size // those of most columns
 };
 
@@ -50,7 +50,7 @@ struct ExtractionOptions
   double SmallestContact = 0.5;
   std::int64_t SmallestSize = 0; // of a surface, in picks: at least 0; 0: a twentieth of the traces, 10 to 100
   std::int64_t LargestNumber = 100; // of surfaces, at least 1: the first ones
-  SurfaceOrder Order = SurfaceOrder::Energy;
+  SurfaceOrder Order = SurfaceOrder::Strength;
   GuidanceOptions Guidance;
 };
 
