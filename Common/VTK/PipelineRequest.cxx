@@ -252,8 +252,9 @@ void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vt
 void AskForWhole(vtkInformationVector* port)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (vtkInformation* const input = port->GetInformationObject(0))
+  for (int n = 0; n < port->GetNumberOfInformationObjects(); ++n)
   {
+    vtkInformation* const input = port->GetInformationObject(n);
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
     input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     if (input->Has(Pipeline::WHOLE_EXTENT()))
