@@ -12,6 +12,8 @@
 #ifndef SeismicHorizonsCountingSort_h
 #define SeismicHorizonsCountingSort_h
 
+#include "RawVector.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -100,7 +102,7 @@ public:
 
 private:
   CountingSort<Position> Sort;
-  std::vector<Item> Items;
+  RawVector<Item> Items;
 };
 }
 

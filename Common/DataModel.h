@@ -30,6 +30,8 @@ constexpr const char* Filled = "Filled";
 constexpr const char* Spike = "Spike";
 constexpr const char* Origin = "Origin";
 constexpr const char* GuideDistance = "GuideDistance";
+constexpr const char* Isochore = "Isochore";
+constexpr const char* Isopach = "Isopach";
 }
 
 namespace CellArray
@@ -105,6 +107,11 @@ constexpr const char* SmallestFaultThrow = "SmallestFaultThrow";
 constexpr const char* SeamRows = "SeamRows";
 constexpr const char* NumberOfParts = "NumberOfParts";
 constexpr const char* SeamPoints = "SeamPoints";
+constexpr const char* IsochoreLeast = "IsochoreLeast";
+constexpr const char* IsochoreMean = "IsochoreMean";
+constexpr const char* IsochoreLargest = "IsochoreLargest";
+constexpr const char* IsochoreVolume = "IsochoreVolume";
+constexpr const char* IsochoreCrossings = "IsochoreCrossings";
 constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* LargestDistanceFound = "LargestDistanceFound";
 constexpr const char* MeanDistance = "MeanDistance";

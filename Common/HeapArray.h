@@ -8,6 +8,8 @@
 #ifndef SeismicHorizonsHeapArray_h
 #define SeismicHorizonsHeapArray_h
 
+#include "LargePages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -119,6 +121,7 @@ private:
     {
       throw std::bad_alloc();
     }
+    PreferLargePages(memory, capacity * sizeof(T));
     this->First = static_cast<T*>(memory);
     this->Capacity = capacity;
   }

@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsKeptPoints_h
 #define SeismicHorizonsKeptPoints_h
 
+#include "LargePages.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ public:
   /// For each of all points its position among these, or NoPoint.
   std::vector<PointId> Numbers() const
   {
-    std::vector<PointId> numbers(this->Total, NoPoint);
+    std::vector<PointId> numbers = LargeVector(this->Total, NoPoint);
     this->ForEachRun(0, this->Count,
       [&](std::size_t n, PointId point, std::size_t length)
       { std::iota(numbers.begin() + point, numbers.begin() + point + std::ptrdiff_t(length), PointId(n)); });

@@ -8,6 +8,9 @@
 #ifndef SeismicHorizonsRawVector_h
 #define SeismicHorizonsRawVector_h
 
+#include "LargePages.h"
+
+#include <cstddef>
 #include <memory>
 #include <new>
 #include <utility>
@@ -24,6 +27,13 @@ struct RawAllocator : std::allocator<T>
   {
     using other = RawAllocator<U>;
   };
+
+  T* allocate(std::size_t count)
+  {
+    T* const memory = std::allocator<T>::allocate(count);
+    PreferLargePages(memory, count * sizeof(T));
+    return memory;
+  }
 
   template <typename U>
   void construct(U* place) noexcept

@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/PipelineRequest.h"
 #include "Despiking/Despiking.h"
 #include "Faults/FaultDetection.h"
 #include "Faults/FaultLines.h"
@@ -19,11 +20,9 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,11 +90,7 @@ int vtkHorizonFaults::FillInputPortInformation(int port, vtkInformation* info)
 // Each process needs all lines, whichever horizons it has.
 int vtkHorizonFaults::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  if (vtkInformation* const lines = inputVector[LinesPort]->GetInformationObject(0))
-  {
-    lines->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    lines->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  }
+  AskForWhole(inputVector[LinesPort]);
   return 1;
 }
 

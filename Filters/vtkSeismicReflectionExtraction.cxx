@@ -10,6 +10,7 @@
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
+#include "Marshalling/ExtractionLimits.h"
 #include "Marshalling/GuidePicks.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/ImageCube.h"
@@ -34,12 +35,14 @@ using namespace SeismicHorizons;
 namespace
 {
 constexpr int GuidesPort = 1;
+constexpr int LimitsPort = 2;
 }
 
 struct vtkSeismicReflectionExtraction::Surfaces
 {
   ImageCube Cube;
   std::vector<GuidePicks> Guides;
+  ExtractionLimits Limits;
   Extraction Result;
 };
 
@@ -48,7 +51,7 @@ vtkStandardNewMacro(vtkSeismicReflectionExtraction);
 //----------------------------------------------------------------------------------------------------------------------
 vtkSeismicReflectionExtraction::vtkSeismicReflectionExtraction()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
@@ -58,9 +61,10 @@ vtkSeismicReflectionExtraction::~vtkSeismicReflectionExtraction() = default;
 //----------------------------------------------------------------------------------------------------------------------
 int vtkSeismicReflectionExtraction::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == GuidesPort)
+  if (port != 0)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == LimitsPort ? 1 : 0);
     AcceptHorizons(info);
     return 1;
   }
@@ -74,7 +78,7 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
   ExtractionOptions options;
   options.PhaseRotation = this->PhaseRotation;
   options.Reflections.Polarity = static_cast<ReflectionPolarity>(this->Polarity);
-  options.Reflections.Position = this->Position == Middle ? ReflectionPosition::Middle : ReflectionPosition::Peak;
+  options.Reflections.Position = static_cast<ReflectionPosition>(this->Position);
   options.Reflections.Threshold =
     this->ThresholdType == Amplitude ? ThresholdKind::Amplitude : ThresholdKind::Percentile;
   options.Reflections.AmplitudeThreshold = this->AmplitudeThreshold;
@@ -86,7 +90,7 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
   options.SmallestContact = this->SmallestContact;
   options.SmallestSize = this->SmallestSize;
   options.LargestNumber = this->LargestNumber;
-  options.Order = this->Order == Energy ? SurfaceOrder::Energy : SurfaceOrder::Size;
+  options.Order = this->Order == Strength ? SurfaceOrder::Strength : SurfaceOrder::Size;
   options.Guidance.Tolerance = this->GuideTolerance;
   options.Guidance.GrowthCorrelation = this->GrowthCorrelation;
   options.Guidance.GrowthReach = this->GrowthReach;
@@ -150,7 +154,18 @@ std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Moni
       guides.push_back(guide.Given);
     }
   }
-  this->Found->Result = ExtractReflections(this->Found->Cube.Traces, this->MakeOptions(), monitor, guides);
+  if (const int limits = this->GetNumberOfInputConnections(LimitsPort))
+  {
+    std::vector<vtkDataObject*> horizons;
+    for (int n = 0; n < limits; ++n)
+    {
+      horizons.push_back(this->GetInputDataObject(LimitsPort, n));
+    }
+    const auto side = this->LimitSide == Below ? LimitSide::Below : LimitSide::Above;
+    this->Found->Limits = ReadLimits(horizons, this->Found->Cube, side);
+  }
+  this->Found->Result =
+    ExtractReflections(this->Found->Cube.Traces, this->MakeOptions(), monitor, guides, this->Found->Limits.Traces);
   this->Describe();
   std::vector<std::string> names;
   for (std::size_t n = 0; n < this->Found->Result.Surfaces.size(); ++n)
@@ -175,13 +190,8 @@ std::vector<std::int64_t> vtkSeismicReflectionExtraction::CountHorizonPoints()
 void vtkSeismicReflectionExtraction::Describe()
 {
   const Extraction& result = this->Found->Result;
-  this->NumberOfSamples = static_cast<vtkIdType>(result.Samples);
-  this->NumberOfPicks = static_cast<vtkIdType>(result.Picks);
   this->NumberOfSurfaces = static_cast<vtkIdType>(result.NumberOfSurfaces);
-  this->UsedThreshold = result.Threshold;
   this->DominantPeriod = result.Period;
-  this->UsedStep = result.LargestStep;
-  this->MedianCorrelation = result.MedianCorrelation;
   this->EstimatedPhase = result.Phase.Degrees;
   this->PhaseDeviation = result.Phase.Deviation;
   std::ostringstream text;
@@ -195,6 +205,7 @@ void vtkSeismicReflectionExtraction::Describe()
   {
     text << "median correlation of links " << result.MedianCorrelation << '\n';
   }
+  this->DescribeLimits(text);
   this->DescribeGuides(text);
   std::string description = text.str();
   if (this->Found->Guides.empty() || this->KeepOthers)
@@ -223,6 +234,24 @@ std::string PicksText(const std::vector<std::size_t>& numbers, const GuidePicks&
        << ToText(Eigen::Map<const Eigen::Vector3d>(first.data()));
   return text.str();
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkSeismicReflectionExtraction::DescribeLimits(std::ostream& text)
+{
+  const ExtractionLimits& limits = this->Found->Limits;
+  if (limits.Traces.AreNone())
+  {
+    return;
+  }
+  const auto traces = static_cast<std::int64_t>(limits.Traces.First.size());
+  text << "limits on " << limits.Limited << " of " << traces << " traces\n";
+  if (2 * limits.Limited < traces)
+  {
+    vtkWarningMacro(<< "limits on " << limits.Limited << " of " << traces
+                    << " traces, expected them on most: nothing is found on the others; Horizon Hole Filling fills "
+                       "horizons with holes");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -319,11 +348,12 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::Make
 void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 3> polarities = { "Both", "Positive", "Negative" };
+  constexpr std::array<const char*, 3> positions = { "Middle", "Peak", "ZeroCrossing" };
   constexpr std::array<const char*, 3> joinings = { "BestFirst", "Continuous", "Components" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PhaseRotation: " << this->PhaseRotation << '\n';
   os << indent << "Polarity: " << polarities[static_cast<std::size_t>(this->Polarity)] << '\n';
-  os << indent << "Position: " << (this->Position == Middle ? "Middle" : "Peak") << '\n';
+  os << indent << "Position: " << positions[static_cast<std::size_t>(this->Position)] << '\n';
   os << indent << "ThresholdType: " << (this->ThresholdType == Amplitude ? "Amplitude" : "Percentile") << '\n';
   os << indent << "AmplitudeThreshold: " << this->AmplitudeThreshold << '\n';
   os << indent << "AmplitudePercentile: " << this->AmplitudePercentile << '\n';
@@ -334,11 +364,12 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestContact: " << this->SmallestContact << '\n';
   os << indent << "SmallestSize: " << this->SmallestSize << '\n';
   os << indent << "LargestNumber: " << this->LargestNumber << '\n';
-  os << indent << "Order: " << (this->Order == Energy ? "Energy" : "Size") << '\n';
+  os << indent << "Order: " << (this->Order == Strength ? "Strength" : "Size") << '\n';
   os << indent << "GuideTolerance: " << this->GuideTolerance << '\n';
   os << indent << "GrowthCorrelation: " << this->GrowthCorrelation << '\n';
   os << indent << "GrowthReach: " << this->GrowthReach << '\n';
   os << indent << "KeepOthers: " << (this->KeepOthers ? "on" : "off") << '\n';
+  os << indent << "LimitSide: " << (this->LimitSide == Below ? "Below" : "Above") << '\n';
   os << indent << "Elevation: " << (this->Elevation == RealZ ? "RealZ" : "VerticalIndex") << '\n';
   os << indent << "Description: " << this->Description << '\n';
 }

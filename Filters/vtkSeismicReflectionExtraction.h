@@ -8,33 +8,21 @@
  * the active scalars, or where there are none the point array Amplitude). Traces run along k, which has to be vertical.
  * Points that vtkGhostType hides, and numbers that are not finite, are no samples; traces of zeros have no reflections.
  *
- * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009). Strong ones are thinned
- * to a pick, and picks of neighbouring traces joined to surfaces, which are named "Horizon 1" and so on, the strongest
- * first. Three ways to join are there, see SetJoining(); Documentation/SeismicReflectionExtraction.md has how good they
- * are.
+ * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009), or its end. Strong ones
+ * are thinned to a pick, and picks of neighbouring traces joined to surfaces, "Horizon 1" and on, the strongest first.
  *
- * With picks of an interpreter at the second input, the output has the horizons that these ask for, of their names.
+ * With picks of an interpreter at the second input, the output has the horizons that these ask for. Horizons at the
+ * third input limit where reflections are looked for.
  *
  * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
- * and one vertex cell per pick, at most one in a column. Point data, one component each:
- * - SurfaceId (int): the number of the horizon
- * - VerticalIndex (int): the sample nearest to the pick, on the lattice; the active scalars
- * - Thickness (double): how many samples the run has
- * - Amplitude (double): the mean of the samples of the run
- * - RealZ (double): the place of the pick, to parts of a sample: world z with the sign of VerticalDirection
- * - PointCount (vtkIdType): 1
- * - Origin (double), with picks: 0 where one is, 1 on a part of a surface that was taken, 2 where it grew
- * - GuideDistance (double), with picks: how far the nearest is, in columns
- *
- * Field data as from that reader: LatticeDimensions, LatticeToWorld, VerticalDirection and DroppedDuplicates. The
- * first three are those of the input where it has them, and then the extent of the image counts on that lattice; else
- * they are made from its origin, spacing, direction and extent. VerticalUnit, VerticalDomain, HorizontalUnit,
- * CoordinateSystem and LineNumbers are those of the input.
+ * and one vertex cell per pick, at most one in a column. Of its point data, VerticalIndex is the sample nearest to the
+ * pick, Thickness (in samples) and Amplitude are those of its run, and RealZ is its place to parts of a sample. With
+ * picks of an interpreter come Origin (0 where one is, 1 on a part of a surface that was taken, 2 where it grew) and
+ * GuideDistance, to the nearest, in columns. Field data are those of the input, where it has them, and else made from
+ * its origin, spacing, direction and extent.
  *
  * The result is the same on any number of threads. Each of several processes works on the whole cube, and gives a part
  * of the horizons. An error leaves the output empty. It takes about 30 bytes for each pick, 90 with guides.
- *
- * @sa vtkVerneySparseMatrixReader vtkHorizonExteriorBoundary vtkHorizonSurface
  */
 
 #ifndef vtkSeismicReflectionExtraction_h
@@ -92,19 +80,21 @@ public:
   enum Positions
   {
     Middle = 0,
-    Peak = 1
+    Peak = 1,
+    ZeroCrossing = 2
   };
 
   ///@{
   /**
    * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold, as in the
-   * thesis. Peak: at each local maximum of the absolute amplitude, to a fraction of a sample by a parabola. Default:
-   * Peak.
+   * thesis. Peak: at each local maximum of the absolute amplitude, to a fraction of a sample by a parabola.
+   * ZeroCrossing: where amplitudes change their sign; positive are those that become positive downwards. Default: Peak.
    */
-  vtkSetClampMacro(Position, int, Middle, Peak);
+  vtkSetClampMacro(Position, int, Middle, ZeroCrossing);
   vtkGetMacro(Position, int);
   void SetPositionToMiddle() { this->SetPosition(Middle); }
   void SetPositionToPeak() { this->SetPosition(Peak); }
+  void SetPositionToZeroCrossing() { this->SetPosition(ZeroCrossing); }
   ///@}
 
   /// Values of ThresholdType.
@@ -126,8 +116,8 @@ public:
 
   ///@{
   /**
-   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection. Unit: that of the
-   * amplitudes. Range: at least 0. Default: 0.
+   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection; at a zero crossing, the
+   * mean of the peaks beside it. Unit: that of the amplitudes. Range: at least 0. Default: 0.
    */
   vtkSetMacro(AmplitudeThreshold, double);
   vtkGetMacro(AmplitudeThreshold, double);
@@ -155,8 +145,7 @@ public:
    * How picks become surfaces. BestFirst: those with the most similar waveforms are linked first; parts that lie over
    * each other, or face each other with few links, as at faults, stay apart. Continuous: surfaces grow one after the
    * other, each from the strongest pick left as far as links lead; strong events come out whole, some across faults.
-   * Components: whatever touches, as in the thesis; of several picks in a column the one of largest absolute amplitude
-   * stays. See "Three ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
+   * Components: whatever touches. See "Three ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
    */
   vtkSetClampMacro(Joining, int, BestFirst, Components);
   vtkGetMacro(Joining, int);
@@ -184,9 +173,8 @@ public:
 
   ///@{
   /**
-   * How far a pick may be above or below the next one of its surface. 0: 0.3 of the dominant period, at least 2.
-   * Surfaces do not cross faults of a larger throw where nothing faces them. Unit: samples. Range: 0 to 262143.
-   * Default: 0.
+   * How far a pick may be above or below the next one of its surface; faults of a larger throw end it. 0: 0.3 of the
+   * dominant period, at least 2. Unit: samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(LargestStep, double);
   vtkGetMacro(LargestStep, double);
@@ -212,8 +200,7 @@ public:
 
   ///@{
   /**
-   * Surfaces of fewer picks are left out. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0.
-   * Default: 0.
+   * Smaller surfaces are left out. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0. Default: 0.
    */
   vtkSetMacro(SmallestSize, vtkIdType);
   vtkGetMacro(SmallestSize, vtkIdType);
@@ -230,18 +217,18 @@ public:
   /// Values of Order.
   enum Orders
   {
-    Energy = 0,
+    Strength = 0,
     Size = 1
   };
 
   ///@{
   /**
-   * Which surfaces come first. Energy: those of the largest sum of squared amplitudes at their picks, which are the
-   * main reflectors. Size: those of most picks. Default: Energy.
+   * Which surfaces come first. Strength: those with the largest sum of cubed absolute amplitudes at their picks, which
+   * are the main reflectors. Size: those with the most picks. Default: Strength.
    */
-  vtkSetClampMacro(Order, int, Energy, Size);
+  vtkSetClampMacro(Order, int, Strength, Size);
   vtkGetMacro(Order, int);
-  void SetOrderToEnergy() { this->SetOrder(Energy); }
+  void SetOrderToStrength() { this->SetOrder(Strength); }
   void SetOrderToSize() { this->SetOrder(Size); }
   ///@}
 
@@ -268,8 +255,7 @@ public:
 
   ///@{
   /**
-   * How similar the waveforms of neighbouring picks must be where a guided horizon grows: their correlation. Range: 0
-   * to 1. Default: 0.6.
+   * The least correlation of waveforms with which a guided horizon grows to a neighbour. Range: 0 to 1. Default: 0.6.
    */
   vtkSetMacro(GrowthCorrelation, double);
   vtkGetMacro(GrowthCorrelation, double);
@@ -292,6 +278,34 @@ public:
   vtkGetMacro(KeepOthers, bool);
   ///@}
 
+  ///@{
+  /**
+   * One or two older horizons on the traces of the cube, to look between them, or on the side LimitSide of one;
+   * optional. On traces where a limit has no point nothing is found. Range: points. Default: none.
+   *
+   * Input 2, of several connections.
+   */
+  void AddLimitsConnection(vtkAlgorithmOutput* limits) { this->AddInputConnection(2, limits); }
+  void RemoveLimits() { this->SetInputConnection(2, nullptr); }
+  ///@}
+
+  /// Values of LimitSide.
+  enum LimitSides
+  {
+    Below = 0,
+    Above = 1
+  };
+
+  ///@{
+  /**
+   * Where to look at a single limit. Below: at and after it, in the order of the samples. Default: Below.
+   */
+  vtkSetClampMacro(LimitSide, int, Below, Above);
+  vtkGetMacro(LimitSide, int);
+  void SetLimitSideToBelow() { this->SetLimitSide(Below); }
+  void SetLimitSideToAbove() { this->SetLimitSide(Above); }
+  ///@}
+
   /// Values of Elevation.
   enum ElevationSource
   {
@@ -301,8 +315,7 @@ public:
 
   ///@{
   /**
-   * z of the points. VerticalIndex: that of the nearest sample. RealZ: that of the pick itself, between samples.
-   * Default: RealZ.
+   * z of the points. VerticalIndex: that of the nearest sample. RealZ: that of the pick itself. Default: RealZ.
    */
   vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
   vtkGetMacro(Elevation, int);
@@ -310,26 +323,16 @@ public:
   void SetElevationToRealZ() { this->SetElevation(RealZ); }
   ///@}
 
-  /**
-   * What was found in the cube: samples, picks and the threshold used, the dominant period, and surfaces. Empty before
-   * the first update.
-   */
+  /// What was found in the cube, as text. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }
 
   ///@{
   /**
-   * What was found by the last update: samples that are there, picks that are strong enough, surfaces of the smallest
-   * size or more, the absolute amplitude that picks have at least, the dominant period and the largest step in samples,
-   * the median correlation of links (0 for components), and the phase of the wavelet after the rotation, -90 to 90
-   * degrees, whose sign can not be told, and how far those of parts of the traces are from it. 0 before any update.
+   * Of the last update: the number of surfaces that are large enough, the dominant period in samples, the phase after
+   * the rotation, -90 to 90 degrees, and how far those of parts of the traces are from it. 0 before any update.
    */
-  vtkGetMacro(NumberOfSamples, vtkIdType);
-  vtkGetMacro(NumberOfPicks, vtkIdType);
   vtkGetMacro(NumberOfSurfaces, vtkIdType);
-  vtkGetMacro(UsedThreshold, double);
   vtkGetMacro(DominantPeriod, double);
-  vtkGetMacro(UsedStep, double);
-  vtkGetMacro(MedianCorrelation, double);
   vtkGetMacro(EstimatedPhase, double);
   vtkGetMacro(PhaseDeviation, double);
   ///@}
@@ -360,6 +363,7 @@ private:
   vtkImageData* GetCube();
   vtkDataArray* FindAmplitudes(vtkImageData* cube);
   void Describe();
+  void DescribeLimits(std::ostream& text);
   void DescribeGuides(std::ostream& text);
 
   double PhaseRotation = 0.0;
@@ -375,20 +379,16 @@ private:
   double SmallestContact = 0.5;
   vtkIdType SmallestSize = 0;
   int LargestNumber = 100;
-  int Order = Energy;
+  int Order = Strength;
   double GuideTolerance = 0.0;
   double GrowthCorrelation = 0.6;
   int GrowthReach = 60;
   bool KeepOthers = false;
+  int LimitSide = Below;
   int Elevation = RealZ;
 
-  vtkIdType NumberOfSamples = 0;
-  vtkIdType NumberOfPicks = 0;
   vtkIdType NumberOfSurfaces = 0;
-  double UsedThreshold = 0.0;
   double DominantPeriod = 0.0;
-  double UsedStep = 0.0;
-  double MedianCorrelation = 0.0;
   double EstimatedPhase = 0.0;
   double PhaseDeviation = 0.0;
   std::string Description;

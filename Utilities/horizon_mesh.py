@@ -224,8 +224,7 @@ def _add_reader_options(group):
     group.add_argument("--gridding-smoothing", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="S",
                        help="how much a plate may differ from picks (default: 0.01)")
     group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N",
-                       help="three points of the survey, each as inline, crossline, x and y, for picks with line numbers "
-                       "alone")
+                       help="three points of the survey, each as inline, crossline, x and y, for line numbers alone")
     group.add_argument("--origin", nargs=3, type=float, default=NOT_GIVEN, metavar=("X", "Y", "Z"),
                        help="world position of the first voxel of the cube (default: 0 0 0), or, with z 0, of the first "
                        "column of picks (default: found from them)")
@@ -242,17 +241,19 @@ def _add_cube_options(group):
                        help="surfaces of fewer picks are left out (default: a twentieth of the traces, 10 to 100)")
     group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE",
                        help="the horizons that picks of a file ask for, in place of all: some picks of each, by name")
-    group.add_argument("--inlines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
-                       help="only these inlines, by their numbers (default: all)")
-    group.add_argument("--crosslines", nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
-                       help="only these crosslines, by their numbers (default: all)")
+    group.add_argument("--limits", nargs="+", default=NOT_GIVEN, metavar="FILE",
+                       help="search between two older horizons, or on one side of one; put -- before files that follow")
+    group.add_argument("--limit-side", choices=("Below", "Above"), default=NOT_GIVEN,
+                       help="the side of a single limit that is searched (default: Below)")
+    for lines in ("inlines", "crosslines"):
+        group.add_argument("--" + lines, nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
+                           help="only these %s, by their numbers (default: all)" % lines)
     group.add_argument("--polarity", choices=POLARITIES, default=NOT_GIVEN,
                        help="the sign of the amplitudes of reflections that are taken (default: Both)")
     group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN,
-                       help="how picks become surfaces: the most alike first, which stops at faults; whole strong events, "
-                       "some over faults; or whatever touches (default: BestFirst)")
-    group.add_argument("--amplitude-percentile", type=_number_at_least(float, 0.0), default=NOT_GIVEN,
-                       metavar="P", help="the part of the reflections that are too weak, in percent (default: 25)")
+                       help="picks become surfaces: most alike first, whole events, or what touches (default: BestFirst)")
+    group.add_argument("--amplitude-percentile", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="P",
+                       help="the part of the reflections that are too weak, in percent (default: 25)")
 
 
 def _add_preparation_options(group):

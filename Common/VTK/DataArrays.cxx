@@ -4,10 +4,12 @@
 #include "DataArrays.h"
 
 #include "Common/Errors.h"
+#include "Common/LargePages.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 
+#include <cstddef>
 #include <string>
 
 namespace SeismicHorizons
@@ -37,5 +39,16 @@ double FirstValue(vtkFieldData* data, const char* name, double otherwise)
 {
   vtkDataArray* const array = data->GetArray(name);
   return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : otherwise;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SetNumberOfTuples(vtkAbstractArray* array, vtkIdType numberOfTuples)
+{
+  array->SetNumberOfTuples(numberOfTuples);
+  if (array->IsNumeric() && array->HasStandardMemoryLayout() && array->GetNumberOfValues() > 0)
+  {
+    const std::size_t bytes = std::size_t(array->GetNumberOfValues()) * std::size_t(array->GetDataTypeSize());
+    PreferLargePages(array->GetVoidPointer(0), bytes);
+  }
 }
 }

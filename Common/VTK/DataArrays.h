@@ -30,6 +30,9 @@ void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* item
 /// The first value of an array of numbers, or another one where there is none.
 double FirstValue(vtkFieldData* data, const char* name, double otherwise = 0.0);
 
+/// Gives an array that size; its values are still to be written.
+void SetNumberOfTuples(vtkAbstractArray* array, vtkIdType numberOfTuples);
+
 /// An array of that size, whose values are still to be written.
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)
@@ -37,7 +40,7 @@ vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int 
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(numberOfComponents);
-  array->SetNumberOfTuples(numberOfTuples);
+  SetNumberOfTuples(array, numberOfTuples);
   return array;
 }
 

@@ -11,6 +11,7 @@
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -245,6 +246,22 @@ void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vt
   outputInformation->Set(vtkDataObject::ORIGIN(), frame.Origin.data(), 3);
   outputInformation->Set(vtkDataObject::SPACING(), frame.Spacing.data(), 3);
   outputInformation->Set(vtkDataObject::DIRECTION(), frame.Direction.data(), 9);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AskForWhole(vtkInformationVector* port)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int n = 0; n < port->GetNumberOfInformationObjects(); ++n)
+  {
+    vtkInformation* const input = port->GetInformationObject(n);
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    if (input->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

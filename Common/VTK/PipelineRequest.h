@@ -17,6 +17,7 @@
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkInformation;
+class vtkInformationVector;
 
 namespace SeismicHorizons
 {
@@ -58,6 +59,9 @@ void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInfo
 
 /// Tells the extent and place of the image there will be.
 void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation);
+
+/// Asks for the input of a port whole, whatever piece or extent of the output is asked for. Does nothing without one.
+void AskForWhole(vtkInformationVector* port);
 
 /// Runs the part of the work that concerns `subject`. With `mayLeaveOut` an InputError that it throws becomes a warning
 /// of `algorithm` and leaves the outputs of this part empty, and the work goes on.

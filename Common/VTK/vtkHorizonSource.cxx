@@ -42,10 +42,12 @@ using namespace SeismicHorizons;
 /// Whether the selection lists these names, in this order.
 bool IsListed(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
-  int index = 0;
-  return static_cast<int>(names.size()) == selection->GetNumberOfArrays() &&
-    std::all_of(
-      names.begin(), names.end(), [&](const std::string& name) { return name == selection->GetArrayName(index++); });
+  bool isListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
+  for (std::size_t index = 0; isListed && index < names.size(); ++index)
+  {
+    isListed = names[index] == selection->GetArrayName(static_cast<int>(index));
+  }
+  return isListed;
 }
 
 /// Makes these the names of the selection. Those that it has keep their setting; it does not count as changed.
@@ -258,18 +260,9 @@ int vtkHorizonSource::AnnouncePieces(vtkInformationVector* outputs)
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonSource::AskForWholeInput(vtkInformationVector** inputs)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    if (vtkInformation* const input = inputs[port]->GetInformationObject(0))
-    {
-      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      if (input->Has(Pipeline::WHOLE_EXTENT()))
-      {
-        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-      }
-    }
+    AskForWhole(inputs[port]);
   }
   return 1;
 }

@@ -85,7 +85,7 @@ vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, vtkIdTyp
   result->SetName(array->GetName());
   result->SetNumberOfComponents(array->GetNumberOfComponents());
   result->CopyComponentNames(array);
-  result->SetNumberOfTuples(size);
+  SetNumberOfTuples(result, size);
   return result;
 }
 

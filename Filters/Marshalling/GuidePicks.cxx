@@ -13,9 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkVariant.h"
 
-#include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 
 namespace SeismicHorizons
@@ -26,9 +24,7 @@ class GuideReader
 {
 public:
   explicit GuideReader(const ImageCube& cube)
-    : Cube(cube)
-    , Grid(
-        Dimensions(cube), Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(cube.Frame.ToWorld().data()))
+    : Places(cube)
   {
   }
 
@@ -57,24 +53,14 @@ public:
       if (guide.Given.Picks.empty())
       {
         throw InputError("guide \"" + guide.Given.Name + "\": none of its " + std::to_string(guide.Outside) +
-          " points is on the cube, the first is at " + this->FirstOutside[guide.Given.Name] +
-          ", expected points from " + this->CornerText(0) + " to " + this->CornerText(1));
+          " points is on the cube, the first is at " + guide.FirstOutside + ", expected points from " +
+          this->Places.CornersText());
       }
     }
     return std::move(this->Guides);
   }
 
 private:
-  static std::array<int, 3> Dimensions(const ImageCube& cube)
-  {
-    std::array<int, 3> dimensions = cube.Traces.Size;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      dimensions[axis] += cube.FirstIndex[axis];
-    }
-    return dimensions;
-  }
-
   GuidePicks& Find(const std::string& name)
   {
     const auto found = this->Numbers.insert({ name, this->Guides.size() });
@@ -94,41 +80,23 @@ private:
     {
       throw InputError("guide \"" + guide.Given.Name + "\": a point at " + ToText(world) + ", expected finite numbers");
     }
-    const Eigen::Vector3d place = this->Grid.ToLattice(world) -
-      Eigen::Vector3d(this->Cube.FirstIndex[0], this->Cube.FirstIndex[1], this->Cube.FirstIndex[2]);
-    const std::array<int, 3>& size = this->Cube.Traces.Size;
-    const bool isInside = place.x() >= -0.5 && place.x() < size[0] - 0.5 && place.y() >= -0.5 &&
-      place.y() < size[1] - 0.5 && place.z() >= 0.0 && place.z() <= size[2] - 1.0;
-    if (!isInside)
+    const Eigen::Vector3d place = this->Places.ToCube(world);
+    if (!this->Places.HasSample(place))
     {
       if (guide.Outside++ == 0)
       {
-        this->FirstOutside[guide.Given.Name] = ToText(world);
+        guide.FirstOutside = ToText(world);
       }
       return;
     }
-    guide.Given.Picks.push_back(
-      { static_cast<int>(std::floor(place.x() + 0.5)), static_cast<int>(std::floor(place.y() + 0.5)), place.z() });
+    const auto [i, j] = this->Places.TraceAt(place);
+    guide.Given.Picks.push_back({ i, j, place.z() });
     guide.Places.push_back({ point[0], point[1], point[2] });
   }
 
-  /// The first or the last corner of the cube in the world.
-  std::string CornerText(int which) const
-  {
-    Eigen::Vector3d corner;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      corner[axis] = this->Cube.FirstIndex[static_cast<std::size_t>(axis)] +
-        which * (this->Cube.Traces.Size[static_cast<std::size_t>(axis)] - 1);
-    }
-    return ToText(this->Grid.ToWorld(corner));
-  }
-
-  const ImageCube& Cube;
-  const Lattice Grid;
+  const CubePlaces Places;
   std::vector<GuidePicks> Guides;
   std::map<std::string, std::size_t> Numbers; // of guides, by the names that were given
-  std::map<std::string, std::string> FirstOutside; // by the names of guides
 };
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -22,6 +23,7 @@ struct GuidePicks
   Guide Given; // on the cube
   std::vector<std::array<double, 3>> Places; // of the picks of the guide, in the world
   std::size_t Outside = 0; // points that are not on the cube; they are no picks
+  std::string FirstOutside; // where the first of these is
 };
 
 /// A guide for each horizon of `points`: a dataset of points, or a composite one, whose blocks are horizons. The point

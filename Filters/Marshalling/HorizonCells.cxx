@@ -38,8 +38,8 @@ vtkSmartPointer<vtkCellArray> MakeTrianglesAs(const RawVector<PointId>& triangle
   vtkNew<Array> offsets;
   vtkNew<Array> ids;
   const vtkIdType size = vtkIdType(triangles.size() / 3);
-  offsets->SetNumberOfValues(size + 1);
-  ids->SetNumberOfValues(3 * size);
+  SetNumberOfTuples(offsets, size + 1);
+  SetNumberOfTuples(ids, 3 * size);
   offsets->SetValue(size, Value(3 * size));
   Value* const begins = offsets->GetPointer(0);
   Value* const corners = ids->GetPointer(0);

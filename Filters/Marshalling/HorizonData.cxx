@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/LargePages.h"
 #include "Common/Parallel.h"
 #include "CutData.h"
 #include "HorizonPoints.h"
@@ -105,7 +106,7 @@ Number Convert(Value value, vtkDataArray* array, std::size_t point)
 template <typename Number>
 std::vector<Number> CopyValues(vtkDataArray* array)
 {
-  std::vector<Number> values(std::size_t(array->GetNumberOfTuples()));
+  std::vector<Number> values = LargeVector<Number>(std::size_t(array->GetNumberOfTuples()));
   const auto copy = [&](auto* typedArray)
   {
     using Value = vtk::GetAPIType<std::remove_pointer_t<decltype(typedArray)>>;
@@ -130,7 +131,7 @@ std::vector<Number> CopyValues(vtkDataArray* array)
 /// or a bridge between two sides.
 void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
 {
-  std::vector<PointId> firstEnd(std::size_t(numberOfPoints), NoPoint);
+  std::vector<PointId> firstEnd = LargeVector(std::size_t(numberOfPoints), NoPoint);
   std::set<std::pair<PointId, PointId>> others; // few: from points that loops visit again
   for (std::size_t loop = 0; loop < loops.Size(); ++loop)
   {

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 #include "HorizonData.h"
 
@@ -137,7 +138,7 @@ vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const Kept
   copy->SetName(array->GetName());
   copy->SetNumberOfComponents(array->GetNumberOfComponents());
   copy->CopyComponentNames(array);
-  copy->SetNumberOfTuples(vtkIdType(kept.size()));
+  SetNumberOfTuples(copy, vtkIdType(kept.size()));
   if (HasPlainTuples(array) && HasPlainTuples(copy))
   {
     const std::size_t bytes = std::size_t(array->GetNumberOfComponents()) * std::size_t(array->GetDataTypeSize());

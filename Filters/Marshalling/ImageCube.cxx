@@ -5,7 +5,6 @@
 
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
-#include "Common/Lattice.h"
 #include "Common/VTK/DataArrays.h"
 #include "HorizonData.h"
 
@@ -20,7 +19,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <string>
 
@@ -194,5 +195,35 @@ ImageCube MakeImageCube(vtkImageData* image, vtkDataArray* amplitudes)
     fields->HasArray(FieldArray::LatticeDimensions) || fields->HasArray(FieldArray::LatticeToWorld);
   hasLattice ? PlaceByFields(image, cube) : PlaceByImage(image, cube);
   return cube;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubePlaces::CubePlaces(const ImageCube& cube)
+  : First(cube.FirstIndex[0], cube.FirstIndex[1], cube.FirstIndex[2])
+  , Last(cube.Traces.Size[0] - 1, cube.Traces.Size[1] - 1, cube.Traces.Size[2] - 1)
+{
+  Indices dimensions = cube.Traces.Size;
+  std::transform(dimensions.begin(), dimensions.end(), cube.FirstIndex.begin(), dimensions.begin(), std::plus<>());
+  this->Grid =
+    Lattice(dimensions, Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(cube.Frame.ToWorld().data()));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool CubePlaces::HasTrace(const Eigen::Vector3d& place) const
+{
+  return place.x() >= -0.5 && place.x() < this->Last.x() + 0.5 && place.y() >= -0.5 && place.y() < this->Last.y() + 0.5;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::array<int, 2> CubePlaces::TraceAt(const Eigen::Vector3d& place) const
+{
+  return { static_cast<int>(std::floor(place.x() + 0.5)), static_cast<int>(std::floor(place.y() + 0.5)) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string CubePlaces::CornersText() const
+{
+  return SeismicHorizons::ToText(this->Grid.ToWorld(this->First)) + " to " +
+    SeismicHorizons::ToText(this->Grid.ToWorld(this->First + this->Last));
 }
 }

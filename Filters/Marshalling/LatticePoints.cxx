@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
+#include "Common/LargePages.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/ColumnPoints.h"
 #include "Common/VTK/DataArrays.h"
@@ -161,7 +162,7 @@ public:
     CheckPoints(horizon);
     this->Result.Horizon = horizon;
     this->Result.Grid = ReadLattice(horizon);
-    this->Result.Height.resize(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
+    this->Result.Height = LargeVector<double>(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
     this->Tolerance = FindTolerance(horizon, this->Result.Grid);
   }
 
@@ -238,7 +239,7 @@ private:
   void FindNearest()
   {
     const vtkSmartPointer<vtkIntArray> array = NewColumnArray();
-    array->SetNumberOfTuples(this->Result.Horizon->GetNumberOfPoints());
+    SetNumberOfTuples(array, this->Result.Horizon->GetNumberOfPoints());
     PlanePoint* const columns = Columns(array);
     const Placement placement = this->Place(
       [&](Placement& part, std::int64_t point, const Eigen::Vector3d& place)
@@ -374,15 +375,14 @@ LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& 
 //----------------------------------------------------------------------------------------------------------------------
 PlanePoints ColumnsOf(vtkPolyData* horizon)
 {
-  vtkIntArray* const array = FindGivenColumns(horizon);
-  assert(array || horizon->GetNumberOfPoints() == 0);
+  vtkIntArray* const array = FindGivenColumns(horizon); // null only where there are no points
   return array ? PlanePoints(Columns(array), std::size_t(array->GetNumberOfTuples())) : PlanePoints();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
-  std::vector<PlanePoint> plane(points.Column.size());
+  std::vector<PlanePoint> plane = LargeVector<PlanePoint>(points.Column.size());
   const std::int32_t size = points.Grid.SubVoxelsPerColumn();
   ParallelFor(std::int64_t(plane.size()), Grain,
     [&](std::int64_t first, std::int64_t last)

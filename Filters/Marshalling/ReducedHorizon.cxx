@@ -154,7 +154,7 @@ vtkSmartPointer<vtkDataArray> Average(vtkDataArray* array, const MergedPoints& p
   result->SetName(array->GetName());
   result->SetNumberOfComponents(array->GetNumberOfComponents());
   result->CopyComponentNames(array);
-  result->SetNumberOfTuples(points.Size());
+  SetNumberOfTuples(result, points.Size());
   const AverageWorker average{ points };
   const auto write = [&](auto* output)
   {
@@ -302,7 +302,7 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, c
 {
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(3);
-  places->SetNumberOfTuples(vtkIdType(reduction.Source.size()));
+  SetNumberOfTuples(places, vtkIdType(reduction.Source.size()));
   double* const values = places->GetPointer(0);
   const double perSubVoxel = 1.0 / reduction.SubVoxelsPerColumn; // exact
   ParallelFor(places->GetNumberOfTuples(), Grain,

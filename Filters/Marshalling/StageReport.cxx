@@ -29,6 +29,9 @@ constexpr std::size_t MostLines = 50;
 /// The unit of heights, which are told in that of z, too.
 constexpr const char* Heights = "vertical indices";
 
+/// That of thicknesses.
+constexpr const char* WorldHeights = "in z";
+
 /// What a number is called.
 struct Figure
 {
@@ -39,7 +42,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 35> Figures = { {
+constexpr std::array<Figure, 40> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
   { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
@@ -52,6 +55,11 @@ constexpr std::array<Figure, 35> Figures = { {
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
   { FieldArray::DroppedSpeckPoints, "points in specks left out" },
+  { FieldArray::IsochoreLeast, "least thickness", WorldHeights, true },
+  { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true },
+  { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },
+  { FieldArray::IsochoreVolume, "volume", "cubic units" },
+  { FieldArray::IsochoreCrossings, "columns where the horizons cross", "", true },
   { FieldArray::TriangleCount, "triangles" },
   { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
@@ -89,11 +97,11 @@ std::ostringstream MakeStream()
 std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
 {
   const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
+  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
   if (figure.Unit != Heights)
   {
-    return ownUnit;
+    return figure.Unit == WorldHeights && !unit.empty() ? " " + unit : ownUnit;
   }
-  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
   std::ostringstream text = MakeStream();
   text << ownUnit << ", " << height * WorldPerIndex(ReadLattice(horizon)) << (unit.empty() ? " in z" : " " + unit);
   return text.str();

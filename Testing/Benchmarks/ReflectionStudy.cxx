@@ -237,7 +237,7 @@ void PrintGuidedTables(int cubes)
         constexpr std::size_t first = 20;
         options.Order = SurfaceOrder::Size;
         large += CountMain(cube, Extract(cube, options).Surfaces, first);
-        options.Order = SurfaceOrder::Energy;
+        options.Order = SurfaceOrder::Strength;
         const std::vector<LatticeHorizon> surfaces = Extract(cube, options).Surfaces;
         strong += CountMain(cube, surfaces, first);
         return ScoreUnguided(cube, surfaces);
@@ -249,8 +249,8 @@ void PrintGuidedTables(int cubes)
         { return ScoreGuided(cube, ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed))); });
     }
     std::printf(
-      "\nOf the first 20 surfaces at %.0f %% noise, %.1f lie on a reflector by energy, and %.1f by size; the others on "
-      "side lobes.\n\n",
+      "\nOf the first 20 surfaces at %.0f %% noise, %.1f lie on a reflector or a channel's floor by strength, and %.1f by "
+      "size; the others on side lobes.\n\n",
       100.0 * noise, double(strong) / cubes, double(large) / cubes);
   }
 }

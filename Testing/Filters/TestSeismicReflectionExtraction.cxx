@@ -125,21 +125,21 @@ void TestArrays()
 void TestParameters()
 {
   Filter filter = MakeFilter(MakeCube<vtkFloatArray>());
-  filter->SetPolarityToNegative();
-  filter->SetElevationToVerticalIndex();
+  filter->SetPolarity(vtkSeismicReflectionExtraction::Negative);
+  filter->SetElevation(vtkSeismicReflectionExtraction::VerticalIndex);
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
   CHECK_EQUAL(Horizon(filter)->GetPoint(0)[2], 28.0);
-  filter->SetPolarityToPositive();
-  filter->SetPositionToMiddle();
-  filter->SetThresholdTypeToAmplitude();
+  filter->SetPolarity(vtkSeismicReflectionExtraction::Positive);
+  filter->SetPosition(vtkSeismicReflectionExtraction::Middle);
+  filter->SetThresholdType(vtkSeismicReflectionExtraction::Amplitude);
   filter->SetAmplitudeThreshold(200.0);
   filter->Update();
   CHECK_EQUAL(Value(Horizon(filter), "RealZ", 0), 9.5);
   CHECK_EQUAL(Value(Horizon(filter), "Thickness", 0), 2.0);
   CHECK_EQUAL(Value(Horizon(filter), "Amplitude", 0), 250.0);
-  filter->SetJoiningToComponents();
-  filter->SetConnectivityToEight();
+  filter->SetJoining(vtkSeismicReflectionExtraction::Components);
+  filter->SetConnectivity(vtkSeismicReflectionExtraction::Eight);
   filter->SetLargestStep(0.5); // less than the dip: rows of five
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 6u);
@@ -156,14 +156,13 @@ void TestFound()
   Filter filter = MakeFilter(MakeCube<vtkFloatArray>());
   CHECK_EQUAL(std::string(filter->GetDescription()), "");
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfSamples(), 1200);
-  CHECK_EQUAL(filter->GetNumberOfPicks(), 60);
   CHECK_EQUAL(filter->GetNumberOfSurfaces(), 2);
-  CHECK_EQUAL(filter->GetUsedThreshold(), 300.0);
   CHECK_EQUAL(filter->GetDominantPeriod(), 6.0);
-  CHECK_EQUAL(filter->GetUsedStep(), 2.0);
-  CHECK(filter->GetMedianCorrelation() > 0.5);
-  CHECK(std::string(filter->GetDescription()).find("1200 samples, 60 picks of an amplitude of 300 or more") == 0);
+  const std::string found = filter->GetDescription();
+  const auto has = [&found](const char* text) { return found.find(text) != std::string::npos; };
+  CHECK(has("1200 samples, 60 picks of an amplitude of 300 or more\n"));
+  CHECK(has("dominant period 6 samples, largest step 2\n"));
+  CHECK(has("median correlation of links 0.") && !has("median correlation of links 0.0"));
 }
 
 /// Hidden points and nan are no samples.
@@ -183,7 +182,7 @@ void TestBlanked()
   image->GetPointData()->AddArray(ghosts);
   Filter filter = MakeFilter(image);
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfSamples(), 1120);
+  CHECK(std::string(filter->GetDescription()).find("1120 samples, ") == 0);
   CHECK_EQUAL(Horizon(filter)->GetNumberOfPoints(), 28);
   CHECK_EQUAL(Horizon(filter)->GetPoint(0)[0], 2.0);
 }

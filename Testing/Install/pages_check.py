@@ -12,6 +12,7 @@ import subprocess
 import sys
 
 PAGES, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+PAGES_WITH_EXAMPLES = ("README.md", "Documentation/Command.md")
 # What begins a line that is for the source tree, or for installing.
 OTHERS = ("Utilities/", "cmake ", "sudo ", "pip ", "export ", "paraview", "python3 Utilities/")
 
@@ -49,9 +50,9 @@ def run_tutorial(page, results):
     return folder
 
 
-def run_readme(picks, cube):
+def run_examples(picks, cube):
     """Each line of the command with files of the names that are in it."""
-    folder = make_folder("README.md")
+    folder = make_folder("Command")
     sample = PAGES / "Data" / "sample.vsm"
     (folder / "surveys").mkdir()
     for name in ("survey.vsm", "big.vsm", "surveys/a.vsm", "surveys/b.vsm"):
@@ -61,7 +62,7 @@ def run_readme(picks, cube):
     run("horizon-mesh --formats irap --output-folder . -- picks.dat && mv picks.irap top_reek.irap", folder, shell=True)
     run("horizon-mesh --surfaces 1 --formats irap --output-folder . -- survey.sgy && mv survey_horizon_1.irap tops.dat", folder,
         shell=True)
-    commands = [line for block in blocks("README.md", "sh") for line in block.splitlines()
+    commands = [line for page in PAGES_WITH_EXAMPLES for block in blocks(page, "sh") for line in block.splitlines()
                 if line and not line.startswith(OTHERS)]
     assert len(commands) >= 12, commands
     for command in commands:
@@ -76,7 +77,7 @@ def run_readme(picks, cube):
 def main():
     picks = run_tutorial("Documentation/TutorialPicks.md", ["dome.ts", "dome.vtp"])
     cube = run_tutorial("Documentation/TutorialCube.md", ["cube.ts"])
-    run_readme(picks / "dome.dat", cube / "cube.sgy")
+    run_examples(picks / "dome.dat", cube / "cube.sgy")
 
 
 main()

@@ -122,6 +122,95 @@ class GuidesTest(unittest.TestCase):
             self.assertFalse(np.any(array_of(top, "Origin") == 2.0))
             self.assertLessEqual(top.GetNumberOfPoints(), grown[name].GetNumberOfPoints())
 
+    def by_column(self, places):
+        """z by column of the lattice."""
+        matrix = vtk_to_numpy(self.cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
+        columns = np.rint(np.linalg.solve(matrix[:2, :2], (places[:, :2] - matrix[:2, 3]).T)).astype(int)
+        return dict(zip(map(tuple, columns.T.tolist()), places[:, 2]))
+
+    def test_limits(self):
+        """Every point is on a trace with all limits, and within these."""
+        everything = sh.extract(self.cube, largest_number=1000, smallest_size=1)
+        names = list(self.truth)
+        top, base = self.truth[names[1]], self.truth[names[3]]
+        upper, lower = self.by_column(top), self.by_column(base)
+
+        def check(found, is_inside):
+            points = [item for horizon in found.values() for item in self.by_column(places_of(horizon)).items()]
+            self.assertGreater(len(points), 1000)
+            for place, z in points:
+                self.assertTrue(is_inside(place, z), (place, z))
+        between = sh.extract(self.cube, limits=[top, base], largest_number=1000, smallest_size=1)
+        check(between, lambda place, z: min(lower[place], upper[place]) - 1e-6 <= z <= max(lower[place], upper[place]) + 1e-6)
+        swapped = sh.extract(self.cube, limits={"a": base, "b": points_of(top)}, largest_number=1000, smallest_size=1)
+        for one, other in zip(between.values(), swapped.values()):
+            np.testing.assert_array_equal(places_of(one), places_of(other))
+        below = sh.extract(self.cube, limits=top, largest_number=1000, smallest_size=1)
+        above = sh.extract(self.cube, limits=top, limit_side="Above", largest_number=1000, smallest_size=1)
+        check(below, lambda place, z: z <= upper[place] + 1e-6)
+        check(above, lambda place, z: z >= upper[place] - 1e-6)
+        self.assertGreater(sum(map(vtkPolyData.GetNumberOfPoints, everything.values())),
+                           sum(map(vtkPolyData.GetNumberOfPoints, between.values())))
+
+    def test_guides_within_limits(self):
+        names = list(self.truth)
+        picks = dict(list(self.picks(12).items())[2:3])
+        found = sh.extract(self.cube, picks, limits=[self.truth[names[1]], self.truth[names[3]]])
+        self.check(found, list(picks), 0.5)
+
+    def test_zero_crossings(self):
+        """A crossing is half way between the peaks beside it, about, and amplitudes have the sign of its direction."""
+        peaks = sh.extract(self.cube, position="Peak", largest_number=3)
+        crossings = sh.extract(self.cube, position="ZeroCrossing", largest_number=3)
+        for top in crossings.values():
+            amplitudes = array_of(top, "Amplitude")
+            self.assertEqual(len(set(np.sign(amplitudes))), 1)
+        self.assertNotEqual([top.GetNumberOfPoints() for top in peaks.values()],
+                            [top.GetNumberOfPoints() for top in crossings.values()])
+        samples = vtk_to_numpy(self.cube.GetPointData().GetScalars()).reshape(self.cube.GetDimensions()[::-1])
+        top = next(iter(crossings.values()))
+        columns, indices, amplitudes = (array_of(top, name) for name in ("Column", "VerticalIndex", "Amplitude"))
+        for (i, j, *_), k, amplitude in zip(columns, indices, amplitudes):
+            trace = np.sign(samples[max(0, int(k) - 1):int(k) + 2, int(j), int(i)]) * np.sign(amplitude)
+            self.assertTrue(np.any(np.diff(trace) > 0.0), (i, j, k, trace))
+
+    def test_limits_errors(self):
+        place = self.truth[next(iter(self.truth))]
+        for limits, message in (([place] * 3, "limits of 3 horizons, expected one or two"),
+                                (np.concatenate((place, place[:1])), 'two points on one trace, the second at ('),
+                                (points_of(place * [1.0, 1.0, np.nan]), "a point at ("),
+                                (place + [1e7, 0.0, 0.0], "limits on no trace of the cube, expected horizons with points from (")):
+            with self.assertRaises(ValueError, msg=message) as caught:
+                sh.extract(self.cube, limits=limits)
+            self.assertIn(message, str(caught.exception))
+
+    def test_random_picks(self):
+        """Whatever the picks are: each is on its horizon or counted, and their order does not matter."""
+        draw = np.random.default_rng(7)
+        places = np.concatenate(list(self.truth.values()))
+        from seismichorizons import vtkSeismicReflectionExtraction
+        for run in range(12):
+            count = int(draw.integers(1, 60))
+            given = places[draw.integers(0, len(places), count)] + draw.normal(0.0, 2.0 ** draw.integers(0, 5), (count, 3))
+            given = given[np.unique(np.round(given[:, :2] / 40.0), axis=0, return_index=True)[1]]
+            results = []
+            for order in (np.arange(len(given)), draw.permutation(len(given))):
+                extraction = vtkSeismicReflectionExtraction()
+                extraction.SetInputData(self.cube)
+                extraction.SetInputDataObject(1, points_of(given[order]))
+                try:
+                    sh.calls.run(extraction, "extract")
+                except ValueError as error:
+                    results.append(str(error).partition(" at (")[0])
+                    continue
+                line = next(line for line in extraction.GetDescription().splitlines() if line.startswith("Guide 1: "))
+                numbers = [int(word) for word in line.replace(",", " ").replace(":", " ").split() if word.isdigit()][1:]
+                points, on_picks, on_parts, grown, near_none, contradicted, outside = numbers
+                self.assertEqual(points, on_picks + on_parts + grown)
+                self.assertLessEqual(on_picks + near_none + contradicted + outside, len(given))
+                results.append(places_of(extraction.GetOutput().GetPartition(0, 0)).tolist())
+            self.assertEqual(results[0], results[1], run)
+
     def test_errors(self):
         name, places = next(iter(self.picks(4).items()))
         for given, message in (({name: places + [0.0, 0.0, 5000.0]}, 'guide "%s": none of its 4 points is on the cube' % name),

@@ -11,7 +11,7 @@ import image_compare
 import numpy
 import seismichorizons as sh
 from seismichorizons import pictures
-from seismichorizons.pipeline import read_first, surface
+from seismichorizons.pipeline import read, read_first, surface
 from seismichorizons.stage import apply, make, update
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
@@ -177,6 +177,11 @@ def panel(scene, sample, changed):
         return pictures.Panel("", "", mesh, pictures.MESH)
     if scene == "Surface":
         return pictures.Panel("", "", surface(data, largest_error=own.maximum_error)[0], pictures.MESH)
+    if scene == "Thickness":
+        other = read(sample, RowStep=usual.row_step)[0][1][1]
+        mesh = surface(apply(sh.vtkHorizonThickness(), data, other), largest_error=own.maximum_error)[0]
+        mesh.GetPointData().GetArray("Isochore").SetName("Distance")
+        return pictures.Panel("", "", mesh, pictures.DISTANCE)
     mesh = apply(sh.vtkHorizonTriangulation(), rough(data, own))
     if scene == "SurfaceDistance":
         meter = sh.vtkHorizonSurfaceDistance()

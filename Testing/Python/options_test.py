@@ -162,18 +162,18 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(straight.GetMethod(), straight.FewestPoints)
 
     def test_documentation(self):
-        """Names no options but those that there are; what the read-me tells of names and exit codes, the help does."""
+        """Names no options but those that there are; what its page tells of names and exit codes, the help does."""
         root = PROGRAM.parents[1]
         help_text = " ".join(load_program().make_parser().format_help().split())
-        read_me = (root / "README.md").read_text(encoding="utf-8")
-        pages = [read_me, *(path.read_text(encoding="utf-8") for path in (root / "Documentation").glob("*.md"))]
+        page_of_command = (root / "Documentation/Command.md").read_text(encoding="utf-8")
+        pages = [(root / "README.md").read_text(encoding="utf-8"), *(path.read_text(encoding="utf-8") for path in (root / "Documentation").glob("*.md"))]
         lines = [line for page in pages for line in page.splitlines() if "horizon-mesh" in line or "horizon_mesh.py" in line]
         named = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
         self.assertIn("--measure-error", named)
         for word in {*named, "--leave-out-invalid", "--triangles"}:
             self.assertIn(word, help_text)
         for word in ("x_horizon_1.vtp", "x_error.csv", "a_x.png", "b_x.png", "130", "143", "--leave-out-invalid"):
-            self.assertTrue(word in help_text and word in read_me, word)
+            self.assertTrue(word in help_text and word in page_of_command, word)
 
 
 if __name__ == "__main__":

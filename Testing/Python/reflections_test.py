@@ -55,6 +55,19 @@ def main():
         assert horizon.GetNumberOfPoints() >= fetch(extraction)[name].GetNumberOfPoints(), name
         assert set(values(horizon, "Origin")) <= {0.0, 1.0, 2.0} and values(horizon, "Origin")[0] == 0.0
 
+    # A drawn line is a guide, and blocks are limits: of one, and between two of them, and none again.
+    places = [horizons["Horizon 1"].GetPoint(n) for n in (0, 20)]
+    drawn = simple.PolyLineSource(Points=[number for place in places for number in place])
+    assert list(fetch(simple.SeismicReflectionExtraction(wave, Guides=drawn))) == ["Guide 1"]
+    blocks = [simple.ExtractBlock(Input=extraction, Selectors=["/Root/Horizon%d" % n]) for n in (1, 2)]
+    limited = simple.SeismicReflectionExtraction(wave, SmallestSize=50, Limits=blocks[:1], LimitSide="Above")
+    above = fetch(limited)
+    limited.Limits = blocks
+    between = fetch(limited)
+    limited.Limits = []
+    counts = [sum(one.GetNumberOfPoints() for one in found.values()) for found in (above, between, fetch(limited), horizons)]
+    assert 0 < counts[0] < counts[2] and 0 < counts[1] < counts[2] == counts[3], counts
+
     # A file of voxels has them all again; so have the stages.
     path = str(folder / "cube.vsm")
     simple.SaveData(path, extraction)

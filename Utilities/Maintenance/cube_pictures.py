@@ -91,6 +91,31 @@ def picks_of(points, row):
     return dots
 
 
+def stroke(points, row, color, size=3.5):
+    """The picks on an inline, over its amplitudes."""
+    dots = actor(picks_of(points, row), color)
+    dots.GetProperty().SetPointSize(size)
+    dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+    return dots
+
+
+def view_of(cube):
+    """How much heights are exaggerated in a section, and the directions along inlines and across them, of length 1."""
+    bounds = np.array(cube.GetBounds()).reshape(3, 2)
+    length = np.hypot(*(bounds[:2, 1] - bounds[:2, 0]))
+    matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
+    along, across = (matrix[:3, n] / np.linalg.norm(matrix[:3, n]) for n in (0, 1))
+    return HEIGHT * length / (bounds[2, 1] - bounds[2, 0]), along, across
+
+
+def extract(path):
+    """The cube of a file, and its strongest surfaces."""
+    extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
+    cubes.read(extraction, path)
+    extraction.Update()
+    return extraction.GetInputAlgorithm().GetOutput(), [points for _, points in reading.list_horizons(extraction.GetOutput())]
+
+
 def place_camera(renderer, toward, scale):
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
@@ -126,27 +151,16 @@ def origin_strokes(points, row):
         some.SetPoints(vtkPoints())
         some.GetPoints().SetData(numpy_to_vtk(places[origins == origin], deep=True))
         some.SetFieldData(points.GetFieldData())
-        dots = actor(picks_of(some, row), color)
-        dots.GetProperty().SetPointSize(size)
-        dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
-        strokes.append(dots)
+        strokes.append(stroke(some, row, color, size))
     return strokes
 
 
 def draw_guides(path, picture, truth):
     """A section with the strongest surfaces, and with the horizons that picks of reflectors ask for."""
     picks_of_each = 25
-    extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
-    cubes.read(extraction, path)
-    cube = extraction.GetInputAlgorithm().GetOutput()
-    extraction.Update()
-    strokes = []
+    cube, horizons = extract(path)
     row = cube.GetDimensions()[1] // 2
-    for number, (_, points) in enumerate(reading.list_horizons(extraction.GetOutput())):
-        dots = actor(picks_of(points, row), COLORS[number % len(COLORS)])
-        dots.GetProperty().SetPointSize(3.5)
-        dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
-        strokes.append(dots)
+    strokes = [stroke(points, row, COLORS[number % len(COLORS)]) for number, points in enumerate(horizons)]
     rows, draw, guides = np.loadtxt(truth, skiprows=1), np.random.default_rng(1), {}
     for reflector in np.unique(rows[:, 0]):
         own = draw.choice(rows[rows[:, 0] == reflector], picks_of_each)
@@ -154,11 +168,8 @@ def draw_guides(path, picture, truth):
     guided = []
     for points in functions.extract(cube, guides).values():
         guided += origin_strokes(points, row)
-    bounds = np.array(cube.GetBounds()).reshape(3, 2)
-    exaggeration = HEIGHT * np.hypot(*(bounds[:2, 1] - bounds[:2, 0])) / (bounds[2, 1] - bounds[2, 0])
-    matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
-    across = -matrix[:3, 1] / np.linalg.norm(matrix[:3, 1])
-    panels = [panel(title, caption, [section(cube, row), *dots], exaggeration, across, 1.18) for title, caption, dots in (
+    exaggeration, _, across = view_of(cube)
+    panels = [panel(title, caption, [section(cube, row), *dots], exaggeration, -across, 1.18) for title, caption, dots in (
         ("Without guides", "the %d strongest surfaces" % LARGEST_NUMBER, strokes),
         ("With guides", "picks red, parts yellow, grown blue", guided))]
     for number, renderer in enumerate(panels):
@@ -171,26 +182,14 @@ def main():
     if len(sys.argv) > 3:
         draw_guides(path, picture, sys.argv[3])
         return
-    extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
-    cubes.read(extraction, path)
-    cube = extraction.GetInputAlgorithm().GetOutput()
-    extraction.Update()
-    horizons = sorted((points for _, points in reading.list_horizons(extraction.GetOutput())), key=strength, reverse=True)
+    cube, horizons = extract(path)
+    horizons.sort(key=strength, reverse=True)
     row = cube.GetDimensions()[1] // 2
-    bounds = np.array(cube.GetBounds()).reshape(3, 2)
-    length = np.hypot(*(bounds[:2, 1] - bounds[:2, 0]))
-    exaggeration = HEIGHT * length / (bounds[2, 1] - bounds[2, 0])
-    matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
-    across = -matrix[:3, 1] / np.linalg.norm(matrix[:3, 1])
-    aside = across + 0.75 * matrix[:3, 0] / np.linalg.norm(matrix[:3, 0]) + [0.0, 0.0, 0.9]
+    exaggeration, along, across = view_of(cube)
+    aside = 0.75 * along - across + [0.0, 0.0, 0.9]
     colored = [(points, COLORS[number % len(COLORS)]) for number, points in enumerate(horizons)]
 
-    strokes = []
-    for points, color in colored:
-        dots = actor(picks_of(points, row), color)
-        dots.GetProperty().SetPointSize(3.5)
-        dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
-        strokes.append(dots)
+    strokes = [stroke(points, row, color) for points, color in colored]
     clouds, meshes, triangles = [], [], 0
     for points, color in colored[:IN_SPACE]:
         cloud = actor(points, color)
@@ -209,8 +208,8 @@ def main():
         meshes.append(shaded)
     picked = sum(points.GetNumberOfPoints() for points in horizons[:IN_SPACE])
     renderers = [
-        panel("Amplitudes", "an inline of the cube", [section(cube, row)], exaggeration, across, 1.18),
-        panel("Picks", "in the colours of their surfaces", [section(cube, row), *strokes], exaggeration, across, 1.18),
+        panel("Amplitudes", "an inline of the cube", [section(cube, row)], exaggeration, -across, 1.18),
+        panel("Picks", "in the colours of their surfaces", [section(cube, row), *strokes], exaggeration, -across, 1.18),
         panel("Surfaces", "the %d strongest, %d picks" % (IN_SPACE, picked), clouds, exaggeration, aside, 1.12),
         panel("Meshes", "%d triangles, within %g samples" % (triangles, LARGEST_ERROR), meshes, exaggeration, aside, 1.12)]
     for number, renderer in enumerate(renderers):

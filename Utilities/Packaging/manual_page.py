@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the manual page of a program from its own description of its options, and from the examples in README.md, so
+"""Writes the manual page of a program from its own description of its options, and from the examples of its page, so
 that all say the same.
 
-Arguments: the program (Python with a function make_parser), the name it is installed by, the version, README.md, and the
-page.
+Arguments: the program (Python with a function make_parser), the name it is installed by, the version, the page with
+examples, and the file to write.
 """
 
 import gzip
@@ -44,16 +44,16 @@ def sections(parser):
             yield ".SS %s\n" % escape(group.title) + "".join(describe(formatter, action) for action in actions)
 
 
-def examples(name, readme):
-    """What the lines of README.md with the program are for, and these."""
-    for line in readme.splitlines():
+def examples(name, examples_page):
+    """What the lines of its page with the program are for, and these."""
+    for line in examples_page.splitlines():
         command, _, meaning = line.partition("  # ")
         if command.startswith(name + " ") and not command.endswith("--help"):
             meaning = meaning or "a mesh for each horizon, and a table"
             yield ".TP\n.B %s\n%s\n" % (escape(command.rstrip()), escape(meaning))
 
 
-def manual_page(parser, name, version, readme):
+def manual_page(parser, name, version, examples_page):
     parser.prog = name
     usage = " ".join(parser.format_usage().split()).replace("usage: %s" % name, "", 1)
     return "".join((
@@ -62,13 +62,13 @@ def manual_page(parser, name, version, readme):
         ".SH SYNOPSIS\n.B %s\n%s\n" % (escape(name), escape(usage.strip())),
         ".SH DESCRIPTION\n%s\n" % escape(parser.description),
         ".SH OPTIONS\n", *sections(parser),
-        ".SH EXAMPLES\n", *examples(name, readme),
+        ".SH EXAMPLES\n", *examples(name, examples_page),
         ".SH RESULTS\n%s\n" % escape(parser.epilog),
         ".SH SEE ALSO\n%s\n" % SEE_ALSO))
 
 
-def main(program, name, version, readme, page):
-    text = manual_page(load_parser(pathlib.Path(program)), name, version, pathlib.Path(readme).read_text(encoding="utf-8"))
+def main(program, name, version, examples_page, page):
+    text = manual_page(load_parser(pathlib.Path(program)), name, version, pathlib.Path(examples_page).read_text(encoding="utf-8"))
     # No time stamp: the same input gives the same file.
     pathlib.Path(page).write_bytes(gzip.compress(text.encode("utf-8"), 9, mtime=0))
 

@@ -29,12 +29,12 @@ def is_extraction(source):
     return source.IsA(EXTRACTION)
 
 
-def open_cube(path, Picks=None, **properties):
-    """The extraction from a cube, connected to its reader. Properties are those of both, and Picks, a file that is kept as
-    `picks`. Raises HorizonError when neither has one."""
+def open_cube(path, Picks=None, Limits=(), **properties):
+    """The extraction from a cube, connected to its reader. Properties are those of both, and files that are kept as
+    `picks` and `limits`. Raises HorizonError when neither has one."""
     reader = make(READER, FileName=str(path))
     extraction = make(EXTRACTION, LargestNumber=LARGEST_NUMBER)
-    extraction.picks = Picks
+    extraction.picks, extraction.limits = Picks, Limits
     extraction.SetInputConnection(reader.GetOutputPort())
     for name, value in properties.items():
         owner = next((owner for owner in (reader, extraction) if hasattr(owner, "Set" + name)), None)

@@ -109,7 +109,7 @@ def read_cube(path: str | os.PathLike, **keywords: Any) -> vtkImageData:
     return calls.wrap(reader.GetOutputDataObject(0))
 
 
-def extract(cube: vtkImageData, picks: Any = None, **keywords: Any) -> dict[str, vtkPolyData]:
+def extract(cube: vtkImageData, picks: Any = None, limits: Any = None, **keywords: Any) -> dict[str, vtkPolyData]:
     """The reflections of a seismic cube, joined to horizons.
 
     Parameters
@@ -117,9 +117,13 @@ def extract(cube: vtkImageData, picks: Any = None, **keywords: Any) -> dict[str,
     cube : vtkImageData
         what `read_cube` gives, or any image with amplitudes.
     picks : dict of str to vtkPolyData or to array of shape (n, 3), or one of these, optional
-        some picks of each horizon that is wanted, in the coordinates of the cube, in place of all horizons that there are.
+        some picks of each horizon that is wanted, in the coordinates of the cube, in place of all horizons that there are;
+        rows with nan are left out.
+    limits : the same, or a list of them, optional
+        two horizons on the traces of the cube to search between, or one to search below, or above with
+        `limit_side="Above"`.
     **keywords
-        properties of SeismicReflectionExtraction: `largest_number` (20 by default), `polarity`, `joining`,
+        properties of SeismicReflectionExtraction: `largest_number` (20 by default), `polarity`, `position`, `joining`,
         `amplitude_percentile`, `smallest_size` and the like.
 
     Returns
@@ -131,7 +135,7 @@ def extract(cube: vtkImageData, picks: Any = None, **keywords: Any) -> dict[str,
     Raises
     ------
     TypeError, ValueError, MemoryError
-        no image, an image without amplitudes, one that is too large, or picks that are not on it.
+        no image, an image without amplitudes, one that is too large, or picks or limits that are not on it.
 
     Examples
     --------
@@ -154,6 +158,8 @@ def extract(cube: vtkImageData, picks: Any = None, **keywords: Any) -> dict[str,
     extraction.SetInputDataObject(cube)
     if picks is not None:
         extraction.SetInputDataObject(1, making.collect_picks(picks))
+    for horizons in limits if isinstance(limits, (list, tuple)) else [] if limits is None else [limits]:
+        extraction.AddInputDataObject(2, making.collect_picks(horizons))
     calls.run(extraction, "extract")
     return {name: calls.wrap(points) for name, points in reading.list_horizons(extraction.GetOutputDataObject(0))}
 

@@ -12,7 +12,8 @@ OF_READERS = {
     "HeaderLines": "header_lines", "StrayPicks": "stray_picks", "LatticeTolerance": "lattice_tolerance", "Origin": "origin",
     "ColumnStep": "column_step", "RowStep": "row_step", "LargestNumber": "surfaces", "SmallestSize": "smallest_surface",
     "InlineRange": "inlines", "CrosslineRange": "crosslines", "Polarity": "polarity", "Joining": "joining",
-    "AmplitudePercentile": "amplitude_percentile", "Picks": "picks", "Gridding": "gridding", "GriddingRadius": "gridding_radius",
+    "AmplitudePercentile": "amplitude_percentile", "Picks": "picks", "Limits": "limits", "LimitSide": "limit_side",
+    "Gridding": "gridding", "GriddingRadius": "gridding_radius",
     "GriddingSmoothing": "gridding_smoothing"}
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
 

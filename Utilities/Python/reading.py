@@ -134,8 +134,8 @@ def read_source(source, path, horizons=None):
     seconds = 0.0
     if cubes.is_extraction(source):
         seconds += cubes.read(source, path)
-        if source.picks:
-            seconds += _guide(source, pathlib.Path(source.picks))
+        for port, files in ((1, [source.picks] if source.picks else []), (2, source.limits)):
+            seconds += sum(_connect(source, port, pathlib.Path(file)) for file in files)
     elif horizons is not None:
         select(source, horizons, path)
     seconds += update(source, "%s: reading" % path.name, work=None if cubes.is_extraction(source) else file_work(path))
@@ -150,15 +150,15 @@ def read_source(source, path, horizons=None):
     return found, seconds
 
 
-def _guide(extraction, path):
-    """Gives an extraction the picks of a file. Returns the seconds it took."""
+def _connect(extraction, port, path):
+    """Gives an extraction the horizons of a file. Returns the seconds it took."""
     reader = open_file(path)
     if cubes.is_extraction(reader):
         raise HorizonError("%s: a seismic cube, expected picks of horizons" % path)
     if hasattr(reader, "SetLatticeSource"):  # a few picks have no lattice of their own
-        reader = open_file(path, **cubes.lattice_properties(extraction))
+        configure(reader, **_with_lattice(reader, cubes.lattice_properties(extraction)))
     seconds = update(reader, "%s: reading" % path.name, work=file_work(path))
-    extraction.SetInputConnection(1, reader.GetOutputPort())
+    extraction.AddInputConnection(port, reader.GetOutputPort())
     return seconds
 
 

@@ -13,6 +13,7 @@
 #include "ClockwiseBoundary.h"
 #include "Common/ColumnIndex.h"
 #include "Common/DisjointSets.h"
+#include "Common/LargePages.h"
 #include "Common/Parameters.h"
 #include "CutFaces.h"
 #include "Hops.h"
@@ -68,7 +69,7 @@ public:
     , OutsideEast(columns.size(), false)
     , FilledHoleEast(options.HoleBoundaries ? columns.size() : 0, false)
   {
-    this->Result.Patch.assign(columns.size(), -1);
+    this->Result.Patch = LargeVector(columns.size(), NoPatch);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)

@@ -10,6 +10,7 @@
 
 #include "LeafWriter.h"
 
+#include "Common/LargePages.h"
 #include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Predicates.h"
@@ -277,7 +278,7 @@ Reduction LeafWriter::Run(const Monitor& monitor)
 void LeafWriter::NumberBoundaryPoints()
 {
   const std::vector<unsigned char>& flags = this->Leaves.BoundaryFlags();
-  this->Result.Target.assign(flags.size(), NoPoint);
+  this->Result.Target = LargeVector(flags.size(), NoPoint);
   // Few points are on the boundary: memchr finds them many times faster than a loop over all flags.
   const unsigned char* const begin = flags.data();
   const unsigned char* const end = begin + flags.size();

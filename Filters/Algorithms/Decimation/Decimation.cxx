@@ -5,6 +5,7 @@
 
 #include "Decimation.h"
 
+#include "Common/LargePages.h"
 #include "Common/MeshChecker.h"
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
@@ -36,6 +37,7 @@ namespace
 constexpr std::int64_t PointGrain = 1 << 14;
 
 // ---- The result ----------------------------------------------------------------------------------------------------
+/// Of a mesh whose vertices are sorted.
 class Collector
 {
 public:
@@ -59,18 +61,18 @@ public:
 private:
   void WritePoints()
   {
-    Selection kept(this->Surface.VertexMarks());
     Reduction& points = this->Result.Points;
-    for (const PointId point : kept.Points)
+    points.Target = LargeVector(this->Surface.NumberOfAllPoints(), NoPoint);
+    for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
-      const RaisedPoint place = this->Surface.Raised(point);
+      const RaisedPoint& place = this->Surface.Raised(vertex);
+      points.Source.push_back(this->Surface.SourceOf(vertex));
+      points.Target[points.Source.back()] = PointId(vertex);
       points.Plane.push_back(place.Column);
       points.Height.push_back(place.Height);
-      points.Averaged.push_back(place.Height != this->Surface.ColumnHeight(point) ? 1 : 0);
+      points.Averaged.push_back(place.Height != this->Surface.ColumnHeight(vertex) ? 1 : 0);
     }
-    points.Boundary = this->Surface.Boundary().Renumbered(kept.Numbers);
-    points.Source = std::move(kept.Points);
-    points.Target = std::move(kept.Numbers);
+    points.Boundary = this->Surface.Boundary().Renumbered(points.Target);
   }
 
   void WriteTriangles()
@@ -80,8 +82,7 @@ private:
     {
       for (int corner = 0; corner < 3; ++corner)
       {
-        const std::size_t point = std::size_t(this->Mesh.Corner(triangle, corner));
-        this->Result.Triangles.push_back(this->Result.Points.Target[point]);
+        this->Result.Triangles.push_back(PointId(this->Mesh.Corner(triangle, corner)));
       }
       const auto place = [&](int corner) { return this->Mesh.Place(this->Mesh.Corner(triangle, corner)); };
       this->Result.NumberOfSlivers += SineOfSmallestAngle(place(0), place(1), place(2)) < this->SmallestSine ? 1 : 0;
@@ -96,7 +97,7 @@ private:
     this->Surface.ForEachTriangle(
       monitor, [&](TriangleId triangle) { sums[triangle] = this->AssignPointsOf(triangle); });
     double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    for (const PointId vertex : this->Result.Points.Source)
+    for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
       sum += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
     }
@@ -255,6 +256,7 @@ void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor
     Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), finish);
     return;
   }
+  mesh.SortVertices();
   finish(mesh, monitor.Step(0.9, 1.0));
 }
 }
@@ -290,7 +292,7 @@ RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& optio
       {
         for (int corner = 0; corner < 3; ++corner)
         {
-          triangles.push_back(plane.Corner(triangle, corner));
+          triangles.push_back(mesh.SourceOf(plane.Corner(triangle, corner)));
         }
       }
     });

@@ -3,7 +3,6 @@
 
 #include "HeightFit.h"
 
-#include "Common/ColumnIndex.h"
 #include "Common/CountingSort.h"
 #include "Common/Parallel.h"
 
@@ -47,27 +46,20 @@ class MovableCorners
 public:
   static constexpr int None = -1;
 
-  /// `points` are those of the vertices, ascending.
-  MovableCorners(const HeightMesh& mesh, const std::vector<PointId>& points)
+  MovableCorners(const HeightMesh& mesh, const std::vector<VertexId>& vertices)
     : Corners(std::size_t(mesh.Triangles().Size()))
   {
-    PlaceNumbers numbers; // in far less memory than a number for each point
-    auto next = points.begin();
-    for (PointId first = 0; std::size_t(first) < mesh.VertexMarks().size(); first += PlaceSet::WordBits)
+    std::vector<int> numbers(std::size_t(mesh.EndOfVertices()), None);
+    for (std::size_t n = 0; n < vertices.size(); ++n)
     {
-      std::uint64_t bits = 0;
-      for (; next != points.end() && *next - first < PlaceSet::WordBits; ++next)
-      {
-        bits |= std::uint64_t(1) << (*next - first);
-      }
-      numbers.Append(bits);
+      numbers[vertices[n]] = int(n);
     }
     mesh.ForEachTriangle(Monitor(),
       [&](TriangleId triangle)
       {
         for (int corner = 0; corner < 3; ++corner)
         {
-          this->Corners[triangle][corner] = int(numbers[mesh.Triangles().Corner(triangle, corner)]);
+          this->Corners[triangle][corner] = numbers[mesh.Triangles().Corner(triangle, corner)];
         }
       });
   }
@@ -339,24 +331,24 @@ public:
     , Mesh(mesh.Triangles())
     , Reach(reach)
     , Inner(std::move(heights))
-    , Corners(mesh, this->Inner.Points)
-    , Equations(this->Mesh, this->Corners, this->Inner.Points.size())
+    , Corners(mesh, this->Inner.Vertices)
+    , Equations(this->Mesh, this->Corners, this->Inner.Vertices.size())
     , Elements(std::size_t(this->Mesh.Size()))
-    , Columns(this->Inner.Points.size())
+    , Columns(this->Inner.Vertices.size())
   {
     ParallelFor(std::int64_t(this->Columns.size()), ColumnGrain,
       [this](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          this->Columns[n] = this->Surface.ColumnHeight(this->Horizon, this->Inner.Points[n]);
+          this->Columns[n] = this->Surface.ColumnHeight(this->Horizon, this->Inner.Vertices[n]);
         }
       });
   }
 
   InnerHeights Run(const std::vector<double>& powers, const Monitor& monitor)
   {
-    for (std::size_t step = 0; step < powers.size() && !this->Inner.Points.empty(); ++step)
+    for (std::size_t step = 0; step < powers.size() && !this->Inner.Vertices.empty(); ++step)
     {
       monitor.Progress(double(step) / double(powers.size()));
       this->Improve(powers[step]);
@@ -476,9 +468,9 @@ public:
     , Before(mesh.AllHeights())
     , After(heights)
     , Heights(heights)
-    , Corners(mesh, heights.front().Points)
-    , Parts(heights.front().Points.size(), 1.0)
-    , IsMoved(heights.front().Points.size(), 1)
+    , Corners(mesh, heights.front().Vertices)
+    , Parts(heights.front().Vertices.size(), 1.0)
+    , IsMoved(heights.front().Vertices.size(), 1)
     , IsFar(std::size_t(mesh.Triangles().Size()))
   {
   }
@@ -603,11 +595,11 @@ std::vector<InnerHeights> FindUnruled(const std::vector<InnerHeights>& fitted, c
   std::vector<InnerHeights> free(fitted.size());
   for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
   {
-    for (std::size_t n = 0; n < fitted[horizon].Points.size(); ++n)
+    for (std::size_t n = 0; n < fitted[horizon].Vertices.size(); ++n)
     {
       if (ruled[horizon].Heights[n] == fitted[horizon].Heights[n])
       {
-        free[horizon].Points.push_back(fitted[horizon].Points[n]);
+        free[horizon].Vertices.push_back(fitted[horizon].Vertices[n]);
         free[horizon].Heights.push_back(fitted[horizon].Heights[n]);
       }
     }
@@ -618,9 +610,9 @@ std::vector<InnerHeights> FindUnruled(const std::vector<InnerHeights>& fitted, c
 void Write(const InnerHeights& some, InnerHeights& all)
 {
   std::size_t n = 0;
-  for (std::size_t m = 0; m < some.Points.size(); ++m)
+  for (std::size_t m = 0; m < some.Vertices.size(); ++m)
   {
-    while (all.Points[n] != some.Points[m])
+    while (all.Vertices[n] != some.Vertices[m])
     {
       ++n;
     }
@@ -652,7 +644,7 @@ std::vector<InnerHeights> FitAllHeights(
     rule(heights);
     std::vector<InnerHeights> free = FindUnruled(fitted, heights);
     const bool isAnyMoved = std::any_of(free.begin(), free.end(),
-      [&](const InnerHeights& one) { return one.Points.size() < before.front().Points.size(); });
+      [&](const InnerHeights& one) { return one.Vertices.size() < before.front().Vertices.size(); });
     if (isAnyMoved)
     {
       mesh.SetAllHeights(heights);

@@ -4,12 +4,13 @@
 #include "HeightMesh.h"
 
 #include "Common/CountingSort.h"
+#include "Common/HeapArray.h"
+#include "Common/LargePages.h"
 #include "Common/Parallel.h"
 #include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -22,9 +23,8 @@ namespace
 // Heights of a triangle are right to some units in the last place of those of its corners.
 constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
 
-// How many triangles a thread measures at a time, and how many points it looks at.
+// How many triangles a thread measures at a time.
 constexpr std::int64_t Grain = 64;
-constexpr std::int64_t PointGrain = 1 << 14;
 
 /// Patches numbered from 0 on without gaps, by point. Points without a patch stay so.
 std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
@@ -57,73 +57,70 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
-  , LoopMarks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
-  , Marks(this->LoopMarks)
-  , OnLoops(std::size_t(std::count(this->Marks.begin(), this->Marks.end(), 1)))
-  , Vertices(this->OnLoops)
-  , Mesh(this->Columns(), this->MeshLoops(monitor))
+  , Marks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
 {
+  this->MeshLoops(monitor);
   this->Rasters = this->MakeRasters(this->Horizon.Height);
   this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
   this->FindRange();
-  this->RaisedPoints = this->RaisePoints(this->Horizon.Height);
   this->Horizon.Height = std::vector<double>();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-HeapArray<RaisedPoint> HeightMesh::RaisePoints(const std::vector<double>& heights) const
-{
-  HeapArray<RaisedPoint> raised(this->Patches.size());
-  ParallelFor(std::int64_t(this->Patches.size()), PointGrain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t point = first; point < last; ++point)
-      {
-        raised[point] = { this->Places[point], heights[point] };
-      }
-    });
-  return raised;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::AddHorizon(const std::vector<double>& heights)
 {
-  this->Others.push_back({ this->MakeRasters(heights), this->RaisePoints(heights) });
-  for (const HeightRaster& raster : this->Others.back().Rasters)
+  OtherHorizon other;
+  other.Rasters = this->MakeRasters(heights);
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
+  {
+    other.Vertices.push_back({ this->Vertices[vertex].Column, heights[this->Sources[vertex]] });
+  }
+  for (const HeightRaster& raster : other.Rasters)
   {
     this->AddRounding(raster.LowestHeight(), raster.HighestHeight());
   }
+  this->Others.push_back(std::move(other));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 BoundedHorizon HeightMesh::TakeHorizon()
 {
-  for (PointId point = 0; std::size_t(point) < this->RaisedPoints.size(); ++point)
+  std::vector<double>& heights = this->Horizon.Height;
+  heights.assign(this->Patches.size(), 0.0); // of points without a patch no one looks at them
+  for (std::size_t point = 0; point < heights.size(); ++point)
   {
-    this->Horizon.Height.push_back(this->IsVertex(point) ? this->ColumnHeight(point) : this->Height(point));
+    if (this->Patches[point] >= 0)
+    {
+      heights[point] = this->Rasters[this->Patches[point]].HeightAt(this->Places[point]);
+    }
   }
   this->Horizon.Patch = std::move(this->Patches);
   return std::move(this->Horizon);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The mesh of the loops alone, over the points of the whole horizon.
-RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
+// The mesh of the loops alone.
+void HeightMesh::MeshLoops(const Monitor& monitor)
 {
-  const Selection loops(this->LoopMarks);
   BoundedHorizon outline;
-  for (const PointId point : loops.Points)
+  std::vector<PointId> numbers = LargeVector(this->Marks.size(), NoPoint);
+  for (std::size_t point = 0; point < this->Marks.size(); ++point)
   {
-    outline.Plane.push_back(this->Columns()[point]);
-    outline.Patch.push_back(this->Patches[point]);
+    if (this->Marks[point] != 0)
+    {
+      numbers[point] = PointId(this->Sources.size());
+      this->Sources.push_back(PointId(point));
+      this->Vertices.push_back({ this->Places[point], this->Horizon.Height[point] });
+      outline.Plane.push_back(this->Places[point]);
+      outline.Patch.push_back(this->Patches[point]);
+    }
   }
-  outline.Boundary = this->Horizon.Boundary.Renumbered(loops.Numbers);
-  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
-  for (PointId& point : triangles)
-  {
-    point = loops.Points[point];
-  }
-  return triangles;
+  this->OnLoops = this->Sources.size();
+  this->AreOnLoops.assign(this->OnLoops, 1);
+  this->AreFixed = this->AreOnLoops;
+  outline.Boundary = this->Horizon.Boundary.Renumbered(numbers);
+  const RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
+  this->Mesh = PlaneMesh(std::move(outline.Plane), triangles);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -169,7 +166,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& hei
   if (patches == 1)
   {
     rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Columns(), heights, this->Horizon.Cuts.get());
+      this->Places, heights, this->Horizon.Cuts.get());
     return rasters;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -177,35 +174,112 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& hei
   for (std::int32_t number = 0; number < patches; ++number)
   {
     rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Columns(), heights, this->Horizon.Cuts.get());
+      this->Places, heights, this->Horizon.Cuts.get());
   }
   return rasters;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::PutBack(PointId point)
+VertexId HeightMesh::CornerOf(TriangleId triangle, PointId point) const
 {
-  this->RaisedPoints[point].Height = this->ColumnHeight(point);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const VertexId vertex = this->Mesh.Corner(triangle, corner);
+    if (this->Sources[vertex] == point)
+    {
+      return vertex;
+    }
+  }
+  return NoVertex;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
+{
+  this->Mesh.Insert(this->Places[point], triangle, around);
+  if (!around.empty())
+  {
+    const HeightRaster& raster = this->RasterOf(triangle);
+    this->Marks[point] = 1;
+    this->Sources.push_back(point);
+    this->AreOnLoops.push_back(0);
+    this->AreFixed.push_back(0);
+    this->Vertices.push_back({ this->Places[point], raster.HeightAt(this->Places[point]) });
+    for (OtherHorizon& other : this->Others)
+    {
+      const HeightRaster& ofOther = other.Rasters[this->Patches[point]];
+      other.Vertices.push_back({ this->Places[point], ofOther.HeightAt(this->Places[point]) });
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::PutBack(VertexId vertex)
+{
+  this->Vertices[vertex].Height = this->ColumnHeight(vertex);
   for (std::size_t other = 0; other < this->Others.size(); ++other)
   {
-    this->Others[other].RaisedPoints[point].Height = this->ColumnHeight(other + 1, point);
+    this->Others[other].Vertices[vertex].Height = this->ColumnHeight(other + 1, vertex);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Remove(VertexId vertex)
+{
+  this->Marks[this->Sources[vertex]] = 0;
+  this->Sources[vertex] = NoPoint;
+  ++this->Removed;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SortVertices()
+{
+  std::vector<VertexId> order;
+  order.reserve(this->NumberOfVertices());
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
+  {
+    if (!this->IsRemoved(vertex))
+    {
+      order.push_back(vertex);
+    }
+  }
+  std::sort(order.begin(), order.end(), [this](VertexId a, VertexId b) { return this->Sources[a] < this->Sources[b]; });
+  this->Mesh.ReorderVertices(order);
+  this->Sources = Gather<std::vector<PointId>>(this->Sources, order);
+  this->AreOnLoops = Gather<std::vector<unsigned char>>(this->AreOnLoops, order);
+  this->AreFixed = Gather<std::vector<unsigned char>>(this->AreFixed, order);
+  this->Vertices = Gather<std::vector<RaisedPoint>>(this->Vertices, order);
+  for (OtherHorizon& other : this->Others)
+  {
+    other.Vertices = Gather<std::vector<RaisedPoint>>(other.Vertices, order);
+  }
+  this->Removed = 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SortByPlace()
+{
+  this->SortVertices();
+  this->Mesh.SortByPlace();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Compact()
+{
+  this->Mesh.Compact();
+  this->SortVertices();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 InnerHeights HeightMesh::Heights(std::size_t horizon) const
 {
   InnerHeights heights;
-  const unsigned char* const marks = this->Marks.data();
-  const auto next = [&](std::size_t first) // few are marked
-  { return static_cast<const unsigned char*>(std::memchr(marks + first, 1, this->Marks.size() - first)); };
-  for (auto mark = next(0); mark; mark = next(std::size_t(mark - marks) + 1))
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
   {
-    const auto point = PointId(mark - marks);
-    if (!this->IsOnLoop(point))
+    if (!this->IsOnLoop(vertex) && !this->IsRemoved(vertex))
     {
-      heights.Points.push_back(point);
-      heights.Heights.push_back(this->Height(horizon, point));
+      heights.Vertices.push_back(vertex);
+      heights.Heights.push_back(this->Height(horizon, vertex));
     }
   }
   return heights;
@@ -214,10 +288,10 @@ InnerHeights HeightMesh::Heights(std::size_t horizon) const
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::SetHeights(const InnerHeights& heights, std::size_t horizon)
 {
-  HeapArray<RaisedPoint>& raised = horizon == 0 ? this->RaisedPoints : this->Others[horizon - 1].RaisedPoints;
-  for (std::size_t n = 0; n < heights.Points.size(); ++n)
+  std::vector<RaisedPoint>& raised = horizon == 0 ? this->Vertices : this->Others[horizon - 1].Vertices;
+  for (std::size_t n = 0; n < heights.Vertices.size(); ++n)
   {
-    raised[heights.Points[n]].Height = heights.Heights[n];
+    raised[heights.Vertices[n]].Height = heights.Heights[n];
   }
 }
 
@@ -238,17 +312,6 @@ void HeightMesh::SetAllHeights(const std::vector<InnerHeights>& heights)
   for (std::size_t horizon = 0; horizon < heights.size(); ++horizon)
   {
     this->SetHeights(heights[horizon], horizon);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MarkVertex(PointId point, bool isVertex)
-{
-  this->Marks[point] = isVertex ? 1 : 0;
-  this->Vertices += isVertex ? 1 : -1;
-  if (!isVertex)
-  {
-    this->PutBack(point);
   }
 }
 
@@ -464,9 +527,9 @@ HeightMesh::ErrorSums HeightMesh::SumErrors(double unit) const
     all.Squares += sum.Squares;
   }
   const InnerHeights inner = this->Heights();
-  for (std::size_t n = 0; n < inner.Points.size(); ++n)
+  for (std::size_t n = 0; n < inner.Vertices.size(); ++n)
   {
-    add(inner.Heights[n] - this->ColumnHeight(inner.Points[n]), all);
+    add(inner.Heights[n] - this->ColumnHeight(inner.Vertices[n]), all);
   }
   return all;
 }

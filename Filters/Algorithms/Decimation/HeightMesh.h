@@ -7,7 +7,6 @@
 #define SeismicHorizonsHeightMesh_h
 
 #include "Common/BoundedHorizon.h"
-#include "Common/HeapArray.h"
 #include "Common/Monitor.h"
 #include "Common/Parallel.h"
 #include "Common/Types.h"
@@ -26,30 +25,11 @@ namespace SeismicHorizons
 /// The heights of the vertices of a mesh that are on no loop: those that can move.
 struct InnerHeights
 {
-  std::vector<PointId> Points; // ascending
+  std::vector<VertexId> Vertices; // ascending
   std::vector<double> Heights;
 };
 
-/// The points that are marked, in the order of their numbers, and the new number of each.
-struct Selection
-{
-  explicit Selection(const std::vector<unsigned char>& marks)
-    : Numbers(marks.size(), NoPoint)
-  {
-    for (std::size_t point = 0; point < marks.size(); ++point)
-    {
-      if (marks[point] != 0)
-      {
-        this->Numbers[point] = PointId(this->Points.size());
-        this->Points.push_back(PointId(point));
-      }
-    }
-  }
-
-  std::vector<PointId> Points;
-  std::vector<PointId> Numbers;
-};
-
+/// Vertices are numbered in the order in which they come, those of loops first; SortVertices() numbers them by points.
 class HeightMesh
 {
 public:
@@ -67,51 +47,60 @@ public:
 
   /// How many points the horizon has: those with a patch.
   std::size_t NumberOfPoints() const { return this->Points; }
+  /// And how many numbers points have.
+  std::size_t NumberOfAllPoints() const { return this->Patches.size(); }
   bool HasPoint(PointId point) const { return this->Patches[point] >= 0; }
   const Loops& Boundary() const { return this->Horizon.Boundary; }
+  const PlanePoint& Column(PointId point) const { return this->Places[point]; }
   const PlaneMesh& Triangles() const { return this->Mesh; }
   PlaneMesh& Triangles() { return this->Mesh; }
 
   /// How many points are vertices of the mesh or on loops.
-  std::size_t NumberOfVertices() const { return this->Vertices; }
+  std::size_t NumberOfVertices() const { return this->Vertices.size() - this->Removed; }
   /// And how many of these are on no loop.
-  std::size_t NumberOfInnerVertices() const { return this->Vertices - this->OnLoops; }
+  std::size_t NumberOfInnerVertices() const { return this->NumberOfVertices() - this->OnLoops; }
   bool IsVertex(PointId point) const { return this->Marks[point] != 0; }
-  /// By point, 1 for vertices and points of loops.
-  const std::vector<unsigned char>& VertexMarks() const { return this->Marks; }
-  bool IsOnLoop(PointId point) const { return this->LoopMarks[point] != 0; }
+  /// Beyond all numbers of vertices; some of those below may have been removed.
+  VertexId EndOfVertices() const { return VertexId(this->Vertices.size()); }
+  bool IsRemoved(VertexId vertex) const { return this->Sources[vertex] == NoPoint; }
+  bool IsOnLoop(VertexId vertex) const { return this->AreOnLoops[vertex] != 0; }
   /// Whether a vertex stays: it is on a loop, or was asked to.
-  bool IsFixed(PointId point) const
-  {
-    return this->IsOnLoop(point) || (!this->FixedMarks.empty() && this->FixedMarks[point] != 0);
-  }
-  void Fix(PointId point)
-  {
-    this->FixedMarks.resize(this->Marks.size(), 0);
-    this->FixedMarks[point] = 1;
-  }
-  /// A point that is no vertex has the height of its column.
-  void MarkVertex(PointId point, bool isVertex);
-  /// To the height of its column.
-  void PutBack(PointId point);
+  bool IsFixed(VertexId vertex) const { return this->AreFixed[vertex] != 0; }
+  void Fix(VertexId vertex) { this->AreFixed[vertex] = 1; }
+  /// The point of a vertex.
+  PointId SourceOf(VertexId vertex) const { return this->Sources[vertex]; }
+  /// The corner of a triangle that a point is, or NoVertex.
+  VertexId CornerOf(TriangleId triangle, PointId point) const;
 
-  /// Of a point, for vertices of the mesh that of the mesh: at first that of its column.
-  double Height(PointId point) const { return this->RaisedPoints[point].Height; }
+  /// Inserts a point that lies in a triangle or on its sides as PlaneMesh does, at the height of its column.
+  void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
+  /// Once no triangle has it as a corner.
+  void Remove(VertexId vertex);
+  /// To the height of its column.
+  void PutBack(VertexId vertex);
+  /// Numbers vertices by points, without those that were removed.
+  void SortVertices();
+  /// The same, and triangles as PlaneMesh does.
+  void SortByPlace();
+  void Compact();
+
+  /// Of the mesh: at first that of the column.
+  double Height(VertexId vertex) const { return this->Vertices[vertex].Height; }
   /// Of the horizon.
-  double ColumnHeight(PointId point) const { return this->RasterAt(point).HeightAt(this->RaisedPoints[point].Column); }
-  double Height(std::size_t horizon, PointId point) const { return this->Raised(horizon, point).Height; }
-  double ColumnHeight(std::size_t horizon, PointId point) const
-  {
-    return this->RasterAt(horizon, point).HeightAt(this->RaisedPoints[point].Column);
-  }
+  double ColumnHeight(VertexId vertex) const { return this->RasterAt(vertex).HeightAt(this->Vertices[vertex].Column); }
   /// Those of the vertices that are on no loop.
   InnerHeights Heights(std::size_t horizon = 0) const;
   void SetHeights(const InnerHeights& heights, std::size_t horizon = 0);
   /// The same for each horizon.
   std::vector<InnerHeights> AllHeights() const;
   void SetAllHeights(const std::vector<InnerHeights>& heights);
+  double Height(std::size_t horizon, VertexId vertex) const { return this->Raised(horizon, vertex).Height; }
+  double ColumnHeight(std::size_t horizon, VertexId vertex) const
+  {
+    return this->RasterAt(horizon, vertex).HeightAt(this->Vertices[vertex].Column);
+  }
 
-  const RaisedPoint& Raised(PointId point) const { return this->RaisedPoints[point]; }
+  const RaisedPoint& Raised(VertexId vertex) const { return this->Vertices[vertex]; }
   RaisedTriangle RaisedCorners(TriangleId triangle) const
   {
     return { this->Raised(this->Mesh.Corner(triangle, 0)), this->Raised(this->Mesh.Corner(triangle, 1)),
@@ -120,9 +109,9 @@ public:
   /// The heights of the patch that a triangle belongs to.
   const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterAt(this->Mesh.Corner(triangle, 0)); }
 
-  const RaisedPoint& Raised(std::size_t horizon, PointId point) const
+  const RaisedPoint& Raised(std::size_t horizon, VertexId vertex) const
   {
-    return horizon == 0 ? this->RaisedPoints[point] : this->Others[horizon - 1].RaisedPoints[point];
+    return horizon == 0 ? this->Vertices[vertex] : this->Others[horizon - 1].Vertices[vertex];
   }
   RaisedTriangle RaisedCorners(std::size_t horizon, TriangleId triangle) const
   {
@@ -133,10 +122,11 @@ public:
   {
     return this->RasterAt(horizon, this->Mesh.Corner(triangle, 0));
   }
-  /// Of the patch that a point belongs to.
-  const HeightRaster& RasterAt(std::size_t horizon, PointId point) const
+  /// Of the patch that a vertex belongs to.
+  const HeightRaster& RasterAt(std::size_t horizon, VertexId vertex) const
   {
-    return horizon == 0 ? this->RasterAt(point) : this->Others[horizon - 1].Rasters[this->Patches[point]];
+    return horizon == 0 ? this->RasterAt(vertex)
+                        : this->Others[horizon - 1].Rasters[this->Patches[this->Sources[vertex]]];
   }
 
   /// Of a side of a triangle, wherever it crosses lines between columns.
@@ -190,17 +180,15 @@ private:
   struct OtherHorizon
   {
     std::vector<HeightRaster> Rasters;
-    HeapArray<RaisedPoint> RaisedPoints;
+    std::vector<RaisedPoint> Vertices;
   };
 
-  const PlanePoints& Columns() const { return this->Places; }
-  const HeightRaster& RasterAt(PointId point) const
+  const HeightRaster& RasterAt(VertexId vertex) const
   {
-    return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[point]];
+    return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[this->Sources[vertex]]];
   }
-  RawVector<PointId> MeshLoops(const Monitor& monitor) const;
+  void MeshLoops(const Monitor& monitor);
   std::vector<HeightRaster> MakeRasters(const std::vector<double>& heights) const;
-  HeapArray<RaisedPoint> RaisePoints(const std::vector<double>& heights) const;
   void AddRounding(double lowest, double highest);
   void FindRange();
   std::vector<TriangleId> AllTriangles() const;
@@ -214,16 +202,17 @@ private:
   const PlanePoints Places; // its columns
   std::vector<std::int32_t> Patches; // by point, without gaps; negative for those that the horizon does not have
   std::size_t Points;
-  std::vector<unsigned char> LoopMarks; // by point
-  std::vector<unsigned char> FixedMarks; // by point, of those that are on no loop; empty where there is none
-  std::vector<unsigned char> Marks; // by point
-  std::size_t OnLoops; // points
-  std::size_t Vertices;
+  std::vector<unsigned char> Marks; // by point, 1 for vertices and points of loops
+  std::vector<PointId> Sources; // by vertex: its point; NoPoint for those that were removed
+  std::vector<unsigned char> AreOnLoops; // by vertex
+  std::vector<unsigned char> AreFixed; // by vertex
+  std::vector<RaisedPoint> Vertices; // columns with the heights of the mesh
+  std::vector<OtherHorizon> Others; // all but the first one
+  std::size_t OnLoops = 0; // vertices
+  std::size_t Removed = 0; // vertices
   PlaneMesh Mesh;
   std::vector<HeightRaster> Rasters; // by patch
   const HeightRaster* OnlyRaster; // of a single patch, else null
-  HeapArray<RaisedPoint> RaisedPoints; // by point: columns with the heights of the mesh
-  std::vector<OtherHorizon> Others; // all but the first one
   double Range = 0.0;
   double RoundingError = 0.0;
   std::vector<HeightError> Errors; // by triangle

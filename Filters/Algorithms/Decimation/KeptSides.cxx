@@ -9,9 +9,9 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-KeptSides::KeptSides(PlaneMesh& mesh, std::size_t points)
+KeptSides::KeptSides(PlaneMesh& mesh, std::size_t vertices)
   : Mesh(mesh)
-  , TriangleAt(points, NoTriangle)
+  , TriangleAt(vertices, NoTriangle)
 {
   for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
   {
@@ -23,17 +23,17 @@ KeptSides::KeptSides(PlaneMesh& mesh, std::size_t points)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool KeptSides::Keep(PointId from, PointId to)
+bool KeptSides::Keep(VertexId from, VertexId to)
 {
   while (from != to)
   {
     Side crossed;
-    PointId next = NoPoint;
+    VertexId next = NoVertex;
     if (this->TriangleAt[std::size_t(from)] == NoTriangle || !this->FindStart(from, to, crossed, next))
     {
       return false;
     }
-    if (next == NoPoint)
+    if (next == NoVertex)
     {
       if (!this->FindCrossed(from, to, crossed, next))
       {
@@ -51,13 +51,13 @@ bool KeptSides::Keep(PointId from, PointId to)
 // Calls visit(triangle, corner) for the triangles around a vertex until it gives true: counter-clockwise, and from the
 // first one clockwise where the boundary is met. Whether it did.
 template <typename Visitor>
-bool KeptSides::AnyAround(PointId point, Visitor&& visit) const
+bool KeptSides::AnyAround(VertexId vertex, Visitor&& visit) const
 {
-  const TriangleId first = this->TriangleAt[std::size_t(point)];
+  const TriangleId first = this->TriangleAt[std::size_t(vertex)];
   TriangleId triangle = first;
   do
   {
-    const int corner = this->Mesh.CornerAt(triangle, point);
+    const int corner = this->Mesh.CornerAt(triangle, vertex);
     if (visit(triangle, corner))
     {
       return true;
@@ -66,10 +66,10 @@ bool KeptSides::AnyAround(PointId point, Visitor&& visit) const
   } while (triangle != NoTriangle && triangle != first);
   if (triangle == NoTriangle)
   {
-    triangle = this->Mesh.Neighbour(first, this->Mesh.CornerAt(first, point));
+    triangle = this->Mesh.Neighbour(first, this->Mesh.CornerAt(first, vertex));
     while (triangle != NoTriangle)
     {
-      const int corner = this->Mesh.CornerAt(triangle, point);
+      const int corner = this->Mesh.CornerAt(triangle, vertex);
       if (visit(triangle, corner))
       {
         return true;
@@ -83,16 +83,16 @@ bool KeptSides::AnyAround(PointId point, Visitor&& visit) const
 //----------------------------------------------------------------------------------------------------------------------
 // Where a line leaves its first vertex: along a side, to the vertex at whose end, or across the side opposite to it.
 // False where it leaves the mesh.
-bool KeptSides::FindStart(PointId from, PointId to, Side& crossed, PointId& next) const
+bool KeptSides::FindStart(VertexId from, VertexId to, Side& crossed, VertexId& next) const
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(to);
   return this->AnyAround(from,
     [&](TriangleId triangle, int corner)
     {
-      const PointId right = this->Mesh.Corner(triangle, NextCorner(corner));
-      const PointId left = this->Mesh.Corner(triangle, PreviousCorner(corner));
-      for (const PointId end : { right, left })
+      const VertexId right = this->Mesh.Corner(triangle, NextCorner(corner));
+      const VertexId left = this->Mesh.Corner(triangle, PreviousCorner(corner));
+      for (const VertexId end : { right, left })
       {
         if (SignedArea(a, b, this->Mesh.Place(end)) == 0 && ScalarProduct(a, b, this->Mesh.Place(end)) > 0)
         {
@@ -107,7 +107,7 @@ bool KeptSides::FindStart(PointId from, PointId to, Side& crossed, PointId& next
 
 //----------------------------------------------------------------------------------------------------------------------
 // The sides across a line up to the next vertex on it. False where one of them has to stay.
-bool KeptSides::FindCrossed(PointId from, PointId to, Side side, PointId& end)
+bool KeptSides::FindCrossed(VertexId from, VertexId to, Side side, VertexId& end)
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(to);
@@ -122,7 +122,7 @@ bool KeptSides::FindCrossed(PointId from, PointId to, Side side, PointId& end)
     this->Crossed.push_back(
       { this->Mesh.Corner(side.Triangle, side.Number), this->Mesh.Corner(side.Triangle, NextCorner(side.Number)) });
     const int back = this->Mesh.SideTo(beyond, side.Triangle);
-    const PointId apex = this->Mesh.Corner(beyond, PreviousCorner(back));
+    const VertexId apex = this->Mesh.Corner(beyond, PreviousCorner(back));
     const std::int64_t turn = SignedArea(a, b, this->Mesh.Place(apex));
     if (turn == 0)
     {
@@ -135,22 +135,22 @@ bool KeptSides::FindCrossed(PointId from, PointId to, Side side, PointId& end)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void KeptSides::FlipCrossed(PointId from, PointId end)
+void KeptSides::FlipCrossed(VertexId from, VertexId end)
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(end);
   while (!this->Crossed.empty())
   {
-    const Edge edge = this->Crossed.front();
+    const Line line = this->Crossed.front();
     this->Crossed.pop_front();
-    const Side side = this->FindSide(edge.From, edge.To);
+    const Side side = this->FindSide(line.From, line.To);
     if (!this->IsConvex(side))
     {
-      this->Crossed.push_back(edge);
+      this->Crossed.push_back(line);
       continue;
     }
-    const PointId one = this->Mesh.Corner(side.Triangle, PreviousCorner(side.Number));
-    const PointId other = this->Mesh.Beyond(side.Triangle, side.Number);
+    const VertexId one = this->Mesh.Corner(side.Triangle, PreviousCorner(side.Number));
+    const VertexId other = this->Mesh.Beyond(side.Triangle, side.Number);
     this->Flip(side);
     if (ProperlyCross(a, b, this->Mesh.Place(one), this->Mesh.Place(other)))
     {
@@ -161,7 +161,7 @@ void KeptSides::FlipCrossed(PointId from, PointId end)
 
 //----------------------------------------------------------------------------------------------------------------------
 // From a to b, of the triangle that it has to its left.
-KeptSides::Side KeptSides::FindSide(PointId a, PointId b) const
+KeptSides::Side KeptSides::FindSide(VertexId a, VertexId b) const
 {
   Side side;
   const auto isIt = [&](TriangleId triangle, int corner)

@@ -20,35 +20,41 @@ namespace SeismicHorizons
 class KeptSides
 {
 public:
-  /// Keeps a reference to the mesh, which is changed by nobody else meanwhile, and has points below this number.
-  KeptSides(PlaneMesh& mesh, std::size_t points);
+  /// Keeps a reference to the mesh, which is changed by nobody else meanwhile, and has so many vertices.
+  KeptSides(PlaneMesh& mesh, std::size_t vertices);
 
   /// Keeps the line between two vertices, piece by piece where it runs through others. False when the boundary or a side
   /// that is kept already crosses it: pieces before the one that is crossed are kept, the others not.
-  bool Keep(PointId from, PointId to);
+  bool Keep(VertexId from, VertexId to);
 
   /// Flips other sides until all are Delaunay again.
   void Legalize();
 
 private:
+  struct Line
+  {
+    VertexId From;
+    VertexId To;
+  };
+
   struct Side
   {
     TriangleId Triangle = NoTriangle;
     int Number = 0;
   };
 
-  bool FindStart(PointId from, PointId to, Side& crossed, PointId& next) const;
-  bool FindCrossed(PointId from, PointId to, Side first, PointId& end);
-  void FlipCrossed(PointId from, PointId end);
-  Side FindSide(PointId a, PointId b) const;
+  bool FindStart(VertexId from, VertexId to, Side& crossed, VertexId& next) const;
+  bool FindCrossed(VertexId from, VertexId to, Side first, VertexId& end);
+  void FlipCrossed(VertexId from, VertexId end);
+  Side FindSide(VertexId a, VertexId b) const;
   bool IsConvex(const Side& side) const;
   void Flip(const Side& side);
   template <typename Visitor>
-  bool AnyAround(PointId point, Visitor&& visit) const;
+  bool AnyAround(VertexId vertex, Visitor&& visit) const;
 
   PlaneMesh& Mesh;
-  std::vector<TriangleId> TriangleAt; // by point, of vertices: one of its triangles
-  std::deque<Edge> Crossed; // the sides across the line, or those that are left of them
+  std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles
+  std::deque<Line> Crossed; // the sides across the line, or those that are left of them
 };
 }
 

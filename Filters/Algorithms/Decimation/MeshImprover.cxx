@@ -8,7 +8,6 @@
 
 #include "Common/Parallel.h"
 #include "Common/Predicates.h"
-#include "Common/RawVector.h"
 #include "Decimation.h"
 #include "HeightMesh.h"
 #include "MeshRefiner.h"
@@ -47,7 +46,7 @@ struct MeshCost
   }
 
   /// The same over all horizons of a mesh.
-  double Of(const HeightMesh& mesh, const std::array<PointId, 3>& corners, double most = Infinity) const
+  double Of(const HeightMesh& mesh, const std::array<VertexId, 3>& corners, double most = Infinity) const
   {
     double sum = 0.0;
     for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < most; ++horizon)
@@ -70,7 +69,7 @@ struct MeshCost
     return PartOfSides * raster.MeasureCrossings(from, to, this->Power).Sum;
   }
 
-  double OfSide(const HeightMesh& mesh, PointId from, PointId to) const
+  double OfSide(const HeightMesh& mesh, VertexId from, VertexId to) const
   {
     double sum = 0.0;
     for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < Infinity; ++horizon)
@@ -81,7 +80,7 @@ struct MeshCost
   }
 
   /// The same of a side that is there, whose errors are no larger.
-  double OfPresentSide(const HeightMesh& mesh, PointId from, PointId to) const
+  double OfPresentSide(const HeightMesh& mesh, VertexId from, VertexId to) const
   {
     return this->LargestError < Infinity ? 0.0 : this->OfSide(mesh, from, to);
   }
@@ -235,11 +234,11 @@ private:
     const TriangleId triangle = TriangleId(id / 3);
     const int side = int(id % 3);
     const TriangleId other = this->Triangles.Neighbour(triangle, side);
-    const PointId a = this->Triangles.Corner(triangle, side);
-    const PointId b = this->Triangles.Corner(triangle, NextCorner(side));
-    const PointId c = this->Triangles.Corner(triangle, PreviousCorner(side));
-    const PointId d = this->Triangles.Beyond(triangle, side);
-    const auto sineOf = [this](PointId p, PointId q, PointId r)
+    const VertexId a = this->Triangles.Corner(triangle, side);
+    const VertexId b = this->Triangles.Corner(triangle, NextCorner(side));
+    const VertexId c = this->Triangles.Corner(triangle, PreviousCorner(side));
+    const VertexId d = this->Triangles.Beyond(triangle, side);
+    const auto sineOf = [this](VertexId p, VertexId q, VertexId r)
     { return SquaredSineOf(this->Triangles.Place(p), this->Triangles.Place(q), this->Triangles.Place(r)); };
     Candidate result;
     result.Side = id;
@@ -300,12 +299,12 @@ constexpr std::int64_t RemovalGrain = 16;
 struct Ring
 {
   std::vector<TriangleId> Triangles;
-  std::vector<PointId> Ends;
+  std::vector<VertexId> Ends;
   double Sum = 0.0; // of the errors now
   double Sine = 1.0; // the square, of the smallest angle now
 
   /// Of numbers up to twice as many as there are.
-  PointId End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
+  VertexId End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
 };
 
 class VertexRemoval
@@ -335,14 +334,14 @@ public:
       isPossible = !cheapest.empty();
       monitor.Progress(1.0 - 0.95 * double(this->Mesh.NumberOfVertices()) / first);
     }
-    this->Mesh.Triangles().Compact();
+    this->Mesh.Compact();
   }
 
 private:
   struct Candidate
   {
     double Cost; // by how much the sum of errors grows; infinite where the vertex can not go
-    PointId Point;
+    VertexId Vertex;
     std::int32_t Side; // of its ring, that is collapsed
   };
 
@@ -356,7 +355,7 @@ private:
   void FindVertices()
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
-    this->TriangleAt.resize(this->Mesh.VertexMarks().size());
+    this->TriangleAt.resize(std::size_t(this->Mesh.EndOfVertices()));
     this->IsOld.resize(this->TriangleAt.size());
     for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
     {
@@ -365,12 +364,12 @@ private:
         this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
       }
     }
-    for (PointId point = 0; std::size_t(point) < this->TriangleAt.size(); ++point)
+    for (const VertexId vertex : this->Mesh.Heights().Vertices)
     {
-      if (this->Mesh.IsVertex(point) && !this->Mesh.IsFixed(point))
+      if (!this->Mesh.IsFixed(vertex))
       {
-        this->Candidates.push_back({ Infinity, point, 0 });
-        this->IsOld[point] = 1;
+        this->Candidates.push_back({ Infinity, vertex, 0 });
+        this->IsOld[vertex] = 1;
       }
     }
   }
@@ -379,7 +378,7 @@ private:
   std::vector<Candidate> FindCheapest() const
   {
     const auto isCheaper = [](const Candidate& a, const Candidate& b)
-    { return std::tie(a.Cost, a.Point) < std::tie(b.Cost, b.Point); };
+    { return std::tie(a.Cost, a.Vertex) < std::tie(b.Cost, b.Vertex); };
     std::vector<Candidate> possible;
     std::copy_if(this->Candidates.begin(), this->Candidates.end(), std::back_inserter(possible),
       [](const Candidate& one) { return one.Cost < Infinity; });
@@ -403,21 +402,21 @@ private:
         for (std::int64_t n = first; n < last; ++n)
         {
           Candidate& candidate = this->Candidates[n];
-          if (this->IsOld[candidate.Point] != 0)
+          if (this->IsOld[candidate.Vertex] != 0)
           {
-            candidate = this->Try(candidate.Point, ring, ends);
-            this->IsOld[candidate.Point] = 0;
+            candidate = this->Try(candidate.Vertex, ring, ends);
+            this->IsOld[candidate.Vertex] = 0;
           }
         }
       });
   }
 
   /// In the memory of the one before.
-  Candidate Try(PointId point, Ring& ring, std::vector<End>& ends) const
+  Candidate Try(VertexId vertex, Ring& ring, std::vector<End>& ends) const
   {
-    this->FindRing(point, ring);
-    this->FindEnds(ring, point, ends);
-    Candidate best{ Infinity, point, 0 };
+    this->FindRing(vertex, ring);
+    this->FindEnds(ring, vertex, ends);
+    Candidate best{ Infinity, vertex, 0 };
     for (const End& end : ends)
     {
       const double most = ring.Sum + best.Cost;
@@ -433,14 +432,14 @@ private:
   }
 
   /// Those with the least first: that of the best one is compared with those of the others.
-  void FindEnds(const Ring& ring, PointId point, std::vector<End>& ends) const
+  void FindEnds(const Ring& ring, VertexId vertex, std::vector<End>& ends) const
   {
     ends.clear();
     for (std::size_t end = 0; end < ring.Ends.size(); ++end)
     {
       if (this->KeepsAngles(ring, end))
       {
-        const double least = this->LeastCostOf(point, ring, end);
+        const double least = this->LeastCostOf(vertex, ring, end);
         if (least < Infinity)
         {
           ends.push_back({ least, end });
@@ -453,10 +452,10 @@ private:
 
   /// What a vertex's own point adds to the sum where the triangle is that would be there; infinite where that is too
   /// far.
-  double LeastCostOf(PointId point, const Ring& ring, std::size_t end) const
+  double LeastCostOf(VertexId vertex, const Ring& ring, std::size_t end) const
   {
-    const PointId to = ring.End(end);
-    const PlanePoint& place = this->Place(point);
+    const VertexId to = ring.End(end);
+    const PlanePoint& place = this->Place(vertex);
     std::size_t n = end + 1;
     while (n + 2 < end + ring.Ends.size() && SignedArea(this->Place(to), this->Place(ring.End(n + 1)), place) > 0)
     {
@@ -465,16 +464,16 @@ private:
     double cost = 0.0;
     for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
     {
-      const double error = this->ErrorOf(horizon, point, { to, ring.End(n), ring.End(n + 1) });
+      const double error = this->ErrorOf(horizon, vertex, { to, ring.End(n), ring.End(n + 1) });
       cost += error <= this->Cost.LargestError ? this->Cost.Power.Raise(error) : Infinity;
     }
     return cost;
   }
 
   /// The distance of a point from a triangle.
-  double ErrorOf(std::size_t horizon, PointId point, const std::array<PointId, 3>& corners) const
+  double ErrorOf(std::size_t horizon, VertexId vertex, const std::array<VertexId, 3>& corners) const
   {
-    const PlanePoint& place = this->Place(point);
+    const PlanePoint& place = this->Place(vertex);
     const RaisedPoint& a = this->Mesh.Raised(horizon, corners[0]);
     const RaisedPoint& b = this->Mesh.Raised(horizon, corners[1]);
     const RaisedPoint& c = this->Mesh.Raised(horizon, corners[2]);
@@ -483,27 +482,27 @@ private:
       ((b.Height - a.Height) * double(SignedArea(c.Column, a.Column, place)) +
         (c.Height - a.Height) * double(SignedArea(a.Column, b.Column, place))) /
         area;
-    return std::abs(height - this->Mesh.ColumnHeight(horizon, point));
+    return std::abs(height - this->Mesh.ColumnHeight(horizon, vertex));
   }
 
-  const PlanePoint& Place(PointId point) const { return this->Mesh.Raised(point).Column; }
+  const PlanePoint& Place(VertexId vertex) const { return this->Mesh.Raised(vertex).Column; }
 
-  void FindRing(PointId point, Ring& ring) const
+  void FindRing(VertexId vertex, Ring& ring) const
   {
     const PlaneMesh& mesh = this->Mesh.Triangles();
     ring.Ends.clear();
     ring.Sum = 0.0;
     ring.Sine = 1.0;
-    mesh.FindRing(point, this->TriangleAt[point], ring.Triangles);
+    mesh.FindRing(vertex, this->TriangleAt[vertex], ring.Triangles);
     for (const TriangleId triangle : ring.Triangles)
     {
-      ring.Ends.push_back(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, point))));
-      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(this->Mesh, point, ring.Ends.back());
+      ring.Ends.push_back(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, vertex))));
+      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(this->Mesh, vertex, ring.Ends.back());
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
       ring.Sine =
-        std::min(ring.Sine, SquaredSineOf(this->Place(point), this->Place(ring.End(n)), this->Place(ring.End(n + 1))));
+        std::min(ring.Sine, SquaredSineOf(this->Place(vertex), this->Place(ring.End(n)), this->Place(ring.End(n + 1))));
     }
   }
 
@@ -526,7 +525,7 @@ private:
   /// What the sum of errors is then; infinite when it is not below `most`, or an error too large.
   double SumAt(const Ring& ring, std::size_t end, double most) const
   {
-    const PointId to = ring.End(end);
+    const VertexId to = ring.End(end);
     double sum = 0.0;
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size() && sum < most; ++n)
     {
@@ -561,7 +560,7 @@ private:
         }
       });
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
-                             [this](const Candidate& one) { return !this->Mesh.IsVertex(one.Point); }),
+                             [this](const Candidate& one) { return this->Mesh.IsRemoved(one.Vertex); }),
       this->Candidates.end());
   }
 
@@ -570,21 +569,21 @@ private:
   {
     PlaneMesh& mesh = this->Mesh.Triangles();
     std::vector<TriangleId> ring;
-    mesh.FindRing(candidate.Point, this->TriangleAt[candidate.Point], ring);
+    mesh.FindRing(candidate.Vertex, this->TriangleAt[candidate.Vertex], ring);
     if (std::any_of(ring.begin(), ring.end(), [this](TriangleId one) { return this->IsChanged[one] != 0; }))
     {
       return;
     }
-    mesh.Collapse(candidate.Point, ring, std::size_t(candidate.Side));
-    this->Mesh.MarkVertex(candidate.Point, false);
+    mesh.Collapse(candidate.Vertex, ring, std::size_t(candidate.Side));
+    this->Mesh.Remove(candidate.Vertex);
     for (const TriangleId triangle : ring)
     {
       this->IsChanged[triangle] = 1;
       for (int corner = 0; corner < 3 && !mesh.IsGone(triangle); ++corner)
       {
-        const std::size_t point = std::size_t(mesh.Corner(triangle, corner));
-        this->TriangleAt[point] = triangle;
-        this->IsOld[point] = 1;
+        const std::size_t vertex = std::size_t(mesh.Corner(triangle, corner));
+        this->TriangleAt[vertex] = triangle;
+        this->IsOld[vertex] = 1;
       }
       if (!mesh.IsGone(triangle))
       {
@@ -596,9 +595,9 @@ private:
   HeightMesh& Mesh;
   const MeshCost& Cost;
   std::vector<double> Costs; // by triangle
-  RawVector<TriangleId> TriangleAt; // by point, of vertices: one of its triangles
-  std::vector<Candidate> Candidates; // the vertices inside, in the order of their points: those next are near
-  RawVector<unsigned char> IsOld; // by point, of vertices: triangles around have changed since it was tried
+  std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles
+  std::vector<Candidate> Candidates; // the vertices inside, in their order: those next are near
+  std::vector<unsigned char> IsOld; // by vertex: triangles around have changed since it was tried
   std::vector<unsigned char> IsChanged; // by triangle, in one round
   std::vector<TriangleId> Changed; // in one round
 };
@@ -637,7 +636,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   if (options.FitHeights && error > 0.0)
   {
     refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
-    mesh.Triangles().SortByPlace(); // what is read next is near then
+    mesh.SortByPlace(); // what is read next is near then
     mesh.SetAllHeights(FitAllHeights(mesh, FitAim::LargestError, ReachOfFit * error, rule, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
@@ -659,7 +658,7 @@ void ImproveWithinError(
     }
   };
   // What is flipped and fitted is the smaller mesh, which also leaves the fewest vertices.
-  mesh.Triangles().SortByPlace();
+  mesh.SortByPlace();
   RemoveVertices(mesh, cost, 0, monitor.Step(0.0, 0.3));
   bool isWorthIt = true;
   for (int round = 0; round < MostRounds && isWorthIt; ++round)
@@ -678,7 +677,7 @@ void ImproveWithinError(
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor)
 {
   const double largest = mesh.LargestError();
-  mesh.Triangles().SortByPlace();
+  mesh.SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
   // What is flipped and fitted half-way shows better which vertices can go.
@@ -711,7 +710,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
 void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
   const double largest = mesh.LargestError();
-  mesh.Triangles().SortByPlace();
+  mesh.SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   if (options.Priority == DecimationPriority::LargestError)
   {

@@ -98,7 +98,8 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
 // of the time.
 void MeshRefiner::SortNew()
 {
-  const auto point = [this](TriangleId triangle) { return this->Mesh.Triangles().Corner(triangle, 2); };
+  const auto point = [this](TriangleId triangle)
+  { return this->Mesh.SourceOf(this->Mesh.Triangles().Corner(triangle, 2)); };
   std::sort(this->New.begin(), this->New.end(), [&point](TriangleId a, TriangleId b) { return point(a) < point(b); });
 }
 
@@ -177,9 +178,10 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
   for (const TriangleId triangle : triangles)
   {
     const PointId point = this->Mesh.Error(triangle).Point;
-    if (this->Mesh.Triangles().HasCorner(triangle, point))
+    const VertexId corner = this->Mesh.CornerOf(triangle, point);
+    if (corner != NoVertex)
     {
-      this->PutBack(point, triangle);
+      this->PutBack(corner, triangle);
       isAnyPutBack = true;
     }
     else if (this->Mesh.IsVertex(point))
@@ -188,7 +190,7 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     }
     else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
     {
-      this->Insert(point, this->Mesh.Triangles().Locate(point, triangle));
+      this->Insert(point, this->Mesh.Triangles().Locate(this->Mesh.Column(point), triangle));
     }
   }
   return isAnyPutBack || this->Mesh.NumberOfVertices() > before;
@@ -201,24 +203,22 @@ void MeshRefiner::Insert(PointId point, TriangleId triangle)
   {
     return;
   }
-  PlaneMesh& triangles = this->Mesh.Triangles();
-  triangles.Insert(point, triangle, this->Around);
+  this->Mesh.Insert(point, triangle, this->Around);
   if (this->Around.empty())
   {
     throw InputError(
       "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
   }
-  this->Mesh.MarkVertex(point, true);
-  triangles.Legalize(this->Around);
+  this->Mesh.Triangles().Legalize(this->Around);
   std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // To the height of its column, a vertex that is farther from that than the bound: it can not be inserted once more.
-void MeshRefiner::PutBack(PointId point, TriangleId triangle)
+void MeshRefiner::PutBack(VertexId vertex, TriangleId triangle)
 {
-  this->Mesh.PutBack(point);
-  this->Mesh.Triangles().FindRing(point, triangle, this->Around);
+  this->Mesh.PutBack(vertex);
+  this->Mesh.Triangles().FindRing(vertex, triangle, this->Around);
   std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId around) { this->AddNew(around); });
 }
 

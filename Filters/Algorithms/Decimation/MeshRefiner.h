@@ -38,7 +38,7 @@ private:
   double UrgencyOf(TriangleId triangle) const;
   bool InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
-  void PutBack(PointId point, TriangleId triangle);
+  void PutBack(VertexId vertex, TriangleId triangle);
   void AddNew(TriangleId triangle);
   void SortNew();
 

@@ -25,8 +25,8 @@ constexpr int Opposite = 0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlaneMesh::PlaneMesh(PlanePoints plane, const RawVector<PointId>& triangles)
-  : Plane(plane)
+PlaneMesh::PlaneMesh(std::vector<PlanePoint> places, const RawVector<VertexId>& triangles)
+  : Places(std::move(places))
 {
   this->Triangles.reserve(triangles.size() / 3);
   for (std::size_t first = 0; first < triangles.size(); first += 3)
@@ -40,8 +40,8 @@ PlaneMesh::PlaneMesh(PlanePoints plane, const RawVector<PointId>& triangles)
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Connect()
 {
-  // Sides by their lesser and greater point, so that those of two triangles follow each other.
-  std::vector<std::tuple<PointId, PointId, TriangleId, int>> sides;
+  // Sides by their lesser and greater vertex, so that those of two triangles follow each other.
+  std::vector<std::tuple<VertexId, VertexId, TriangleId, int>> sides;
   sides.reserve(3 * this->Triangles.size());
   for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
   {
@@ -73,9 +73,8 @@ std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TriangleId PlaneMesh::Locate(PointId point, TriangleId near) const
+TriangleId PlaneMesh::Locate(const PlanePoint& place, TriangleId near) const
 {
-  const PlanePoint& place = this->Place(point);
   TriangleId triangle = near;
   // Around the boundary a walk could go in circles.
   for (int steps = 0; steps < MostSteps; ++steps)
@@ -98,14 +97,14 @@ TriangleId PlaneMesh::Locate(PointId point, TriangleId near) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
+void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around)
 {
   around.clear();
   int onSide = -1;
   int sidesOn = 0;
   for (int side = 0; side < 3; ++side)
   {
-    if (this->AreaAt(this->Place(point), triangle, side) == 0)
+    if (this->AreaAt(place, triangle, side) == 0)
     {
       onSide = side;
       ++sidesOn;
@@ -116,14 +115,16 @@ void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleI
   {
     return;
   }
+  const auto vertex = VertexId(this->Places.size());
+  this->Places.push_back(place);
   if (onSide >= 0)
   {
-    this->CutKept(this->Corner(triangle, onSide), this->Corner(triangle, NextCorner(onSide)), point);
+    this->CutKept(this->Corner(triangle, onSide), this->Corner(triangle, NextCorner(onSide)), vertex);
   }
-  this->Split(point, triangle, around);
+  this->Split(vertex, triangle, around);
   if (onSide >= 0)
   {
-    // The triangle between the side and the point has no area. Its third corner is the point.
+    // The triangle between the side and the vertex has no area. Its third corner is the vertex.
     const TriangleId flat = around[onSide];
     around.push_back(this->Neighbour(flat, Opposite));
     this->Flip(flat, Opposite);
@@ -131,7 +132,7 @@ void PlaneMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleI
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::CutKept(PointId a, PointId b, PointId between)
+void PlaneMesh::CutKept(VertexId a, VertexId b, VertexId between)
 {
   if (!this->Kept.empty() && this->Kept.erase(SideKey(a, b)) > 0)
   {
@@ -141,8 +142,8 @@ void PlaneMesh::CutKept(PointId a, PointId b, PointId between)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Makes three triangles of one: number n has the side n of the old one first, and the point as its third corner.
-void PlaneMesh::Split(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
+/// Makes three triangles of one: number n has the side n of the old one first, and the vertex as its third corner.
+void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& around)
 {
   const Triangle old = this->Triangles[triangle];
   const TriangleId size = this->Size();
@@ -150,7 +151,7 @@ void PlaneMesh::Split(PointId point, TriangleId triangle, std::vector<TriangleId
   this->Triangles.resize(this->Triangles.size() + 2);
   for (int side = 0; side < 3; ++side)
   {
-    this->Triangles[parts[side]] = { { old.Corners[side], old.Corners[NextCorner(side)], point },
+    this->Triangles[parts[side]] = { { old.Corners[side], old.Corners[NextCorner(side)], vertex },
       { old.Neighbours[side], parts[NextCorner(side)], parts[PreviousCorner(side)] } };
     this->Replace(old.Neighbours[side], triangle, parts[side]);
     around.push_back(parts[side]);
@@ -180,10 +181,10 @@ void PlaneMesh::Flip(TriangleId triangle, int side)
   const Triangle one = this->Triangles[triangle];
   const Triangle two = this->Triangles[other];
   const int back = this->SideTo(other, triangle);
-  const PointId a = one.Corners[side];
-  const PointId b = one.Corners[NextCorner(side)];
-  const PointId c = one.Corners[PreviousCorner(side)];
-  const PointId d = two.Corners[PreviousCorner(back)];
+  const VertexId a = one.Corners[side];
+  const VertexId b = one.Corners[NextCorner(side)];
+  const VertexId c = one.Corners[PreviousCorner(side)];
+  const VertexId d = two.Corners[PreviousCorner(back)];
   const TriangleId beyondBc = one.Neighbours[NextCorner(side)];
   const TriangleId beyondCa = one.Neighbours[PreviousCorner(side)];
   const TriangleId beyondAd = two.Neighbours[NextCorner(back)];
@@ -195,17 +196,17 @@ void PlaneMesh::Flip(TriangleId triangle, int side)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PointId PlaneMesh::Beyond(TriangleId triangle, int side) const
+VertexId PlaneMesh::Beyond(TriangleId triangle, int side) const
 {
   const TriangleId other = this->Neighbour(triangle, side);
   return this->Corner(other, PreviousCorner(this->SideTo(other, triangle)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int PlaneMesh::CornerAt(TriangleId triangle, PointId point) const
+int PlaneMesh::CornerAt(TriangleId triangle, VertexId vertex) const
 {
   const auto& corners = this->Triangles[triangle].Corners;
-  return corners[0] == point ? 0 : corners[1] == point ? 1 : 2;
+  return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -220,7 +221,7 @@ bool PlaneMesh::IsDelaunay(TriangleId triangle, int side) const
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Legalize(std::vector<TriangleId>& around)
 {
-  // A flip adds one triangle to those around the point, and changes another one. Both are looked at again.
+  // A flip adds one triangle to those around the vertex, and changes another one. Both are looked at again.
   for (std::size_t n = 0; n < around.size(); ++n)
   {
     const TriangleId triangle = around[n];
@@ -233,14 +234,14 @@ void PlaneMesh::Legalize(std::vector<TriangleId>& around)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::FindRing(PointId point, TriangleId first, std::vector<TriangleId>& ring) const
+void PlaneMesh::FindRing(VertexId vertex, TriangleId first, std::vector<TriangleId>& ring) const
 {
   ring.clear();
   TriangleId triangle = first;
   do
   {
     ring.push_back(triangle);
-    triangle = this->Neighbour(triangle, PreviousCorner(this->CornerAt(triangle, point)));
+    triangle = this->Neighbour(triangle, PreviousCorner(this->CornerAt(triangle, vertex)));
     if (triangle == NoTriangle)
     {
       ring.clear();
@@ -250,17 +251,17 @@ void PlaneMesh::FindRing(PointId point, TriangleId first, std::vector<TriangleId
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Collapse(PointId point, const std::vector<TriangleId>& ring, std::size_t n)
+void PlaneMesh::Collapse(VertexId vertex, const std::vector<TriangleId>& ring, std::size_t n)
 {
   const std::array<TriangleId, 2> gone = { ring[n], ring[(n + 1) % ring.size()] };
   const TriangleId before = ring[(n + ring.size() - 1) % ring.size()];
   const TriangleId after = ring[(n + 2) % ring.size()];
-  const PointId target = this->Corner(gone[0], PreviousCorner(this->CornerAt(gone[0], point)));
-  const std::array<TriangleId, 2> outside = { this->Neighbour(gone[0], NextCorner(this->CornerAt(gone[0], point))),
-    this->Neighbour(gone[1], NextCorner(this->CornerAt(gone[1], point))) };
+  const VertexId target = this->Corner(gone[0], PreviousCorner(this->CornerAt(gone[0], vertex)));
+  const std::array<TriangleId, 2> outside = { this->Neighbour(gone[0], NextCorner(this->CornerAt(gone[0], vertex))),
+    this->Neighbour(gone[1], NextCorner(this->CornerAt(gone[1], vertex))) };
   for (const TriangleId triangle : ring)
   {
-    this->Triangles[triangle].Corners[this->CornerAt(triangle, point)] = target;
+    this->Triangles[triangle].Corners[this->CornerAt(triangle, vertex)] = target;
   }
   this->Replace(before, gone[0], outside[0]);
   this->Replace(outside[0], gone[0], before);
@@ -268,7 +269,7 @@ void PlaneMesh::Collapse(PointId point, const std::vector<TriangleId>& ring, std
   this->Replace(outside[1], gone[1], after);
   for (const TriangleId triangle : gone)
   {
-    this->Triangles[triangle] = { { NoPoint, NoPoint, NoPoint }, { NoTriangle, NoTriangle, NoTriangle } };
+    this->Triangles[triangle] = { { NoVertex, NoVertex, NoVertex }, { NoTriangle, NoTriangle, NoTriangle } };
   }
 }
 
@@ -284,6 +285,33 @@ void PlaneMesh::Compact()
     }
   }
   this->Reorder(left);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::ReorderVertices(const std::vector<VertexId>& order)
+{
+  std::vector<VertexId> numbers(this->Places.size(), NoVertex);
+  std::vector<PlanePoint> ordered;
+  ordered.reserve(order.size());
+  for (const VertexId vertex : order)
+  {
+    numbers[vertex] = VertexId(ordered.size());
+    ordered.push_back(this->Places[vertex]);
+  }
+  for (Triangle& triangle : this->Triangles)
+  {
+    for (VertexId& corner : triangle.Corners)
+    {
+      corner = numbers[corner];
+    }
+  }
+  this->Places.swap(ordered);
+  std::unordered_set<std::uint64_t> kept;
+  for (const std::uint64_t side : this->Kept)
+  {
+    kept.insert(SideKey(numbers[side >> 32U], numbers[side & 0xFFFFFFFFU]));
+  }
+  this->Kept.swap(kept);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -224,17 +224,17 @@ public:
   {
   }
 
-  void Apply(std::vector<InnerHeights>& fitted) const
+  void Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
   {
     std::vector<double> heights(fitted.size());
     std::vector<unsigned char> isOne(fitted.size(), 0);
-    const std::vector<PointId>& points = fitted.front().Points;
-    for (std::size_t n = 0; n < points.size(); ++n)
+    const std::vector<VertexId>& vertices = fitted.front().Vertices;
+    for (std::size_t n = 0; n < vertices.size(); ++n)
     {
       for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
       {
         heights[horizon] = fitted[horizon].Heights[n];
-        isOne[horizon] = horizon + 1 < fitted.size() && this->AreOne(horizon, points[n]) ? 1 : 0;
+        isOne[horizon] = horizon + 1 < fitted.size() && this->AreOne(horizon, mesh.SourceOf(vertices[n])) ? 1 : 0;
       }
       OrderColumn(heights, isOne, this->GrowDownwards);
       for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
@@ -376,18 +376,23 @@ private:
       this->IsOnLine[std::size_t(edge.To)] = 1;
     }
     MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(this->IsOnLine);
-    for (std::size_t point = 0; point < this->IsOnLine.size(); ++point)
+    std::vector<VertexId> vertices(this->Columns.size(), NoVertex); // by point
+    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
     {
+      const auto point = std::size_t(mesh.SourceOf(vertex));
+      vertices[point] = vertex;
       if (this->IsOnLine[point] != 0)
       {
-        mesh.Fix(PointId(point));
+        mesh.Fix(vertex);
       }
     }
-    KeptSides sides(mesh.Triangles(), this->Columns.size());
+    KeptSides sides(mesh.Triangles(), std::size_t(mesh.EndOfVertices()));
     for (const Edge& edge : lines.Edges)
     {
-      const bool areVertices = mesh.IsVertex(edge.From) && mesh.IsVertex(edge.To);
-      this->Result.LinesLeftOut += areVertices && sides.Keep(edge.From, edge.To) ? 0 : 1;
+      const VertexId from = vertices[std::size_t(edge.From)];
+      const VertexId to = vertices[std::size_t(edge.To)];
+      const bool isKept = from != NoVertex && to != NoVertex && sides.Keep(from, to);
+      this->Result.LinesLeftOut += isKept ? 0 : 1;
     }
     this->Result.PinchOutLines = lines.Edges.size();
     sides.Legalize();
@@ -400,7 +405,7 @@ private:
     options.FitHeights = this->Options.FitHeights;
     options.SmallestAngle = this->Options.SmallestAngle;
     const FittedOrder order(this->Columns, this->Heights, this->IsOnLine, this->Options.Crossings.HeightsGrowDownwards);
-    const HeightRule rule = [&order](std::vector<InnerHeights>& heights) { order.Apply(heights); };
+    const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };
     this->DropFarLines(mesh);
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
     while (this->DropFarLines(mesh)) // those that fitted heights have moved, or a vertex on them has cut
@@ -434,7 +439,7 @@ private:
     }
     if (dropped > 0)
     {
-      KeptSides(triangles, this->Columns.size()).Legalize();
+      KeptSides(triangles, std::size_t(mesh.EndOfVertices())).Legalize();
     }
     this->Result.LinesLeftOut += dropped;
     return dropped > 0;
@@ -456,36 +461,38 @@ private:
   }
 
   // ---- What is told of it ------------------------------------------------------------------------------------------
-  void Collect(const HeightMesh& mesh, const Monitor& monitor)
+  void Collect(HeightMesh& mesh, const Monitor& monitor)
   {
+    mesh.SortVertices();
     LayerPlan& plan = this->Result.Plan;
     const PlaneMesh& triangles = mesh.Triangles();
-    std::vector<unsigned char> isCorner(this->Columns.size(), 0);
-    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+    std::vector<PointId> numbers(std::size_t(mesh.EndOfVertices()), NoPoint); // of the corners of triangles
+    const auto forEachCorner = [&](auto&& visit)
     {
-      for (int corner = 0; corner < 3; ++corner)
+      for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
       {
-        isCorner[std::size_t(triangles.Corner(triangle, corner))] = 1;
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          visit(std::size_t(triangles.Corner(triangle, corner)));
+        }
+      }
+    };
+    forEachCorner([&](std::size_t vertex) { numbers[vertex] = 0; });
+    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
+    {
+      if (numbers[std::size_t(vertex)] != NoPoint)
+      {
+        numbers[std::size_t(vertex)] = PointId(plan.Columns.size());
+        plan.Columns.push_back(mesh.Raised(vertex).Column);
+        for (std::size_t horizon = 0; horizon < plan.Heights.size(); ++horizon)
+        {
+          plan.Heights[horizon].push_back(mesh.Height(horizon, vertex));
+        }
       }
     }
-    const Selection vertices(isCorner);
-    for (const PointId point : vertices.Points)
-    {
-      plan.Columns.push_back(this->Columns[std::size_t(point)]);
-      for (std::size_t horizon = 0; horizon < plan.Heights.size(); ++horizon)
-      {
-        plan.Heights[horizon].push_back(mesh.Height(horizon, point));
-      }
-    }
-    this->OrderToTheLastDigit(mesh.Rounding());
     plan.Triangles.reserve(3 * std::size_t(triangles.Size()));
-    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        plan.Triangles.push_back(vertices.Numbers[std::size_t(triangles.Corner(triangle, corner))]);
-      }
-    }
+    forEachCorner([&](std::size_t vertex) { plan.Triangles.push_back(numbers[vertex]); });
+    this->OrderToTheLastDigit(mesh.Rounding());
     this->MeasureErrors(mesh, monitor);
     this->CountOutside(mesh);
   }
@@ -558,10 +565,10 @@ private:
   }
 
   void MeasureOutlineEdge(
-    const HeightMesh& mesh, const ColumnIndex& index, PointId from, PointId to, std::vector<unsigned char>& isInside)
+    const HeightMesh& mesh, const ColumnIndex& index, VertexId from, VertexId to, std::vector<unsigned char>& isInside)
   {
-    const PlanePoint& a = this->Columns[std::size_t(from)];
-    const PlanePoint& b = this->Columns[std::size_t(to)];
+    const PlanePoint& a = mesh.Raised(from).Column;
+    const PlanePoint& b = mesh.Raised(to).Column;
     const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
     for (std::int32_t step = 1; step < steps; ++step)
     {

@@ -21,9 +21,9 @@
 #include "Common/Monitor.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
+#include "CommonColumns.h"
 #include "Crossings.h"
 #include "Decimation/Decimation.h"
-#include "Thickness.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -98,23 +98,17 @@ private:
     }
   }
 
+  /// Adds the links of a pick that lead to one that is free.
   void AddRim(PointId pick)
   {
-    for (int direction = 0; direction < this->Links.Directions(); ++direction)
-    {
-      this->AddLink(pick, this->Links.Next(pick, direction), direction);
-      const PointId previous = this->Links.Previous(pick, direction);
-      this->AddLink(previous, previous, direction);
-    }
-  }
-
-  /// Adds a link that begins in `from` and leads on to `to`, if that is free.
-  void AddLink(PointId from, PointId to, int direction)
-  {
-    if (to != NoPoint && this->Labels[to] == NoPoint)
-    {
-      this->Rim.push({ float(this->Links.Score(from, direction)), to });
-    }
+    this->Links.ForEachOf(pick,
+      [&](PointId to, PointId owner, int direction)
+      {
+        if (this->Labels[to] == NoPoint)
+        {
+          this->Rim.push({ float(this->Links.Score(owner, direction)), to });
+        }
+      });
   }
 
   const ReflectionPicks& Picks;

@@ -18,8 +18,8 @@ struct GuideSeeds
   int Sign = 0; // of the reflections that the guide means: 0 positive, 1 negative
   std::vector<GuideSeed> Seeds; // in different columns
   std::int64_t OtherSign = 0; // picks that are nearer to a reflection of the other sign
-  std::vector<std::size_t>
-    Unused; // numbers of picks that are near no reflection of the sign, or less near than another
+  /// Numbers of picks that are near no reflection of the sign, or less near than another one in their column.
+  std::vector<std::size_t> Unused;
 };
 
 /// All picks of a guide mean reflections of one sign: that which has the stronger ones nearer to them. Throws InputError

@@ -13,7 +13,6 @@
 #include "Common/CountingSort.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -322,13 +321,14 @@ private:
     {
       if (reach < this->Joining.Options.GrowthReach)
       {
-        this->ForEachLink(pick,
-          [&](PointId to, double score)
+        const ReflectionLinks& links = this->Joining.Links;
+        links.ForEachOf(pick,
+          [&](PointId to, PointId owner, int direction)
           {
             const std::int32_t column = this->Joining.Columns[to];
             if (this->Found[column] == NoPoint && this->Grown[column] == NoPoint)
             {
-              rim.push({ float(score), to, reach + 1 });
+              rim.push({ float(links.Score(owner, direction)), to, reach + 1 });
             }
           });
       }
@@ -353,36 +353,18 @@ private:
     }
   }
 
-  template <typename Visit>
-  void ForEachLink(PointId pick, Visit&& visit) const
-  {
-    const ReflectionLinks& links = this->Joining.Links;
-    for (int direction = 0; direction < links.Directions(); ++direction)
-    {
-      if (const PointId next = links.Next(pick, direction); next != NoPoint)
-      {
-        visit(next, links.Score(pick, direction));
-      }
-      if (const PointId previous = links.Previous(pick, direction); previous != NoPoint)
-      {
-        visit(previous, links.Score(previous, direction));
-      }
-    }
-  }
-
   /// Takes the parts that growth runs along, those with most columns in common first. Gives whether there was any.
   bool TakeGrownParts()
   {
-    const std::vector<PointId>& grown = this->Grown;
     std::map<PointId, Votes> votes;
-    for (std::size_t column = 0; column < grown.size(); ++column)
+    for (std::size_t column = 0; column < this->Grown.size(); ++column)
     {
-      for (PointId pick = this->Picks.Begin(column); grown[column] != NoPoint && pick < this->Picks.End(column); ++pick)
+      const PointId grown = this->Grown[column];
+      for (PointId pick = this->Picks.Begin(column); grown != NoPoint && pick < this->Picks.End(column); ++pick)
       {
         if (const PointId part = this->PartOf(pick); part != NoPoint)
         {
-          votes[part].Hits += pick == grown[column] ? 1 : 0;
-          votes[part].Misses += pick != grown[column] ? 1 : 0;
+          ++(pick == grown ? votes[part].Hits : votes[part].Misses);
         }
       }
     }

@@ -117,20 +117,20 @@ private:
   LinkOptions Link;
 };
 
+// ---- Which surfaces come out ---------------------------------------------------------------------------------------
+
 // Surfaces of fewer picks are left out where no number is given: a part of the traces, as lines have few, from a least
 // one to what is enough of any cube.
 constexpr std::int64_t TracesPerSmallest = 20;
 constexpr std::int64_t LeastSize = 10;
 constexpr std::int64_t LargestLeastSize = 100;
 
-// ---- Which surfaces come out ---------------------------------------------------------------------------------------
-
 struct SurfaceSize
 {
   int Sign = 0;
   PointId Surface = NoPoint;
   PointId Columns = 0;
-  double Energy = 0.0;
+  double Strength = 0.0;
 };
 
 /// Appends the surfaces of at least that many columns, in the order of their first picks. A column with several picks
@@ -142,8 +142,8 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
   {
     PointId Columns = 0;
     std::int32_t LastColumn = -1;
-    double Energy = 0.0;
-    double LastEnergy = 0.0; // of the last column
+    double Strength = 0.0;
+    double LastStrength = 0.0; // of the last column
   };
   std::vector<Extent> extents(surfaces.size());
   picks.ForEach(
@@ -156,17 +156,18 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
       Extent& extent = extents[surfaces[pick]];
       const double strength = StrengthOf(picks.CoarseStrengthOf(pick));
       const bool isNew = extent.LastColumn != column;
-      const double more = isNew ? strength * strength : std::max(0.0, strength * strength - extent.LastEnergy);
+      const double cube = strength * strength * strength;
+      const double more = isNew ? cube : std::max(0.0, cube - extent.LastStrength);
       extent.Columns += isNew ? 1 : 0;
-      extent.Energy += more;
-      extent.LastEnergy = isNew ? more : extent.LastEnergy + more;
+      extent.Strength += more;
+      extent.LastStrength = isNew ? more : extent.LastStrength + more;
       extent.LastColumn = column;
     });
   for (const PointId surface : surfaces)
   {
     if (surface != NoPoint && extents[surface].Columns >= smallestSize)
     {
-      sizes.push_back({ sign, surface, extents[surface].Columns, extents[surface].Energy });
+      sizes.push_back({ sign, surface, extents[surface].Columns, extents[surface].Strength });
       extents[surface].Columns = 0; // it is listed
     }
   }
@@ -177,7 +178,7 @@ void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes
 {
   std::stable_sort(sizes.begin(), sizes.end(),
     [&](const SurfaceSize& a, const SurfaceSize& b)
-    { return options.Order == SurfaceOrder::Energy ? a.Energy > b.Energy : a.Columns > b.Columns; });
+    { return options.Order == SurfaceOrder::Strength ? a.Strength > b.Strength : a.Columns > b.Columns; });
   sizes.resize(std::min(options.LargestNumber, std::int64_t(sizes.size())));
 }
 
@@ -377,9 +378,11 @@ struct Taken
 class Writer
 {
 public:
-  Writer(const TraceCube& cube, const CubeReflections& reflections, const std::array<RawVector<PointId>, 2>& positions)
+  Writer(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
+    const std::array<RawVector<PointId>, 2>& positions)
     : Cube(cube)
     , Reflections(reflections)
+    , Limits(limits)
     , Positions(positions)
   {
   }
@@ -421,9 +424,10 @@ private:
       [&](int i, const float* trace)
       {
         found.clear();
-        FindReflections(trace, this->Cube.Size[2], this->Reflections.Rules, found);
         const std::array<ReflectionPicks, 2>& picks = this->Reflections.BySign;
         const std::int64_t column = picks[0].ColumnAt(i, j);
+        FindReflections(trace, this->Cube.Size[2], this->Reflections.Rules, found);
+        LeaveOutBeyond(this->Limits, column, 0, found);
         std::array<PointId, 2> next = { picks[0].Begin(column), picks[1].Begin(column) };
         for (const Reflection& reflection : found)
         {
@@ -462,6 +466,7 @@ private:
 
   const TraceCube& Cube;
   const CubeReflections& Reflections;
+  const TraceLimits& Limits;
   const std::array<RawVector<PointId>, 2>& Positions;
 };
 }
@@ -482,8 +487,8 @@ void CheckOptions(const ExtractionOptions& options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Extraction ExtractReflections(
-  const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor, const std::vector<Guide>& guides)
+Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor,
+  const std::vector<Guide>& guides, const TraceLimits& limits)
 {
   CheckOptions(options);
   if (!guides.empty() && options.Joining == SurfaceJoining::Components)
@@ -497,7 +502,7 @@ Extraction ExtractReflections(
   {
     reflectionOptions.AmplitudePercentile = 0.0; // an interpreter sees where a weak reflection goes on
   }
-  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3));
+  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3), limits);
   Extraction result;
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
@@ -542,7 +547,7 @@ Extraction ExtractReflections(
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  Writer(cube, reflections, surfaces).Write(result.Surfaces, monitor.Step(0.9, 1.0));
+  Writer(cube, reflections, limits, surfaces).Write(result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   return result;
 }

@@ -31,7 +31,7 @@ enum class SurfaceJoining
 /// Which surfaces come first.
 enum class SurfaceOrder
 {
-  Energy, // those of the largest sum of squared strengths
+  Strength, // those of the largest sum of cubed strengths: by squares, more side lobes are among the first
   Size // those of most columns
 };
 
@@ -50,7 +50,7 @@ struct ExtractionOptions
   double SmallestContact = 0.5;
   std::int64_t SmallestSize = 0; // of a surface, in picks: at least 0; 0: a twentieth of the traces, 10 to 100
   std::int64_t LargestNumber = 100; // of surfaces, at least 1: the first ones
-  SurfaceOrder Order = SurfaceOrder::Energy;
+  SurfaceOrder Order = SurfaceOrder::Strength;
   GuidanceOptions Guidance;
 };
 
@@ -88,13 +88,12 @@ struct Extraction
 /// Throws InputError when an option is out of range, those of the reflections included.
 void CheckOptions(const ExtractionOptions& options);
 
-/// With guides, reflections of all percentiles count. Gives the same on any number of threads, and in any order of the
-/// picks of a guide. Throws InputError on options out
-/// of range, when FindReflections does, and on guides without picks, with some outside of the cube, with none near a
-/// reflection, or with two of them that contradict each other in a column. Takes about 30 bytes per pick beside the
-/// result, and 90 with guides.
+/// With guides, reflections of all percentiles count; with limits, those within these. Gives the same on any number of threads, and in any order of the
+/// picks of a guide. Throws InputError on options out of range, when FindReflections does, and on guides without picks,
+/// with some outside of the cube, with none near a reflection, or with two of them that contradict each other in a
+/// column. Takes about 30 bytes per pick beside the result, and 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
-  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {});
+  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
 }
 
 #endif

@@ -39,6 +39,8 @@ struct Run
   int End = 0;
   float Sign = 1.0F;
   float Mean = 0.0F;
+
+  int Size() const { return this->End - this->First; }
 };
 
 class TraceScan
@@ -87,25 +89,59 @@ private:
     const auto unwanted = sign > 0.0F ? ReflectionPolarity::Negative : ReflectionPolarity::Positive;
     if (this->Rules.Polarity != unwanted)
     {
-      run.Mean = float(sum / (run.End - run.First));
-      this->Rules.Position == ReflectionPosition::Middle ? this->AddMiddle(run) : this->AddPeaks(run);
+      run.Mean = float(sum / run.Size());
+      switch (this->Rules.Position)
+      {
+        case ReflectionPosition::Middle:
+          this->AddMiddle(run);
+          break;
+        case ReflectionPosition::Peak:
+          this->AddPeaks(run);
+          break;
+        default:
+          this->AddCrossing(run);
+      }
     }
+    this->Before = run;
     return run.End;
   }
 
   void Add(const Run& run, Depth place, float strength)
   {
-    this->Found.push_back({ place, run.End - run.First, run.Mean, strength });
+    this->Found.push_back({ place, run.Size(), run.Mean, strength });
+  }
+
+  float LargestOf(const Run& run) const
+  {
+    float largest = 0.0F;
+    for (int sample = run.First; sample < run.End; ++sample)
+    {
+      largest = std::max(largest, run.Sign * this->Trace[sample]);
+    }
+    return largest;
   }
 
   void AddMiddle(const Run& run)
   {
-    float strength = 0.0F;
-    for (int sample = run.First; sample < run.End; ++sample)
+    this->Add(run, (run.First + run.End - 1) * (DepthsPerSample / 2), this->LargestOf(run));
+  }
+
+  /// Where the run before it, of the other sign, becomes this one.
+  void AddCrossing(const Run& run)
+  {
+    const int last = this->Before.End - 1; // sample of the run before
+    const int between = run.First - this->Before.End;
+    const bool isBeside = between == 0 || (between == 1 && this->Trace[this->Before.End] == 0.0F);
+    if (this->Before.Size() == 0 || this->Before.Sign == run.Sign || !isBeside)
     {
-      strength = std::max(strength, run.Sign * this->Trace[sample]);
+      return;
     }
-    this->Add(run, (run.First + run.End - 1) * (DepthsPerSample / 2), strength);
+    const double above = std::abs(double(this->Trace[last]));
+    const double below = std::abs(double(this->Trace[run.First]));
+    const double offset = between == 1 ? 1.0 : above / (above + below);
+    const Depth place = last * DepthsPerSample + Depth(std::floor(offset * DepthsPerSample + 0.5));
+    const float strength = 0.5F * this->LargestOf(this->Before) + 0.5F * this->LargestOf(run);
+    this->Found.push_back({ place, (this->Before.Size() + run.Size() + 1) / 2, run.Sign * strength, strength });
   }
 
   /// A pick for each sample, or row of equal ones, that is larger than those before and behind it in the run.
@@ -155,6 +191,7 @@ private:
   const int Samples;
   const ReflectionRules& Rules;
   const float Least;
+  Run Before; // the last run so far
   std::vector<Reflection>& Found;
 };
 
@@ -309,9 +346,10 @@ double FindPeriod(const std::vector<double>& energies)
 class Finder
 {
 public:
-  Finder(const TraceCube& cube, const ReflectionOptions& options)
+  Finder(const TraceCube& cube, const ReflectionOptions& options, const TraceLimits& limits)
     : Cube(cube)
     , Options(options)
+    , Limits(limits)
     , Rows(cube.Size[1])
   {
   }
@@ -441,10 +479,12 @@ private:
         row.Ends.reserve(this->Cube.Size[0]);
         std::vector<Reflection> reflections;
         ForEachTrace(this->Cube, j, block,
-          [&](int, const float* trace)
+          [&](int i, const float* trace)
           {
+            const std::size_t first = reflections.size();
             row.Samples += std::count_if(trace, trace + samples, [](float value) { return value == value; });
             FindReflections(trace, samples, rules, reflections);
+            LeaveOutBeyond(this->Limits, i + std::int64_t(this->Cube.Size[0]) * j, first, reflections);
             row.Ends.push_back(std::int32_t(reflections.size()));
           });
         row.All.resize(reflections.size());
@@ -517,6 +557,7 @@ private:
 
   const TraceCube& Cube;
   const ReflectionOptions Options;
+  const TraceLimits& Limits;
   std::vector<RowReflections> Rows;
 };
 }
@@ -528,6 +569,15 @@ void FindReflections(const float* trace, int samples, const ReflectionRules& rul
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void LeaveOutBeyond(
+  const TraceLimits& limits, std::int64_t column, std::size_t first, std::vector<Reflection>& reflections)
+{
+  reflections.erase(std::remove_if(reflections.begin() + std::ptrdiff_t(first), reflections.end(),
+                      [&](const Reflection& one) { return !limits.Contain(column, one.Place); }),
+    reflections.end());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void CheckOptions(const ReflectionOptions& options)
 {
   CheckAtLeast("AmplitudeThreshold", options.AmplitudeThreshold, 0.0, "");
@@ -535,10 +585,11 @@ void CheckOptions(const ReflectionOptions& options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-CubeReflections FindReflections(const TraceCube& cube, const ReflectionOptions& options, const Monitor& monitor)
+CubeReflections FindReflections(
+  const TraceCube& cube, const ReflectionOptions& options, const Monitor& monitor, const TraceLimits& limits)
 {
   CheckOptions(options);
   CheckSize(cube.Size);
-  return Finder(cube, options).Find(monitor);
+  return Finder(cube, options, limits).Find(monitor);
 }
 }

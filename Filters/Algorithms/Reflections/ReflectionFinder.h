@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The strong reflections of a seismic cube (thesis, 2.2.1). A reflection is a run of samples of one sign on a trace;
-// its pick is the one place on it that stands for it.
+// its pick is the one place on it that stands for it. Or it is where one run ends and one of the other sign begins: a
+// zero crossing, positive where amplitudes become so.
 
 #ifndef SeismicHorizonsReflectionFinder_h
 #define SeismicHorizonsReflectionFinder_h
@@ -53,15 +54,17 @@ enum class ReflectionPolarity
 enum class ReflectionPosition
 {
   Middle, // of its samples at or above the threshold, as in the thesis
-  Peak // at each local maximum of the absolute amplitude, to parts of a sample
+  Peak, // at each local maximum of the absolute amplitude, to parts of a sample
+  ZeroCrossing // between a run and the next one, of the other sign, on the line through their samples
 };
 
 struct Reflection
 {
   Depth Place = 0;
-  std::int32_t Thickness = 0; // of the run, in samples
-  float Amplitude = 0.0F; // the mean over the run
-  float Strength = 0.0F; // the absolute amplitude at the peak; in the middle, the largest one of the run
+  std::int32_t Thickness = 0; // of the run, in samples; the mean of both beside a zero crossing
+  float Amplitude = 0.0F; // the mean over the run; half the difference of both peaks beside a zero crossing
+  /// The absolute amplitude at the peak; in the middle, the largest one of the run; at a zero crossing, that above.
+  float Strength = 0.0F;
 };
 
 /// How the reflections of a trace are found.
@@ -75,8 +78,28 @@ struct ReflectionRules
 
 /// Appends the reflections of a trace, downwards. Samples that are 0, missing (nan) or below the threshold end a run. A
 /// peak of several equal samples is in their middle; one at an end of the trace, or beside a missing sample, is at its
-/// sample; any other at the vertex of the parabola through its sample and the two beside it.
+/// sample; any other at the vertex of the parabola through its sample and the two beside it. Runs with more than one
+/// sample of 0 between them do not cross zero.
 void FindReflections(const float* trace, int samples, const ReflectionRules& rules, std::vector<Reflection>& found);
+
+/// Between which places on each trace reflections count.
+struct TraceLimits
+{
+  bool AreNone() const { return this->First.empty(); }
+  /// Whether a place on a trace does: never where a limit is nan.
+  bool Contain(std::int64_t column, Depth place) const
+  {
+    return this->AreNone() || (this->First[column] <= InSamples(place) && InSamples(place) <= this->Last[column]);
+  }
+
+  /// In samples, column by column, i fastest; none for whole traces.
+  std::vector<double> First;
+  std::vector<double> Last;
+};
+
+/// Leaves out those of the reflections from a number on, all of one trace, that are beyond its limits.
+void LeaveOutBeyond(
+  const TraceLimits& limits, std::int64_t column, std::size_t first, std::vector<Reflection>& reflections);
 
 /// A strength, which has no sign, by the upper half of its bits: they sort as strengths do, and tell them apart by less
 /// than a hundredth.
@@ -213,8 +236,8 @@ struct CubeReflections
 /// Rows are worked on by all threads. Throws InputError on options out of range, on a cube with a side below 1 or of
 /// too many columns, samples or picks, and on one without a sample that is not missing. Takes 6 bytes per pick,
 /// and 12 more per reflection, weak ones included, until they are told apart.
-CubeReflections FindReflections(
-  const TraceCube& cube, const ReflectionOptions& options = ReflectionOptions(), const Monitor& monitor = Monitor());
+CubeReflections FindReflections(const TraceCube& cube, const ReflectionOptions& options = ReflectionOptions(),
+  const Monitor& monitor = Monitor(), const TraceLimits& limits = TraceLimits());
 }
 
 #endif

@@ -60,6 +60,24 @@ public:
   PointId Next(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction)]; }
   PointId Previous(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction) + 1]; }
 
+  /// Calls visit(other, owner, direction) for the links of a pick, which lead to another from their owner on, along the
+  /// step: the pick itself, or the other.
+  template <typename Visit>
+  void ForEachOf(PointId pick, Visit&& visit) const
+  {
+    for (int direction = 0; direction < this->Directions(); ++direction)
+    {
+      if (const PointId next = this->Next(pick, direction); next != NoPoint)
+      {
+        visit(next, pick, direction);
+      }
+      if (const PointId previous = this->Previous(pick, direction); previous != NoPoint)
+      {
+        visit(previous, previous, direction);
+      }
+    }
+  }
+
   /// Calls visit(pick, direction) for all links, in the order of their numbers.
   template <typename Visit>
   void ForEach(Visit&& visit) const

@@ -45,20 +45,22 @@ public:
     MeshRefiner(this->Mesh, 0, DecimationPriority::LargestError).InsertMarked(marks);
     for (std::size_t point = 0; point < marks.size(); ++point)
     {
-      CHECK(this->Mesh.IsVertex(PointId(point)) == (marks[point] != 0 || this->Mesh.IsOnLoop(PointId(point))));
+      const VertexId vertex = this->VertexOf(PointId(point));
+      CHECK((vertex >= 0) == this->Mesh.IsVertex(PointId(point)));
+      CHECK((vertex >= 0) == (marks[point] != 0 || (vertex >= 0 && this->Mesh.IsOnLoop(vertex))));
     }
   }
 
   /// Keeps as many random lines as asked for, and checks each answer.
   void KeepLines(int lines)
   {
-    KeptSides sides(this->Mesh.Triangles(), this->Columns.size());
+    KeptSides sides(this->Mesh.Triangles(), std::size_t(this->Mesh.EndOfVertices()));
     for (int line = 0; line < lines; ++line)
     {
       const PointId from = this->RandomVertex();
       const PointId to = this->RandomVertex();
       const bool isCrossed = this->IsCrossed(from, to);
-      if (from != to && CHECK(sides.Keep(from, to) == !isCrossed) && !isCrossed)
+      if (from != to && CHECK(sides.Keep(this->VertexOf(from), this->VertexOf(to)) == !isCrossed) && !isCrossed)
       {
         this->AddPieces(from, to);
         this->NumberOfKept += 1;
@@ -80,6 +82,7 @@ public:
       mark = this->Random() % 20 == 0 ? 1 : 0;
     }
     MeshRefiner(this->Mesh, 0, DecimationPriority::LargestError).InsertMarked(marks);
+    this->Mesh.SortByPlace(); // other numbers
     std::vector<Line> before;
     before.swap(this->Kept);
     for (const Line& line : before)
@@ -101,7 +104,7 @@ public:
       area += std::int64_t(MeshChecker::Turn(at(0), at(1), at(2)));
       for (int side = 0; side < 3; ++side)
       {
-        sides.insert(std::minmax(mesh.Corner(triangle, side), mesh.Corner(triangle, NextCorner(side))));
+        sides.insert(std::minmax(this->PointAt(triangle, side), this->PointAt(triangle, NextCorner(side))));
         const bool isInner = mesh.Neighbour(triangle, side) != NoTriangle;
         if (isDelaunay && isInner && !this->IsKeptLine(triangle, side))
         {
@@ -114,7 +117,7 @@ public:
     for (const Line& line : this->Kept)
     {
       CHECK(sides.count(std::minmax(line.first, line.second)) > 0);
-      CHECK(mesh.IsKept(line.first, line.second));
+      CHECK(mesh.IsKept(this->VertexOf(line.first), this->VertexOf(line.second)));
     }
   }
 
@@ -131,24 +134,26 @@ private:
   PointId RandomVertex()
   {
     PointId point = PointId(this->Random() % this->Columns.size());
-    while (!this->Mesh.IsVertex(point) || !this->IsCorner(point))
+    while (!this->Mesh.IsVertex(point))
     {
       point = PointId(this->Random() % this->Columns.size());
     }
     return point;
   }
 
-  bool IsCorner(PointId point) const
+  VertexId VertexOf(PointId point) const
   {
-    const PlaneMesh& mesh = this->Mesh.Triangles();
-    for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
+    VertexId vertex = this->Mesh.EndOfVertices() - 1;
+    while (vertex >= 0 && this->Mesh.SourceOf(vertex) != point)
     {
-      if (mesh.HasCorner(triangle, point))
-      {
-        return true;
-      }
+      --vertex;
     }
-    return false;
+    return vertex;
+  }
+
+  PointId PointAt(TriangleId triangle, int corner) const
+  {
+    return this->Mesh.SourceOf(this->Mesh.Triangles().Corner(triangle, corner));
   }
 
   bool IsCrossed(PointId from, PointId to) const
@@ -190,8 +195,7 @@ private:
 
   bool IsKeptLine(TriangleId triangle, int side) const
   {
-    const Line line = std::minmax(
-      this->Mesh.Triangles().Corner(triangle, side), this->Mesh.Triangles().Corner(triangle, NextCorner(side)));
+    const Line line = std::minmax(this->PointAt(triangle, side), this->PointAt(triangle, NextCorner(side)));
     return std::any_of(this->Kept.begin(), this->Kept.end(),
       [&](const Line& kept) { return Line(std::minmax(kept.first, kept.second)) == line; });
   }

@@ -28,8 +28,8 @@ void TestFarVertices()
   MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
   refiner.InsertWhereFar(bound, Monitor());
   InnerHeights heights = mesh.Heights();
-  CHECK(heights.Points.size() > 20);
-  for (std::size_t n = 0; n < heights.Points.size(); n += 3)
+  CHECK(heights.Vertices.size() > 20);
+  for (std::size_t n = 0; n < heights.Vertices.size(); n += 3)
   {
     heights.Heights[n] += n % 2 == 0 ? 3.0 * bound : -20.0 * bound;
   }

@@ -97,6 +97,25 @@ void TestMiddle()
   CHECK_EQUAL(Picks({ 1, 1 }, Middle(2)), "");
 }
 
+void TestCrossings()
+{
+  const auto picks = [](const std::vector<float>& trace, ReflectionPolarity polarity = ReflectionPolarity::Both)
+  { return Picks(trace, { polarity, ReflectionPosition::ZeroCrossing, 0 }); };
+  CHECK_EQUAL(picks({ 1, 2, -2, -1 }), "1.5 2 -2 2; ");
+  CHECK_EQUAL(picks({ -1, -3, 1, 0 }), "1.75 2 2 2; ");
+  CHECK_EQUAL(picks({ 1, -1, 1 }), "0.5 1 -1 1; 1.5 1 1 1; ");
+  CHECK_EQUAL(picks({ 1, -1, 1 }, ReflectionPolarity::Positive), "1.5 1 1 1; ");
+  CHECK_EQUAL(picks({ 1, -1, 1 }, ReflectionPolarity::Negative), "0.5 1 -1 1; ");
+  // One sample of 0 is the crossing; more of them are none, and neither is what is missing, or the end of a trace.
+  CHECK_EQUAL(picks({ 1, 0, -1 }), "1 1 -1 1; ");
+  CHECK_EQUAL(picks({ 1, 0, 0, -1 }), "");
+  CHECK_EQUAL(picks({ 1, 0, 1 }), "");
+  CHECK_EQUAL(picks({ 1, Missing, -1 }), "");
+  CHECK_EQUAL(picks({ 0, 1, 2 }), "");
+  // Next to nothing on one side, and as much as there is.
+  CHECK_EQUAL(picks({ std::numeric_limits<float>::denorm_min(), -std::numeric_limits<float>::max() }).substr(0, 2), "0 ");
+}
+
 void TestPolarity()
 {
   const std::vector<float> trace = { 1, -2, 3 };
@@ -125,6 +144,7 @@ int TestReflectionRuns(int, char*[])
   TestPlateaus();
   TestMissing();
   TestMiddle();
+  TestCrossings();
   TestPolarity();
   TestExtremes();
   return Check::Result();

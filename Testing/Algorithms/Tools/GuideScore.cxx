@@ -138,19 +138,15 @@ private:
   const double Period;
 };
 
-/// Adds the picks of a surface, and gives how many of them are on the reflector.
-std::int64_t AddPicks(const Truth& truth, int reflector, const LatticeHorizon& surface, GuideScore& score)
+void AddPicks(const Truth& truth, int reflector, const LatticeHorizon& surface, GuideScore& score)
 {
-  std::int64_t found = 0;
   for (std::size_t n = 0; n < surface.Column.size(); ++n)
   {
     const double distance = std::abs(surface.RealZ[n] - truth.Place(reflector, truth.ColumnOf(surface.Column[n])));
     score.AbsentPicks += std::isnan(distance) ? 1 : 0;
     score.PresentPicks += std::isnan(distance) ? 0 : 1;
     score.OffPicks += distance > truth.HalfPeriod() ? 1 : 0;
-    found += distance <= truth.Quarter() ? 1 : 0;
   }
-  return found;
 }
 
 void AddReflector(std::int64_t found, std::int64_t places, GuideScore& score)
@@ -286,14 +282,28 @@ GuideScore ScoreUnguided(const CubeGenerator& cube, const std::vector<LatticeHor
 int CountMain(const CubeGenerator& cube, const std::vector<LatticeHorizon>& surfaces, std::size_t first)
 {
   const Truth truth(cube);
+  const int reflectors = cube.Truth().Size();
   int count = 0;
   for (std::size_t n = 0; n < std::min(first, surfaces.size()); ++n)
   {
-    bool isMain = false;
-    for (int reflector = 0; reflector < cube.Truth().Size() && !isMain; ++reflector)
+    const LatticeHorizon& surface = surfaces[n];
+    const auto isOn = [&](int interface) // a reflector, or behind these the floor of a channel
     {
-      GuideScore unused;
-      isMain = 2 * AddPicks(truth, reflector, surfaces[n], unused) > std::int64_t(surfaces[n].Column.size());
+      std::size_t picks = 0;
+      for (std::size_t pick = 0; pick < surface.Column.size(); ++pick)
+      {
+        const PlanePoint& column = surface.Column[pick];
+        const double place = interface < reflectors
+          ? truth.Place(interface, truth.ColumnOf(column))
+          : cube.Truth().ChannelPlace(interface - reflectors, column.X, column.Y);
+        picks += std::abs(surface.RealZ[pick] - place) <= truth.Quarter() ? 1 : 0;
+      }
+      return 2 * picks > surface.Column.size();
+    };
+    bool isMain = false;
+    for (int interface = 0; interface < reflectors + cube.Options().Channels && !isMain; ++interface)
+    {
+      isMain = isOn(interface);
     }
     count += isMain ? 1 : 0;
   }

@@ -51,7 +51,7 @@ GuideScore ScoreGuided(const CubeGenerator& cube, const std::vector<LatticeHoriz
 /// Of surfaces without guides: each part is given the surface that finds most of it.
 GuideScore ScoreUnguided(const CubeGenerator& cube, const std::vector<LatticeHorizon>& surfaces);
 
-/// How many of the first surfaces lie on a reflector, by more than half of their picks.
+/// How many of the first surfaces lie on a reflector, or on the floor of a channel, by more than half of their picks.
 int CountMain(const CubeGenerator& cube, const std::vector<LatticeHorizon>& surfaces, std::size_t first);
 }
 

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CommonColumns.h"
+
+#include "Common/ColumnIndex.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+bool IsBefore(const PlanePoint& a, const PlanePoint& b)
+{
+  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
+}
+
+/// The points of a horizon row by row.
+std::vector<PointId> SortByRows(PlanePoints columns)
+{
+  std::vector<PointId> points(columns.size());
+  std::iota(points.begin(), points.end(), 0);
+  const auto isBefore = [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); };
+  if (!std::is_sorted(columns.begin(), columns.end(), IsBefore))
+  {
+    std::sort(points.begin(), points.end(), isBefore);
+  }
+  const auto same =
+    std::adjacent_find(points.begin(), points.end(), [&](PointId a, PointId b) { return columns[a] == columns[b]; });
+  if (same != points.end())
+  {
+    throw SameColumnError(std::min(*same, same[1]), std::max(*same, same[1]), columns[*same]);
+  }
+  return points;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
+{
+  CommonColumns common;
+  for (const HorizonView& horizon : horizons)
+  {
+    std::vector<PointId> points = SortByRows(horizon.Columns);
+    if (common.Points.empty())
+    {
+      common.Points.push_back(std::move(points));
+      continue;
+    }
+    const PlanePoints first = horizons.front().Columns;
+    std::vector<std::vector<PointId>> both(common.Points.size() + 1);
+    auto next = points.begin();
+    for (std::size_t n = 0; n < common.Points.front().size(); ++n)
+    {
+      const PlanePoint& column = first[common.Points.front()[n]];
+      next = std::find_if(next, points.end(), [&](PointId point) { return !IsBefore(horizon.Columns[point], column); });
+      if (next != points.end() && horizon.Columns[*next] == column)
+      {
+        for (std::size_t other = 0; other < common.Points.size(); ++other)
+        {
+          both[other].push_back(common.Points[other][n]);
+        }
+        both.back().push_back(*next);
+      }
+    }
+    common.Points = std::move(both);
+  }
+  if (!horizons.empty())
+  {
+    std::transform(common.Points.front().begin(), common.Points.front().end(), std::back_inserter(common.Columns),
+      [&](PointId point) { return horizons.front().Columns[point]; });
+  }
+  return common;
+}
+}

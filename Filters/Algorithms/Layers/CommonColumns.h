@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where all horizons of a stack are.
+
+#ifndef SeismicHorizonsCommonColumns_h
+#define SeismicHorizonsCommonColumns_h
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A horizon whose points others own: the column of each, no two the same, and its height.
+struct HorizonView
+{
+  PlanePoints Columns;
+  const double* Heights = nullptr;
+};
+
+/// Columns that several horizons have, row by row from the least y, in each of them by x.
+struct CommonColumns
+{
+  std::vector<PlanePoint> Columns;
+  std::vector<std::vector<PointId>> Points; // for each horizon its points there
+};
+
+/// Throws InputError when two points of a horizon stand in one column.
+CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons);
+}
+
+#endif

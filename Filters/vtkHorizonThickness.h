@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonThickness
+ * @brief   measures the thickness of the layer between two horizons, column by column
+ *
+ * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1: the other
+ * horizon, whose points stand on columns of the lattice of the first one; a window of the survey, or every second line,
+ * is enough. Without it, the other one of two horizons at input 0 is meant. Output: the points of input 0 in columns where the other horizon has one, with a vertex cell each, all
+ * arrays but PatchId and Boundary of an outline before, and the point arrays
+ *  - Isochore (double): the vertical thickness, in the unit of z; negative where the horizons cross
+ *  - Isopach (double): the true thickness, at a right angle to the surface half-way between the horizons: the isochore
+ *    times the cosine of its dip; nan where the dip is not known. Left out where VerticalDomain is time, or the units of
+ *    z and of x and y differ.
+ * Field data (double): IsochoreLeast, IsochoreMean, IsochoreLargest, IsochoreVolume (with Isopach only): the sum over
+ * columns, each with the area of a whole bin, crossings as 0; and IsochoreCrossings (vtkIdType), columns where they
+ * cross. Which horizon is the upper one does not matter: crossings are where the order is not that of most columns.
+ *
+ * A warning where more than one column in twenty is a crossing. Errors: another number of other horizons than one, a
+ * point of it between columns, two in one column, no common column.
+ *
+ * @sa vtkHorizonSurface, whose mesh carries both arrays
+ */
+
+#ifndef vtkHorizonThickness_h
+#define vtkHorizonThickness_h
+
+#include "vtkHorizonAlgorithm.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonThickness : public vtkHorizonAlgorithm
+{
+public:
+  static vtkHorizonThickness* New();
+  vtkTypeMacro(vtkHorizonThickness, vtkHorizonAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The other horizon, above or below; optional where the input has two. Range: points. Default: none.
+   *
+   * Input 1.
+   */
+  void SetOtherConnection(vtkAlgorithmOutput* other) { this->SetInputConnection(1, other); }
+  void RemoveOther() { this->SetInputConnection(1, nullptr); }
+  ///@}
+
+  /// How many columns of the last update have points of both horizons.
+  vtkGetMacro(NumberOfColumns, vtkIdType);
+
+protected:
+  vtkHorizonThickness();
+  ~vtkHorizonThickness() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+
+private:
+  vtkHorizonThickness(const vtkHorizonThickness&) = delete;
+  void operator=(const vtkHorizonThickness&) = delete;
+
+  vtkIdType NumberOfColumns = 0;
+};
+
+#endif

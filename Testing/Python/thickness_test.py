@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Thickness between horizons of a file, beside sums that are made here from coordinates. Argument: the folder Data."""
+
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+import seismichorizons as sh
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
+
+
+def moved(horizon, shift, rows=slice(None)):
+    """Some points of a horizon elsewhere."""
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    for place in (vtk_to_numpy(horizon.GetPoints().GetData()) + shift)[rows]:
+        data.GetPoints().InsertNextPoint(place)
+    return data
+
+
+class ThicknessTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.horizons = list(sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 6.0)).values())
+
+    def check(self, first, other, has_neighbours=True):
+        found = sh.thickness(first, other)
+        known = {(round(x, 3), round(y, 3)): z for x, y, z in vtk_to_numpy(other.GetPoints().GetData())}
+        expected = [(z - known[round(x, 3), round(y, 3)]) for x, y, z in vtk_to_numpy(first.GetPoints().GetData())
+                    if (round(x, 3), round(y, 3)) in known]
+        self.assertGreater(len(expected), 1000)
+        isochore = vtk_to_numpy(found.GetPointData().GetArray("Isochore"))
+        np.testing.assert_allclose(isochore, np.abs(expected), atol=1e-9)  # these do not cross
+        fields = {name: found.GetFieldData().GetArray("Isochore" + name).GetTuple1(0)
+                  for name in ("Least", "Mean", "Largest", "Volume", "Crossings")}
+        np.testing.assert_allclose([fields["Least"], fields["Mean"], fields["Largest"], fields["Volume"]],
+                                   [isochore.min(), isochore.mean(), isochore.max(), 50.0 * isochore.sum()])
+        self.assertEqual(fields["Crossings"], 0.0)
+        isopach = vtk_to_numpy(found.GetPointData().GetArray("Isopach"))
+        self.assertTrue(np.all((isopach <= isochore + 1e-9) | np.isnan(isopach)))
+        self.assertEqual(np.mean(np.isfinite(isopach)) > 0.9, has_neighbours)
+
+    def test_sample(self):
+        """Either way, and beside parts of the other horizon."""
+        top, base = self.horizons[:2]
+        self.check(top, base)
+        self.check(base, top)
+        self.check(top, moved(base, (0.0, 0.0, 0.0), slice(0, None, 2)), False)
+        np.testing.assert_allclose(vtk_to_numpy(sh.thickness(top, moved(top, (0.0, 0.0, -7.5))).GetPointData().GetArray("Isochore")),
+                                   7.5)
+
+    def test_two_at_one_input(self):
+        reader = sh.vtkVerneySparseMatrixReader()
+        reader.SetFileName(SAMPLE)
+        reader.UpdateInformation()
+        reader.SetHorizonStatus("Horizon 3", 0)
+        filter = sh.vtkHorizonThickness()
+        filter.SetInputConnection(reader.GetOutputPort())
+        filter.Update()
+        self.assertEqual(filter.GetOutputDataObject(0).GetNumberOfPartitionedDataSets(), 2)
+        self.assertIn("mean thickness", filter.GetResults())
+        self.assertGreater(filter.GetNumberOfColumns(), 2000)
+
+    def test_time(self):
+        """Times have no true thickness and no volume."""
+        top, base = self.horizons[:2]
+        copy = vtkPolyData()
+        copy.ShallowCopy(top)
+        domain = vtkStringArray()
+        domain.SetName("VerticalDomain")
+        domain.InsertNextValue("time")
+        copy.GetFieldData().AddArray(domain)
+        found = sh.thickness(copy, base)
+        self.assertIsNotNone(found.GetPointData().GetArray("Isochore"))
+        self.assertIsNone(found.GetPointData().GetArray("Isopach"))
+        self.assertIsNone(found.GetFieldData().GetArray("IsochoreVolume"))
+
+    def test_errors(self):
+        top, base = self.horizons[:2]
+        for other, message in ((None, "0 other horizons with points, expected one: as the input Other"),
+                               (moved(base, (1.0, 0.5, 0.0)), "which is on no column of the first one, expected points on one lattice"),
+                               (moved(base, (3000.0, 4000.0, 0.0)), "no column with points of both horizons")):
+            with self.assertRaises(ValueError, msg=message) as caught:
+                sh.thickness(top) if other is None else sh.thickness(top, other)
+            self.assertIn(message, str(caught.exception))
+        with self.assertWarnsRegex(UserWarning, "the horizons cross in .* columns, expected few"):
+            mean = np.mean(vtk_to_numpy(top.GetPoints().GetData())[:, 2] - 0.0)
+            flat = moved(top, (0.0, 0.0, 0.0))
+            places = vtk_to_numpy(flat.GetPoints().GetData())
+            places[:, 2] = mean
+            sh.thickness(top, flat)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
