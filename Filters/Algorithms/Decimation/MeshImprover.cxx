@@ -362,6 +362,11 @@ private:
       for (int corner = 0; corner < 3; ++corner)
       {
         this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
+        if (mesh.IsKeptSide(triangle, corner)) // one of its ends may have cut it
+        {
+          this->Mesh.Fix(mesh.Corner(triangle, corner));
+          this->Mesh.Fix(mesh.Corner(triangle, NextCorner(corner)));
+        }
       }
     }
     for (const VertexId vertex : this->Mesh.Heights().Vertices)

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -215,9 +216,12 @@ private:
 class FittedOrder
 {
 public:
-  FittedOrder(
-    PlanePoints columns, const HeightStack& heights, const std::vector<unsigned char>& isOnLine, bool downwards)
+  /// Of so many horizons; what follows them in the stack are the heights of layers, each that of the horizon above less
+  /// that of the one below.
+  FittedOrder(PlanePoints columns, const HeightStack& heights, std::size_t horizons,
+    const std::vector<unsigned char>& isOnLine, bool downwards)
     : Heights(heights)
+    , Horizons(horizons)
     , Index(columns)
     , IsOnLine(isOnLine)
     , GrowDownwards(downwards)
@@ -226,20 +230,24 @@ public:
 
   void Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
   {
-    std::vector<double> heights(fitted.size());
-    std::vector<unsigned char> isOne(fitted.size(), 0);
+    std::vector<double> heights(this->Horizons);
+    std::vector<unsigned char> isOne(this->Horizons, 0);
     const std::vector<VertexId>& vertices = fitted.front().Vertices;
     for (std::size_t n = 0; n < vertices.size(); ++n)
     {
-      for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
+      for (std::size_t horizon = 0; horizon < this->Horizons; ++horizon)
       {
         heights[horizon] = fitted[horizon].Heights[n];
-        isOne[horizon] = horizon + 1 < fitted.size() && this->AreOne(horizon, mesh.SourceOf(vertices[n])) ? 1 : 0;
+        isOne[horizon] = horizon + 1 < this->Horizons && this->AreOne(horizon, mesh.SourceOf(vertices[n])) ? 1 : 0;
       }
       OrderColumn(heights, isOne, this->GrowDownwards);
-      for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
+      for (std::size_t horizon = 0; horizon < this->Horizons; ++horizon)
       {
         fitted[horizon].Heights[n] = heights[horizon];
+      }
+      for (std::size_t layer = 0; this->Horizons + layer < fitted.size(); ++layer)
+      {
+        fitted[this->Horizons + layer].Heights[n] = heights[layer] - heights[layer + 1];
       }
     }
   }
@@ -272,6 +280,7 @@ private:
   }
 
   const HeightStack& Heights;
+  const std::size_t Horizons;
   const ColumnIndex Index; // with an empty rim
   const std::vector<unsigned char>& IsOnLine;
   const bool GrowDownwards;
@@ -294,6 +303,7 @@ public:
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
     this->Result.LargestSideErrors.resize(this->Horizons.size());
+    this->Result.LargestThicknessErrors.resize(this->Options.BoundThickness ? this->Horizons.size() - 1 : 0);
     this->Result.ColumnsOutside = std::int64_t(this->Result.Stack.Columns.size());
     ExteriorBoundary boundary = this->FindBoundary(monitor.Step(0.1, 0.2));
     const KeptPoints kept = DropPointsWithoutPatch(boundary);
@@ -308,6 +318,7 @@ public:
     }
     this->IsOnLine.assign(this->Columns.size(), 0);
     const PinchOutLines lines = this->FindLines(boundary, monitor.Step(0.2, 0.25));
+    this->AddThickness();
     OutlineMaker outline(this->Columns, this->Heights, this->Options.MaximumError, this->Result.OutlineTolerance);
     HeightMesh mesh =
       this->MakeMesh(outline.Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3)), monitor.Step(0.3, 0.4));
@@ -332,6 +343,18 @@ private:
     options.SmallestHoleSize = this->Result.SmallestHoleSize;
     options.MinimumPatchSize = this->Options.MinimumPatchSize;
     return FindExteriorBoundary(columns, options, monitor);
+  }
+
+  /// The thickness of a layer is bound as one more horizon is.
+  void AddThickness()
+  {
+    for (std::size_t layer = 0; layer < this->Result.LargestThicknessErrors.size(); ++layer)
+    {
+      std::vector<double> thickness(this->Columns.size());
+      std::transform(this->Heights[layer].begin(), this->Heights[layer].end(), this->Heights[layer + 1].begin(),
+        thickness.begin(), std::minus<>());
+      this->Heights.push_back(std::move(thickness));
+    }
   }
 
   HeightMesh MakeMesh(Outline outline, const Monitor& monitor) const
@@ -404,7 +427,8 @@ private:
     options.MaximumError = this->Options.MaximumError;
     options.FitHeights = this->Options.FitHeights;
     options.SmallestAngle = this->Options.SmallestAngle;
-    const FittedOrder order(this->Columns, this->Heights, this->IsOnLine, this->Options.Crossings.HeightsGrowDownwards);
+    const FittedOrder order(this->Columns, this->Heights, this->Horizons.size(), this->IsOnLine,
+      this->Options.Crossings.HeightsGrowDownwards);
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };
     this->DropFarLines(mesh);
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
@@ -513,6 +537,14 @@ private:
     }
   }
 
+  /// Of a horizon, or of the thickness of a layer.
+  double& LargestErrorOf(std::size_t horizon)
+  {
+    const std::size_t horizons = this->Horizons.size();
+    return horizon < horizons ? this->Result.LargestErrors[horizon]
+                              : this->Result.LargestThicknessErrors[horizon - horizons];
+  }
+
   void MeasureErrors(const HeightMesh& mesh, const Monitor& monitor)
   {
     std::vector<double> ofColumns(std::size_t(mesh.Triangles().Size()));
@@ -541,8 +573,11 @@ private:
           }
           ofSides[std::size_t(triangle)] = ofInner;
         });
-      this->Result.LargestErrors[horizon] = largest(ofColumns);
-      this->Result.LargestSideErrors[horizon] = largest(ofSides);
+      this->LargestErrorOf(horizon) = largest(ofColumns);
+      if (horizon < this->Horizons.size())
+      {
+        this->Result.LargestSideErrors[horizon] = largest(ofSides);
+      }
     }
   }
 
@@ -583,7 +618,7 @@ private:
       {
         const double start = mesh.Height(horizon, from);
         const double height = start + (mesh.Height(horizon, to) - start) * step / steps;
-        double& largest = this->Result.LargestErrors[horizon];
+        double& largest = this->LargestErrorOf(horizon);
         largest = std::max(largest, std::abs(height - this->Heights[horizon][std::size_t(point)]));
       }
     }
@@ -605,7 +640,7 @@ private:
   const LayerOptions& Options;
   Layers Result;
   std::vector<PlanePoint> Columns; // that have a patch
-  HeightStack Heights; // there
+  HeightStack Heights; // there, of horizons, and then of layers whose thickness is bound
   std::vector<unsigned char> IsOnLine; // there: 1 at the ends of edges of pinch-out lines
 };
 }

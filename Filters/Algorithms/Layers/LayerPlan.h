@@ -50,6 +50,8 @@ struct LayerOptions
   bool FitHeights = true;
   DecimationEffort Effort = DecimationEffort::Best;
   double SmallestAngle = 10.0;
+  /// Whether the thickness of each layer is within the error as well; else its errors are up to twice that.
+  bool BoundThickness = false;
   /// Whether the plan has the lines around areas where a layer has no thickness (PinchOuts.h), of so many columns.
   bool PinchOutLines = true;
   std::int64_t SmallestPinch = 25;
@@ -94,6 +96,8 @@ struct Layers
   /// For each horizon the largest error at columns inside the plan, vertices included, and that of inner sides.
   std::vector<double> LargestErrors;
   std::vector<double> LargestSideErrors;
+  /// For each layer that of its thickness, where that is bound; else empty.
+  std::vector<double> LargestThicknessErrors;
   /// Columns of the domain that lie outside the plan: for which the outline was simplified, and those of patches that
   /// are too small or have no area.
   std::int64_t ColumnsOutside = 0;

@@ -235,6 +235,7 @@ protected:
       numbers[{ this->Result.Stack.Columns[n].X, this->Result.Stack.Columns[n].Y }] = n;
     }
     std::vector<double> largest(this->Horizons.size(), 0.0);
+    double thickness = 0.0;
     std::set<Column> covered;
     std::set<Column> inside;
     std::ostringstream text;
@@ -249,11 +250,15 @@ protected:
               text << "column in two triangles; ";
             }
             const auto found = numbers.find({ x, y });
+            double above = 0.0; // the error of the horizon above
             for (std::size_t n = 0; n < this->Horizons.size() && found != numbers.end(); ++n)
             {
               const std::vector<double>& h = this->Plan.Heights[n];
               const double height = w[0] * h[t[0]] + w[1] * h[t[1]] + w[2] * h[t[2]];
-              largest[n] = std::max(largest[n], std::abs(height - this->Result.Stack.Heights[n][found->second]));
+              const double error = height - this->Result.Stack.Heights[n][found->second];
+              largest[n] = std::max(largest[n], std::abs(error));
+              thickness = n > 0 ? std::max(thickness, std::abs(error - above)) : thickness;
+              above = error;
               covered.insert({ x, y });
             }
           });
@@ -265,6 +270,13 @@ protected:
         text << "horizon " << n << ": error " << largest[n] << ", said " << this->Result.LargestErrors[n] << ", bound "
              << this->Options.MaximumError << "; ";
       }
+    }
+    const std::vector<double>& said = this->Result.LargestThicknessErrors;
+    const double saidThickness = said.empty() ? thickness : *std::max_element(said.begin(), said.end());
+    if (thickness > (this->Options.BoundThickness ? 1.0 : 2.0) * this->Options.MaximumError + 1e-9 ||
+      std::abs(thickness - saidThickness) > 1e-9)
+    {
+      text << "error of the thickness " << thickness << ", said " << saidThickness;
     }
     if (std::int64_t(numbers.size() - covered.size()) != this->Result.ColumnsOutside)
     {

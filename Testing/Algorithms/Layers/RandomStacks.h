@@ -103,6 +103,7 @@ private:
     options.FitHeights = this->Whole(0, 2) > 0;
     options.Effort = this->Whole(0, 2) > 0 ? DecimationEffort::Best : DecimationEffort::Fast;
     options.SmallestAngle = this->Pick({ 0.0, 2.0, 10.0, 30.0 });
+    options.BoundThickness = this->Whole(0, 3) == 0;
     options.PinchOutLines = this->Whole(0, 2) > 0;
     options.SmallestPinch = this->Whole(0, 1) == 0 ? 1 : this->Whole(2, 25);
     options.Crossings.Policies.clear();
