@@ -19,6 +19,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LayerChecker
@@ -32,6 +33,7 @@ public:
   std::string Check()
   {
     std::string wrong = this->CheckPlan();
+    wrong = wrong.empty() ? this->CheckSides() : wrong;
     const LayerCells cells = MakeLayerCells(this->Plan);
     for (std::size_t layer = 0; layer + 1 < this->Horizons.size(); ++layer)
     {
@@ -78,6 +80,7 @@ public:
         this->Result.Stack.Heights[layer][n], this->Result.Stack.Heights[layer + 1][n]
       };
     }
+    const double largest = this->LargestErrorOf(layer) + this->LargestErrorOf(layer + 1);
     std::array<double, 3> sums = { 0.0, 0.0, 0.0 };
     std::set<Column> blocks;
     for (const auto& entry : heights)
@@ -106,7 +109,8 @@ public:
       {
         const double area = count == 4 ? 1.0 : 0.5;
         sums[0] += area * sum / count; // the mean of both ways to cut four
-        sums[1] += area * 2.0 * this->Options.MaximumError;
+        // Inside a block, a surface is between what it is along the lines around.
+        sums[1] += area * largest;
         sums[1] += count == 4 ? std::abs(twist[0]) + std::abs(twist[1]) : 0.0;
         sums[2] += area;
       }
@@ -115,6 +119,130 @@ public:
   }
 
 private:
+  using SideCounts = std::map<std::pair<std::size_t, std::size_t>, int>;
+
+  /// How many triangles each side has.
+  SideCounts CountSides() const
+  {
+    SideCounts sides;
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        for (std::size_t n = 0; n < 3; ++n)
+        {
+          ++sides[std::minmax(t[n], t[(n + 1) % 3])];
+        }
+      });
+    return sides;
+  }
+
+  /// Without those outside the plan, and those on its outline that are no vertices: the mesh does not know these.
+  ColumnNumbers NumberInnerColumns() const
+  {
+    const ColumnNumbers all = this->NumberColumns();
+    const SideCounts sides = this->CountSides();
+    ColumnNumbers inner;
+    std::set<Column> onOutline;
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        this->ForEachColumnOf(t,
+          [&](int x, int y, const std::array<double, 3>& w)
+          {
+            const auto found = all.find({ x, y });
+            if (found != all.end())
+            {
+              inner.insert(*found);
+            }
+            for (std::size_t n = 0; n < 3; ++n)
+            {
+              const auto side = std::minmax(t[(n + 1) % 3], t[(n + 2) % 3]);
+              if (w[n] == 0.0 && w[(n + 1) % 3] > 0.0 && w[(n + 2) % 3] > 0.0 && sides.at(side) == 1)
+              {
+                onOutline.insert({ x, y });
+              }
+            }
+          });
+      });
+    for (const Column& column : onOutline)
+    {
+      inner.erase(column);
+    }
+    return inner;
+  }
+
+  /// The largest error of inner sides where they cross the lines between two of some columns that are neighbours.
+  double LargestSideError(std::size_t horizon, const ColumnNumbers& numbers, const SideCounts& sides) const
+  {
+    double largest = 0.0;
+    for (const auto& [side, triangles] : sides)
+    {
+      largest =
+        triangles == 2 ? std::max(largest, this->SideError(horizon, side.first, side.second, numbers)) : largest;
+    }
+    return largest;
+  }
+
+  std::string CheckSides() const
+  {
+    const ColumnNumbers numbers = this->NumberInnerColumns();
+    const SideCounts sides = this->CountSides();
+    std::ostringstream text;
+    for (std::size_t horizon = 0; horizon < this->Horizons.size(); ++horizon)
+    {
+      const double largest = this->LargestSideError(horizon, numbers, sides);
+      if (std::abs(largest - this->Result.LargestSideErrors[horizon]) > 1e-9)
+      {
+        text << "error of sides " << largest << ", said " << this->Result.LargestSideErrors[horizon] << "; ";
+      }
+    }
+    return text.str();
+  }
+
+  double SideError(std::size_t horizon, std::size_t a, std::size_t b, const ColumnNumbers& numbers) const
+  {
+    double largest = 0.0;
+    const auto heightAt = [&](int x, int y)
+    {
+      const auto found = numbers.find({ x, y });
+      return found == numbers.end() ? std::nan("") : this->Result.Stack.Heights[horizon][found->second];
+    };
+    const double dx = this->At(b).X - this->At(a).X;
+    const double dy = this->At(b).Y - this->At(a).Y;
+    const auto add = [&](double part, double lineHeight)
+    {
+      const double height = (1.0 - part) * this->Plan.Heights[horizon][a] + part * this->Plan.Heights[horizon][b];
+      largest = std::isnan(lineHeight) ? largest : std::max(largest, std::abs(height - lineHeight));
+    };
+    for (int y = std::min(this->At(a).Y, this->At(b).Y) + 1; y < std::max(this->At(a).Y, this->At(b).Y); ++y)
+    {
+      const double part = (y - this->At(a).Y) / dy;
+      const double x = this->At(a).X + part * dx;
+      if (std::abs(x - std::round(x)) > 1e-9)
+      {
+        const int left = int(std::floor(x));
+        add(part, heightAt(left, y) + (x - left) * (heightAt(left + 1, y) - heightAt(left, y)));
+      }
+    }
+    for (int x = std::min(this->At(a).X, this->At(b).X) + 1; x < std::max(this->At(a).X, this->At(b).X); ++x)
+    {
+      const double part = (x - this->At(a).X) / dx;
+      const double y = this->At(a).Y + part * dy;
+      if (std::abs(y - std::round(y)) > 1e-9)
+      {
+        const int below = int(std::floor(y));
+        add(part, heightAt(x, below) + (y - below) * (heightAt(x, below + 1) - heightAt(x, below)));
+      }
+    }
+    return largest;
+  }
+
+  double LargestErrorOf(std::size_t horizon) const
+  {
+    return std::max(
+      this->Result.LargestErrors[horizon], this->LargestSideError(horizon, this->NumberColumns(), this->CountSides()));
+  }
+
   /// One cell over each triangle with a thickness, turned the right way, and as large as the layer is there.
   std::string CheckCells(const LayerCells& cells, std::size_t layer) const
   {

@@ -226,14 +226,23 @@ protected:
     return wrong;
   }
 
-  /// Of all columns in triangles, each counted in one that it is strictly inside of, once.
-  std::string CheckBound() const
+  using ColumnNumbers = std::map<Column, std::size_t>;
+
+  /// The columns of the stack.
+  ColumnNumbers NumberColumns() const
   {
-    std::map<Column, std::size_t> numbers;
+    ColumnNumbers numbers;
     for (std::size_t n = 0; n < this->Result.Stack.Columns.size(); ++n)
     {
       numbers[{ this->Result.Stack.Columns[n].X, this->Result.Stack.Columns[n].Y }] = n;
     }
+    return numbers;
+  }
+
+  /// Of all columns in triangles, each counted in one that it is strictly inside of, once.
+  std::string CheckBound() const
+  {
+    const ColumnNumbers numbers = this->NumberColumns();
     std::vector<double> largest(this->Horizons.size(), 0.0);
     double thickness = 0.0;
     std::set<Column> covered;
