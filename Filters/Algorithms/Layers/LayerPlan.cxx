@@ -11,6 +11,8 @@
 #include "Common/BoundedHorizon.h"
 #include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
+#include "Common/KeptPoints.h"
+#include "Common/MeshChecker.h"
 #include "Common/Parameters.h"
 #include "Common/SpacePoints.h"
 #include "Decimation/HeightFit.h"
@@ -311,11 +313,7 @@ public:
     {
       return std::move(this->Result);
     }
-    this->Columns = kept.Select(this->Result.Stack.Columns);
-    for (const std::vector<double>& heights : this->Result.Stack.Heights)
-    {
-      this->Heights.push_back(kept.Select(heights));
-    }
+    this->TakeKept(kept);
     this->IsOnLine.assign(this->Columns.size(), 0);
     const PinchOutLines lines = this->FindLines(boundary, monitor.Step(0.2, 0.25));
     this->AddThickness();
@@ -325,10 +323,37 @@ public:
     this->KeepLines(mesh, lines);
     this->Refine(mesh, monitor.Step(0.4, 0.9));
     this->Collect(mesh, monitor.Step(0.9, 1.0));
+    this->GiveBack(kept);
     return std::move(this->Result);
   }
 
 private:
+  /// The points that have a patch. Where all have one, these are lent from the result, as they take most of the memory.
+  void TakeKept(const KeptPoints& kept)
+  {
+    if (kept.AreAll())
+    {
+      this->Columns.swap(this->Result.Stack.Columns);
+      this->Heights.swap(this->Result.Stack.Heights);
+      return;
+    }
+    this->Columns = kept.Select(this->Result.Stack.Columns);
+    for (const std::vector<double>& heights : this->Result.Stack.Heights)
+    {
+      this->Heights.push_back(kept.Select(heights));
+    }
+  }
+
+  void GiveBack(const KeptPoints& kept)
+  {
+    if (kept.AreAll())
+    {
+      this->Heights.resize(this->Horizons.size());
+      this->Columns.swap(this->Result.Stack.Columns);
+      this->Heights.swap(this->Result.Stack.Heights);
+    }
+  }
+
   ExteriorBoundary FindBoundary(const Monitor& monitor)
   {
     const PlanePoints columns = this->Result.Stack.Columns;
@@ -517,8 +542,33 @@ private:
     plan.Triangles.reserve(3 * std::size_t(triangles.Size()));
     forEachCorner([&](std::size_t vertex) { plan.Triangles.push_back(numbers[vertex]); });
     this->OrderToTheLastDigit(mesh.Rounding());
+    if (MeshChecker::IsOn)
+    {
+      this->RequireMesh(mesh);
+    }
     this->MeasureErrors(mesh, monitor);
     this->CountOutside(mesh);
+  }
+
+  /// Of all vertices, those of loops without area as well.
+  void RequireMesh(const HeightMesh& mesh) const
+  {
+    std::vector<PlanePoint> places;
+    std::vector<PointId> numbers(this->Columns.size(), NoPoint); // by point
+    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
+    {
+      numbers[std::size_t(mesh.SourceOf(vertex))] = PointId(vertex);
+      places.push_back(mesh.Raised(vertex).Column);
+    }
+    RawVector<PointId> corners;
+    for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        corners.push_back(PointId(mesh.Triangles().Corner(triangle, corner)));
+      }
+    }
+    MeshChecker::Require("MakeLayers", places, mesh.Boundary().Renumbered(numbers), corners, MeshChecker::Kind::Any);
   }
 
   /// Heights that moved a part of their way may be out of order, and those of two horizons that were fitted to the same
