@@ -68,15 +68,22 @@ public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
   /// `columns` and `heights`, which are finite, are those of all its points. Takes 16 bytes per column of the bounding
   /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut; `cuts`, null
-  /// for none, must outlive it.
+  /// for none, must outlive it. Columns of points that are not marked as known, where that is given, have no point.
   template <typename ForEachPoint>
   HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const std::vector<double>& heights,
-    const LinkCuts* cuts = nullptr)
+    const LinkCuts* cuts = nullptr, const std::vector<unsigned char>* isKnown = nullptr)
     : Cuts(cuts)
   {
     forEachPoint([&](PointId point) { this->AddRange(columns[point], heights[point]); });
     this->MakeColumns();
-    forEachPoint([&](PointId point) { this->Add(point, columns[point], heights[point]); });
+    forEachPoint(
+      [&](PointId point)
+      {
+        if (!isKnown || (*isKnown)[point] != 0)
+        {
+          this->Add(point, columns[point], heights[point]);
+        }
+      });
   }
 
   /// Of a column with a point.

@@ -81,28 +81,44 @@ bool KeptSides::AnyAround(VertexId vertex, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// The same for all triangles at a vertex, which it has in several rows where the boundary touches itself. That is rare.
+template <typename Visitor>
+bool KeptSides::AnyBeside(VertexId vertex, Visitor&& visit) const
+{
+  for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+  {
+    const int corner = this->Mesh.CornerAt(triangle, vertex);
+    if (this->Mesh.Corner(triangle, corner) == vertex && visit(triangle, corner))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 // Where a line leaves its first vertex: along a side, to the vertex at whose end, or across the side opposite to it.
 // False where it leaves the mesh.
 bool KeptSides::FindStart(VertexId from, VertexId to, Side& crossed, VertexId& next) const
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(to);
-  return this->AnyAround(from,
-    [&](TriangleId triangle, int corner)
+  const auto isStart = [&](TriangleId triangle, int corner)
+  {
+    const VertexId right = this->Mesh.Corner(triangle, NextCorner(corner));
+    const VertexId left = this->Mesh.Corner(triangle, PreviousCorner(corner));
+    for (const VertexId end : { right, left })
     {
-      const VertexId right = this->Mesh.Corner(triangle, NextCorner(corner));
-      const VertexId left = this->Mesh.Corner(triangle, PreviousCorner(corner));
-      for (const VertexId end : { right, left })
+      if (SignedArea(a, b, this->Mesh.Place(end)) == 0 && ScalarProduct(a, b, this->Mesh.Place(end)) > 0)
       {
-        if (SignedArea(a, b, this->Mesh.Place(end)) == 0 && ScalarProduct(a, b, this->Mesh.Place(end)) > 0)
-        {
-          next = end;
-          return true;
-        }
+        next = end;
+        return true;
       }
-      crossed = { triangle, NextCorner(corner) };
-      return SignedArea(a, b, this->Mesh.Place(right)) < 0 && SignedArea(a, b, this->Mesh.Place(left)) > 0;
-    });
+    }
+    crossed = { triangle, NextCorner(corner) };
+    return SignedArea(a, b, this->Mesh.Place(right)) < 0 && SignedArea(a, b, this->Mesh.Place(left)) > 0;
+  };
+  return this->AnyAround(from, isStart) || this->AnyBeside(from, isStart);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -173,14 +189,7 @@ KeptSides::Side KeptSides::FindSide(VertexId a, VertexId b) const
   {
     return side;
   }
-  // Where the boundary touches itself, a vertex has several rows of triangles around it. That is rare.
-  for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
-  {
-    if (isIt(triangle, 0) || isIt(triangle, 1) || isIt(triangle, 2))
-    {
-      break;
-    }
-  }
+  this->AnyBeside(a, isIt);
   return side;
 }
 

@@ -51,6 +51,8 @@ private:
   void Flip(const Side& side);
   template <typename Visitor>
   bool AnyAround(VertexId vertex, Visitor&& visit) const;
+  template <typename Visitor>
+  bool AnyBeside(VertexId vertex, Visitor&& visit) const;
 
   PlaneMesh& Mesh;
   std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles

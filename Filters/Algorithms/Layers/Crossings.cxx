@@ -128,6 +128,10 @@ public:
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
       const double depth = this->Depth(horizon, column);
+      if (std::isnan(depth))
+      {
+        continue;
+      }
       Push(this->Pools, { depth, this->Weights[horizon], depth, 1, 1 },
         [this](const Pool& above, const Pool& below) { return this->Overlap(above, below); });
     }
@@ -136,6 +140,10 @@ public:
     {
       for (int n = 0; n < pool.Size; ++n)
       {
+        while (std::isnan(this->Heights[horizon][column]))
+        {
+          ++horizon;
+        }
         this->Move(horizon++, column, this->Sign * pool.Depth);
       }
     }

@@ -70,7 +70,8 @@ struct CrossingRepair
   std::vector<MovedHorizon> Horizons;
 };
 
-/// The heights of horizons, the uppermost first, each with one per column of all: finite numbers. They are put in order.
+/// The heights of horizons, the uppermost first, each with one per column of all. They are put in order: those that are
+/// nan are not there.
 using HeightStack = std::vector<std::vector<double>>;
 
 /// Throws InputError when there are fewer than two horizons, with a wrong number of policies, and where horizons cross

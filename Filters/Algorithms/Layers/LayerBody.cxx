@@ -59,7 +59,7 @@ private:
     {
       const bool isPinched = this->IsPinched(this->Mesh.Corner(triangle, 0)) &&
         this->IsPinched(this->Mesh.Corner(triangle, 1)) && this->IsPinched(this->Mesh.Corner(triangle, 2));
-      this->IsKept.push_back(isPinched ? 0 : 1);
+      this->IsKept.push_back(!isPinched && this->Plan.HasLayer(this->Layer, std::size_t(triangle)) ? 1 : 0);
     }
   }
 
@@ -196,7 +196,8 @@ private:
     for (int side = 0; side < 3; ++side)
     {
       const int next = NextCorner(side);
-      if (this->Mesh.Neighbour(triangle, side) != NoTriangle)
+      const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+      if (beyond != NoTriangle && this->Plan.HasLayer(this->Layer, std::size_t(beyond)))
       {
         continue;
       }

@@ -60,24 +60,59 @@ public:
 private:
   void MakePoints()
   {
-    this->Result.PointsOfHorizons.resize(this->Plan.NumberOfHorizons());
+    const std::vector<std::vector<unsigned char>> isUsed = this->FindUsed();
+    this->Result.PointsOfHorizons.assign(
+      this->Plan.NumberOfHorizons(), std::vector<PointId>(this->Plan.Columns.size(), NoPoint));
     for (std::size_t vertex = 0; vertex < this->Plan.Columns.size(); ++vertex)
     {
+      bool isAny = false;
       for (std::size_t horizon = 0; horizon < this->Plan.NumberOfHorizons(); ++horizon)
       {
+        if (isUsed[horizon][vertex] == 0)
+        {
+          continue;
+        }
         const double height = this->Plan.Heights[horizon][vertex];
-        if (horizon == 0 || height != this->Plan.Heights[horizon - 1][vertex])
+        if (!isAny || height != this->Result.Heights.back())
         {
           this->Result.Vertices.push_back(PointId(vertex));
           this->Result.Heights.push_back(height);
         }
-        this->Result.PointsOfHorizons[horizon].push_back(PointId(this->Result.Vertices.size() - 1));
+        isAny = true;
+        this->Result.PointsOfHorizons[horizon][vertex] = PointId(this->Result.Vertices.size() - 1);
       }
     }
   }
 
+  /// For each horizon the vertices at which one of its layers is.
+  std::vector<std::vector<unsigned char>> FindUsed() const
+  {
+    std::vector<std::vector<unsigned char>> isUsed(
+      this->Plan.NumberOfHorizons(), std::vector<unsigned char>(this->Plan.Columns.size(), 0));
+    for (std::size_t layer = 0; layer < this->Plan.NumberOfLayers(); ++layer)
+    {
+      for (std::size_t triangle = 0; triangle < this->Plan.NumberOfTriangles(); ++triangle)
+      {
+        if (!this->Plan.HasLayer(layer, triangle))
+        {
+          continue;
+        }
+        for (const PointId vertex : CornersOf(this->Plan, triangle))
+        {
+          isUsed[layer][std::size_t(vertex)] = 1;
+          isUsed[layer + 1][std::size_t(vertex)] = 1;
+        }
+      }
+    }
+    return isUsed;
+  }
+
   void AddCell(std::size_t layer, std::size_t triangle)
   {
+    if (!this->Plan.HasLayer(layer, triangle))
+    {
+      return;
+    }
     const Corners corners = CornersOf(this->Plan, triangle);
     const std::array<double, 3> thickness = ThicknessOf(this->Plan, layer, corners);
     const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
@@ -161,6 +196,10 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
   {
+    if (!plan.HasLayer(layer, triangle))
+    {
+      continue;
+    }
     const Corners corners = CornersOf(plan, triangle);
     const std::array<double, 3> thickness = ThicknessOf(plan, layer, corners);
     const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
@@ -213,6 +252,10 @@ double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact)
   double volume = 0.0;
   for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
   {
+    if (!plan.HasLayer(layer, triangle))
+    {
+      continue;
+    }
     const Corners corners = CornersOf(plan, triangle);
     const double area = AreaOf(plan, corners);
     const auto part = [&](std::size_t horizon)

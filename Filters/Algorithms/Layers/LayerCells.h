@@ -30,7 +30,7 @@ struct LayerCells
   /// Points that layers share: one for each vertex of the plan and each height that horizons have there.
   std::vector<PointId> Vertices;
   std::vector<double> Heights;
-  /// For each horizon the point at each vertex.
+  /// For each horizon the point at each vertex; NoPoint where none of its layers is.
   std::vector<std::vector<PointId>> PointsOfHorizons;
 
   /// Cells have 6, 5 or 4 corners: from Ends[n - 1] on, or 0, to before Ends[n]. Their order is that of VTK where x, y

@@ -20,6 +20,7 @@
 #include "Decimation/KeptSides.h"
 #include "Decimation/MeshImprover.h"
 #include "Decimation/MeshRefiner.h"
+#include "LayerRegions.h"
 #include "PinchOuts.h"
 #include "Surface/Surface.h"
 
@@ -73,10 +74,11 @@ InputError NothingInCommon(const std::vector<HorizonView>& horizons)
     " horizons have, expected horizons that lie above each other");
 }
 
-OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const CrossingOptions& options, const Monitor& monitor)
+OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
   CheckHorizons(horizons);
-  CommonColumns common = FindCommonColumns(horizons);
+  CommonColumns common =
+    options.Domain == LayerDomain::Common ? FindCommonColumns(horizons) : FindColumnsOfLayers(horizons);
   if (common.Columns.empty())
   {
     throw NothingInCommon(horizons);
@@ -88,10 +90,10 @@ OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const CrossingO
     std::vector<double> heights;
     heights.reserve(stack.Columns.size());
     std::transform(common.Points[n].begin(), common.Points[n].end(), std::back_inserter(heights),
-      [&](PointId point) { return horizons[n].Heights[point]; });
+      [&](PointId point) { return point == NoPoint ? std::nan("") : horizons[n].Heights[point]; });
     stack.Heights.push_back(std::move(heights));
   }
-  stack.Repair = RepairCrossings(stack.Heights, options, monitor);
+  stack.Repair = RepairCrossings(stack.Heights, options.Crossings, monitor);
   return stack;
 }
 
@@ -232,24 +234,37 @@ public:
 
   void Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
   {
-    std::vector<double> heights(this->Horizons);
-    std::vector<unsigned char> isOne(this->Horizons, 0);
+    const std::size_t first = mesh.NumberOfHorizons() - this->Heights.size(); // 1 with a level one before the stack
+    std::vector<double> heights;
+    std::vector<unsigned char> isOne;
+    std::vector<std::size_t> known;
     const std::vector<VertexId>& vertices = fitted.front().Vertices;
     for (std::size_t n = 0; n < vertices.size(); ++n)
     {
+      const PointId point = mesh.SourceOf(vertices[n]);
+      heights.clear();
+      isOne.clear();
+      known.clear();
       for (std::size_t horizon = 0; horizon < this->Horizons; ++horizon)
       {
-        heights[horizon] = fitted[horizon].Heights[n];
-        isOne[horizon] = horizon + 1 < this->Horizons && this->AreOne(horizon, mesh.SourceOf(vertices[n])) ? 1 : 0;
+        if (!std::isnan(this->Heights[horizon][std::size_t(point)]))
+        {
+          heights.push_back(fitted[first + horizon].Heights[n]);
+          isOne.push_back(horizon + 1 < this->Horizons && this->AreOne(horizon, point) ? 1 : 0);
+          known.push_back(horizon);
+        }
       }
       OrderColumn(heights, isOne, this->GrowDownwards);
-      for (std::size_t horizon = 0; horizon < this->Horizons; ++horizon)
+      for (std::size_t horizon = 0, next = 0; horizon < this->Horizons; ++horizon)
       {
-        fitted[horizon].Heights[n] = heights[horizon];
+        next +=
+          next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // others have the height of the one above
+        fitted[first + horizon].Heights[n] = heights[next];
       }
-      for (std::size_t layer = 0; this->Horizons + layer < fitted.size(); ++layer)
+      for (std::size_t layer = 0; this->Horizons + layer < this->Heights.size(); ++layer)
       {
-        fitted[this->Horizons + layer].Heights[n] = heights[layer] - heights[layer + 1];
+        fitted[first + this->Horizons + layer].Heights[n] =
+          fitted[first + layer].Heights[n] - fitted[first + layer + 1].Heights[n];
       }
     }
   }
@@ -258,6 +273,11 @@ private:
   bool IsPinched(std::size_t layer, PointId point) const
   {
     return this->Heights[layer][std::size_t(point)] == this->Heights[layer + 1][std::size_t(point)];
+  }
+
+  bool HasLayer(std::size_t layer, PointId point) const
+  {
+    return !std::isnan(this->Heights[layer][std::size_t(point)] - this->Heights[layer + 1][std::size_t(point)]);
   }
 
   bool AreOne(std::size_t layer, PointId point) const
@@ -272,7 +292,7 @@ private:
       for (std::int64_t neighbour = row - 1; neighbour <= row + 1; ++neighbour)
       {
         const PointId other = this->Index[neighbour];
-        if (other != NoPoint && !this->IsPinched(layer, other))
+        if (other != NoPoint && !this->IsPinched(layer, other) && this->HasLayer(layer, other))
         {
           return false;
         }
@@ -300,7 +320,7 @@ public:
 
   Layers Run(const Monitor& monitor)
   {
-    this->Result.Stack = MakeStack(this->Horizons, this->Options.Crossings, monitor.Step(0.0, 0.1));
+    this->Result.Stack = MakeStack(this->Horizons, this->Options, monitor.Step(0.0, 0.1));
     this->Result.Plan.Heights.resize(this->Horizons.size());
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
@@ -314,12 +334,16 @@ public:
       return std::move(this->Result);
     }
     this->TakeKept(kept);
+    this->FindRegions();
     this->IsOnLine.assign(this->Columns.size(), 0);
-    const PinchOutLines lines = this->FindLines(boundary, monitor.Step(0.2, 0.25));
+    PinchOutLines lines = this->FindLines(boundary, monitor.Step(0.2, 0.25));
+    const std::vector<Edge> borders = this->FindBorders(boundary, lines.OnOutline);
     this->AddThickness();
-    OutlineMaker outline(this->Columns, this->Heights, this->Options.MaximumError, this->Result.OutlineTolerance);
+    this->Fill();
+    OutlineMaker outline(this->Columns, this->MeshHeights(), this->Options.MaximumError, this->Result.OutlineTolerance);
     HeightMesh mesh =
       this->MakeMesh(outline.Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3)), monitor.Step(0.3, 0.4));
+    this->KeepBorders(mesh, borders);
     this->KeepLines(mesh, lines);
     this->Refine(mesh, monitor.Step(0.4, 0.9));
     this->Collect(mesh, monitor.Step(0.9, 1.0));
@@ -370,6 +394,151 @@ private:
     return FindExteriorBoundary(columns, options, monitor);
   }
 
+  // ---- A domain of its own for each layer --------------------------------------------------------------------------
+  bool HasRegions() const { return this->Regions.has_value(); }
+
+  void FindRegions()
+  {
+    if (this->Options.Domain == LayerDomain::Common)
+    {
+      return;
+    }
+    for (std::size_t layer = 0; layer + 1 < this->Heights.size(); ++layer)
+    {
+      std::vector<unsigned char> isIn(this->Columns.size());
+      std::transform(this->Heights[layer].begin(), this->Heights[layer].end(), this->Heights[layer + 1].begin(),
+        isIn.begin(), [](double above, double below) { return std::isnan(above - below) ? 0 : 1; });
+      this->IsIn.push_back(std::move(isIn));
+    }
+    this->Regions.emplace(this->Columns, this->IsIn);
+  }
+
+  /// Their ends on the outline have to stay there.
+  std::vector<Edge> FindBorders(const ExteriorBoundary& boundary, std::vector<PointId>& onOutline) const
+  {
+    if (!this->HasRegions())
+    {
+      return {};
+    }
+    const std::vector<unsigned char> isOnLoop = boundary.Boundary.MarkPoints(this->Columns.size());
+    std::vector<Edge> borders = this->Regions->FindBorders(isOnLoop);
+    for (const Edge& border : borders)
+    {
+      for (const PointId end : { border.From, border.To })
+      {
+        if (isOnLoop[std::size_t(end)] != 0)
+        {
+          onOutline.push_back(end);
+        }
+      }
+    }
+    return borders;
+  }
+
+  /// What the mesh has heights of: first a level horizon, whose points are those of all. Where a horizon has no point, or
+  /// none of a layer with an area, it has no errors, and at vertices the height of the next one.
+  void Fill()
+  {
+    if (!this->HasRegions())
+    {
+      return;
+    }
+    const std::size_t horizons = this->Horizons.size();
+    this->Filled.emplace_back(this->Columns.size(), 0.0);
+    this->Filled.insert(this->Filled.end(), this->Heights.begin(), this->Heights.end());
+    this->Known.assign(this->Filled.size(), std::vector<unsigned char>(this->Columns.size(), 0));
+    for (std::size_t point = 0; point < this->Columns.size(); ++point)
+    {
+      for (std::size_t horizon = 1; horizon < horizons; ++horizon)
+      {
+        this->FillFrom(horizon - 1, horizon, point);
+      }
+      for (std::size_t horizon = horizons - 1; horizon-- > 0;)
+      {
+        this->FillFrom(horizon + 1, horizon, point);
+      }
+      for (std::size_t layer = 0; layer + 1 < horizons; ++layer)
+      {
+        const unsigned char isIn = this->Regions->HasArea(layer, PointId(point)) ? 1 : 0;
+        this->Known[1 + layer][point] |= isIn;
+        this->Known[2 + layer][point] |= isIn;
+        const std::size_t thickness = 1 + horizons + layer;
+        if (thickness < this->Filled.size())
+        {
+          this->Known[thickness][point] = isIn;
+          this->Filled[thickness][point] = this->Filled[1 + layer][point] - this->Filled[2 + layer][point];
+        }
+      }
+    }
+  }
+
+  void FillFrom(std::size_t from, std::size_t horizon, std::size_t point)
+  {
+    double& height = this->Filled[1 + horizon][point];
+    height = std::isnan(height) ? this->Filled[1 + from][point] : height;
+  }
+
+  const HeightStack& MeshHeights() const { return this->HasRegions() ? this->Filled : this->Heights; }
+  /// The number that a horizon of the stack has in the mesh.
+  std::size_t InMesh(std::size_t horizon) const { return this->HasRegions() ? 1 + horizon : horizon; }
+
+  /// No line crosses them, as they are the first ones.
+  void KeepBorders(HeightMesh& mesh, const std::vector<Edge>& borders) const
+  {
+    if (borders.empty())
+    {
+      return;
+    }
+    std::vector<unsigned char> marks(this->Columns.size(), 0);
+    for (const Edge& border : borders)
+    {
+      marks[std::size_t(border.From)] = 1;
+      marks[std::size_t(border.To)] = 1;
+    }
+    MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(marks);
+    const std::vector<VertexId> vertices = this->VerticesOf(mesh);
+    KeptSides sides(mesh.Triangles(), std::size_t(mesh.EndOfVertices()));
+    for (const Edge& border : borders)
+    {
+      const VertexId from = vertices[std::size_t(border.From)];
+      const VertexId to = vertices[std::size_t(border.To)];
+      if (from == NoVertex || to == NoVertex || !sides.Keep(from, to))
+      {
+        const PlanePoint& place = this->Columns[std::size_t(border.From)];
+        throw InputError("the border of a layer at column (" + std::to_string(place.X) + ", " +
+          std::to_string(place.Y) + ") is no line of the plan, expected layers whose borders do not cross");
+      }
+    }
+    sides.Legalize();
+  }
+
+  /// By point.
+  std::vector<VertexId> VerticesOf(const HeightMesh& mesh) const
+  {
+    std::vector<VertexId> vertices(this->Columns.size(), NoVertex);
+    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
+    {
+      vertices[std::size_t(mesh.SourceOf(vertex))] = vertex;
+    }
+    return vertices;
+  }
+
+  void FindTriangles()
+  {
+    LayerPlan& plan = this->Result.Plan;
+    for (std::size_t layer = 0; this->HasRegions() && layer < plan.NumberOfLayers(); ++layer)
+    {
+      std::vector<unsigned char> isIn(plan.NumberOfTriangles());
+      for (std::size_t triangle = 0; triangle < isIn.size(); ++triangle)
+      {
+        const auto at = [&](std::size_t corner)
+        { return plan.Columns[std::size_t(plan.Triangles[3 * triangle + corner])]; };
+        isIn[triangle] = this->Regions->Holds(layer, { at(0), at(1), at(2) }) ? 1 : 0;
+      }
+      plan.IsIn.push_back(std::move(isIn));
+    }
+  }
+
   /// The thickness of a layer is bound as one more horizon is.
   void AddThickness()
   {
@@ -386,13 +555,13 @@ private:
   {
     BoundedHorizon horizon;
     horizon.Columns = this->Columns;
-    horizon.Height = this->Heights.front();
+    horizon.Height = this->MeshHeights().front();
     horizon.Patch = std::move(outline.Patch);
     horizon.Boundary = std::move(outline.Boundary);
     HeightMesh mesh(std::move(horizon), monitor);
-    for (std::size_t n = 1; n < this->Heights.size(); ++n)
+    for (std::size_t n = 1; n < this->MeshHeights().size(); ++n)
     {
-      mesh.AddHorizon(this->Heights[n]);
+      mesh.AddHorizon(this->MeshHeights()[n], this->HasRegions() ? &this->Known[n] : nullptr);
     }
     return mesh;
   }
@@ -424,12 +593,10 @@ private:
       this->IsOnLine[std::size_t(edge.To)] = 1;
     }
     MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(this->IsOnLine);
-    std::vector<VertexId> vertices(this->Columns.size(), NoVertex); // by point
+    const std::vector<VertexId> vertices = this->VerticesOf(mesh);
     for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
     {
-      const auto point = std::size_t(mesh.SourceOf(vertex));
-      vertices[point] = vertex;
-      if (this->IsOnLine[point] != 0)
+      if (this->IsOnLine[std::size_t(mesh.SourceOf(vertex))] != 0)
       {
         mesh.Fix(vertex);
       }
@@ -496,7 +663,7 @@ private:
 
   bool IsFar(const HeightMesh& mesh, TriangleId triangle, int side) const
   {
-    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons(); ++horizon)
     {
       const RaisedTriangle corners = mesh.RaisedCorners(horizon, triangle);
       if (!mesh.RasterOf(horizon, triangle)
@@ -535,13 +702,14 @@ private:
         plan.Columns.push_back(mesh.Raised(vertex).Column);
         for (std::size_t horizon = 0; horizon < plan.Heights.size(); ++horizon)
         {
-          plan.Heights[horizon].push_back(mesh.Height(horizon, vertex));
+          plan.Heights[horizon].push_back(mesh.Height(this->InMesh(horizon), vertex));
         }
       }
     }
     plan.Triangles.reserve(3 * std::size_t(triangles.Size()));
     forEachCorner([&](std::size_t vertex) { plan.Triangles.push_back(numbers[vertex]); });
     this->OrderToTheLastDigit(mesh.Rounding());
+    this->FindTriangles();
     if (MeshChecker::IsOn)
     {
       this->RequireMesh(mesh);
@@ -595,6 +763,19 @@ private:
                               : this->Result.LargestThicknessErrors[horizon - horizons];
   }
 
+  /// Whether a layer of a horizon, or that whose thickness it is, has a triangle.
+  bool IsHorizonIn(std::size_t horizon, std::size_t triangle) const
+  {
+    const LayerPlan& plan = this->Result.Plan;
+    const std::size_t horizons = this->Horizons.size();
+    if (horizon >= horizons)
+    {
+      return plan.HasLayer(horizon - horizons, triangle);
+    }
+    return (horizon > 0 && plan.HasLayer(horizon - 1, triangle)) ||
+      (horizon + 1 < horizons && plan.HasLayer(horizon, triangle));
+  }
+
   void MeasureErrors(const HeightMesh& mesh, const Monitor& monitor)
   {
     std::vector<double> ofColumns(std::size_t(mesh.Triangles().Size()));
@@ -607,8 +788,14 @@ private:
       mesh.ForEachTriangle(monitor.Step(double(horizon) / horizons, double(horizon + 1) / horizons),
         [&](TriangleId triangle)
         {
-          const HeightRaster& raster = mesh.RasterOf(horizon, triangle);
-          const RaisedTriangle corners = mesh.RaisedCorners(horizon, triangle);
+          if (!this->IsHorizonIn(horizon, std::size_t(triangle)))
+          {
+            ofColumns[std::size_t(triangle)] = 0.0;
+            ofSides[std::size_t(triangle)] = 0.0;
+            return;
+          }
+          const HeightRaster& raster = mesh.RasterOf(this->InMesh(horizon), triangle);
+          const RaisedTriangle corners = mesh.RaisedCorners(this->InMesh(horizon), triangle);
           ofColumns[std::size_t(triangle)] = raster.Measure(corners).Largest;
           double ofInner = 0.0;
           for (int side = 0; side < 3; ++side)
@@ -666,8 +853,12 @@ private:
       isInside[std::size_t(point)] = 1;
       for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
       {
-        const double start = mesh.Height(horizon, from);
-        const double height = start + (mesh.Height(horizon, to) - start) * step / steps;
+        if (this->HasRegions() && this->Known[1 + horizon][std::size_t(point)] == 0)
+        {
+          continue; // no layer begins or ends amid an edge
+        }
+        const double start = mesh.Height(this->InMesh(horizon), from);
+        const double height = start + (mesh.Height(this->InMesh(horizon), to) - start) * step / steps;
         double& largest = this->LargestErrorOf(horizon);
         largest = std::max(largest, std::abs(height - this->Heights[horizon][std::size_t(point)]));
       }
@@ -691,6 +882,10 @@ private:
   Layers Result;
   std::vector<PlanePoint> Columns; // that have a patch
   HeightStack Heights; // there, of horizons, and then of layers whose thickness is bound
+  std::vector<std::vector<unsigned char>> IsIn; // by layer, there: 1 where both its horizons are
+  std::optional<LayerRegions> Regions; // where each layer has a domain of its own
+  HeightStack Filled; // of these: a level horizon, and then the heights above without gaps
+  std::vector<std::vector<unsigned char>> Known; // for each of them 1 where it counts
   std::vector<unsigned char> IsOnLine; // there: 1 at the ends of edges of pinch-out lines
 };
 }
@@ -701,6 +896,22 @@ Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& 
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
   CheckWithin("smallest angle", options.SmallestAngle, 0.0, 60.0, " degrees");
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
+  if (options.Domain == LayerDomain::EachLayer)
+  {
+    const bool areLeft = options.Radius.value_or(1) == 1 && options.SmallestHoleSize.value_or(1) == 1 &&
+      options.OutlineTolerance.value_or(0.0) == 0.0 && options.HoleBoundaries;
+    if (!areLeft)
+    {
+      throw InputError(
+        "outlines that are simplified or holes that are closed where each layer has a domain of its own, "
+        "expected a radius and a smallest hole of 1, a tolerance of 0, and the boundaries of holes");
+    }
+    LayerOptions exact = options;
+    exact.Radius = 1;
+    exact.SmallestHoleSize = 1;
+    exact.OutlineTolerance = 0.0;
+    return LayerMaker(horizons, exact).Run(monitor);
+  }
   return LayerMaker(horizons, options).Run(monitor);
 }
 

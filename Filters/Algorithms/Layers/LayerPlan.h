@@ -4,8 +4,8 @@
 // One triangulation in plan for a stack of horizons, with a height of each at every vertex: what lies between two
 // horizons over a triangle is then a wedge with vertical sides, and layers share their points.
 //
-//   1. The domain is the columns in which all horizons have points. Neighbouring horizons that cross there are put in
-//      order (Crossings.h).
+//   1. The domain is the columns in which all horizons have points; or those of all layers together, whose borders the
+//      plan then has (LayerRegions.h). Neighbouring horizons that cross there are put in order (Crossings.h).
 //   2. The outline is that of the domain (ExteriorBoundary.h), with the fewest points for which all horizons are within
 //      the error along it (BoundarySimplification.h).
 //   3. Where two horizons become one over an area, vertices and edges are put on the line around it.
@@ -32,8 +32,18 @@
 
 namespace SeismicHorizons
 {
+/// Where layers are.
+enum class LayerDomain
+{
+  Common, // where all horizons have points
+  EachLayer // each where both its horizons have
+};
+
 struct LayerOptions
 {
+  /// Where each layer has a domain of its own, outlines and borders stay as they are in plan: Radius and SmallestHoleSize
+  /// are 1 and the outline tolerance is 0, and other values are refused.
+  LayerDomain Domain = LayerDomain::Common;
   /// The largest vertical distance of a point of any horizon from its surface, and of sides of the plan from lines
   /// between neighbouring columns that they cross, in lattice units: at least 0.
   double MaximumError = 0.75;
@@ -57,7 +67,7 @@ struct LayerOptions
   std::int64_t SmallestPinch = 25;
 };
 
-/// The horizons in the columns that all of them have, in order.
+/// The horizons in the columns of layers, in order; nan where one has no point.
 struct OrderedStack
 {
   std::vector<PlanePoint> Columns; // row by row
@@ -73,7 +83,14 @@ struct LayerPlan
   bool HeightsGrowDownwards = false;
   /// Three vertices per triangle, counter-clockwise seen from +z on the lattice.
   RawVector<PointId> Triangles;
+  /// For each layer, by triangle, 1 where it is. Empty where all layers are everywhere. Where no layer at a vertex has a
+  /// horizon, that has the height of its neighbour in the stack.
+  std::vector<std::vector<unsigned char>> IsIn;
 
+  bool HasLayer(std::size_t layer, std::size_t triangle) const
+  {
+    return this->IsIn.empty() || this->IsIn[layer][triangle] != 0;
+  }
   std::size_t NumberOfHorizons() const { return this->Heights.size(); }
   std::size_t NumberOfLayers() const { return this->Heights.empty() ? 0 : this->Heights.size() - 1; }
   std::size_t NumberOfTriangles() const { return this->Triangles.size() / 3; }

@@ -118,7 +118,7 @@ public:
     return sums;
   }
 
-private:
+protected:
   using SideCounts = std::map<std::pair<std::size_t, std::size_t>, int>;
 
   /// How many triangles each side has.
@@ -285,17 +285,21 @@ private:
       sum += volume;
     }
     std::size_t triangle = 0;
+    std::int64_t members = 0; // triangles where the layer is
     std::string wrong;
     this->ForEachTriangle(
       [&](const std::array<std::size_t, 3>& t)
       {
         const double thickness = this->Between(layer, t[0]) + this->Between(layer, t[1]) + this->Between(layer, t[2]);
-        const double volume = 0.5 * double(Turn(this->At(t[0]), this->At(t[1]), this->At(t[2]))) * thickness / 3.0;
+        const bool isIn = this->Plan.IsIn.empty() || this->Plan.IsIn[layer][triangle] != 0;
+        const double area = isIn ? 0.5 * double(Turn(this->At(t[0]), this->At(t[1]), this->At(t[2]))) : 0.0;
+        const double volume = area * thickness / 3.0;
+        members += isIn ? 1 : 0;
         wrong = std::abs(volumes[triangle] - volume) <= 1e-9 * (1.0 + volume) ? wrong : "a cell is missing";
         ++triangle;
       });
     const LayerVolume measured = MeasureLayer(this->Plan, layer);
-    kinds[0] = std::int64_t(triangle) - kinds[1] - kinds[2] - kinds[3];
+    kinds[0] = members - kinds[1] - kinds[2] - kinds[3];
     wrong = std::abs(measured.Volume - sum) <= 1e-10 * (1.0 + sum) ? wrong : "sum of volumes";
     wrong = measured.Triangles == kinds ? wrong : "numbers of wedges, pyramids and tetrahedra";
     const double said = VolumeAbove(this->Plan, layer, contact);

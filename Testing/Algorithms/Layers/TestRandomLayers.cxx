@@ -5,10 +5,12 @@
 // how many there are.
 
 #include "Common/Errors.h"
+#include "DomainChecker.h"
 #include "LayerChecker.h"
 #include "RandomStacks.h"
 #include "Tools/Check.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -24,14 +26,38 @@ struct Tally
   int Pinched = 0;
   int Whole = 0;
   int Crossed = 0;
+  int Parts = 0; // layers that are not all over the plan
+  int Conflicts = 0;
   std::size_t Lines = 0;
   std::size_t LeftOut = 0;
 };
+
+/// The same stack, each layer in a domain of its own.
+std::string TryDomains(RandomStacks::Stack stack, Tally& tally)
+{
+  stack.Options.Domain = LayerDomain::EachLayer;
+  stack.Options.OutlineTolerance = 0.0;
+  const Layers layers = MakeLayers(LayerChecker::ViewsOf(stack.Horizons), stack.Options);
+  LayerChecker::DomainChecker checker(stack.Horizons, layers, stack.Options);
+  const std::string wrong = checker.CheckDomains();
+  tally.Conflicts += checker.NumberOfConflicts();
+  for (std::size_t layer = 0; layer < layers.Plan.IsIn.size(); ++layer)
+  {
+    const std::vector<unsigned char>& isIn = layers.Plan.IsIn[layer];
+    tally.Parts += std::count(isIn.begin(), isIn.end(), 0) > 0 && std::count(isIn.begin(), isIn.end(), 1) > 0 ? 1 : 0;
+  }
+  return wrong.empty() ? wrong : "domains: " + wrong;
+}
 
 std::string Try(unsigned seed, Tally& tally)
 {
   const RandomStacks::Stack stack = RandomStacks::Generator(seed).Run();
   const std::vector<HorizonView> views = LayerChecker::ViewsOf(stack.Horizons);
+  const std::string ofDomains = FindColumnsOfLayers(views).Columns.empty() ? "" : TryDomains(stack, tally);
+  if (!ofDomains.empty())
+  {
+    return ofDomains;
+  }
   if (FindCommonColumns(views).Columns.empty())
   {
     ++tally.Empty;
@@ -81,11 +107,13 @@ int TestRandomLayers(int argc, char* argv[])
   }
   std::cout << tally.Empty << " empty, " << tally.Whole << " with whole outlines, " << tally.Pinched
             << " layers that pinch out, " << tally.Crossed << " crossed, " << tally.Lines
-            << " pieces of pinch-out lines, without " << tally.LeftOut << '\n';
+            << " pieces of pinch-out lines, without " << tally.LeftOut << ", " << tally.Parts
+            << " layers in a part of the plan, " << tally.Conflicts << " halves of blocks left out\n";
   CHECK(tally.Empty < int(count / 4));
   CHECK(tally.Whole > int(count / 6));
   CHECK(tally.Pinched > int(count / 6));
   CHECK(tally.Crossed > int(count / 3));
+  CHECK(tally.Parts > int(count / 4) && tally.Conflicts > int(count / 10));
   CHECK(tally.Lines > 10 * count && tally.LeftOut < tally.Lines / 2);
   return Check::Result();
 }

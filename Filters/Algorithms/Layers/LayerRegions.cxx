@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayerRegions.h"
+
+#include "Common/PlaneGeometry.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Of a block with three corners, the bits of the two that its diagonal joins: those beside the missing one.
+int DiagonalOf(int corners)
+{
+  return (corners & 9) == 9 ? 9 : 6;
+}
+
+int CountCorners(int corners)
+{
+  return (corners & 1) + (corners >> 1 & 1) + (corners >> 2 & 1) + (corners >> 3 & 1);
+}
+
+bool HasBoth(int corners, int two)
+{
+  return (corners & two) == two;
+}
+
+std::int64_t FloorOfThird(std::int64_t sum)
+{
+  return sum >= 0 ? sum / 3 : -((2 - sum) / 3);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerRegions::LayerRegions(PlanePoints columns, const std::vector<std::vector<unsigned char>>& isIn)
+  : Index(columns)
+  , Columns(columns)
+  , IsIn(isIn)
+{
+  const PlaneBox box(columns);
+  this->FirstX = std::int64_t(box.Least.X) - 1;
+  this->FirstY = std::int64_t(box.Least.Y) - 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointId LayerRegions::PointAt(std::int64_t x, std::int64_t y) const
+{
+  const bool isInBox = x >= this->FirstX && y >= this->FirstY && x < this->FirstX + this->Index.Width() &&
+    y < this->FirstY + this->Index.Height();
+  return isInBox ? this->Index[(y - this->FirstY) * this->Index.Width() + (x - this->FirstX)] : NoPoint;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Bits of the corners of a block, given its lower left one, that have a layer.
+int LayerRegions::PresentCorners(std::size_t layer, std::int64_t x, std::int64_t y) const
+{
+  int corners = 0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const PointId point = this->PointAt(x + (corner & 1), y + (corner >> 1));
+    corners |= point != NoPoint && this->IsIn[layer][std::size_t(point)] != 0 ? 1 << corner : 0;
+  }
+  return corners;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Bits of the corners of the part of a block that a layer has: four, three or none.
+int LayerRegions::PartOf(std::size_t layer, std::int64_t x, std::int64_t y) const
+{
+  const int corners = this->PresentCorners(layer, x, y);
+  if (CountCorners(corners) != 3)
+  {
+    return corners == All ? All : 0;
+  }
+  for (std::size_t before = 0; before < layer; ++before)
+  {
+    const int others = this->PresentCorners(before, x, y);
+    if (CountCorners(others) == 3)
+    {
+      return DiagonalOf(others) == DiagonalOf(corners) ? corners : 0;
+    }
+  }
+  return corners;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The same of all columns together.
+int LayerRegions::PartOfAll(std::int64_t x, std::int64_t y) const
+{
+  int corners = 0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    corners |= this->PointAt(x + (corner & 1), y + (corner >> 1)) != NoPoint ? 1 << corner : 0;
+  }
+  return CountCorners(corners) >= 3 ? corners : 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool LayerRegions::HasArea(std::size_t layer, PointId point) const
+{
+  const PlanePoint& column = this->Columns[std::size_t(point)];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int part = this->PartOf(layer, std::int64_t(column.X) - (corner & 1), std::int64_t(column.Y) - (corner >> 1));
+    if ((part >> corner & 1) != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// What holds the middle of the triangle holds all of it. Where that is on a line between columns or on a diagonal, no
+// border is there, and either side has the answer.
+bool LayerRegions::Holds(std::size_t layer, const std::array<PlanePoint, 3>& corners) const
+{
+  const std::int64_t sumX = std::int64_t(corners[0].X) + corners[1].X + corners[2].X;
+  const std::int64_t sumY = std::int64_t(corners[0].Y) + corners[1].Y + corners[2].Y;
+  const std::int64_t x = FloorOfThird(sumX);
+  const std::int64_t y = FloorOfThird(sumY);
+  const std::int64_t restX = sumX - 3 * x; // thirds of a column
+  const std::int64_t restY = sumY - 3 * y;
+  switch (this->PartOf(layer, x, y))
+  {
+    case All:
+      return true;
+    case All - 1:
+      return restX + restY >= 3;
+    case All - 2:
+      return restY >= restX;
+    case All - 4:
+      return restX >= restY;
+    case All - 8:
+      return restX + restY <= 3;
+    default:
+      return false;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Calls visit(from, to) for the links from a column to the east, to the north and along the diagonals of the block to
+// the north-east that are borders of a layer, and not of all columns together.
+template <typename Visitor>
+void LayerRegions::ForEachBorderLink(const PlanePoint& column, Visitor&& visit) const
+{
+  const std::int64_t x = column.X;
+  const std::int64_t y = column.Y;
+  const auto at = [&](int corner) { return this->PointAt(x + (corner & 1), y + (corner >> 1)); };
+  const auto isBorder = [](int one, int ofOne, int other, int ofOther)
+  { return HasBoth(one, ofOne) != HasBoth(other, ofOther); };
+  const int all = this->PartOfAll(x, y);
+  const bool isEastInside = HasBoth(all, 3) && HasBoth(this->PartOfAll(x, y - 1), 12);
+  const bool isNorthInside = HasBoth(all, 5) && HasBoth(this->PartOfAll(x - 1, y), 10);
+  bool isEast = false;
+  bool isNorth = false;
+  int diagonal = 0;
+  for (std::size_t layer = 0; layer < this->IsIn.size(); ++layer)
+  {
+    const int part = this->PartOf(layer, x, y);
+    isEast = isEast || (isEastInside && isBorder(part, 3, this->PartOf(layer, x, y - 1), 12));
+    isNorth = isNorth || (isNorthInside && isBorder(part, 5, this->PartOf(layer, x - 1, y), 10));
+    diagonal = all == All && CountCorners(part) == 3 ? DiagonalOf(part) : diagonal;
+  }
+  if (isEast)
+  {
+    visit(at(0), at(1));
+  }
+  if (isNorth)
+  {
+    visit(at(0), at(2));
+  }
+  if (diagonal != 0)
+  {
+    visit(diagonal == 9 ? at(0) : at(1), diagonal == 9 ? at(3) : at(2));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<Edge> LayerRegions::FindBorders(const std::vector<unsigned char>& isOnLoop) const
+{
+  std::vector<std::pair<PointId, PointId>> links; // both ways
+  const auto add = [&links](PointId from, PointId to)
+  {
+    links.emplace_back(from, to);
+    links.emplace_back(to, from);
+  };
+  for (std::int64_t y = this->FirstY; y < this->FirstY + this->Index.Height(); ++y)
+  {
+    for (std::int64_t x = this->FirstX; x < this->FirstX + this->Index.Width(); ++x)
+    {
+      this->ForEachBorderLink({ std::int32_t(x), std::int32_t(y) }, add);
+    }
+  }
+  std::sort(links.begin(), links.end());
+  const auto linksOf = [&links](PointId point)
+  { return std::lower_bound(links.begin(), links.end(), std::pair<PointId, PointId>(point, 0)); };
+  // Where a line goes on from a point in the same direction and nothing else is there.
+  const auto next = [&](PointId before, PointId point)
+  {
+    const auto first = linksOf(point);
+    const bool areTwo =
+      links.end() - first >= 2 && first[1].first == point && (links.end() - first == 2 || first[2].first != point);
+    if (!areTwo || isOnLoop[std::size_t(point)] != 0)
+    {
+      return NoPoint;
+    }
+    const PointId other = first[0].second == before ? first[1].second : first[0].second;
+    const PlanePoint &a = this->Columns[before], &b = this->Columns[point], &c = this->Columns[other];
+    return c.X - b.X == b.X - a.X && c.Y - b.Y == b.Y - a.Y ? other : NoPoint;
+  };
+  std::vector<Edge> borders;
+  for (const auto& [from, second] : links)
+  {
+    if (next(second, from) != NoPoint)
+    {
+      continue; // amid a line
+    }
+    PointId before = from;
+    PointId to = second;
+    for (PointId on = next(before, to); on != NoPoint; on = next(before, to))
+    {
+      before = to;
+      to = on;
+    }
+    if (from < to)
+    {
+      borders.push_back({ from, to });
+    }
+  }
+  return borders;
+}
+}
