@@ -4,6 +4,7 @@
 // Stacks with known layers, what must not matter to them, and every message.
 
 #include "Common/Parallel.h"
+#include "DomainChecker.h"
 #include "LayerChecker.h"
 #include "RandomStacks.h"
 #include "Tools/Check.h"
@@ -104,6 +105,37 @@ void TestNoLayer()
   CHECK_EQUAL(MeasureLayer(layers.Plan, 0).Volume, 0.0);
   CHECK_EQUAL(MakeLayerBody(layers.Plan, 0).Faces.size(), std::size_t(0));
   CHECK_EQUAL(checker.CountGhosts(0)[1], 0);
+}
+
+/// The upper layer ends at x = 10, the lower one begins at x = 5: between the two lines both share the middle horizon's
+/// points.
+void TestDomains()
+{
+  std::vector<Horizon> horizons = { Make(11, 9, [](int, int) { return 7.0; }),
+    Make(21, 9, [](int x, int) { return 4.0 + 0.125 * x; }), Make(21, 9, [](int, int) { return 0.0; }) };
+  horizons[2] = Make(16, 9, [](int, int) { return 0.0; });
+  for (PlanePoint& column : horizons[2].Columns)
+  {
+    column.X += 5;
+  }
+  LayerOptions options;
+  options.Domain = LayerDomain::EachLayer;
+  for (const DecimationEffort effort : { DecimationEffort::Fast, DecimationEffort::Best })
+  {
+    options.Effort = effort;
+    const Layers layers = MakeFrom(horizons, options);
+    CHECK_EQUAL(LayerChecker::DomainChecker(horizons, layers, options).CheckDomains(), std::string());
+    CHECK_EQUAL(layers.Plan.Columns.size(), std::size_t(8));
+    CHECK_EQUAL(layers.Plan.NumberOfTriangles(), std::size_t(6));
+    CHECK_EQUAL(MeasureLayer(layers.Plan, 0).Volume, 80.0 * (3.0 - 0.125 * 5.0));
+    CHECK_EQUAL(MeasureLayer(layers.Plan, 1).Volume, 120.0 * (4.0 + 0.125 * 12.5));
+    const LayerCells cells = MakeLayerCells(layers.Plan);
+    CHECK_EQUAL(cells.Size(), std::size_t(4 + 4));
+    CHECK_EQUAL(cells.Vertices.size(), std::size_t(6 + 8 + 6));
+  }
+  options.Domain = LayerDomain::Common;
+  options.OutlineTolerance = 0.0;
+  CHECK_EQUAL(MeasureLayer(MakeFrom(horizons, options).Plan, 0).Area, 40.0);
 }
 
 /// Points in any order, on any number of threads.
@@ -215,6 +247,12 @@ void TestMessages()
   options.SmallestAngle = 61.0;
   CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "smallest angle 61, expected 0 to 60 degrees");
   options = LayerOptions();
+  options.Domain = LayerDomain::EachLayer;
+  options.OutlineTolerance = 0.5;
+  CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "where each layer has a domain of its own, expected a radius");
+  options.OutlineTolerance.reset();
+  CHECK_THROWS_WITH(MakeFrom({ high, beside }, options), "horizons 1 and 2 have no column in common, expected");
+  options = LayerOptions();
   options.SmallestPinch = 0;
   CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "smallest pinch-out 0, expected at least 1");
 }
@@ -246,6 +284,7 @@ int TestLayers(int, char*[])
   TestPlanes();
   TestPinchOutLine();
   TestNoLayer();
+  TestDomains();
   TestWhatDoesNotMatter();
   TestDepths();
   TestOrder();
