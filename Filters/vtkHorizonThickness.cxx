@@ -86,6 +86,11 @@ OtherPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice
       throw InputError("a point of the other horizon at " + ToText(world) + ", expected finite numbers");
     }
     const Eigen::Vector3d place = grid.ToLattice(world);
+    if (!(std::abs(place.z()) <= LargestHeight))
+    {
+      throw InputError(
+        "a point of the other horizon at " + ToText(world) + ", expected at most 2^50 vertical indices up or down");
+    }
     const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
     if (!((place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation) ||
       !(column.cwiseAbs().maxCoeff() < LargestColumn))

@@ -100,6 +100,9 @@ class ThicknessTest(unittest.TestCase):
         vtk_to_numpy(holed.GetPoints().GetData())[5, 2] = np.nan
         with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected finite numbers"):
             sh.thickness(top, holed)
+        vtk_to_numpy(holed.GetPoints().GetData())[5, 2] = 1e300
+        with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected at most 2\\^50 vertical indices"):
+            sh.thickness(top, holed)
         for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s")):
             with self.assertRaisesRegex(ValueError, 'an other horizon of the %s "%s", expected "%s" as of the first one'
                                         % (name, other, value)):
