@@ -35,6 +35,26 @@ vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 }
 
 //------------------------------------------------------------------------------
+int vtkHorizonAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    AskForWhole(inputVector[port]);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -13,6 +13,8 @@
  * likewise when the user asks to stop. With InvalidHorizons set to LeaveOut, only such a horizon is empty, with a
  * warning. Progress goes from 0 to 1 over all horizons.
  *
+ * Inputs after the first one are optional, and what they have is for all horizons: every process gets it whole.
+ *
  * In a program of several processes each of them works on the horizons it has, and a horizon must have all its points
  * on one of them. An error on one empties the output of all.
  *
@@ -64,6 +66,8 @@ protected:
   /// SeismicHorizons::InputError on input that breaks the contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

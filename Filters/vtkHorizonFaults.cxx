@@ -5,7 +5,6 @@
 
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/PipelineRequest.h"
 #include "Despiking/Despiking.h"
 #include "Faults/FaultDetection.h"
 #include "Faults/FaultLines.h"
@@ -19,7 +18,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -74,24 +72,6 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeasuredNoise: " << this->MeasuredNoise << "\n";
   os << indent << "NumberOfFaultLines: " << this->NumberOfFaultLines << "\n";
   os << indent << "NumberOfCutLinks: " << this->NumberOfCutLinks << "\n";
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonFaults::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == LinesPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-// Each process needs all lines, whichever horizons it has.
-int vtkHorizonFaults::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  AskForWhole(inputVector[LinesPort]);
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,6 @@
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
-#include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/SurveyFields.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
@@ -19,8 +18,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -48,6 +45,21 @@ struct OtherPoints
   std::vector<double> Height;
 };
 
+/// Throws InputError where both say what z is, and it is not the same.
+void CheckSameHeights(const SurveyDescription& first, const SurveyDescription& other)
+{
+  const auto check = [](const std::string& name, const std::string& expected, const std::string& found)
+  {
+    if (!expected.empty() && !found.empty() && expected != found)
+    {
+      throw InputError(
+        "an other horizon of the " + name + " \"" + found + "\", expected \"" + expected + "\" as of the first one");
+    }
+  };
+  check("VerticalDomain", first.VerticalDomain, other.VerticalDomain);
+  check("VerticalUnit", first.VerticalUnit, other.VerticalUnit);
+}
+
 /// Of what has points, the one that is not the horizon itself, on the lattice of that.
 OtherPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& grid)
 {
@@ -61,13 +73,24 @@ OtherPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice
     throw InputError(std::to_string(leaves.size()) +
       " other horizons with points, expected one: as the input Other, for instance by Extract Block");
   }
-  CheckArraySizes(leaves.front().Input);
-  const vtkSmartPointer<vtkPolyData> points = WithoutHiddenPoints(leaves.front().Input);
+  vtkPolyData* const other = leaves.front().Input;
+  CheckArraySizes(other);
+  CheckSameHeights(ReadSurveyFields(horizon->GetFieldData()), ReadSurveyFields(other->GetFieldData()));
+  const vtkSmartPointer<vtkPolyData> points = WithoutHiddenPoints(other);
   OtherPoints found;
   for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
   {
     const Eigen::Vector3d world(points->GetPoint(n));
+    if (!world.allFinite())
+    {
+      throw InputError("a point of the other horizon at " + ToText(world) + ", expected finite numbers");
+    }
     const Eigen::Vector3d place = grid.ToLattice(world);
+    if (!(std::abs(place.z()) <= LargestHeight))
+    {
+      throw InputError(
+        "a point of the other horizon at " + ToText(world) + ", expected at most 2^50 vertical indices up or down");
+    }
     const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
     if (!((place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation) ||
       !(column.cwiseAbs().maxCoeff() < LargestColumn))
@@ -109,39 +132,6 @@ vtkHorizonThickness::vtkHorizonThickness()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonThickness::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfColumns: " << this->NumberOfColumns << "\n";
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonThickness::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == OtherPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-// Each process needs all of the other horizon, whichever horizons it has.
-int vtkHorizonThickness::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  AskForWhole(inputVector[OtherPort]);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonThickness::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->NumberOfColumns = 0;
-  return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
@@ -178,5 +168,4 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
     vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << "the horizons cross in " << found.Crossings << " of "
                     << found.Columns << " columns, expected few: their thickness is negative there");
   }
-  this->NumberOfColumns += vtkIdType(found.Columns);
 }

@@ -33,7 +33,6 @@ class VTKSEISMICHORIZONS_EXPORT vtkHorizonThickness : public vtkHorizonAlgorithm
 public:
   static vtkHorizonThickness* New();
   vtkTypeMacro(vtkHorizonThickness, vtkHorizonAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -45,23 +44,15 @@ public:
   void RemoveOther() { this->SetInputConnection(1, nullptr); }
   ///@}
 
-  /// How many columns of the last update have points of both horizons.
-  vtkGetMacro(NumberOfColumns, vtkIdType);
-
 protected:
   vtkHorizonThickness();
   ~vtkHorizonThickness() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonThickness(const vtkHorizonThickness&) = delete;
   void operator=(const vtkHorizonThickness&) = delete;
-
-  vtkIdType NumberOfColumns = 0;
 };
 
 #endif

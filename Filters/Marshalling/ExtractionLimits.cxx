@@ -28,6 +28,8 @@ std::vector<double> ReadSamples(const HorizonLeaf& leaf, const ImageCube& cube, 
   std::vector<double> samples(std::size_t(size[0]) * std::size_t(size[1]), std::nan(""));
   CheckArraySizes(leaf.Input);
   const vtkSmartPointer<vtkPolyData> shown = WithoutHiddenPoints(leaf.Input);
+  bool isOnTraces = false;
+  bool isOnSamples = false;
   for (vtkIdType n = 0; n < shown->GetNumberOfPoints(); ++n)
   {
     const Eigen::Vector3d world(shown->GetPoint(n));
@@ -46,7 +48,14 @@ std::vector<double> ReadSamples(const HorizonLeaf& leaf, const ImageCube& cube, 
           ", expected one: a horizon on the traces of the cube");
       }
       sample = place.z();
+      isOnTraces = true;
+      isOnSamples = isOnSamples || places.HasSample(place);
     }
+  }
+  if (isOnTraces && !isOnSamples) // as where z grows the other way
+  {
+    throw InputError("limit \"" + leaf.Name +
+      "\": all of its points are above or below the samples of the cube, expected points from " + places.CornersText());
   }
   return samples;
 }

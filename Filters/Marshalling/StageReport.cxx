@@ -97,10 +97,14 @@ std::ostringstream MakeStream()
 std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
 {
   const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
-  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
-  if (figure.Unit != Heights)
+  if (figure.Unit != Heights && figure.Unit != WorldHeights)
   {
-    return figure.Unit == WorldHeights && !unit.empty() ? " " + unit : ownUnit;
+    return ownUnit;
+  }
+  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
+  if (figure.Unit == WorldHeights)
+  {
+    return unit.empty() ? ownUnit : " " + unit;
   }
   std::ostringstream text = MakeStream();
   text << ownUnit << ", " << height * WorldPerIndex(ReadLattice(horizon)) << (unit.empty() ? " in z" : " " + unit);

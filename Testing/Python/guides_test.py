@@ -179,6 +179,8 @@ class GuidesTest(unittest.TestCase):
         for limits, message in (([place] * 3, "limits of 3 horizons, expected one or two"),
                                 (np.concatenate((place, place[:1])), 'two points on one trace, the second at ('),
                                 (points_of(place * [1.0, 1.0, np.nan]), "a point at ("),
+                                (place * [1.0, 1.0, -1.0] + [0.0, 0.0, 1.0],
+                                 "all of its points are above or below the samples of the cube, expected points from ("),
                                 (place + [1e7, 0.0, 0.0], "limits on no trace of the cube, expected horizons with points from (")):
             with self.assertRaises(ValueError, msg=message) as caught:
                 sh.extract(self.cube, limits=limits)

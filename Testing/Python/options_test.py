@@ -166,7 +166,8 @@ class OptionsTest(unittest.TestCase):
         root = PROGRAM.parents[1]
         help_text = " ".join(load_program().make_parser().format_help().split())
         page_of_command = (root / "Documentation/Command.md").read_text(encoding="utf-8")
-        pages = [(root / "README.md").read_text(encoding="utf-8"), *(path.read_text(encoding="utf-8") for path in (root / "Documentation").glob("*.md"))]
+        paths = [root / "README.md", *(root / "Documentation").glob("*.md")]
+        pages = [path.read_text(encoding="utf-8") for path in paths]
         lines = [line for page in pages for line in page.splitlines() if "horizon-mesh" in line or "horizon_mesh.py" in line]
         named = set(re.findall(r"--[a-z][a-z-]+", " ".join(lines)))
         self.assertIn("--measure-error", named)

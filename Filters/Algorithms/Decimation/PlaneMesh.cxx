@@ -3,6 +3,7 @@
 
 #include "PlaneMesh.h"
 
+#include "Common/HeapArray.h"
 #include "Common/Predicates.h"
 
 #include <algorithm>
@@ -22,6 +23,17 @@ constexpr std::uint64_t TileSide = 32;
 
 // The side of a triangle that is opposite to its third corner.
 constexpr int Opposite = 0;
+
+/// For each of so many numbers its position in an order of them, or -1.
+std::vector<std::int32_t> NumbersIn(const std::vector<std::int32_t>& order, std::size_t size)
+{
+  std::vector<std::int32_t> numbers(size, -1);
+  for (std::size_t n = 0; n < order.size(); ++n)
+  {
+    numbers[order[n]] = std::int32_t(n);
+  }
+  return numbers;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -290,14 +302,8 @@ void PlaneMesh::Compact()
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::ReorderVertices(const std::vector<VertexId>& order)
 {
-  std::vector<VertexId> numbers(this->Places.size(), NoVertex);
-  std::vector<PlanePoint> ordered;
-  ordered.reserve(order.size());
-  for (const VertexId vertex : order)
-  {
-    numbers[vertex] = VertexId(ordered.size());
-    ordered.push_back(this->Places[vertex]);
-  }
+  const std::vector<VertexId> numbers = NumbersIn(order, this->Places.size());
+  this->Places = Gather<std::vector<PlanePoint>>(this->Places, order);
   for (Triangle& triangle : this->Triangles)
   {
     for (VertexId& corner : triangle.Corners)
@@ -305,7 +311,6 @@ void PlaneMesh::ReorderVertices(const std::vector<VertexId>& order)
       corner = numbers[corner];
     }
   }
-  this->Places.swap(ordered);
   std::unordered_set<std::uint64_t> kept;
   for (const std::uint64_t side : this->Kept)
   {
@@ -338,21 +343,14 @@ void PlaneMesh::SortByPlace()
 // The triangles so far, in the order they shall have.
 void PlaneMesh::Reorder(const std::vector<TriangleId>& order)
 {
-  std::vector<TriangleId> numbers(this->Triangles.size(), NoTriangle);
-  std::vector<Triangle> ordered;
-  ordered.reserve(order.size());
-  for (const TriangleId triangle : order)
-  {
-    numbers[triangle] = TriangleId(ordered.size());
-    ordered.push_back(this->Triangles[triangle]);
-  }
-  for (Triangle& triangle : ordered)
+  const std::vector<TriangleId> numbers = NumbersIn(order, this->Triangles.size());
+  this->Triangles = Gather<std::vector<Triangle>>(this->Triangles, order);
+  for (Triangle& triangle : this->Triangles)
   {
     for (TriangleId& neighbour : triangle.Neighbours)
     {
       neighbour = neighbour == NoTriangle ? NoTriangle : numbers[neighbour];
     }
   }
-  this->Triangles.swap(ordered);
 }
 }
