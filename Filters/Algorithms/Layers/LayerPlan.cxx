@@ -110,10 +110,12 @@ struct Outline
 class OutlineMaker
 {
 public:
-  /// The points are those that have a patch.
-  OutlineMaker(PlanePoints columns, const HeightStack& heights, double error, double tolerance)
+  /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all do.
+  OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
+    double error, double tolerance)
     : Columns(columns)
     , Heights(heights)
+    , Known(known)
   {
     this->Options.Method = OutlineMethod::FewestPoints;
     this->Options.DistanceThreshold = error;
@@ -186,7 +188,8 @@ private:
     {
       for (std::size_t horizon = 1; horizon < this->Heights.size(); ++horizon)
       {
-        const double distance = this->DistanceFrom(at(from), at(to), at(n), this->Heights[horizon]);
+        const bool counts = this->Known.empty() || this->Known[horizon][std::size_t(at(n))] != 0;
+        const double distance = counts ? this->DistanceFrom(at(from), at(to), at(n), this->Heights[horizon]) : 0.0;
         farthest = distance > largest ? n : farthest;
         largest = std::max(largest, distance);
       }
@@ -211,6 +214,7 @@ private:
 
   PlanePoints Columns;
   const HeightStack& Heights;
+  const std::vector<std::vector<unsigned char>>& Known;
   BoundarySimplificationOptions Options;
 };
 
@@ -246,7 +250,8 @@ public:
     const std::vector<Edge> borders = this->FindBorders(boundary, lines.OnOutline);
     this->AddThickness();
     this->Fill();
-    OutlineMaker outline(this->Columns, this->MeshHeights(), this->Options.MaximumError, this->Result.OutlineTolerance);
+    OutlineMaker outline(
+      this->Columns, this->MeshHeights(), this->Known, this->Options.MaximumError, this->Result.OutlineTolerance);
     HeightMesh mesh =
       this->MakeMesh(outline.Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3)), monitor.Step(0.3, 0.4));
     this->KeepBorders(mesh, borders);
