@@ -30,6 +30,7 @@ public:
     this->FindClosed();
     this->FindSectors();
     this->MakePoints();
+    this->FindFaultSides();
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       if (this->HasCell(triangle))
@@ -190,6 +191,26 @@ private:
     this->AddFace(BodyFace::Base, this->Base(triangle, 0), this->Base(triangle, 2), this->Base(triangle, 1));
   }
 
+  /// The sides of what is left out at faults.
+  void FindFaultSides()
+  {
+    const RawVector<PointId>& corners = this->Plan.FaultTriangles;
+    for (std::size_t first = 0; first < corners.size(); first += 3)
+    {
+      for (std::size_t side = 0; side < 3; ++side)
+      {
+        this->FaultSides.push_back({ corners[first + side], corners[first + (side + 1) % 3] });
+      }
+    }
+    std::sort(this->FaultSides.begin(), this->FaultSides.end());
+  }
+
+  bool IsAtFault(TriangleId triangle, int side) const
+  {
+    const std::array<PointId, 2> other = { this->End(triangle, side), this->Begin(triangle, side) };
+    return std::binary_search(this->FaultSides.begin(), this->FaultSides.end(), other);
+  }
+
   /// Along the outline, where the layer has a thickness at one end at least.
   void AddWalls(TriangleId triangle)
   {
@@ -201,15 +222,14 @@ private:
       {
         continue;
       }
+      const BodyFace face = this->IsAtFault(triangle, side) ? BodyFace::Fault : BodyFace::Outline;
       if (!this->IsPinched(this->Begin(triangle, side)))
       {
-        this->AddFace(
-          BodyFace::Outline, this->Top(triangle, next), this->Top(triangle, side), this->Base(triangle, side));
+        this->AddFace(face, this->Top(triangle, next), this->Top(triangle, side), this->Base(triangle, side));
       }
       if (!this->IsPinched(this->End(triangle, side)))
       {
-        this->AddFace(
-          BodyFace::Outline, this->Top(triangle, next), this->Base(triangle, side), this->Base(triangle, next));
+        this->AddFace(face, this->Top(triangle, next), this->Base(triangle, side), this->Base(triangle, next));
       }
     }
   }
@@ -245,6 +265,7 @@ private:
   std::vector<unsigned char> IsClosed; // by vertex
   std::vector<CornerId> Roots; // by corner
   std::vector<std::array<PointId, 2>> Points; // by corner, of top and base
+  std::vector<std::array<PointId, 2>> FaultSides; // ascending, with what is left out to their left
   LayerBody Result;
 };
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The closed surface of a layer: its top, its base, and walls along the outline, over the triangles of the plan where it
-// has a cell.
+// The closed surface of a layer: its top, its base, and walls along the outline and along faults, over the triangles of
+// the plan where it has a cell.
 //
 // Where a layer pinches out, top and base have the same place, and whether they are one point there decides whether the
 // surface is a manifold. Seen from above, of the triangles with a cell:
@@ -31,7 +31,8 @@ enum class BodyFace : unsigned char
 {
   Top = 0,
   Base = 1,
-  Outline = 2
+  Outline = 2,
+  Fault = 3
 };
 
 /// A closed manifold of one component or more, which may touch itself and others at points and edges.

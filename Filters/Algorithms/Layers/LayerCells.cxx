@@ -14,10 +14,15 @@ namespace
 {
 using Corners = std::array<PointId, 3>;
 
+Corners CornersOf(const RawVector<PointId>& triangles, std::size_t triangle)
+{
+  const PointId* const first = triangles.data() + 3 * triangle;
+  return { first[0], first[1], first[2] };
+}
+
 Corners CornersOf(const LayerPlan& plan, std::size_t triangle)
 {
-  const PointId* const first = plan.Triangles.data() + 3 * triangle;
-  return { first[0], first[1], first[2] };
+  return CornersOf(plan.Triangles, triangle);
 }
 
 double AreaOf(const LayerPlan& plan, const Corners& corners)
@@ -34,6 +39,29 @@ std::array<double, 3> ThicknessOf(const LayerPlan& plan, std::size_t layer, cons
 double MeanOf(const std::array<double, 3>& values)
 {
   return (values[0] + values[1] + values[2]) / 3.0;
+}
+
+/// Where all three corners of what is left out at a fault are in the layer.
+void MeasureFaults(const LayerPlan& plan, std::size_t layer, LayerVolume& result)
+{
+  std::vector<unsigned char> isIn(plan.Columns.size(), plan.IsIn.empty() ? 1 : 0);
+  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
+  {
+    for (const PointId vertex : CornersOf(plan, triangle))
+    {
+      isIn[std::size_t(vertex)] |= plan.HasLayer(layer, triangle) ? 1 : 0;
+    }
+  }
+  for (std::size_t triangle = 0; triangle < plan.FaultTriangles.size() / 3; ++triangle)
+  {
+    const Corners corners = CornersOf(plan.FaultTriangles, triangle);
+    if (std::all_of(corners.begin(), corners.end(), [&](PointId vertex) { return isIn[std::size_t(vertex)] != 0; }))
+    {
+      const double area = AreaOf(plan, corners);
+      result.FaultArea += area;
+      result.FaultVolume += area * MeanOf(ThicknessOf(plan, layer, corners));
+    }
+  }
 }
 
 class CellMaker
@@ -218,6 +246,10 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
   {
     result.MeanThickness = result.Volume / result.Area;
     result.LeastThickness = least;
+  }
+  if (!plan.FaultTriangles.empty())
+  {
+    MeasureFaults(plan, layer, result);
   }
   return result;
 }

@@ -58,6 +58,9 @@ struct LayerVolume
   double LeastThickness = 0.0; // of its corners
   double LargestThickness = 0.0;
   std::array<std::int64_t, 4> Triangles = {}; // by how many corners have a thickness: [3] counts wedges, [0] no cells
+  /// What the layer leaves out between the two sides of faults, were it there as thick as beside them.
+  double FaultArea = 0.0;
+  double FaultVolume = 0.0;
 };
 
 LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer);

@@ -20,12 +20,14 @@
 #include "Decimation/KeptSides.h"
 #include "Decimation/MeshImprover.h"
 #include "Decimation/MeshRefiner.h"
+#include "FaultClosing/FaultClosing.h"
 #include "FittedOrder.h"
 #include "LayerRegions.h"
 #include "PinchOuts.h"
 #include "Surface/Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -122,10 +124,12 @@ public:
     this->Options.OutlineTolerance = tolerance;
   }
 
-  /// `fixed` points stay.
+  /// `fixed` points stay, and so do the ends of cracks.
   Outline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
   {
     this->Options.Fixed = fixed;
+    const std::vector<PointId> ends = boundary.OpenCracks.EndsOfMouths();
+    this->Options.Fixed.insert(this->Options.Fixed.end(), ends.begin(), ends.end());
     BoundarySimplification simplified;
     const SpacePoints points(this->Columns, this->Heights.front(), 1);
     std::vector<PointId> far;
@@ -257,7 +261,7 @@ public:
     this->KeepBorders(mesh, borders);
     this->KeepLines(mesh, lines);
     this->Refine(mesh, monitor.Step(0.4, 0.9));
-    this->Collect(mesh, monitor.Step(0.9, 1.0));
+    this->Collect(mesh, boundary.OpenCracks, monitor.Step(0.9, 1.0));
     this->GiveBack(kept);
     return std::move(this->Result);
   }
@@ -302,6 +306,7 @@ private:
     options.HoleBoundaries = this->Options.HoleBoundaries;
     options.SmallestHoleSize = this->Result.SmallestHoleSize;
     options.MinimumPatchSize = this->Options.MinimumPatchSize;
+    options.Cuts = this->Options.Cuts;
     return FindExteriorBoundary(columns, options, monitor);
   }
 
@@ -321,7 +326,7 @@ private:
         isIn.begin(), [](double above, double below) { return std::isnan(above - below) ? 0 : 1; });
       this->IsIn.push_back(std::move(isIn));
     }
-    this->Regions.emplace(this->Columns, this->IsIn);
+    this->Regions.emplace(this->Columns, this->IsIn, this->Options.Cuts);
   }
 
   /// Their ends on the outline have to stay there.
@@ -469,6 +474,7 @@ private:
     horizon.Height = this->MeshHeights().front();
     horizon.Patch = std::move(outline.Patch);
     horizon.Boundary = std::move(outline.Boundary);
+    horizon.Cuts = { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; // someone else's
     HeightMesh mesh(std::move(horizon), monitor);
     for (std::size_t n = 1; n < this->MeshHeights().size(); ++n)
     {
@@ -588,23 +594,26 @@ private:
   }
 
   // ---- What is told of it ------------------------------------------------------------------------------------------
-  void Collect(HeightMesh& mesh, const Monitor& monitor)
+  void Collect(HeightMesh& mesh, const Cracks& cracks, const Monitor& monitor)
   {
     mesh.SortVertices();
     LayerPlan& plan = this->Result.Plan;
     const PlaneMesh& triangles = mesh.Triangles();
-    std::vector<PointId> numbers(std::size_t(mesh.EndOfVertices()), NoPoint); // of the corners of triangles
-    const auto forEachCorner = [&](auto&& visit)
+    RawVector<PointId> corners;
+    corners.reserve(3 * std::size_t(triangles.Size()));
+    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
     {
-      for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+      for (int corner = 0; corner < 3; ++corner)
       {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          visit(std::size_t(triangles.Corner(triangle, corner)));
-        }
+        corners.push_back(PointId(triangles.Corner(triangle, corner)));
       }
-    };
-    forEachCorner([&](std::size_t vertex) { numbers[vertex] = 0; });
+    }
+    RawVector<PointId> ofFaults = this->CloseCracks(mesh, cracks);
+    std::vector<PointId> numbers(std::size_t(mesh.EndOfVertices()), NoPoint); // of the corners of triangles
+    for (const RawVector<PointId>* const some : { &corners, &ofFaults })
+    {
+      std::for_each(some->begin(), some->end(), [&numbers](PointId vertex) { numbers[std::size_t(vertex)] = 0; });
+    }
     for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
     {
       if (numbers[std::size_t(vertex)] != NoPoint)
@@ -617,8 +626,13 @@ private:
         }
       }
     }
-    plan.Triangles.reserve(3 * std::size_t(triangles.Size()));
-    forEachCorner([&](std::size_t vertex) { plan.Triangles.push_back(numbers[vertex]); });
+    for (RawVector<PointId>* const some : { &corners, &ofFaults })
+    {
+      std::for_each(
+        some->begin(), some->end(), [&numbers](PointId& vertex) { vertex = numbers[std::size_t(vertex)]; });
+    }
+    plan.Triangles = std::move(corners);
+    plan.FaultTriangles = std::move(ofFaults);
     this->OrderToTheLastDigit(mesh.Rounding());
     this->FindTriangles();
     if (MeshChecker::IsOn)
@@ -627,6 +641,23 @@ private:
     }
     this->MeasureErrors(mesh, monitor);
     this->CountOutside(mesh);
+  }
+
+  /// The triangles that close cracks.
+  RawVector<PointId> CloseCracks(const HeightMesh& mesh, Cracks cracks) const
+  {
+    const std::vector<VertexId> vertices = this->VerticesOf(mesh);
+    const auto vertexOf = [&vertices](PointId point) { return PointId(vertices[std::size_t(point)]); };
+    std::vector<PlanePoint> places;
+    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
+    {
+      places.push_back(mesh.Raised(vertex).Column);
+    }
+    for (Edge& mouth : cracks.Mouths)
+    {
+      mouth = { vertexOf(mouth.From), vertexOf(mouth.To) };
+    }
+    return CloseFaults(places, mesh.Boundary().RenumberedBy(vertexOf), cracks);
   }
 
   /// Of all vertices, those of loops without area as well.

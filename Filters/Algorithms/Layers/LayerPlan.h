@@ -18,6 +18,7 @@
 #ifndef SeismicHorizonsLayerPlan_h
 #define SeismicHorizonsLayerPlan_h
 
+#include "Common/LinkCuts.h"
 #include "Common/Monitor.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
@@ -54,6 +55,8 @@ struct LayerOptions
   std::optional<std::int64_t> SmallestHoleSize;
   bool HoleBoundaries = true;
   std::int64_t MinimumPatchSize = 1;
+  /// Where faults cut any of the horizons, or null. Layers end at both cutoffs of a fault, and have a crack between them.
+  const LinkCuts* Cuts = nullptr;
   /// Which horizon is uppermost, and what is done where they cross.
   CrossingOptions Crossings;
   /// What the plan is like: as in DecimationQuality. Simulators want larger angles than surfaces do.
@@ -77,7 +80,7 @@ struct OrderedStack
 
 struct LayerPlan
 {
-  /// The place of each vertex, all of which are corners of triangles, and for each horizon its height there.
+  /// The place of each vertex, all of which are corners of triangles, be it at faults, and for each horizon its height.
   std::vector<PlanePoint> Columns;
   HeightStack Heights;
   bool HeightsGrowDownwards = false;
@@ -86,6 +89,8 @@ struct LayerPlan
   /// For each layer, by triangle, 1 where it is. Empty where all layers are everywhere. Where no layer at a vertex has a
   /// horizon, that has the height of its neighbour in the stack.
   std::vector<std::vector<unsigned char>> IsIn;
+  /// Triangles between the two sides of cracks, alike, in which no layer is: they show what the layers leave out there.
+  RawVector<PointId> FaultTriangles;
 
   bool HasLayer(std::size_t layer, std::size_t triangle) const
   {

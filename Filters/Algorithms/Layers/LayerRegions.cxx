@@ -35,10 +35,12 @@ std::int64_t FloorOfThird(std::int64_t sum)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LayerRegions::LayerRegions(PlanePoints columns, const std::vector<std::vector<unsigned char>>& isIn)
+LayerRegions::LayerRegions(
+  PlanePoints columns, const std::vector<std::vector<unsigned char>>& isIn, const LinkCuts* cuts)
   : Index(columns)
   , Columns(columns)
   , IsIn(isIn)
+  , Cuts(cuts)
 {
   const PlaneBox box(columns);
   this->FirstX = std::int64_t(box.Least.X) - 1;
@@ -67,10 +69,40 @@ int LayerRegions::PresentCorners(std::size_t layer, std::int64_t x, std::int64_t
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// What cuts leave of a block with these corners: its bits, or those of the half where one corner is cut off, or none.
+int LayerRegions::OpenPartOf(std::int64_t x, std::int64_t y, int corners) const
+{
+  if (!this->Cuts)
+  {
+    return corners;
+  }
+  const PlanePoint least = { std::int32_t(x), std::int32_t(y) };
+  const bool bottom = this->Cuts->IsCutEast(least);
+  const bool left = this->Cuts->IsCutNorth(least);
+  const bool top = this->Cuts->IsCutEast({ least.X, least.Y + 1 });
+  const bool right = this->Cuts->IsCutNorth({ least.X + 1, least.Y });
+  if (!bottom && !left && !top && !right)
+  {
+    return corners;
+  }
+  if (bottom == top || left == right)
+  {
+    return 0;
+  }
+  const int others = All - (1 << ((right ? 1 : 0) + (top ? 2 : 0)));
+  return HasBoth(corners, others) ? others : 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 // Bits of the corners of the part of a block that a layer has: four, three or none.
 int LayerRegions::PartOf(std::size_t layer, std::int64_t x, std::int64_t y) const
 {
   const int corners = this->PresentCorners(layer, x, y);
+  const int open = this->OpenPartOf(x, y, All);
+  if (open != All)
+  {
+    return HasBoth(corners, open) ? open : 0;
+  }
   if (CountCorners(corners) != 3)
   {
     return corners == All ? All : 0;
@@ -95,7 +127,7 @@ int LayerRegions::PartOfAll(std::int64_t x, std::int64_t y) const
   {
     corners |= this->PointAt(x + (corner & 1), y + (corner >> 1)) != NoPoint ? 1 << corner : 0;
   }
-  return CountCorners(corners) >= 3 ? corners : 0;
+  return this->OpenPartOf(x, y, CountCorners(corners) >= 3 ? corners : 0);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

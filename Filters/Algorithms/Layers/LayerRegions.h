@@ -12,6 +12,7 @@
 #define SeismicHorizonsLayerRegions_h
 
 #include "Common/ColumnIndex.h"
+#include "Common/LinkCuts.h"
 #include "Common/Types.h"
 
 #include <array>
@@ -24,8 +25,9 @@ namespace SeismicHorizons
 class LayerRegions
 {
 public:
-  /// For each layer 1 for the columns that have both its horizons, else 0. Keeps references.
-  LayerRegions(PlanePoints columns, const std::vector<std::vector<unsigned char>>& isIn);
+  /// For each layer 1 for the columns that have both its horizons, else 0. Keeps references. Cuts may be null; no layer
+  /// is where these leave a block open (CutBlocks.h).
+  LayerRegions(PlanePoints columns, const std::vector<std::vector<unsigned char>>& isIn, const LinkCuts* cuts);
 
   /// Whether a layer has a part of one of the four blocks around a column that reaches the column.
   bool HasArea(std::size_t layer, PointId point) const;
@@ -47,9 +49,12 @@ private:
   template <typename Visitor>
   void ForEachBorderLink(const PlanePoint& column, Visitor&& visit) const;
 
+  int OpenPartOf(std::int64_t x, std::int64_t y, int corners) const;
+
   const ColumnIndex Index; // with an empty rim
   const PlanePoints Columns;
   const std::vector<std::vector<unsigned char>>& IsIn;
+  const LinkCuts* const Cuts;
   std::int64_t FirstX = 0; // of the index, rim included
   std::int64_t FirstY = 0;
 };

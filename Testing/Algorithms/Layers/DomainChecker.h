@@ -96,6 +96,11 @@ private:
   int PartOf(std::size_t layer, const Block& block) const
   {
     const int own = this->Missing(layer, block);
+    const int left = LeftByCuts(this->Options.Cuts, block);
+    if (left < 4)
+    {
+      return own == 4 || own == left ? left : -1;
+    }
     for (std::size_t first = 0; first < layer && own >= 0 && own < 4; ++first)
     {
       const int other = this->Missing(first, block);
@@ -217,7 +222,8 @@ private:
     for (const Block& block : blocks)
     {
       const int missing = this->PartOf(layer, block);
-      this->Conflicts += missing < 0 && this->Missing(layer, block) >= 0 ? 1 : 0;
+      const bool isWhole = LeftByCuts(this->Options.Cuts, block) == 4;
+      this->Conflicts += isWhole && missing < 0 && this->Missing(layer, block) >= 0 ? 1 : 0;
       double sum = 0.0;
       std::array<double, 2> twists = { 0.0, 0.0 };
       for (int corner = 0; corner < 4 && missing >= 0; ++corner)

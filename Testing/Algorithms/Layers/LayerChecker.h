@@ -66,7 +66,110 @@ public:
              << volume << " +- " << slack;
       }
     }
-    return text.str();
+    const std::string wrong = text.str();
+    return wrong.empty() ? this->CheckFaultWalls() : wrong;
+  }
+
+  /// Also for outlines that are kept: walls are at a fault where the first block beyond them, with three columns at least,
+  /// is cut.
+  std::string CheckFaultWalls() const
+  {
+    const ColumnNumbers numbers = this->NumberColumns();
+    const double area = this->AreaInCutBlocks(numbers);
+    for (std::size_t layer = 0; layer + 1 < this->Horizons.size(); ++layer)
+    {
+      if (MeasureLayer(this->Plan, layer).FaultArea != area)
+      {
+        return "the area left out at faults";
+      }
+      const LayerBody body = MakeLayerBody(this->Plan, layer);
+      for (std::size_t n = 0; n < body.Faces.size(); ++n)
+      {
+        const bool isFault = body.Faces[n] == BodyFace::Fault;
+        if (!isFault && body.Faces[n] != BodyFace::Outline)
+        {
+          continue;
+        }
+        const std::array<PlanePoint, 2> wall = this->WallInPlan(body, n);
+        const int dx = wall[1].X - wall[0].X;
+        const int dy = wall[1].Y - wall[0].Y;
+        const int steps = std::max(std::abs(dx), std::abs(dy));
+        // The middle of the first step, and somewhat to the right of it.
+        const double x = wall[0].X + (0.5 * dx + 0.25 * dy) / steps;
+        const double y = wall[0].Y + (0.5 * dy - 0.25 * dx) / steps;
+        const Column block = { int(std::floor(x)), int(std::floor(y)) };
+        int present = 0;
+        int missing = -2;
+        for (int corner = 0; corner < 4; ++corner)
+        {
+          const bool isThere = numbers.count({ block.first + corner % 2, block.second + corner / 2 }) > 0;
+          present += isThere ? 1 : 0;
+          missing = isThere ? missing : corner;
+        }
+        const int left = LeftByCuts(this->Options.Cuts, block);
+        if (isFault != (left < 4 && present >= 3 && left != missing)) // a corner that is cut off, but not there
+        {
+          return isFault ? "a wall at a fault where there is none" : "a wall at a fault that is told of the outline";
+        }
+      }
+    }
+    return "";
+  }
+
+  /// What cuts take of blocks and halves of blocks.
+  double AreaInCutBlocks(const ColumnNumbers& numbers) const
+  {
+    std::map<Column, int> present;
+    for (const auto& [column, number] : numbers)
+    {
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        present[{ column.first - corner % 2, column.second - corner / 2 }] += 1 << corner;
+      }
+    }
+    double area = 0.0;
+    for (const auto& [block, corners] : present)
+    {
+      const int left = LeftByCuts(this->Options.Cuts, block);
+      const bool areAll = corners == 15;
+      const bool areThree = corners == 14 || corners == 13 || corners == 11 || corners == 7;
+      const double half = left >= 0 && left < 4 && (corners | 1 << left) == 15 ? 0.5 : 0.0; // what is not cut off
+      area += left == 4 ? 0.0 : areAll ? 1.0 - half : areThree ? 0.5 - half : 0.0;
+    }
+    return area;
+  }
+
+  /// The ends of a wall, with the layer to the left.
+  std::array<PlanePoint, 2> WallInPlan(const LayerBody& body, std::size_t face) const
+  {
+    const auto vertex = [&](std::size_t n)
+    { return std::size_t(body.Vertices[std::size_t(body.Triangles[3 * face + n % 3])]); };
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      for (const auto& [from, to] : { std::pair(vertex(n), vertex(n + 1)), std::pair(vertex(n + 1), vertex(n)) })
+      {
+        if (this->HasSide(from, to))
+        {
+          return { this->At(from), this->At(to) };
+        }
+      }
+    }
+    return {};
+  }
+
+  /// Whether a triangle of the plan has a side, with itself to the left.
+  bool HasSide(std::size_t from, std::size_t to) const
+  {
+    bool has = false;
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        for (std::size_t n = 0; n < 3; ++n)
+        {
+          has = has || (t[n] == from && t[(n + 1) % 3] == to);
+        }
+      });
+    return has;
   }
 
   /// Over blocks of four columns, cut in two either way, and halves of three: the volume, by how much that of a plan
@@ -94,10 +197,11 @@ public:
       double sum = 0.0;
       std::array<double, 2> twist = { 0.0, 0.0 };
       int count = 0;
-      for (std::size_t n = 0; n < 4; ++n)
+      const int left = LeftByCuts(this->Options.Cuts, { x, y });
+      for (std::size_t n = 0; n < 4 && left >= 0; ++n)
       {
         const auto found = heights.find(corners[n]);
-        if (found != heights.end())
+        if (found != heights.end() && int(n) != left)
         {
           ++count;
           sum += this->Sign * (found->second[0] - found->second[1]);
@@ -218,9 +322,9 @@ protected:
     {
       const double part = (y - this->At(a).Y) / dy;
       const double x = this->At(a).X + part * dx;
-      if (std::abs(x - std::round(x)) > 1e-9)
+      const int left = int(std::floor(x));
+      if (std::abs(x - std::round(x)) > 1e-9 && !(this->Options.Cuts && this->Options.Cuts->IsCutEast({ left, y })))
       {
-        const int left = int(std::floor(x));
         add(part, heightAt(left, y) + (x - left) * (heightAt(left + 1, y) - heightAt(left, y)));
       }
     }
@@ -228,9 +332,9 @@ protected:
     {
       const double part = (x - this->At(a).X) / dx;
       const double y = this->At(a).Y + part * dy;
-      if (std::abs(y - std::round(y)) > 1e-9)
+      const int below = int(std::floor(y));
+      if (std::abs(y - std::round(y)) > 1e-9 && !(this->Options.Cuts && this->Options.Cuts->IsCutNorth({ x, below })))
       {
-        const int below = int(std::floor(y));
         add(part, heightAt(x, below) + (y - below) * (heightAt(x, below + 1) - heightAt(x, below)));
       }
     }
@@ -324,12 +428,12 @@ protected:
       const BodyFace face = body.Faces[n / 3];
       const auto area =
         double(Turn(this->At(std::size_t(at(0))), this->At(std::size_t(at(1))), this->At(std::size_t(at(2)))));
-      if ((face == BodyFace::Outline) != (area == 0.0))
+      if ((face == BodyFace::Outline || face == BodyFace::Fault) != (area == 0.0))
       {
         return "a wall that is not upright";
       }
       areas[face == BodyFace::Base ? 1 : 0] += 0.5 * area;
-      for (std::size_t corner = 0; corner < 3 && face != BodyFace::Outline; ++corner)
+      for (std::size_t corner = 0; corner < 3 && area != 0.0; ++corner)
       {
         const std::size_t horizon = face == BodyFace::Top ? layer : layer + 1;
         if (body.Heights[std::size_t(body.Triangles[n + corner])] !=

@@ -10,6 +10,7 @@
 #include "LayerChecker.h"
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Stack
 {
   std::vector<Horizon> Horizons; // the uppermost first
   LayerOptions Options;
+  std::shared_ptr<LinkCuts> Cuts; // where horizons are thrown; null for most stacks
 };
 
 class Generator
@@ -46,6 +48,7 @@ public:
     const bool areMasksOwn = this->Whole(0, 2) == 0;
     this->MakeMask(missing);
     const double sign = stack.Options.Crossings.HeightsGrowDownwards ? -1.0 : 1.0;
+    this->MakeFaults(stack);
     for (std::size_t n = 0; n < stack.Horizons.size(); ++n)
     {
       if (areMasksOwn && n > 0)
@@ -57,7 +60,8 @@ public:
       {
         for (int x = 0; x < this->Width; ++x)
         {
-          const double height = shape.At(x, y) - gap * double(n) + noise * this->Real(-1.0, 1.0);
+          const double height = shape.At(x, y) - gap * double(n) + noise * this->Real(-1.0, 1.0) +
+            this->Thrown[std::size_t(y * this->Width + x)];
           if (this->Mask[std::size_t(y * this->Width + x)] != 0)
           {
             stack.Horizons[n].Columns.push_back({ x - 3, y + 5 });
@@ -116,6 +120,50 @@ private:
     }
   }
 
+  /// Up to three faults, which may cross and end inside: links from one side of a line to the other one are cut along
+  /// a part of it.
+  void MakeFaults(Stack& stack)
+  {
+    this->Thrown.assign(std::size_t(this->Width * this->Height), 0.0);
+    for (int fault = this->Whole(0, 2) == 0 ? this->Whole(1, 3) : 0; fault > 0; --fault)
+    {
+      const double angle = this->Real(0.0, 6.3);
+      const double middleX = this->Real(0.0, this->Width);
+      const double middleY = this->Real(0.0, this->Height);
+      const double half = this->Real(1.0, 20.0);
+      const double most = this->Pick({ 0.0, 2.0, 8.0 });
+      // Across and along the line.
+      const auto across = [&](int x, int y) { return (x - middleX) * std::cos(angle) + (y - middleY) * std::sin(angle); };
+      const auto along = [&](int x, int y) { return (y - middleY) * std::cos(angle) - (x - middleX) * std::sin(angle); };
+      const auto isCut = [&](int x, int y, int toX, int toY)
+      { return (across(x, y) > 0.0) != (across(toX, toY) > 0.0) && std::abs(along(x, y)) < half; };
+      if (!stack.Cuts)
+      {
+        PlaneBox box;
+        box.Least = { -3, 5 };
+        box.Greatest = { this->Width - 4, this->Height + 4 };
+        stack.Cuts = std::make_shared<LinkCuts>(box);
+      }
+      for (int y = 0; y < this->Height; ++y)
+      {
+        for (int x = 0; x < this->Width; ++x)
+        {
+          const bool isThrown = across(x, y) > 0.0 && std::abs(along(x, y)) < half;
+          this->Thrown[std::size_t(y * this->Width + x)] += isThrown ? most * (1.0 - std::abs(along(x, y)) / half) : 0.0;
+          if (isCut(x, y, x + 1, y))
+          {
+            stack.Cuts->CutEast({ x - 3, y + 5 });
+          }
+          if (isCut(x, y, x, y + 1))
+          {
+            stack.Cuts->CutNorth({ x - 3, y + 5 });
+          }
+        }
+      }
+    }
+    stack.Options.Cuts = stack.Cuts.get();
+  }
+
   /// Single columns and discs.
   void MakeMask(int missing)
   {
@@ -142,6 +190,7 @@ private:
   int Width = 0;
   int Height = 0;
   std::vector<unsigned char> Mask;
+  std::vector<double> Thrown; // by the faults
 };
 }
 

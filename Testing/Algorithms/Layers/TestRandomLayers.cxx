@@ -30,6 +30,7 @@ struct Tally
   int Conflicts = 0;
   std::size_t Lines = 0;
   std::size_t LeftOut = 0;
+  int Faulted = 0; // plans with cracks
 };
 
 /// The same stack, each layer in a domain of its own.
@@ -71,6 +72,7 @@ std::string Try(unsigned seed, Tally& tally)
     ++tally.Whole;
     wrong = checker.CheckLattice();
   }
+  tally.Faulted += layers.Plan.FaultTriangles.empty() ? 0 : 1;
   tally.Lines += layers.PinchOutLines;
   tally.LeftOut += layers.LinesLeftOut;
   for (std::size_t layer = 0; layer < layers.Plan.NumberOfLayers(); ++layer)
@@ -108,12 +110,13 @@ int TestRandomLayers(int argc, char* argv[])
   std::cout << tally.Empty << " empty, " << tally.Whole << " with whole outlines, " << tally.Pinched
             << " layers that pinch out, " << tally.Crossed << " crossed, " << tally.Lines
             << " pieces of pinch-out lines, without " << tally.LeftOut << ", " << tally.Parts
-            << " layers in a part of the plan, " << tally.Conflicts << " halves of blocks left out\n";
+            << " layers in a part of the plan, " << tally.Faulted << " plans with cracks, " << tally.Conflicts << " halves of blocks left out\n";
   CHECK(tally.Empty < int(count / 4));
   CHECK(tally.Whole > int(count / 6));
   CHECK(tally.Pinched > int(count / 6));
   CHECK(tally.Crossed > int(count / 3));
   CHECK(tally.Parts > int(count / 4) && tally.Conflicts > int(count / 10));
+  CHECK(tally.Faulted > int(count / 8));
   CHECK(tally.Lines > 10 * count && tally.LeftOut < tally.Lines / 2);
   return Check::Result();
 }
