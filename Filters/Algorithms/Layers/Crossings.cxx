@@ -188,20 +188,27 @@ private:
   std::vector<Pool> Pools;
 };
 
-void StopWhereAsked(const std::vector<CrossingPolicy>& policies, const CrossingRepair& repair)
+void StopWhereAsked(
+  const std::vector<CrossingPolicy>& policies, const CrossingOptions& options, const CrossingRepair& repair)
 {
   for (std::size_t n = 0; n < policies.size(); ++n)
   {
     if (policies[n] == CrossingPolicy::Stop && repair.Interfaces[n].Columns > 0)
     {
       std::ostringstream message;
-      message << "horizons " << n + 1 << " and " << n + 2 << " cross in " << repair.Interfaces[n].Columns
+      message << NameOf(n, options) << " and " << NameOf(n + 1, options) << " cross in " << repair.Interfaces[n].Columns
               << (repair.Interfaces[n].Columns == 1 ? " column" : " columns") << ", by up to "
-              << repair.Interfaces[n].Deepest << ", expected none";
+              << repair.Interfaces[n].Deepest << " lattice units, expected none";
       throw InputError(message.str());
     }
   }
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string NameOf(std::size_t horizon, const CrossingOptions& options)
+{
+  return horizon < options.Names.size() ? options.Names[horizon] : "horizon " + std::to_string(horizon + 1);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -236,7 +243,7 @@ CrossingRepair RepairCrossings(HeightStack& heights, const CrossingOptions& opti
     });
   sums.Interfaces.resize(policies.size()); // where there is no column
   sums.Horizons.resize(heights.size());
-  StopWhereAsked(policies, sums);
+  StopWhereAsked(policies, options, sums);
   return sums;
 }
 

@@ -22,7 +22,9 @@
 
 #include "Common/Monitor.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -38,6 +40,8 @@ enum class CrossingPolicy
 
 struct CrossingOptions
 {
+  /// What horizons are called in messages, by their numbers where there are none.
+  std::vector<std::string> Names;
   /// For each interface, from the uppermost on; or one for all of them. Interface n is between horizons n and n + 1.
   std::vector<CrossingPolicy> Policies = { CrossingPolicy::Mean };
   /// Neighbours with less between them are pooled as those are that cross, in lattice units: at least 0.
@@ -45,6 +49,9 @@ struct CrossingOptions
   /// Whether the heights of the uppermost horizon are the least ones, as depths and times are.
   bool HeightsGrowDownwards = false;
 };
+
+/// "Top", or "horizon 1".
+std::string NameOf(std::size_t horizon, const CrossingOptions& options);
 
 /// How two neighbours crossed before.
 struct CrossedInterface
@@ -75,7 +82,7 @@ struct CrossingRepair
 using HeightStack = std::vector<std::vector<double>>;
 
 /// Throws InputError when there are fewer than two horizons, with a wrong number of policies, and where horizons cross
-/// that have to stop: "horizons 1 and 2 cross in 13481 columns, by up to 2.1, expected none".
+/// that have to stop: "Top and Base cross in 13481 columns, by up to 2.1 lattice units, expected none".
 CrossingRepair RepairCrossings(
   HeightStack& heights, const CrossingOptions& options = CrossingOptions(), const Monitor& monitor = Monitor());
 

@@ -40,7 +40,7 @@ namespace SeismicHorizons
 namespace
 {
 // ---- The stack -----------------------------------------------------------------------------------------------------
-void CheckHorizons(const std::vector<HorizonView>& horizons)
+void CheckHorizons(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
 {
   if (horizons.size() < 2)
   {
@@ -53,14 +53,14 @@ void CheckHorizons(const std::vector<HorizonView>& horizons)
       std::find_if(heights, heights + horizons[n].Columns.size(), [](double height) { return !std::isfinite(height); });
     if (wrong != heights + horizons[n].Columns.size())
     {
-      throw InputError("horizon " + std::to_string(n + 1) + ": point " + std::to_string(wrong - heights) +
+      throw InputError(NameOf(n, names) + ": point " + std::to_string(wrong - heights) +
         " without a height, expected a finite number");
     }
   }
 }
 
 /// Why horizons have no column in common: for two of them, where there are such.
-InputError NothingInCommon(const std::vector<HorizonView>& horizons)
+InputError NothingInCommon(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
 {
   for (std::size_t a = 0; a < horizons.size(); ++a)
   {
@@ -68,7 +68,7 @@ InputError NothingInCommon(const std::vector<HorizonView>& horizons)
     {
       if (FindCommonColumns({ horizons[a], horizons[b] }).Columns.empty())
       {
-        return InputError("horizons " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
+        return InputError(NameOf(a, names) + " and " + NameOf(b, names) +
           " have no column in common, expected horizons that lie above each other");
       }
     }
@@ -79,12 +79,12 @@ InputError NothingInCommon(const std::vector<HorizonView>& horizons)
 
 OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
-  CheckHorizons(horizons);
+  CheckHorizons(horizons, options.Crossings);
   CommonColumns common =
     options.Domain == LayerDomain::Common ? FindCommonColumns(horizons) : FindColumnsOfLayers(horizons);
   if (common.Columns.empty())
   {
-    throw NothingInCommon(horizons);
+    throw NothingInCommon(horizons, options.Crossings);
   }
   OrderedStack stack;
   stack.Columns = std::move(common.Columns);
@@ -628,8 +628,7 @@ private:
     }
     for (RawVector<PointId>* const some : { &corners, &ofFaults })
     {
-      std::for_each(
-        some->begin(), some->end(), [&numbers](PointId& vertex) { vertex = numbers[std::size_t(vertex)]; });
+      std::for_each(some->begin(), some->end(), [&numbers](PointId& vertex) { vertex = numbers[std::size_t(vertex)]; });
     }
     plan.Triangles = std::move(corners);
     plan.FaultTriangles = std::move(ofFaults);
@@ -858,19 +857,46 @@ Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, bool heightsGrowDownwards)
+std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, const CrossingOptions& options)
 {
+  constexpr double MostBelow = 0.25;
   const CommonColumns common = FindCommonColumns(horizons);
-  std::vector<double> sums;
+  if (common.Columns.empty())
+  {
+    throw NothingInCommon(horizons, options);
+  }
+  const double upwards = options.HeightsGrowDownwards ? -1.0 : 1.0;
+  const auto height = [&](std::size_t n, std::size_t column)
+  { return upwards * horizons[n].Heights[common.Points[n][column]]; };
+  std::vector<double> sums(horizons.size(), 0.0);
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
-    const double sum = std::accumulate(common.Points[n].begin(), common.Points[n].end(), 0.0,
-      [&](double before, PointId point) { return before + horizons[n].Heights[point]; });
-    sums.push_back(heightsGrowDownwards ? sum : -sum);
+    for (std::size_t column = 0; column < common.Columns.size(); ++column)
+    {
+      sums[n] += height(n, column);
+    }
   }
   std::vector<std::size_t> order(horizons.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&sums](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
+  std::stable_sort(order.begin(), order.end(), [&sums](std::size_t a, std::size_t b) { return sums[a] > sums[b]; });
+  for (std::size_t n = 0; n + 1 < order.size(); ++n)
+  {
+    std::array<double, 2> columns = { 0.0, 0.0 }; // in which the upper one is above, and below
+    for (std::size_t column = 0; column < common.Columns.size(); ++column)
+    {
+      const double between = height(order[n], column) - height(order[n + 1], column);
+      columns[0] += between > 0.0 ? 1.0 : 0.0;
+      columns[1] += between < 0.0 ? 1.0 : 0.0;
+    }
+    const double below = columns[1] / std::max(1.0, columns[0] + columns[1]);
+    if (below > MostBelow)
+    {
+      const auto percent = std::lround(100.0 * below);
+      throw InputError(NameOf(order[n], options) + " is above " + NameOf(order[n + 1], options) + " in " +
+        std::to_string(100 - percent) + " % of their columns and below in " + std::to_string(percent) +
+        " %, expected an order: give the uppermost horizon first, with Order AsGiven");
+    }
+  }
   return order;
 }
 }

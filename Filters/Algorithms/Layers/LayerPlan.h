@@ -135,8 +135,10 @@ struct Layers
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options = LayerOptions(),
   const Monitor& monitor = Monitor());
 
-/// The numbers of the horizons, the uppermost first by their mean heights over the columns that all have.
-std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, bool heightsGrowDownwards);
+/// The numbers of the horizons, the uppermost first by their mean heights over the columns that all have. Throws
+/// InputError where there is no such column, and where a horizon is below the next one in more than a quarter of the
+/// columns in which the two differ.
+std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, const CrossingOptions& options);
 }
 
 #endif

@@ -133,8 +133,10 @@ private:
       const double half = this->Real(1.0, 20.0);
       const double most = this->Pick({ 0.0, 2.0, 8.0 });
       // Across and along the line.
-      const auto across = [&](int x, int y) { return (x - middleX) * std::cos(angle) + (y - middleY) * std::sin(angle); };
-      const auto along = [&](int x, int y) { return (y - middleY) * std::cos(angle) - (x - middleX) * std::sin(angle); };
+      const auto across = [&](int x, int y)
+      { return (x - middleX) * std::cos(angle) + (y - middleY) * std::sin(angle); };
+      const auto along = [&](int x, int y)
+      { return (y - middleY) * std::cos(angle) - (x - middleX) * std::sin(angle); };
       const auto isCut = [&](int x, int y, int toX, int toY)
       { return (across(x, y) > 0.0) != (across(toX, toY) > 0.0) && std::abs(along(x, y)) < half; };
       if (!stack.Cuts)
@@ -149,7 +151,8 @@ private:
         for (int x = 0; x < this->Width; ++x)
         {
           const bool isThrown = across(x, y) > 0.0 && std::abs(along(x, y)) < half;
-          this->Thrown[std::size_t(y * this->Width + x)] += isThrown ? most * (1.0 - std::abs(along(x, y)) / half) : 0.0;
+          this->Thrown[std::size_t(y * this->Width + x)] +=
+            isThrown ? most * (1.0 - std::abs(along(x, y)) / half) : 0.0;
           if (isCut(x, y, x + 1, y))
           {
             stack.Cuts->CutEast({ x - 3, y + 5 });

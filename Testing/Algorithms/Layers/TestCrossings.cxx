@@ -106,8 +106,9 @@ void TestMessages()
   CHECK_THROWS_WITH(repair({ { 1 }, { 1 } }, { Mean, Mean }), "2 policies of crossings, expected one, or 1 for 2");
   CHECK_THROWS_WITH(repair({ { 1 }, { 1 } }, { Mean }, -1.0), "minimum thickness -1, expected at least 0");
   CHECK_THROWS_WITH(repair({ { 9, 1, 1 }, { 5, 3, 3.5 }, { 1, 1, 1 } }, { Stop, Mean }),
-    "horizons 1 and 2 cross in 2 columns, by up to 2.5, expected none");
-  CHECK_THROWS_WITH(repair({ { 5 }, { 3 }, { 4 } }, { Mean, Stop }), "horizons 2 and 3 cross in 1 column, by up to 1");
+    "horizon 1 and horizon 2 cross in 2 columns, by up to 2.5 lattice units, expected none");
+  CHECK_THROWS_WITH(
+    repair({ { 5 }, { 3 }, { 4 } }, { Mean, Stop }), "horizon 2 and horizon 3 cross in 1 column, by up to 1 lattice");
   CHECK_EQUAL(repair({ { 1, 2 }, { 1, 1 } }, { Stop }).Horizons[0].Columns, 0); // touching is not crossing
 }
 

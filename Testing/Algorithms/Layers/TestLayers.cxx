@@ -206,11 +206,18 @@ void TestDepths()
 
 void TestOrder()
 {
-  const std::vector<Horizon> horizons = { Make(3, 3, [](int, int) { return 1.0; }),
-    Make(3, 3, [](int x, int) { return 5.0 * x - 2.0; }), Make(3, 3, [](int, int) { return 2.0; }) };
-  const std::vector<HorizonView> views = LayerChecker::ViewsOf(horizons);
-  CHECK((OrderByHeight(views, false) == std::vector<std::size_t>{ 1, 2, 0 }));
-  CHECK((OrderByHeight(views, true) == std::vector<std::size_t>{ 0, 2, 1 }));
+  std::vector<Horizon> horizons = { Make(6, 3, [](int, int) { return 1.0; }),
+    Make(6, 3, [](int x, int) { return 5.0 * x - 2.0; }), Make(6, 3, [](int, int) { return 2.0; }) };
+  CrossingOptions options;
+  const auto order = [&]() { return OrderByHeight(LayerChecker::ViewsOf(horizons), options); };
+  CHECK((order() == std::vector<std::size_t>{ 1, 2, 0 }));
+  options.HeightsGrowDownwards = true;
+  CHECK((order() == std::vector<std::size_t>{ 0, 2, 1 }));
+  options.Names = { "Top", "Tilted", "Base" };
+  horizons[1] = Make(6, 3, [](int x, int) { return 5.0 * x - 7.0; });
+  CHECK_THROWS_WITH(order(), "Base is above Tilted in 67 % of their columns and below in 33 %, expected an order");
+  horizons[2].Columns.clear();
+  CHECK_THROWS_WITH(order(), "Top and Base have no column in common, expected horizons");
 }
 
 void TestMessages()
@@ -231,12 +238,12 @@ void TestMessages()
   LayerOptions options;
   CHECK_THROWS_WITH(MakeFrom({}), "no horizon, expected at least 2");
   CHECK_THROWS_WITH(MakeFrom({ level }), "one horizon, expected at least 2");
-  CHECK_THROWS_WITH(MakeFrom({ level, beside }), "horizons 1 and 2 have no column in common, expected");
-  CHECK_THROWS_WITH(MakeFrom({ level, corner, beside }), "horizons 1 and 3 have no column in common, expected");
+  CHECK_THROWS_WITH(MakeFrom({ level, beside }), "horizon 1 and horizon 2 have no column in common, expected");
+  CHECK_THROWS_WITH(MakeFrom({ level, corner, beside }), "horizon 1 and horizon 3 have no column in common, expected");
   CHECK_THROWS_WITH(MakeFrom({ level, broken }), "horizon 2: point 5 without a height, expected a finite number");
   CHECK_THROWS_WITH(MakeFrom({ level, twice }), "points 2 and 3 both in column (2, 0)");
   options.Crossings.Policies = { CrossingPolicy::Stop };
-  CHECK_THROWS_WITH(MakeFrom({ level, high }, options), "cross in 16 columns, by up to 1.5, expected none");
+  CHECK_THROWS_WITH(MakeFrom({ level, high }, options), "cross in 16 columns, by up to 1.5 lattice units, expected none");
   options = LayerOptions();
   options.MaximumError = -1.0;
   CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "maximum error -1, expected at least 0");
@@ -251,7 +258,7 @@ void TestMessages()
   options.OutlineTolerance = 0.5;
   CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "where each layer has a domain of its own, expected a radius");
   options.OutlineTolerance.reset();
-  CHECK_THROWS_WITH(MakeFrom({ high, beside }, options), "horizons 1 and 2 have no column in common, expected");
+  CHECK_THROWS_WITH(MakeFrom({ high, beside }, options), "horizon 1 and horizon 2 have no column in common, expected");
   options = LayerOptions();
   options.SmallestPinch = 0;
   CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "smallest pinch-out 0, expected at least 1");

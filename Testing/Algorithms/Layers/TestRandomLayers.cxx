@@ -110,7 +110,8 @@ int TestRandomLayers(int argc, char* argv[])
   std::cout << tally.Empty << " empty, " << tally.Whole << " with whole outlines, " << tally.Pinched
             << " layers that pinch out, " << tally.Crossed << " crossed, " << tally.Lines
             << " pieces of pinch-out lines, without " << tally.LeftOut << ", " << tally.Parts
-            << " layers in a part of the plan, " << tally.Faulted << " plans with cracks, " << tally.Conflicts << " halves of blocks left out\n";
+            << " layers in a part of the plan, " << tally.Faulted << " plans with cracks, " << tally.Conflicts
+            << " halves of blocks left out\n";
   CHECK(tally.Empty < int(count / 4));
   CHECK(tally.Whole > int(count / 6));
   CHECK(tally.Pinched > int(count / 6));
