@@ -45,6 +45,11 @@ constexpr const char* Part = "Part";
 constexpr const char* FaultLine = "FaultLine";
 constexpr const char* FaultName = "FaultName";
 constexpr const char* Fault = "Fault";
+constexpr const char* Layer = "Layer";
+constexpr const char* Triangle = "Triangle";
+constexpr const char* Thickness = "Thickness";
+constexpr const char* Volume = "Volume";
+constexpr const char* Face = "Face";
 }
 
 namespace FieldArray
@@ -112,6 +117,9 @@ constexpr const char* IsochoreMean = "IsochoreMean";
 constexpr const char* IsochoreLargest = "IsochoreLargest";
 constexpr const char* IsochoreVolume = "IsochoreVolume";
 constexpr const char* IsochoreCrossings = "IsochoreCrossings";
+constexpr const char* LayerNames = "LayerNames";
+constexpr const char* MovedColumns = "MovedColumns";
+constexpr const char* FarthestMove = "FarthestMove";
 constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* LargestDistanceFound = "LargestDistanceFound";
 constexpr const char* MeanDistance = "MeanDistance";

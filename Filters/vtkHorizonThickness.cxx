@@ -6,13 +6,13 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/KeptPoints.h"
-#include "Common/Survey/LatticeFrame.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/LatticePoints.h"
+#include "Marshalling/PlacedPoints.h"
 #include "Thickness/Thickness.h"
 
 #include "vtkDoubleArray.h"
@@ -34,34 +34,8 @@ namespace
 constexpr int OtherPort = 1;
 constexpr std::int64_t Few = 20; // one column of so many may be a crossing without a warning
 
-/// How far a point of the other horizon may be from a column, along either axis.
-constexpr double LargestDeviation = 0.05;
-
-constexpr double LargestColumn = 1 << 30;
-
-struct OtherPoints
-{
-  std::vector<PlanePoint> Columns;
-  std::vector<double> Height;
-};
-
-/// Throws InputError where both say what z is, and it is not the same.
-void CheckSameHeights(const SurveyDescription& first, const SurveyDescription& other)
-{
-  const auto check = [](const std::string& name, const std::string& expected, const std::string& found)
-  {
-    if (!expected.empty() && !found.empty() && expected != found)
-    {
-      throw InputError(
-        "an other horizon of the " + name + " \"" + found + "\", expected \"" + expected + "\" as of the first one");
-    }
-  };
-  check("VerticalDomain", first.VerticalDomain, other.VerticalDomain);
-  check("VerticalUnit", first.VerticalUnit, other.VerticalUnit);
-}
-
 /// Of what has points, the one that is not the horizon itself, on the lattice of that.
-OtherPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& grid)
+PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& grid)
 {
   std::vector<HorizonLeaf> leaves = ListHorizons(others, {});
   leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
@@ -75,34 +49,8 @@ OtherPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice
   }
   vtkPolyData* const other = leaves.front().Input;
   CheckArraySizes(other);
-  CheckSameHeights(ReadSurveyFields(horizon->GetFieldData()), ReadSurveyFields(other->GetFieldData()));
-  const vtkSmartPointer<vtkPolyData> points = WithoutHiddenPoints(other);
-  OtherPoints found;
-  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
-  {
-    const Eigen::Vector3d world(points->GetPoint(n));
-    if (!world.allFinite())
-    {
-      throw InputError("a point of the other horizon at " + ToText(world) + ", expected finite numbers");
-    }
-    const Eigen::Vector3d place = grid.ToLattice(world);
-    if (!(std::abs(place.z()) <= LargestHeight))
-    {
-      throw InputError(
-        "a point of the other horizon at " + ToText(world) + ", expected at most 2^50 vertical indices up or down");
-    }
-    const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
-    if (!((place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation) ||
-      !(column.cwiseAbs().maxCoeff() < LargestColumn))
-    {
-      throw InputError("a point of the other horizon at " + ToText(world) +
-        ", which is on no column of the first one, expected points on one lattice: Horizon From Points grids them "
-        "there");
-    }
-    found.Columns.push_back({ static_cast<std::int32_t>(column.x()), static_cast<std::int32_t>(column.y()) });
-    found.Height.push_back(place.z());
-  }
-  return found;
+  CheckSameHeights(horizon, other, { "an other horizon", "the first one" });
+  return PlaceOn(grid, WithoutHiddenPoints(other), { "the other horizon", "the first one" });
 }
 
 LatticeScale ScaleOf(const Lattice& grid)
@@ -136,7 +84,7 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
 {
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkDataObject* const given = this->GetInputDataObject(OtherPort, 0);
-  const OtherPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Grid);
+  const PlacedPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Grid);
   monitor.Progress(0.4);
   const Thickness found = MeasureThickness(
     { points.Column, points.Height }, { other.Columns, other.Height }, ScaleOf(points.Grid), monitor.Step(0.4, 0.9));

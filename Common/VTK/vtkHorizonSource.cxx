@@ -11,13 +11,13 @@
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "HorizonName.h"
+#include "NamedCollection.h"
 #include "PipelineRequest.h"
 #include "Ranks.h"
 #include "vtkHorizonFileSeries.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
-#include "vtkDataAssembly.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -147,26 +147,6 @@ void RequireSameList(const std::string& prefix, const std::vector<std::string>& 
         " processes than on the first, expected the same data on all");
     }
   }
-}
-
-/// What a node of an assembly can be called.
-std::string NodeName(const std::string& name)
-{
-  const bool isTaken = name.empty() || vtkDataAssembly::IsNodeNameReserved(name.c_str());
-  return vtkDataAssembly::MakeValidNodeName((isTaken ? '_' + name : name).c_str());
-}
-
-/// Adds an empty partitioned dataset with a name, and a node of the assembly for it.
-void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name)
-{
-  const unsigned int position = collection->GetNumberOfPartitionedDataSets();
-  vtkNew<vtkPartitionedDataSet> partitions;
-  collection->SetPartitionedDataSet(position, partitions);
-  collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), name.c_str());
-  vtkDataAssembly* const assembly = collection->GetDataAssembly();
-  const int node = assembly->AddNode(NodeName(name).c_str());
-  assembly->AddDataSetIndex(node, position);
-  assembly->SetAttribute(node, "label", name.c_str());
 }
 }
 
@@ -328,10 +308,7 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
   const int numberOfPieces =
     std::max(1, outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
   const std::vector<int> pieceOf = DealOut(Choose(this->CountHorizonPoints(), numbers), numberOfPieces);
-  vtkNew<vtkPartitionedDataSetCollection> horizons;
-  vtkNew<vtkDataAssembly> assembly;
-  assembly->SetRootNodeName("Horizons");
-  horizons->SetDataAssembly(assembly);
+  const vtkSmartPointer<vtkPartitionedDataSetCollection> horizons = MakeCollection("Horizons");
   std::vector<int> own;
   std::vector<unsigned int> positions; // of the same in the collection
   for (std::size_t n = 0; n < numbers.size(); ++n)

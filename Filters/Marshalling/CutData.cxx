@@ -14,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <string>
@@ -46,12 +47,12 @@ LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns)
+std::vector<LatticeLink> ReadCutLinks(vtkDataObject* horizon)
 {
   vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), FieldArray::CutLinks);
   if (!array || array->GetNumberOfTuples() == 0)
   {
-    return std::nullopt;
+    return {};
   }
   if (array->GetNumberOfComponents() != 3)
   {
@@ -60,15 +61,24 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns
   }
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   std::vector<LatticeLink> links;
-  PlaneBox box;
   for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
   {
-    const LatticeLink link = ReadLink(array, n, dimensions);
-    if (columns.Contains(link.Column))
-    {
-      links.push_back(link);
-      box.Add(link.Column);
-    }
+    links.push_back(ReadLink(array, n, dimensions));
+  }
+  return links;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns)
+{
+  std::vector<LatticeLink> links = ReadCutLinks(horizon);
+  links.erase(std::remove_if(links.begin(), links.end(),
+                [&columns](const LatticeLink& link) { return !columns.Contains(link.Column); }),
+    links.end());
+  PlaneBox box;
+  for (const LatticeLink& link : links)
+  {
+    box.Add(link.Column);
   }
   if (links.empty())
   {

@@ -11,12 +11,16 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 class vtkDataObject;
 class vtkFieldData;
 
 namespace SeismicHorizons
 {
+/// The links that the field data array CutLinks lists, none where there is no such array. Throws InputError as FindCuts.
+std::vector<LatticeLink> ReadCutLinks(vtkDataObject* horizon);
+
 /// The cuts among some columns that the field data array CutLinks lists, in their own bounding box; nothing where there
 /// is no such array, or none of them in it. Cuts far from the horizon, which may be a small part of its lattice, would
 /// only take memory. Throws InputError on an array of other than three whole numbers a link, on columns outside the

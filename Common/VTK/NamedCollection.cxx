@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NamedCollection.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataAssembly.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// What a node of an assembly can be called.
+std::string NodeName(const std::string& name)
+{
+  const bool isTaken = name.empty() || vtkDataAssembly::IsNodeNameReserved(name.c_str());
+  return vtkDataAssembly::MakeValidNodeName((isTaken ? '_' + name : name).c_str());
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPartitionedDataSetCollection> MakeCollection(const char* rootName)
+{
+  auto collection = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+  vtkNew<vtkDataAssembly> assembly;
+  assembly->SetRootNodeName(rootName);
+  collection->SetDataAssembly(assembly);
+  return collection;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name)
+{
+  const unsigned int position = collection->GetNumberOfPartitionedDataSets();
+  vtkNew<vtkPartitionedDataSet> partitions;
+  collection->SetPartitionedDataSet(position, partitions);
+  collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  vtkDataAssembly* const assembly = collection->GetDataAssembly();
+  const int node = assembly->AddNode(NodeName(name).c_str());
+  assembly->AddDataSetIndex(node, position);
+  assembly->SetAttribute(node, "label", name.c_str());
+}
+}

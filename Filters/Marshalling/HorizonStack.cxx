@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HorizonStack.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/SurveyFields.h"
+#include "CutData.h"
+#include "HorizonData.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The column of a place on a lattice.
+PlanePoint ColumnAt(const Lattice& grid, const Eigen::Vector3d& world)
+{
+  const Eigen::Vector3d place = grid.ToLattice(world);
+  return { std::int32_t(std::lround(place.x())), std::int32_t(std::lround(place.y())) };
+}
+
+/// Cuts the links from a column to another one, which is on the same row or column of the lattice.
+void CutAlong(const PlanePoint& from, const PlanePoint& to, LinkCuts& cuts)
+{
+  const PlanePoint least = { std::min(from.X, to.X), std::min(from.Y, to.Y) };
+  for (std::int32_t x = least.X; x < std::max(from.X, to.X); ++x)
+  {
+    cuts.CutEast({ x, least.Y });
+  }
+  for (std::int32_t y = least.Y; y < std::max(from.Y, to.Y); ++y)
+  {
+    cuts.CutNorth({ least.X, y });
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonStack::Add(const std::string& name, vtkPolyData* points)
+{
+  RequireAllPoints(points);
+  this->Horizons.push_back({ name, ReadColumns(points, {}), {} });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonStack::PlaceTogether()
+{
+  const auto frame = std::min_element(this->Horizons.begin(), this->Horizons.end(),
+    [](const StackedHorizon& a, const StackedHorizon& b)
+    { return a.Points.Grid.ColumnArea() < (1.0 - 1e-6) * b.Points.Grid.ColumnArea(); });
+  this->Frame = frame->Points.Horizon;
+  this->Dimensions = ReadLatticeDimensions(this->Frame);
+  this->Map = ReadLatticeMap(this->Frame);
+  this->Together = frame->Points.Grid;
+  for (StackedHorizon& horizon : this->Horizons)
+  {
+    const HorizonNames names = { horizon.Name, frame->Name };
+    CheckSameHeights(this->Frame, horizon.Points.Horizon, names);
+    horizon.Placed = PlaceOn(this->Together, horizon.Points.Horizon, names);
+    for (const PlanePoint& column : horizon.Placed.Columns)
+    {
+      this->Box.Add(column);
+    }
+  }
+  this->CoverAll();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Where the lattice does not have all columns, it becomes one that does.
+void HorizonStack::CoverAll()
+{
+  if (this->Box.IsEmpty())
+  {
+    return;
+  }
+  this->Shift = { std::min(0, this->Box.Least.X), std::min(0, this->Box.Least.Y) };
+  const auto move = [this](PlanePoint& column) { column = { column.X - this->Shift.X, column.Y - this->Shift.Y }; };
+  move(this->Box.Least);
+  move(this->Box.Greatest);
+  for (StackedHorizon& horizon : this->Horizons)
+  {
+    std::for_each(horizon.Placed.Columns.begin(), horizon.Placed.Columns.end(), move);
+  }
+  this->Map.col(3) += this->Shift.X * this->Map.col(0) + this->Shift.Y * this->Map.col(1);
+  this->Dimensions[0] = std::max(this->Dimensions[0] - this->Shift.X, this->Box.Greatest.X + 1);
+  this->Dimensions[1] = std::max(this->Dimensions[1] - this->Shift.Y, this->Box.Greatest.Y + 1);
+  this->Together = Lattice(this->Dimensions, this->Map);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool HorizonStack::HeightsGrowDownwards() const
+{
+  return (this->Together.ToWorld(Eigen::Vector3d::UnitZ()) - this->Together.ToWorld(Eigen::Vector3d::Zero())).z() < 0.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> HorizonStack::Names() const
+{
+  std::vector<std::string> names;
+  for (const StackedHorizon& horizon : this->Horizons)
+  {
+    names.push_back(horizon.Name);
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonStack::Reorder(const std::vector<std::size_t>& order)
+{
+  std::vector<StackedHorizon> ordered;
+  for (const std::size_t n : order)
+  {
+    ordered.push_back(std::move(this->Horizons[n]));
+  }
+  this->Horizons = std::move(ordered);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<HorizonView> HorizonStack::Views() const
+{
+  std::vector<HorizonView> views;
+  for (const StackedHorizon& horizon : this->Horizons)
+  {
+    views.push_back({ horizon.Placed.Columns, horizon.Placed.Height.data() });
+  }
+  return views;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<LinkCuts> HorizonStack::FindCuts() const
+{
+  std::optional<LinkCuts> cuts;
+  for (const StackedHorizon& horizon : this->Horizons)
+  {
+    const Lattice& own = horizon.Points.Grid;
+    for (const LatticeLink& link : ReadCutLinks(horizon.Points.Horizon))
+    {
+      const bool isNorth = link.Side == LinkSide::North;
+      const Eigen::Vector3d place(link.Column.X, link.Column.Y, 0.0);
+      const PlanePoint from = ColumnAt(this->Together, own.ToWorld(place));
+      const PlanePoint to =
+        ColumnAt(this->Together, own.ToWorld(place + (isNorth ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX())));
+      if (from.X != to.X && from.Y != to.Y)
+      {
+        throw InputError("faults of " + horizon.Name +
+          " on a lattice that is turned, expected rows and columns along those of the others: Horizon From Points "
+          "grids "
+          "its points there");
+      }
+      if (this->Box.Contains(from) && this->Box.Contains(to))
+      {
+        cuts = cuts ? std::move(cuts) : LinkCuts(this->Box);
+        CutAlong(from, to, *cuts);
+      }
+    }
+  }
+  return cuts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HorizonStack::WriteFields(vtkFieldData* data) const
+{
+  vtkFieldData* const given = this->Frame->GetFieldData();
+  if (vtkDataArray* const direction = FindNumbers(given, FieldArray::VerticalDirection))
+  {
+    data->AddArray(direction);
+  }
+  AddSurveyFields(ReadSurveyFields(given), data);
+  std::array<double, 16> map = {};
+  for (int n = 0; n < 16; ++n)
+  {
+    map[std::size_t(n)] = this->Map(n / 4, n % 4);
+  }
+  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, this->Dimensions);
+  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, map);
+  vtkDataArray* const lines = FindNumbers(given, FieldArray::LineNumbers);
+  if (lines && lines->GetNumberOfValues() == 4)
+  {
+    std::array<double, 4> shifted = { FieldValue(lines, 0), FieldValue(lines, 1), FieldValue(lines, 2),
+      FieldValue(lines, 3) };
+    shifted[0] += this->Shift.Y * shifted[1];
+    shifted[2] += this->Shift.X * shifted[3];
+    AddTuple<vtkDoubleArray>(data, FieldArray::LineNumbers, shifted);
+  }
+}
+}

@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayerOutput.h"
+
+#include "Common/ColumnIndex.h"
+#include "Common/DataModel.h"
+#include "Common/Parallel.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/SurveyFields.h"
+#include "HeightUnit.h"
+#include "HorizonCells.h"
+#include "HorizonPoints.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
+constexpr int ContactsOfCurve = 101;
+
+/// Points in the world of places on the lattice.
+template <typename Place>
+vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& grid, Place&& place)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(vtkIdType(size));
+  double* const coordinates = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
+  ParallelFor(std::int64_t(size), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        const Eigen::Vector3d world = grid.ToWorld(place(std::size_t(point)));
+        std::copy(world.data(), world.data() + 3, coordinates + 3 * point);
+      }
+    });
+  return points;
+}
+
+Eigen::Vector3d PlaceOf(const PlanePoint& column, double height)
+{
+  return Eigen::Vector3d(column.X, column.Y, height);
+}
+
+/// Whether what faces outwards on the lattice faces inwards in the world.
+bool IsMirrored(const HorizonStack& stack)
+{
+  return stack.Grid().KeepsOrientation() == stack.HeightsGrowDownwards();
+}
+
+/// The corners of a cell, in the order of VTK, in a lattice that is left-handed in the world.
+void Mirror(vtkIdType* corners, std::size_t size)
+{
+  if (size == 6) // a wedge: its triangles take each other's place
+  {
+    std::swap_ranges(corners, corners + 3, corners + 3);
+    return;
+  }
+  std::swap(corners[size - 4], corners[size - 2]); // of a pyramid in its quadrangle, of a tetrahedron in its triangle
+}
+
+double VolumeOfUnit(const HorizonStack& stack)
+{
+  return stack.Grid().ColumnArea() * WorldPerIndex(stack.Grid());
+}
+
+vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  return array;
+}
+
+/// The columns of a table, filled row by row.
+class TableWriter
+{
+public:
+  TableWriter(vtkTable* table, std::size_t rows)
+    : Table(table)
+    , Rows(vtkIdType(rows))
+  {
+  }
+
+  void StartRow(std::size_t row) { this->Row = vtkIdType(row); }
+
+  template <typename Array>
+  void Set(const char* name, double value)
+  {
+    if (!this->Table->GetColumnByName(name))
+    {
+      this->Table->AddColumn(NewArray<Array>(name, this->Rows));
+    }
+    Array::SafeDownCast(this->Table->GetColumnByName(name))->SetValue(this->Row, typename Array::ValueType(value));
+  }
+
+private:
+  vtkTable* Table;
+  vtkIdType Rows;
+  vtkIdType Row = 0;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> NamesOfLayers(const HorizonStack& stack)
+{
+  std::vector<std::string> names;
+  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
+  {
+    names.push_back(stack[layer].Name + " to " + stack[layer + 1].Name);
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLayerCells(
+  const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, vtkUnstructuredGrid* output)
+{
+  output->SetPoints(MakePoints(cells.Vertices.size(), stack.Grid(),
+    [&](std::size_t point)
+    { return PlaceOf(plan.Columns[std::size_t(cells.Vertices[point])], cells.Heights[point]); }));
+  const auto size = vtkIdType(cells.Size());
+  auto offsets = NewArray<vtkIdTypeArray>(nullptr, size + 1);
+  auto corners = NewArray<vtkIdTypeArray>(nullptr, vtkIdType(cells.Corners.size()));
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfTuples(size);
+  std::copy(cells.Corners.begin(), cells.Corners.end(), corners->GetPointer(0));
+  const bool isMirrored = IsMirrored(stack);
+  offsets->SetValue(0, 0);
+  for (vtkIdType cell = 0; cell < size; ++cell)
+  {
+    const vtkIdType first = offsets->GetValue(cell);
+    const auto count = std::size_t(cells.Ends[std::size_t(cell)] - first);
+    offsets->SetValue(cell + 1, cells.Ends[std::size_t(cell)]);
+    types->SetValue(cell, count == 6 ? VTK_WEDGE : count == 5 ? VTK_PYRAMID : VTK_TETRA);
+    if (isMirrored)
+    {
+      Mirror(corners->GetPointer(first), count);
+    }
+  }
+  vtkNew<vtkCellArray> list;
+  list->SetData(offsets, corners);
+  output->SetCells(types, list);
+  const double height = WorldPerIndex(stack.Grid());
+  const double volume = VolumeOfUnit(stack);
+  vtkCellData* const data = output->GetCellData();
+  AddArray<vtkIntArray>(data, CellArray::Layer, cells.Layers);
+  AddArray<vtkIdTypeArray>(data, CellArray::Triangle, cells.Triangles);
+  AddArray<vtkDoubleArray>(
+    data, CellArray::Thickness, cells.Thickness, [height](double thickness) { return height * thickness; });
+  AddArray<vtkDoubleArray>(data, CellArray::Volume, cells.Volumes, [volume](double own) { return volume * own; });
+  data->SetActiveScalars(CellArray::Layer);
+  output->GetFieldData()->AddArray(MakeTexts(FieldArray::LayerNames, NamesOfLayers(stack)));
+  stack.WriteFields(output->GetFieldData());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLayerBody(
+  LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, vtkPolyData* output)
+{
+  output->SetPoints(MakePoints(body.Vertices.size(), stack.Grid(),
+    [&](std::size_t point) { return PlaceOf(plan.Columns[std::size_t(body.Vertices[point])], body.Heights[point]); }));
+  for (std::size_t corner = 0; IsMirrored(stack) && corner < body.Triangles.size(); corner += 3)
+  {
+    std::swap(body.Triangles[corner], body.Triangles[corner + 1]);
+  }
+  output->SetPolys(MakeTriangles(body.Triangles));
+  vtkCellData* const data = output->GetCellData();
+  AddArray<vtkUnsignedCharArray>(
+    data, CellArray::Face, body.Faces, [](BodyFace face) { return static_cast<unsigned char>(face); });
+  auto layers = NewArray<vtkIntArray>(CellArray::Layer, output->GetNumberOfCells());
+  layers->FillValue(int(layer));
+  data->AddArray(layers);
+  data->SetActiveScalars(CellArray::Layer);
+  stack.WriteFields(output->GetFieldData());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLayerHorizon(
+  const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output)
+{
+  const LayerPlan& plan = layers.Plan;
+  const std::vector<PointId>& pointAt = cells.PointsOfHorizons[horizon]; // of cells, by vertex
+  const ColumnIndex index(stack[horizon].Placed.Columns);
+  std::vector<PointId> vertices; // that the horizon has
+  vtkNew<vtkIdList> from;
+  std::vector<PointId> numbers(plan.Columns.size(), NoPoint);
+  for (std::size_t vertex = 0; vertex < pointAt.size(); ++vertex)
+  {
+    if (pointAt[vertex] != NoPoint)
+    {
+      numbers[vertex] = PointId(vertices.size());
+      vertices.push_back(PointId(vertex));
+      from->InsertNextId(index[index.Place(plan.Columns[vertex])]);
+    }
+  }
+  output->SetPoints(MakePoints(vertices.size(), stack.Grid(),
+    [&](std::size_t n)
+    {
+      const auto vertex = std::size_t(vertices[n]);
+      return PlaceOf(plan.Columns[vertex], plan.Heights[horizon][vertex]);
+    }));
+  RawVector<PointId> triangles;
+  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
+  {
+    const bool isIn = (horizon > 0 && plan.HasLayer(horizon - 1, triangle)) ||
+      (horizon < plan.NumberOfLayers() && plan.HasLayer(horizon, triangle));
+    for (std::size_t corner = 0; isIn && corner < 3; ++corner)
+    {
+      triangles.push_back(numbers[std::size_t(plan.Triangles[3 * triangle + corner])]);
+    }
+  }
+  FaceUp(stack.Grid(), triangles);
+  output->SetPolys(MakeTriangles(triangles));
+  vtkPointData* const given = stack[horizon].Points.Horizon->GetPointData();
+  for (int n = 0; n < given->GetNumberOfArrays(); ++n)
+  {
+    vtkAbstractArray* const array = given->GetAbstractArray(n);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (name.empty() || name == PointArray::Column || name == PointArray::PatchId || name == PointArray::Boundary ||
+      name == PointArray::PointCount)
+    {
+      continue; // these would be wrong here
+    }
+    const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+    copy->SetName(array->GetName());
+    copy->SetNumberOfComponents(array->GetNumberOfComponents());
+    copy->SetNumberOfTuples(from->GetNumberOfIds());
+    array->GetTuples(from, copy);
+    output->GetPointData()->AddArray(copy);
+  }
+  auto columns = NewArray<vtkIntArray>(PointArray::Column, vtkIdType(vertices.size()), 2);
+  columns->SetComponentName(0, "I");
+  columns->SetComponentName(1, "J");
+  for (std::size_t n = 0; n < vertices.size(); ++n)
+  {
+    const PlanePoint& column = plan.Columns[std::size_t(vertices[n])];
+    const std::array<int, 2> tuple = { column.X, column.Y };
+    columns->SetTypedTuple(vtkIdType(n), tuple.data());
+  }
+  output->GetPointData()->AddArray(columns);
+  ActivateHeight(output);
+  vtkFieldData* const figures = output->GetFieldData();
+  stack.WriteFields(figures);
+  const double height = WorldPerIndex(stack.Grid());
+  const MovedHorizon& moved = layers.Stack.Repair.Horizons[horizon];
+  AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
+  AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(moved.Columns));
+  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Farthest);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLayerTable(const Layers& layers, const HorizonStack& stack, std::optional<double> contact, vtkTable* table)
+{
+  const double height = WorldPerIndex(stack.Grid());
+  const double area = stack.Grid().ColumnArea();
+  const double volume = VolumeOfUnit(stack);
+  table->AddColumn(MakeTexts("Name", NamesOfLayers(stack)));
+  TableWriter writer(table, stack.Size() - 1);
+  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
+  {
+    writer.StartRow(layer);
+    const LayerVolume own = MeasureLayer(layers.Plan, layer);
+    const CrossingRepair& repair = layers.Stack.Repair;
+    writer.Set<vtkDoubleArray>("Volume", volume * own.Volume);
+    writer.Set<vtkDoubleArray>("Area", area * own.Area);
+    writer.Set<vtkDoubleArray>("ThicknessLeast", height * own.LeastThickness);
+    writer.Set<vtkDoubleArray>("ThicknessMean", height * own.MeanThickness);
+    writer.Set<vtkDoubleArray>("ThicknessLargest", height * own.LargestThickness);
+    if (contact)
+    {
+      const double level = stack.Grid().ToLattice({ 0.0, 0.0, *contact }).z();
+      writer.Set<vtkDoubleArray>("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
+    }
+    writer.Set<vtkIdTypeArray>("Crossings", double(repair.Interfaces[layer].Columns));
+    writer.Set<vtkDoubleArray>("DeepestCrossing", height * repair.Interfaces[layer].Deepest);
+    writer.Set<vtkIdTypeArray>("TopMoved", double(repair.Horizons[layer].Columns));
+    writer.Set<vtkIdTypeArray>("BaseMoved", double(repair.Horizons[layer + 1].Columns));
+    writer.Set<vtkDoubleArray>(
+      "FarthestMove", height * std::max(repair.Horizons[layer].Farthest, repair.Horizons[layer + 1].Farthest));
+    const char* const kinds[] = { "PinchedTriangles", "Tetrahedra", "Pyramids", "Wedges" };
+    for (std::size_t kind = own.Triangles.size(); kind-- > 0;)
+    {
+      writer.Set<vtkIdTypeArray>(kinds[kind], double(own.Triangles[kind]));
+    }
+    writer.Set<vtkDoubleArray>("AreaAtFaults", area * own.FaultArea);
+    writer.Set<vtkDoubleArray>("VolumeAtFaults", volume * own.FaultVolume);
+  }
+  table->AddColumn(
+    MakeTexts("VolumeUnit", std::vector<std::string>(layers.Plan.NumberOfLayers(), UnitOfVolumes(stack))));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -least;
+  for (const std::vector<double>& heights : plan.Heights)
+  {
+    for (const double height : heights)
+    {
+      least = std::min(least, height);
+      largest = std::max(largest, height);
+    }
+  }
+  if (!(least <= largest))
+  {
+    return;
+  }
+  const double top = plan.HeightsGrowDownwards ? least : largest;
+  const double base = plan.HeightsGrowDownwards ? largest : least;
+  const double volume = VolumeOfUnit(stack);
+  auto contacts = NewArray<vtkDoubleArray>("Contact", ContactsOfCurve);
+  table->AddColumn(contacts);
+  std::vector<double> levels;
+  for (int n = 0; n < ContactsOfCurve; ++n)
+  {
+    levels.push_back(n + 1 == ContactsOfCurve ? base : top + (base - top) * n / (ContactsOfCurve - 1));
+    contacts->SetValue(n, stack.Grid().ToWorld({ 0.0, 0.0, levels.back() }).z());
+  }
+  const std::vector<std::string> names = NamesOfLayers(stack);
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  {
+    auto volumes = NewArray<vtkDoubleArray>(names[layer].c_str(), ContactsOfCurve);
+    ParallelFor(ContactsOfCurve, 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          volumes->SetValue(n, volume * VolumeAbove(plan, layer, levels[std::size_t(n)]));
+        }
+      });
+    table->AddColumn(volumes);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string UnitOfVolumes(const HorizonStack& stack)
+{
+  const SurveyDescription survey = ReadSurveyFields(stack[0].Points.Horizon->GetFieldData());
+  if (survey.HorizontalUnit.empty() || survey.VerticalUnit.empty())
+  {
+    return "";
+  }
+  return survey.HorizontalUnit == survey.VerticalUnit ? survey.HorizontalUnit + "3"
+                                                      : survey.HorizontalUnit + "2 " + survey.VerticalUnit;
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PlacedPoints.h"
+
+#include "Common/Errors.h"
+#include "Common/Survey/LatticeFrame.h"
+#include "Common/VTK/SurveyFields.h"
+
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double LargestDeviation = 0.05;
+constexpr double LargestColumn = 1 << 28;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonNames& names)
+{
+  const std::string point = "a point of " + names.Placed + " at ";
+  PlacedPoints placed;
+  placed.Columns.reserve(std::size_t(points->GetNumberOfPoints()));
+  placed.Height.reserve(placed.Columns.capacity());
+  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
+  {
+    const Eigen::Vector3d world(points->GetPoint(n));
+    if (!world.allFinite())
+    {
+      throw InputError(point + ToText(world) + ", expected finite numbers");
+    }
+    const Eigen::Vector3d place = grid.ToLattice(world);
+    if (!(std::abs(place.z()) <= LargestHeight))
+    {
+      throw InputError(point + ToText(world) + ", expected at most 2^50 vertical indices up or down");
+    }
+    const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
+    if (!((place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation) ||
+      !(column.cwiseAbs().maxCoeff() < LargestColumn))
+    {
+      throw InputError(point + ToText(world) + ", which is on no column of " + names.First +
+        ", expected points on one lattice: Horizon From Points grids them there");
+    }
+    placed.Columns.push_back({ static_cast<std::int32_t>(column.x()), static_cast<std::int32_t>(column.y()) });
+    placed.Height.push_back(place.z());
+  }
+  return placed;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckSameHeights(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names)
+{
+  const auto check = [&names](const std::string& name, const std::string& expected, const std::string& found)
+  {
+    if (!expected.empty() && !found.empty() && expected != found)
+    {
+      throw InputError(
+        names.Placed + " of the " + name + " \"" + found + "\", expected \"" + expected + "\" as of " + names.First);
+    }
+  };
+  const SurveyDescription one = ReadSurveyFields(first->GetFieldData());
+  const SurveyDescription two = ReadSurveyFields(other->GetFieldData());
+  check("VerticalDomain", one.VerticalDomain, two.VerticalDomain);
+  check("VerticalUnit", one.VerticalUnit, two.VerticalUnit);
+}
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The points of a horizon on the lattice of another one.
+
+#ifndef SeismicHorizonsPlacedPoints_h
+#define SeismicHorizonsPlacedPoints_h
+
+#include "Common/Lattice.h"
+#include "Common/Types.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace SeismicHorizons
+{
+/// Heights in lattice units, by column.
+struct PlacedPoints
+{
+  std::vector<PlanePoint> Columns; // may lie outside the lattice
+  std::vector<double> Height;
+};
+
+/// What horizons are called in messages: "the other horizon" and "the first one".
+struct HorizonNames
+{
+  std::string Placed;
+  std::string First; // whose lattice it is
+};
+
+/// Of points none of which is hidden. Throws InputError on points that are not within
+/// a twentieth of a column or not finite, and on heights beyond LargestHeight.
+PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonNames& names);
+
+/// Throws InputError where both horizons say what z is, and it is not the same.
+void CheckSameHeights(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names);
+}
+
+#endif

@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonLayers.h"
+
+#include "Common/Errors.h"
+#include "Common/Parameters.h"
+#include "Common/VTK/HorizonName.h"
+#include "Common/VTK/NamedCollection.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/Ranks.h"
+#include "Common/VTK/SurveyFields.h"
+#include "Common/VTK/VersionDifferences.h"
+#include "Despiking/Despiking.h"
+#include "Layers/LayerBody.h"
+#include "Layers/LayerCells.h"
+#include "Layers/LayerPlan.h"
+#include "Marshalling/HeightUnit.h"
+#include "Marshalling/HorizonPoints.h"
+#include "Marshalling/HorizonStack.h"
+#include "Marshalling/HorizonTree.h"
+#include "Marshalling/LayerOutput.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+constexpr std::array<const char*, 4> PolicyNames = { "Mean", "UpperWins", "LowerWins", "Stop" };
+
+constexpr std::size_t LayersPort = 0;
+constexpr std::size_t BodiesPort = 1;
+constexpr std::size_t HorizonsPort = 2;
+constexpr std::size_t TablePort = 3;
+constexpr std::size_t CurvePort = 4;
+
+const char* TellOn(bool isOn)
+{
+  return isOn ? "on" : "off";
+}
+
+/// The policies that a text names, one for each layer.
+std::vector<CrossingPolicy> ParsePolicies(const std::string& text, std::size_t layers)
+{
+  std::vector<CrossingPolicy> policies;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    const auto found = std::find(PolicyNames.begin(), PolicyNames.end(), word);
+    if (found == PolicyNames.end())
+    {
+      throw InputError("crossings \"" + word + "\", expected Mean, UpperWins, LowerWins or Stop");
+    }
+    policies.push_back(static_cast<CrossingPolicy>(found - PolicyNames.begin()));
+  }
+  if (!policies.empty() && policies.size() != layers)
+  {
+    throw InputError("crossings of " + std::to_string(policies.size()) + " layers, expected " + std::to_string(layers) +
+      ", from the uppermost on");
+  }
+  return policies;
+}
+
+/// An empty mesh for each name.
+void MakeBlocks(const std::vector<std::string>& names, const char* root, vtkDataObject* output)
+{
+  const vtkSmartPointer<vtkPartitionedDataSetCollection> blocks = MakeCollection(root);
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    AddName(blocks, names[n]);
+    vtkNew<vtkPolyData> mesh;
+    blocks->SetPartition(unsigned(n), 0, mesh);
+  }
+  output->ShallowCopy(blocks);
+}
+
+vtkPolyData* BlockOf(vtkDataObject* blocks, std::size_t n)
+{
+  auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(blocks);
+  return vtkPolyData::SafeDownCast(collection->GetPartitionAsDataObject(unsigned(n), 0));
+}
+
+std::string TellLayers(const Layers& layers, const HorizonStack& stack, vtkIdType cells)
+{
+  std::ostringstream text;
+  const double height = WorldPerIndex(stack.Grid());
+  const std::vector<std::string> names = NamesOfLayers(stack);
+  const std::string unit = UnitOfVolumes(stack);
+  text << names.size() << (names.size() == 1 ? " layer: " : " layers: ") << cells << " cells over "
+       << layers.Plan.NumberOfTriangles() << " triangles\n";
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  {
+    const LayerVolume own = MeasureLayer(layers.Plan, layer);
+    text << names[layer] << "\n  volume " << own.Volume * stack.Grid().ColumnArea() * height
+         << (unit.empty() ? "" : " ") << unit << "\n  thickness " << height * own.LeastThickness << " to "
+         << height * own.LargestThickness << ", mean " << height * own.MeanThickness << '\n';
+    if (layers.Stack.Repair.Interfaces[layer].Columns > 0)
+    {
+      text << "  crossed in " << layers.Stack.Repair.Interfaces[layer].Columns << " columns, by up to "
+           << height * layers.Stack.Repair.Interfaces[layer].Deepest << '\n';
+    }
+  }
+  return text.str();
+}
+}
+
+vtkStandardNewMacro(vtkHorizonLayers);
+
+//------------------------------------------------------------------------------
+vtkHorizonLayers::vtkHorizonLayers()
+{
+  this->SetNumberOfOutputPorts(5);
+}
+
+//------------------------------------------------------------------------------
+vtkHorizonLayers::~vtkHorizonLayers()
+{
+  this->SetCrossingsByLayer(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonLayers::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "ErrorUnit: " << (this->ErrorUnit == World ? "World" : "Lattice") << "\n";
+  os << indent << "BoundThickness: " << TellOn(this->BoundThickness) << "\n";
+  os << indent << "Order: " << (this->Order == AsGiven ? "AsGiven" : "ByHeight") << "\n";
+  os << indent << "Crossings: " << PolicyNames[std::size_t(this->Crossings)] << "\n";
+  os << indent << "CrossingsByLayer: " << (this->CrossingsByLayer ? this->CrossingsByLayer : "(none)") << "\n";
+  os << indent << "MinimumThickness: " << this->MinimumThickness << "\n";
+  os << indent << "PinchOutLines: " << TellOn(this->PinchOutLines) << "\n";
+  os << indent << "SmallestPinch: " << this->SmallestPinch << "\n";
+  os << indent << "Domain: " << (this->Domain == Common ? "Common" : "EachLayer") << "\n";
+  os << indent << "KeepOutlines: " << TellOn(this->KeepOutlines) << "\n";
+  os << indent << "UseCuts: " << TellOn(this->UseCuts) << "\n";
+  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
+  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
+  os << indent << "FitHeights: " << TellOn(this->FitHeights) << "\n";
+  os << indent << "MeasureAboveContact: " << TellOn(this->MeasureAboveContact) << "\n";
+  os << indent << "Contact: " << this->Contact << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonLayers::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonLayers::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const std::array<const char*, 5> types = { "vtkUnstructuredGrid", "vtkPartitionedDataSetCollection",
+    "vtkPartitionedDataSetCollection", "vtkTable", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[std::size_t(port)]);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonLayers::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1; // the executive makes them
+}
+
+//------------------------------------------------------------------------------
+// Of several processes each reads all horizons, so that all have the same blocks; the first one makes the layers.
+int vtkHorizonLayers::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  AskForWhole(inputVector[0]);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonLayers::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
+  const Ranks ranks(this->GetController(), request, outputVector);
+  this->Results.clear();
+  const auto work = [&](std::string& subject, const Monitor& monitor)
+  {
+    const auto make = [&]()
+    {
+      HorizonStack stack = this->ReadStack(inputVector[0], subject);
+      subject.clear();
+      monitor.Progress(0.1);
+      MakeBlocks(NamesOfLayers(stack), "Layers", outputs[BodiesPort]);
+      MakeBlocks(stack.Names(), "Horizons", outputs[HorizonsPort]);
+      if (ranks.Own() > 0)
+      {
+        return;
+      }
+      LayerOptions options = this->MakeOptions(stack);
+      const std::optional<LinkCuts> cuts = this->UseCuts ? stack.FindCuts() : std::nullopt;
+      options.Cuts = cuts ? &*cuts : nullptr;
+      const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.9));
+      this->Write(layers, stack, outputs);
+      this->Warn(layers, stack, options);
+    };
+    ranks.Together(make);
+  };
+  const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
+  this->Results = done && !IsAborted(this) ? this->Results : std::string();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+HorizonStack vtkHorizonLayers::ReadStack(vtkInformationVector* inputs, std::string& subject)
+{
+  std::vector<HorizonLeaf> leaves;
+  std::vector<std::string> names;
+  for (int n = 0; n < inputs->GetNumberOfInformationObjects(); ++n)
+  {
+    for (HorizonLeaf& leaf : ListHorizons(vtkDataObject::GetData(inputs, n), {}))
+    {
+      if (leaf.Input->GetNumberOfPoints() > 0)
+      {
+        names.push_back(leaf.Name.empty() ? "Surface " + std::to_string(names.size() + 1) : leaf.Name);
+        leaves.push_back(std::move(leaf));
+      }
+    }
+  }
+  names = MakeDistinct(std::move(names));
+  HorizonStack stack;
+  for (std::size_t n = 0; n < leaves.size(); ++n)
+  {
+    subject = names[n];
+    RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, {},
+      [&]()
+      {
+        CheckArraySizes(leaves[n].Input);
+        const vtkSmartPointer<vtkPolyData> points = WithoutHiddenPoints(leaves[n].Input);
+        if (points->GetNumberOfPoints() > 0)
+        {
+          stack.Add(names[n], points);
+        }
+      });
+  }
+  subject.clear();
+  if (stack.Size() < 2)
+  {
+    throw InputError(
+      (stack.Size() == 0 ? "no horizon" : "one horizon") + std::string(" with points, expected at least 2"));
+  }
+  stack.PlaceTogether();
+  const CrossingOptions crossings = this->MakeCrossings(stack);
+  if (this->Order == ByHeight)
+  {
+    stack.Reorder(OrderByHeight(stack.Views(), crossings));
+  }
+  return stack;
+}
+
+//------------------------------------------------------------------------------
+CrossingOptions vtkHorizonLayers::MakeCrossings(const HorizonStack& stack) const
+{
+  CrossingOptions crossings;
+  crossings.Names = stack.Names();
+  crossings.HeightsGrowDownwards = stack.HeightsGrowDownwards();
+  crossings.Policies = ParsePolicies(this->CrossingsByLayer ? this->CrossingsByLayer : "", stack.Size() - 1);
+  if (crossings.Policies.empty())
+  {
+    crossings.Policies = { static_cast<CrossingPolicy>(this->Crossings) };
+  }
+  CheckAtLeast("minimum thickness", this->MinimumThickness, 0.0, "");
+  crossings.MinimumThickness = this->MinimumThickness *
+    IndicesPerUnit(this->ErrorUnit == World ? HeightUnit::World : HeightUnit::Lattice, {}, {}, stack.Grid());
+  return crossings;
+}
+
+//------------------------------------------------------------------------------
+LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
+{
+  CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
+  CheckAtLeast("smallest pinch", this->SmallestPinch, 1, " column");
+  LayerOptions options;
+  options.Crossings = this->MakeCrossings(stack);
+  options.MaximumError = this->MaximumError *
+    IndicesPerUnit(this->ErrorUnit == World ? HeightUnit::World : HeightUnit::Lattice, {}, {}, stack.Grid());
+  options.BoundThickness = this->BoundThickness;
+  const bool isCommon = this->Domain == Common || stack.Size() == 2;
+  options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;
+  if (isCommon && this->KeepOutlines)
+  {
+    options.OutlineTolerance = 0.0;
+    options.SmallestHoleSize = 1;
+  }
+  options.PinchOutLines = this->PinchOutLines;
+  options.SmallestPinch = this->SmallestPinch;
+  options.FitHeights = this->FitHeights;
+  options.Effort = this->Effort == Fast ? DecimationEffort::Fast : DecimationEffort::Best;
+  options.SmallestAngle = this->SmallestAngle;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonLayers::Write(
+  const Layers& layers, const HorizonStack& stack, const std::vector<vtkDataObject*>& outputs)
+{
+  const LayerPlan& plan = layers.Plan;
+  const LayerCells cells = MakeLayerCells(plan);
+  WriteLayerCells(cells, plan, stack, vtkUnstructuredGrid::SafeDownCast(outputs[LayersPort]));
+  for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
+  {
+    WriteLayerBody(MakeLayerBody(plan, layer), plan, layer, stack, BlockOf(outputs[BodiesPort], layer));
+  }
+  for (std::size_t horizon = 0; horizon < plan.NumberOfHorizons(); ++horizon)
+  {
+    WriteLayerHorizon(layers, cells, horizon, stack, BlockOf(outputs[HorizonsPort], horizon));
+  }
+  WriteLayerTable(layers, stack, this->MeasureAboveContact ? std::optional<double>(this->Contact) : std::nullopt,
+    vtkTable::SafeDownCast(outputs[TablePort]));
+  WriteVolumeCurve(plan, stack, vtkTable::SafeDownCast(outputs[CurvePort]));
+  this->Results = TellLayers(layers, stack, vtkIdType(cells.Size()));
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonLayers::Warn(const Layers& layers, const HorizonStack& stack, const LayerOptions& options)
+{
+  constexpr double MostOfNoise = 6.0; // that noise makes horizons cross by
+  const std::string domain = ReadSurveyFields(stack[0].Points.Horizon->GetFieldData()).VerticalDomain;
+  if (domain == "time")
+  {
+    vtkWarningMacro(<< "z is time, so that volumes are areas times " << domain
+                    << ", expected depths for volumes: convert the horizons to depth before");
+  }
+  const std::vector<CrossingPolicy>& policies = options.Crossings.Policies;
+  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
+  {
+    const double deepest = layers.Stack.Repair.Interfaces[layer].Deepest;
+    if (deepest == 0.0 || policies[std::min(layer, policies.size() - 1)] != CrossingPolicy::Mean)
+    {
+      continue;
+    }
+    const double noise = std::hypot(MeasureNoise(stack[layer].Placed.Columns, stack[layer].Placed.Height),
+      MeasureNoise(stack[layer + 1].Placed.Columns, stack[layer + 1].Placed.Height));
+    if (deepest > 1.0 + MostOfNoise * noise)
+    {
+      vtkWarningMacro(<< stack[layer].Name << " and " << stack[layer + 1].Name << " cross by up to "
+                      << deepest * WorldPerIndex(stack.Grid())
+                      << ", expected no more than their noise makes: at an unconformity choose UpperWins or LowerWins");
+    }
+  }
+}

@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonLayers
+ * @brief   makes closed volumes of the layers between horizons
+ *
+ * Input: the points of two or more horizons of one survey, before any simplification: composite datasets, or several
+ * connections. They stand on one lattice, or on lattices whose steps are whole multiples of the smallest one, such as
+ * every second line. Heights are not changed where horizons do not cross.
+ *
+ * All layers share one triangulation in plan, with a height of each horizon at every vertex, so that layers fit together
+ * without gaps. Each known point of each horizon is within MaximumError, vertically. Outputs:
+ *  - 0 Layers: a vtkUnstructuredGrid of wedges, and where layers pinch out of pyramids and tetrahedra; layers share points.
+ *    Cell data Layer (int, 0 the uppermost), Triangle (vtkIdType, of the plan), Thickness (the mean) and Volume (double);
+ *    field data LayerNames
+ *  - 1 Bodies: for each layer a closed surface that faces outwards, with the cell data Face (unsigned char: 0 top, 1 base,
+ *    2 outline, 3 fault) and Layer
+ *  - 2 Horizons: the horizons on the plan, in order from the uppermost, with the arrays of their points; field data
+ *    LargestError (lattice units), MovedColumns and FarthestMove (world units), where they crossed
+ *  - 3 Figures: a row for each layer: Volume, Area, thickness, crossings, cells, and at faults what is left out
+ *  - 4 Volumes: the volume of each layer above a level contact, at 101 contacts
+ *
+ * Volumes are in units of x and y times those of z (column VolumeUnit); with times as z there is a warning. They are exact
+ * for the layers as they are: to the middle of outermost columns, where sums over bins reach half a bin further.
+ *
+ * Faults (field data CutLinks) of any horizon part all layers, with a wall on both sides and a strip of one column left out
+ * in between: AreaAtFaults and VolumeAtFaults say how much that is. A dipping fault cuts each horizon along another line;
+ * between these lines thickness is not that of one block.
+ *
+ * Errors: fewer than two horizons, points between the columns of another horizon, different domains or units of z, no
+ * common column, and no clear order.
+ *
+ * @sa vtkHorizonThickness vtkHorizonSurface
+ */
+
+#ifndef vtkHorizonLayers_h
+#define vtkHorizonLayers_h
+
+#include "vtkHorizonStage.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+#include <string> // for the results
+#include <vector> // for the outputs
+
+namespace SeismicHorizons
+{
+class HorizonStack;
+class Monitor;
+struct CrossingOptions;
+struct LayerOptions;
+struct Layers;
+}
+class vtkDataObject;
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStage
+{
+public:
+  static vtkHorizonLayers* New();
+  vtkTypeMacro(vtkHorizonLayers, vtkHorizonStage);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The largest vertical distance of a point of any horizon from the layers. Noise of several horizons adds up: three
+   * times the noise of the heights takes few cells. Unit: ErrorUnit. Range: at least 0. Default: 0.75.
+   */
+  vtkSetMacro(MaximumError, double);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  /// Values of ErrorUnit.
+  enum ErrorUnits
+  {
+    Lattice = 0,
+    World = 1
+  };
+
+  ///@{
+  /**
+   * The unit of MaximumError and MinimumThickness. Lattice: 1 is one vertical index, a sample. World: the unit of z.
+   * Default: Lattice.
+   */
+  vtkSetClampMacro(ErrorUnit, int, Lattice, World);
+  vtkGetMacro(ErrorUnit, int);
+  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
+  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the thickness of each layer is within MaximumError too. Off: its error is at most twice that, and takes fewer
+   * cells. Default: off.
+   */
+  vtkSetMacro(BoundThickness, bool);
+  vtkGetMacro(BoundThickness, bool);
+  vtkBooleanMacro(BoundThickness, bool);
+  ///@}
+
+  /// Values of Order.
+  enum Orders
+  {
+    ByHeight = 0,
+    AsGiven = 1
+  };
+
+  ///@{
+  /**
+   * Which horizon lies above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
+   * first; for horizons of which none is above the other in most columns. Default: ByHeight.
+   */
+  vtkSetClampMacro(Order, int, ByHeight, AsGiven);
+  vtkGetMacro(Order, int);
+  void SetOrderToByHeight() { this->SetOrder(ByHeight); }
+  void SetOrderToAsGiven() { this->SetOrder(AsGiven); }
+  ///@}
+
+  /// Values of Crossings.
+  enum CrossingPolicies
+  {
+    Mean = 0,
+    UpperWins = 1,
+    LowerWins = 2,
+    Stop = 3
+  };
+
+  ///@{
+  /**
+   * What is done in columns where horizons cross. Mean: all that cross move to their mean, which suits noise. UpperWins:
+   * the lower one moves, as erosion cuts it. LowerWins: the upper one moves, as onlap ends on it. Stop: an error that
+   * says where and how deep. Default: Mean.
+   */
+  vtkSetClampMacro(Crossings, int, Mean, Stop);
+  vtkGetMacro(Crossings, int);
+  void SetCrossingsToMean() { this->SetCrossings(Mean); }
+  void SetCrossingsToUpperWins() { this->SetCrossings(UpperWins); }
+  void SetCrossingsToLowerWins() { this->SetCrossings(LowerWins); }
+  void SetCrossingsToStop() { this->SetCrossings(Stop); }
+  ///@}
+
+  ///@{
+  /**
+   * The same for each layer where these differ: a word of Crossings for each, from the uppermost on, with spaces in
+   * between, as in "Mean LowerWins Mean". Range: as many words as layers, or none. Default: none, Crossings for all.
+   */
+  vtkSetStringMacro(CrossingsByLayer);
+  vtkGetStringMacro(CrossingsByLayer);
+  ///@}
+
+  ///@{
+  /**
+   * Columns where a layer is thinner have none of it. Unit: ErrorUnit. Range: at least 0. Default: 0.
+   */
+  vtkSetMacro(MinimumThickness, double);
+  vtkGetMacro(MinimumThickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether layers end along lines through the outermost columns that have none of them. Off: they end in thin feathers,
+   * somewhere beyond. Default: on.
+   */
+  vtkSetMacro(PinchOutLines, bool);
+  vtkGetMacro(PinchOutLines, bool);
+  vtkBooleanMacro(PinchOutLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Smaller areas without a layer have no such line. Unit: columns. Range: at least 1. Default: 25.
+   */
+  vtkSetMacro(SmallestPinch, int);
+  vtkGetMacro(SmallestPinch, int);
+  ///@}
+
+  /// Values of Domain.
+  enum Domains
+  {
+    EachLayer = 0,
+    Common = 1
+  };
+
+  ///@{
+  /**
+   * Where layers are. EachLayer: each where both its horizons have points, to the outermost columns; with one layer as
+   * Common. Common: all of them where all horizons have points; outlines are simplified within MaximumError, and small
+   * holes closed. Default: EachLayer.
+   */
+  vtkSetClampMacro(Domain, int, EachLayer, Common);
+  vtkGetMacro(Domain, int);
+  void SetDomainToEachLayer() { this->SetDomain(EachLayer); }
+  void SetDomainToCommon() { this->SetDomain(Common); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether outlines of the domain Common stay as they are on the map, for volumes that differ by heights alone. Default:
+   * off.
+   */
+  vtkSetMacro(KeepOutlines, bool);
+  vtkGetMacro(KeepOutlines, bool);
+  vtkBooleanMacro(KeepOutlines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether layers are parted along the faults that horizons carry (field data CutLinks). Default: on.
+   */
+  vtkSetMacro(UseCuts, bool);
+  vtkGetMacro(UseCuts, bool);
+  vtkBooleanMacro(UseCuts, bool);
+  ///@}
+
+  /// Values of Effort.
+  enum Efforts
+  {
+    Fast = 0,
+    Best = 1
+  };
+
+  ///@{
+  /**
+   * How much is done for few cells. Fast: points are inserted where a horizon is farthest. Best: they are removed, edges
+   * flipped and heights fitted after it. Default: Best.
+   */
+  vtkSetClampMacro(Effort, int, Fast, Best);
+  vtkGetMacro(Effort, int);
+  void SetEffortToFast() { this->SetEffort(Fast); }
+  void SetEffortToBest() { this->SetEffort(Best); }
+  ///@}
+
+  ///@{
+  /**
+   * No edge that is flipped and no vertex that is removed makes a smaller angle on the map, unless there was a smaller
+   * one before. Unit: degrees. Range: 0 to 60. Default: 10.
+   */
+  vtkSetMacro(SmallestAngle, double);
+  vtkGetMacro(SmallestAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether heights of vertices inside are fitted to the points around them. Off: they are those of the points. Default:
+   * on.
+   */
+  vtkSetMacro(FitHeights, bool);
+  vtkGetMacro(FitHeights, bool);
+  vtkBooleanMacro(FitHeights, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the figures have the volume above Contact (VolumeAboveContact). Default: off.
+   */
+  vtkSetMacro(MeasureAboveContact, bool);
+  vtkGetMacro(MeasureAboveContact, bool);
+  vtkBooleanMacro(MeasureAboveContact, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A level contact, as of gas and oil. Unit: that of z, upwards. Range: any. Default: 0.
+   */
+  vtkSetMacro(Contact, double);
+  vtkGetMacro(Contact, double);
+  ///@}
+
+  /**
+   * What the last update made: cells, and of each layer volume and thickness.
+   *
+   * Lines of text. Empty before the first update, and after an error.
+   */
+  const char* GetResults() { return this->Results.c_str(); }
+
+protected:
+  vtkHorizonLayers();
+  ~vtkHorizonLayers() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHorizonLayers(const vtkHorizonLayers&) = delete;
+  void operator=(const vtkHorizonLayers&) = delete;
+
+  SeismicHorizons::HorizonStack ReadStack(vtkInformationVector* inputs, std::string& subject);
+  SeismicHorizons::CrossingOptions MakeCrossings(const SeismicHorizons::HorizonStack& stack) const;
+  SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
+  void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
+    const std::vector<vtkDataObject*>& outputs);
+  void Warn(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
+    const SeismicHorizons::LayerOptions& options);
+
+  double MaximumError = 0.75;
+  int ErrorUnit = Lattice;
+  bool BoundThickness = false;
+  int Order = ByHeight;
+  int Crossings = Mean;
+  char* CrossingsByLayer = nullptr;
+  double MinimumThickness = 0.0;
+  bool PinchOutLines = true;
+  int SmallestPinch = 25;
+  int Domain = EachLayer;
+  bool KeepOutlines = false;
+  bool UseCuts = true;
+  int Effort = Best;
+  double SmallestAngle = 10.0;
+  bool FitHeights = true;
+  bool MeasureAboveContact = false;
+  double Contact = 0.0;
+  std::string Results;
+};
+
+#endif
