@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package as functions: read, horizon, surface, every other stage, distance, extract and write.
+"""The package as functions: read, horizon, surface, every other stage, distance, layers, extract and write.
 
     import seismichorizons as sh
 
@@ -28,6 +28,7 @@ from .making import horizon, horizon_from_points  # noqa: F401: functions of the
 from .stage import make
 from .stages import *  # functions of the package
 from .stages import STAGES, apply
+from .volumes import layers  # noqa: F401: a function of the package
 
 DISTANCE_LABELS = ("reference to mesh", "mesh to reference", "both")
 
@@ -319,5 +320,5 @@ def _existing(path):
     return path
 
 
-__all__ = ["details", "distance", "extract", "horizon", "horizon_from_points", "read", "read_cube", "surface", "write",
+__all__ = ["details", "distance", "extract", "horizon", "horizon_from_points", "layers", "read", "read_cube", "surface", "write",
            *STAGES]

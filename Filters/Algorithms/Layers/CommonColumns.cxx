@@ -39,6 +39,51 @@ std::vector<PointId> SortByRows(PlanePoints columns)
   }
   return points;
 }
+
+/// Columns that so many neighbours of a stack have.
+CommonColumns FindColumns(const std::vector<HorizonView>& horizons, std::size_t neighbours)
+{
+  std::vector<std::vector<PointId>> sorted;
+  for (const HorizonView& horizon : horizons)
+  {
+    sorted.push_back(SortByRows(horizon.Columns));
+  }
+  CommonColumns result;
+  result.Points.resize(horizons.size());
+  std::vector<std::size_t> next(horizons.size(), 0);
+  std::vector<PointId> points(horizons.size());
+  while (true)
+  {
+    const PlanePoint* column = nullptr; // the first one that is left
+    for (std::size_t n = 0; n < horizons.size(); ++n)
+    {
+      const bool isAny = next[n] < sorted[n].size();
+      const PlanePoint* const own = isAny ? &horizons[n].Columns[sorted[n][next[n]]] : nullptr;
+      column = own && (!column || IsBefore(*own, *column)) ? own : column;
+    }
+    if (!column)
+    {
+      return result;
+    }
+    std::size_t together = 0; // horizons above each other up to this one
+    std::size_t most = 0;
+    for (std::size_t n = 0; n < horizons.size(); ++n)
+    {
+      const bool isIn = next[n] < sorted[n].size() && horizons[n].Columns[sorted[n][next[n]]] == *column;
+      points[n] = isIn ? sorted[n][next[n]++] : NoPoint;
+      together = isIn ? together + 1 : 0;
+      most = std::max(most, together);
+    }
+    for (std::size_t n = 0; n < horizons.size() && most >= neighbours; ++n)
+    {
+      result.Points[n].push_back(points[n]);
+    }
+    if (most >= neighbours)
+    {
+      result.Columns.push_back(*column);
+    }
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -82,43 +127,12 @@ CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
 //----------------------------------------------------------------------------------------------------------------------
 CommonColumns FindColumnsOfLayers(const std::vector<HorizonView>& horizons)
 {
-  std::vector<std::vector<PointId>> sorted;
-  for (const HorizonView& horizon : horizons)
-  {
-    sorted.push_back(SortByRows(horizon.Columns));
-  }
-  CommonColumns result;
-  result.Points.resize(horizons.size());
-  std::vector<std::size_t> next(horizons.size(), 0);
-  std::vector<PointId> points(horizons.size());
-  while (true)
-  {
-    const PlanePoint* column = nullptr; // the first one that is left
-    for (std::size_t n = 0; n < horizons.size(); ++n)
-    {
-      const bool isAny = next[n] < sorted[n].size();
-      const PlanePoint* const own = isAny ? &horizons[n].Columns[sorted[n][next[n]]] : nullptr;
-      column = own && (!column || IsBefore(*own, *column)) ? own : column;
-    }
-    if (!column)
-    {
-      return result;
-    }
-    bool isLayer = false;
-    for (std::size_t n = 0; n < horizons.size(); ++n)
-    {
-      const bool isIn = next[n] < sorted[n].size() && horizons[n].Columns[sorted[n][next[n]]] == *column;
-      points[n] = isIn ? sorted[n][next[n]++] : NoPoint;
-      isLayer = isLayer || (n > 0 && isIn && points[n - 1] != NoPoint);
-    }
-    for (std::size_t n = 0; n < horizons.size() && isLayer; ++n)
-    {
-      result.Points[n].push_back(points[n]);
-    }
-    if (isLayer)
-    {
-      result.Columns.push_back(*column);
-    }
-  }
+  return FindColumns(horizons, 2);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CommonColumns FindColumnsOfAny(const std::vector<HorizonView>& horizons)
+{
+  return FindColumns(horizons, 1);
 }
 }

@@ -31,6 +31,9 @@ CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons);
 
 /// The same of columns that two neighbours of a stack have, whatever others do: NoPoint for horizons that have none there.
 CommonColumns FindColumnsOfLayers(const std::vector<HorizonView>& horizons);
+
+/// The same of columns that any horizon has.
+CommonColumns FindColumnsOfAny(const std::vector<HorizonView>& horizons);
 }
 
 #endif

@@ -39,67 +39,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- The stack -----------------------------------------------------------------------------------------------------
-void CheckHorizons(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
-{
-  if (horizons.size() < 2)
-  {
-    throw InputError((horizons.empty() ? "no horizon" : "one horizon") + std::string(", expected at least 2"));
-  }
-  for (std::size_t n = 0; n < horizons.size(); ++n)
-  {
-    const double* const heights = horizons[n].Heights;
-    const double* const wrong =
-      std::find_if(heights, heights + horizons[n].Columns.size(), [](double height) { return !std::isfinite(height); });
-    if (wrong != heights + horizons[n].Columns.size())
-    {
-      throw InputError(NameOf(n, names) + ": point " + std::to_string(wrong - heights) +
-        " without a height, expected a finite number");
-    }
-  }
-}
-
-/// Why horizons have no column in common: for two of them, where there are such.
-InputError NothingInCommon(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
-{
-  for (std::size_t a = 0; a < horizons.size(); ++a)
-  {
-    for (std::size_t b = a + 1; b < horizons.size(); ++b)
-    {
-      if (FindCommonColumns({ horizons[a], horizons[b] }).Columns.empty())
-      {
-        return InputError(NameOf(a, names) + " and " + NameOf(b, names) +
-          " have no column in common, expected horizons that lie above each other");
-      }
-    }
-  }
-  return InputError("no column that all " + std::to_string(horizons.size()) +
-    " horizons have, expected horizons that lie above each other");
-}
-
-OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
-{
-  CheckHorizons(horizons, options.Crossings);
-  CommonColumns common =
-    options.Domain == LayerDomain::Common ? FindCommonColumns(horizons) : FindColumnsOfLayers(horizons);
-  if (common.Columns.empty())
-  {
-    throw NothingInCommon(horizons, options.Crossings);
-  }
-  OrderedStack stack;
-  stack.Columns = std::move(common.Columns);
-  for (std::size_t n = 0; n < horizons.size(); ++n)
-  {
-    std::vector<double> heights;
-    heights.reserve(stack.Columns.size());
-    std::transform(common.Points[n].begin(), common.Points[n].end(), std::back_inserter(heights),
-      [&](PointId point) { return point == NoPoint ? std::nan("") : horizons[n].Heights[point]; });
-    stack.Heights.push_back(std::move(heights));
-  }
-  stack.Repair = RepairCrossings(stack.Heights, options.Crossings, monitor);
-  return stack;
-}
-
 // ---- The outline ---------------------------------------------------------------------------------------------------
 struct Outline
 {
@@ -114,14 +53,24 @@ class OutlineMaker
 public:
   /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all do.
   OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
-    double error, double tolerance)
+    const std::vector<HorizonView>& horizons, double error, double tolerance)
     : Columns(columns)
     , Heights(heights)
     , Known(known)
+    , Horizons(horizons)
   {
     this->Options.Method = OutlineMethod::FewestPoints;
     this->Options.DistanceThreshold = error;
     this->Options.OutlineTolerance = tolerance;
+    if (tolerance > 0.0) // else outlines pass over no other columns
+    {
+      this->Index.emplace(columns);
+      this->Box = PlaneBox(columns);
+      for (const HorizonView& horizon : horizons)
+      {
+        this->Indices.emplace_back(ColumnIndex(horizon.Columns), PlaneBox(horizon.Columns));
+      }
+    }
   }
 
   /// `fixed` points stay, and so do the ends of cracks.
@@ -170,7 +119,8 @@ private:
         {
           ++to;
         }
-        const std::size_t farthest = this->FindFarthest(at, from, to);
+        std::size_t farthest = this->FindFarthest(at, from, to);
+        farthest = farthest == from ? this->FindBesidePassed(at, from, to) : farthest;
         if (farthest != from)
         {
           far.push_back(at(farthest));
@@ -201,6 +151,40 @@ private:
     return farthest;
   }
 
+  /// The same for points of horizons that the edge passes over and that are none of the stack: the point of the loop
+  /// half-way, as all are kept where edges are as short as hops.
+  template <typename PointAt>
+  std::size_t FindBesidePassed(const PointAt& at, std::size_t from, std::size_t to) const
+  {
+    const PlanePoint& a = this->Columns[std::size_t(at(from))];
+    const PlanePoint& b = this->Columns[std::size_t(at(to))];
+    const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
+    for (std::int32_t step = 1; step < steps && to > from + 1 && this->Index; ++step)
+    {
+      const PlanePoint place = { a.X + (b.X - a.X) / steps * step, a.Y + (b.Y - a.Y) / steps * step };
+      const bool isOther = !this->Box.Contains(place) || (*this->Index)[this->Index->Place(place)] == NoPoint;
+      for (std::size_t horizon = 0; isOther && horizon < this->Indices.size(); ++horizon)
+      {
+        const double start = this->Heights[horizon][std::size_t(at(from))];
+        const double end = this->Heights[horizon][std::size_t(at(to))];
+        const double height = this->HeightAt(horizon, place);
+        if (std::abs(start + (end - start) * step / steps - height) > this->Options.DistanceThreshold + this->Slack())
+        {
+          return from + (to - from) / 2;
+        }
+      }
+    }
+    return from;
+  }
+
+  /// Of a horizon as it was given; nan where it has no point.
+  double HeightAt(std::size_t horizon, const PlanePoint& column) const
+  {
+    const auto& [index, box] = this->Indices[horizon];
+    const PointId point = box.Contains(column) ? index[index.Place(column)] : NoPoint;
+    return point == NoPoint ? std::nan("") : this->Horizons[horizon].Heights[point];
+  }
+
   /// Vertically, where the edge is nearest in plan.
   double DistanceFrom(PointId from, PointId to, PointId point, const std::vector<double>& heights) const
   {
@@ -219,6 +203,10 @@ private:
   PlanePoints Columns;
   const HeightStack& Heights;
   const std::vector<std::vector<unsigned char>>& Known;
+  const std::vector<HorizonView>& Horizons;
+  std::optional<ColumnIndex> Index; // of the columns of the stack
+  PlaneBox Box; // of the same
+  std::vector<std::pair<ColumnIndex, PlaneBox>> Indices; // of the horizons
   BoundarySimplificationOptions Options;
 };
 
@@ -234,14 +222,15 @@ public:
 
   Layers Run(const Monitor& monitor)
   {
-    this->Result.Stack = MakeStack(this->Horizons, this->Options, monitor.Step(0.0, 0.1));
+    this->Result.Stack =
+      MakeStack(this->Horizons, this->Options.Domain, this->Options.Crossings, monitor.Step(0.0, 0.1));
     this->Result.Plan.Heights.resize(this->Horizons.size());
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
     this->Result.LargestSideErrors.resize(this->Horizons.size());
     this->Result.LargestThicknessErrors.resize(this->Options.BoundThickness ? this->Horizons.size() - 1 : 0);
-    this->Result.ColumnsOutside = std::int64_t(this->Result.Stack.Columns.size());
     ExteriorBoundary boundary = this->FindBoundary(monitor.Step(0.1, 0.2));
+    this->Result.ColumnsOutside = std::int64_t(this->Result.Stack.Columns.size());
     const KeptPoints kept = DropPointsWithoutPatch(boundary);
     if (kept.empty())
     {
@@ -254,10 +243,11 @@ public:
     const std::vector<Edge> borders = this->FindBorders(boundary, lines.OnOutline);
     this->AddThickness();
     this->Fill();
-    OutlineMaker outline(
-      this->Columns, this->MeshHeights(), this->Known, this->Options.MaximumError, this->Result.OutlineTolerance);
-    HeightMesh mesh =
-      this->MakeMesh(outline.Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3)), monitor.Step(0.3, 0.4));
+    Outline outline = OutlineMaker(this->Columns, this->MeshHeights(), this->Known, this->Horizons,
+      this->Options.MaximumError, this->Result.OutlineTolerance)
+                        .Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3));
+    this->AddColumnsInside(kept, outline);
+    HeightMesh mesh = this->MakeMesh(std::move(outline), monitor.Step(0.3, 0.4));
     this->KeepBorders(mesh, borders);
     this->KeepLines(mesh, lines);
     this->Refine(mesh, monitor.Step(0.4, 0.9));
@@ -293,11 +283,13 @@ private:
     }
   }
 
+  /// Where that passes over gaps, in which some horizons have points, the stack is completed there, so that these count as
+  /// all others do.
   ExteriorBoundary FindBoundary(const Monitor& monitor)
   {
-    const PlanePoints columns = this->Result.Stack.Columns;
+    OrderedStack& stack = this->Result.Stack;
     this->Result.OutlineTolerance = this->Options.OutlineTolerance.value_or(this->Options.MaximumError);
-    this->Result.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(columns);
+    this->Result.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(stack.Columns);
     this->Result.SmallestHoleSize = this->Options.SmallestHoleSize
       ? *this->Options.SmallestHoleSize
       : ChooseSmallestHoleSize(this->Result.Radius, this->Result.OutlineTolerance);
@@ -307,7 +299,58 @@ private:
     options.SmallestHoleSize = this->Result.SmallestHoleSize;
     options.MinimumPatchSize = this->Options.MinimumPatchSize;
     options.Cuts = this->Options.Cuts;
-    return FindExteriorBoundary(columns, options, monitor);
+    ExteriorBoundary boundary = FindExteriorBoundary(stack.Columns, options, monitor);
+    const bool areWhole = options.Radius == 1 && options.HoleBoundaries && options.SmallestHoleSize <= 1;
+    if (this->Options.Domain == LayerDomain::Common && !areWhole)
+    {
+      const CompletedColumns inside =
+        CompleteColumns(this->Horizons, stack.Columns, boundary.Boundary, true, options.Cuts, this->Options.Crossings);
+      const std::size_t first = stack.Columns.size();
+      AddColumns(inside, stack);
+      boundary.Boundary = PassThrough(boundary.Boundary, stack.Columns, first);
+      for (const PointId point : inside.OnLoops)
+      {
+        boundary.Patch.push_back(boundary.Patch[std::size_t(point)]);
+      }
+    }
+    return boundary;
+  }
+
+  /// Where simplified outlines pass over points of some horizons, these count as well.
+  void AddColumnsInside(const KeptPoints& kept, Outline& outline)
+  {
+    if (this->HasRegions() || this->Result.OutlineTolerance == 0.0)
+    {
+      return;
+    }
+    const CompletedColumns inside = CompleteColumns(
+      this->Horizons, this->Columns, outline.Boundary, false, this->Options.Cuts, this->Options.Crossings);
+    this->Result.ColumnsOutside += std::int64_t(inside.Columns.size());
+    for (const PointId point : inside.OnLoops)
+    {
+      outline.Patch.push_back(outline.Patch[std::size_t(point)]);
+    }
+    this->IsOnLine.resize(outline.Patch.size(), 0);
+    OrderedStack& stack = this->Result.Stack;
+    if (kept.AreAll())
+    {
+      this->GiveBack(kept);
+      AddColumns(inside, stack);
+      this->TakeKept(kept);
+    }
+    else
+    {
+      OrderedStack own;
+      own.Columns.swap(this->Columns);
+      own.Heights.swap(this->Heights);
+      own.Heights.resize(this->Horizons.size());
+      own.Repair = stack.Repair;
+      AddColumns(inside, own);
+      own.Columns.swap(this->Columns);
+      own.Heights.swap(this->Heights);
+      AddColumns(inside, stack);
+    }
+    this->AddThickness();
   }
 
   // ---- A domain of its own for each layer --------------------------------------------------------------------------
@@ -458,6 +501,7 @@ private:
   /// The thickness of a layer is bound as one more horizon is.
   void AddThickness()
   {
+    this->Heights.resize(this->Horizons.size());
     for (std::size_t layer = 0; layer < this->Result.LargestThicknessErrors.size(); ++layer)
     {
       std::vector<double> thickness(this->Columns.size());
@@ -854,49 +898,5 @@ Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& 
     return LayerMaker(horizons, exact).Run(monitor);
   }
   return LayerMaker(horizons, options).Run(monitor);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, const CrossingOptions& options)
-{
-  constexpr double MostBelow = 0.25;
-  const CommonColumns common = FindCommonColumns(horizons);
-  if (common.Columns.empty())
-  {
-    throw NothingInCommon(horizons, options);
-  }
-  const double upwards = options.HeightsGrowDownwards ? -1.0 : 1.0;
-  const auto height = [&](std::size_t n, std::size_t column)
-  { return upwards * horizons[n].Heights[common.Points[n][column]]; };
-  std::vector<double> sums(horizons.size(), 0.0);
-  for (std::size_t n = 0; n < horizons.size(); ++n)
-  {
-    for (std::size_t column = 0; column < common.Columns.size(); ++column)
-    {
-      sums[n] += height(n, column);
-    }
-  }
-  std::vector<std::size_t> order(horizons.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&sums](std::size_t a, std::size_t b) { return sums[a] > sums[b]; });
-  for (std::size_t n = 0; n + 1 < order.size(); ++n)
-  {
-    std::array<double, 2> columns = { 0.0, 0.0 }; // in which the upper one is above, and below
-    for (std::size_t column = 0; column < common.Columns.size(); ++column)
-    {
-      const double between = height(order[n], column) - height(order[n + 1], column);
-      columns[0] += between > 0.0 ? 1.0 : 0.0;
-      columns[1] += between < 0.0 ? 1.0 : 0.0;
-    }
-    const double below = columns[1] / std::max(1.0, columns[0] + columns[1]);
-    if (below > MostBelow)
-    {
-      const auto percent = std::lround(100.0 * below);
-      throw InputError(NameOf(order[n], options) + " is above " + NameOf(order[n + 1], options) + " in " +
-        std::to_string(100 - percent) + " % of their columns and below in " + std::to_string(percent) +
-        " %, expected an order: give the uppermost horizon first, with Order AsGiven");
-    }
-  }
-  return order;
 }
 }

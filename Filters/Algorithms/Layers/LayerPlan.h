@@ -22,9 +22,8 @@
 #include "Common/Monitor.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
-#include "CommonColumns.h"
-#include "Crossings.h"
 #include "Decimation/Decimation.h"
+#include "OrderedStack.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,13 +32,6 @@
 
 namespace SeismicHorizons
 {
-/// Where layers are.
-enum class LayerDomain
-{
-  Common, // where all horizons have points
-  EachLayer // each where both its horizons have
-};
-
 struct LayerOptions
 {
   /// Where each layer has a domain of its own, outlines and borders stay as they are in plan: Radius and SmallestHoleSize
@@ -68,14 +60,6 @@ struct LayerOptions
   /// Whether the plan has the lines around areas where a layer has no thickness (PinchOuts.h), of so many columns.
   bool PinchOutLines = true;
   std::int64_t SmallestPinch = 25;
-};
-
-/// The horizons in the columns of layers, in order; nan where one has no point.
-struct OrderedStack
-{
-  std::vector<PlanePoint> Columns; // row by row
-  HeightStack Heights;
-  CrossingRepair Repair;
 };
 
 struct LayerPlan
@@ -134,11 +118,6 @@ struct Layers
 /// depend on the order of points or the number of threads.
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options = LayerOptions(),
   const Monitor& monitor = Monitor());
-
-/// The numbers of the horizons, the uppermost first by their mean heights over the columns that all have. Throws
-/// InputError where there is no such column, and where a horizon is below the next one in more than a quarter of the
-/// columns in which the two differ.
-std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, const CrossingOptions& options);
 }
 
 #endif

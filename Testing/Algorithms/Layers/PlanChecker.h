@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -90,6 +91,7 @@ public:
   {
     std::string wrong = this->CheckStack();
     wrong = wrong.empty() ? this->CheckTriangles() : wrong;
+    wrong = wrong.empty() ? this->CheckCompleteness() : wrong;
     return wrong.empty() ? this->CheckBound() : wrong;
   }
 
@@ -165,50 +167,93 @@ protected:
     }
   }
 
-  /// The stack has the columns that all have, in order, and heights of its own only where horizons cross.
+  /// The stack has the columns that all have, and others with a horizon, in order, and heights of its own only where
+  /// horizons cross or have no point.
   std::string CheckStack() const
   {
-    std::map<Column, std::vector<double>> common;
+    std::map<Column, std::map<std::size_t, double>> given;
     for (std::size_t n = 0; n < this->Horizons.size(); ++n)
     {
       for (std::size_t point = 0; point < this->Horizons[n].Columns.size(); ++point)
       {
         const PlanePoint& column = this->Horizons[n].Columns[point];
-        std::vector<double>& heights = common[{ column.X, column.Y }];
-        if (heights.size() == n)
-        {
-          heights.push_back(this->Horizons[n].Heights[point]);
-        }
+        given[{ column.X, column.Y }][n] = this->Horizons[n].Heights[point];
       }
     }
     const OrderedStack& stack = this->Result.Stack;
-    const auto full = std::count_if(
-      common.begin(), common.end(), [&](const auto& entry) { return entry.second.size() == this->Horizons.size(); });
-    if (stack.Columns.size() != std::size_t(full))
-    {
-      return "wrong number of common columns";
-    }
+    auto missing = std::count_if(
+      given.begin(), given.end(), [&](const auto& entry) { return entry.second.size() == this->Horizons.size(); });
+    std::size_t completed = 0;
     for (std::size_t n = 0; n < stack.Columns.size(); ++n)
     {
-      const std::vector<double>& given = common[{ stack.Columns[n].X, stack.Columns[n].Y }];
-      bool isInOrder = true;
+      const std::map<std::size_t, double>& own = given[{ stack.Columns[n].X, stack.Columns[n].Y }];
+      missing -= own.size() == this->Horizons.size() ? 1 : 0;
+      completed += own.size() == this->Horizons.size() ? 0 : 1;
+      bool isInOrder = !own.empty();
       bool isAsGiven = true;
-      for (std::size_t horizon = 0; horizon < given.size(); ++horizon)
+      for (auto next = own.begin(); next != own.end(); ++next)
       {
-        const double below = this->Sign * (horizon == 0 ? 0.0 : given[horizon - 1] - given[horizon]);
+        const double below = next == own.begin() ? 0.0 : this->Sign * (std::prev(next)->second - next->second);
         isInOrder = isInOrder && below >= 0.0 && (below == 0.0 || below >= this->Options.Crossings.MinimumThickness);
-        isAsGiven = isAsGiven && stack.Heights[horizon][n] == given[horizon];
-        if (horizon > 0 && this->Sign * (stack.Heights[horizon - 1][n] - stack.Heights[horizon][n]) < 0.0)
+        isAsGiven = isAsGiven && stack.Heights[next->first][n] == next->second;
+      }
+      for (std::size_t horizon = 1; horizon < this->Horizons.size(); ++horizon)
+      {
+        if (!(this->Sign * (stack.Heights[horizon - 1][n] - stack.Heights[horizon][n]) >= 0.0))
         {
           return "stack is not in order";
         }
       }
-      if (isInOrder && !isAsGiven)
+      if (own.empty() || (isInOrder && !isAsGiven))
       {
-        return "heights moved where nothing crosses";
+        return own.empty() ? "a column without a horizon" : "heights moved where nothing crosses";
       }
     }
-    return "";
+    return missing == 0 && completed == stack.Completed ? "" : "wrong number of common columns";
+  }
+
+  /// Points of horizons in columns that the stack does not have are not in the plan, or on its outline and within the
+  /// error.
+  std::string CheckCompleteness() const
+  {
+    const ColumnNumbers numbers = this->NumberColumns();
+    std::map<Column, std::map<std::size_t, double>> others;
+    for (std::size_t n = 0; n < this->Horizons.size(); ++n)
+    {
+      for (std::size_t point = 0; point < this->Horizons[n].Columns.size(); ++point)
+      {
+        const PlanePoint& column = this->Horizons[n].Columns[point];
+        if (numbers.count({ column.X, column.Y }) == 0)
+        {
+          others[{ column.X, column.Y }][n] = this->Horizons[n].Heights[point];
+        }
+      }
+    }
+    std::string wrong;
+    this->ForEachTriangle(
+      [&](const std::array<std::size_t, 3>& t)
+      {
+        this->ForEachColumnOf(t,
+          [&](int x, int y, const std::array<double, 3>& w)
+          {
+            const auto found = others.find({ x, y });
+            if (found == others.end())
+            {
+              return;
+            }
+            for (const auto& [horizon, given] : found->second)
+            {
+              const std::vector<double>& h = this->Plan.Heights[horizon];
+              const double error = w[0] * h[t[0]] + w[1] * h[t[1]] + w[2] * h[t[2]] - given;
+              if (std::min({ w[0], w[1], w[2] }) > 0.0 || std::abs(error) > this->Options.MaximumError + 1e-9)
+              {
+                wrong = "a point in the plan is not in the stack: " + std::to_string(x) + ", " + std::to_string(y) +
+                  ", error " + std::to_string(error);
+              }
+            }
+          });
+      });
+    return wrong;
   }
 
   /// Triangles turn to the left, fit together, and no vertex lies in another triangle or on its sides.

@@ -100,8 +100,9 @@ private:
     LayerOptions& options = stack.Options;
     options.MaximumError = this->Pick({ 0.0, 0.3, 0.75, 2.0 });
     options.OutlineTolerance = this->Pick({ 0.0, 0.75, 1.5 });
-    options.Radius = 1;
-    options.SmallestHoleSize = 1;
+    const bool hasGaps = this->Whole(0, 3) == 0; // that outlines pass over, or close
+    options.Radius = hasGaps ? this->Whole(1, 3) : 1;
+    options.SmallestHoleSize = hasGaps ? this->Whole(1, 12) : 1;
     options.Crossings.HeightsGrowDownwards = this->Whole(0, 1) == 1;
     options.Crossings.MinimumThickness = this->Pick({ 0.0, 0.0, 0.5 });
     options.FitHeights = this->Whole(0, 2) > 0;

@@ -243,7 +243,8 @@ void TestMessages()
   CHECK_THROWS_WITH(MakeFrom({ level, broken }), "horizon 2: point 5 without a height, expected a finite number");
   CHECK_THROWS_WITH(MakeFrom({ level, twice }), "points 2 and 3 both in column (2, 0)");
   options.Crossings.Policies = { CrossingPolicy::Stop };
-  CHECK_THROWS_WITH(MakeFrom({ level, high }, options), "cross in 16 columns, by up to 1.5 lattice units, expected none");
+  CHECK_THROWS_WITH(
+    MakeFrom({ level, high }, options), "cross in 16 columns, by up to 1.5 lattice units, expected none");
   options = LayerOptions();
   options.MaximumError = -1.0;
   CHECK_THROWS_WITH(MakeFrom({ high, level }, options), "maximum error -1, expected at least 0");

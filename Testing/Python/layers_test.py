@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Layers between horizons, checked from their outputs alone. Argument: the folder Data."""
+
+import pathlib
+import sys
+import unittest
+import warnings
+
+import mesh_checks
+import numpy as np
+import seismichorizons as sh
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
+ROWS, COLUMNS = 30, 40
+X, Y = np.meshgrid(np.arange(COLUMNS, dtype=float), np.arange(ROWS, dtype=float))
+TOP, BASE, OUTLINE, FAULT = range(4)
+
+
+def on_grid(z, **keywords):
+    return sh.horizon(z, **{"spacing": (25.0, 12.5), "azimuth": 30.0, "origin": (5e5, 6e6), "vertical_step": 1.0, **keywords})
+
+
+def lattice_places(data, lattice=None):
+    """Coordinates of points on their lattice, or on that of other data."""
+    to_world = sh.details(data if lattice is None else lattice).lattice_to_world
+    world = mesh_checks.coordinates(data)
+    return (np.linalg.inv(to_world) @ np.column_stack((world, np.ones(len(world)))).T).T[:, :3]
+
+
+def surface_heights(mesh, places):
+    """Heights of a mesh on the lattice at some columns; nan beside it."""
+    corners = lattice_places(mesh)
+    heights = np.full(len(places), np.nan)
+    for a, b, c in corners[mesh_checks.triangles(mesh)]:
+        low, high = np.minimum(np.minimum(a, b), c)[:2] - 1e-6, np.maximum(np.maximum(a, b), c)[:2] + 1e-6
+        near = np.flatnonzero(np.all((places[:, :2] >= low) & (places[:, :2] <= high), axis=1))
+        weights = np.linalg.solve(np.array([[a[0], b[0], c[0]], [a[1], b[1], c[1]], [1, 1, 1]]),
+                                  np.column_stack((places[near, :2], np.ones(len(near)))).T)
+        inside = np.all(weights >= -1e-9, axis=0)
+        heights[near[inside]] = weights.T[inside] @ np.array([a[2], b[2], c[2]])
+    return heights
+
+
+def described(horizon, name, value):
+    """A horizon with a text of its survey."""
+    copy = vtkPolyData()
+    copy.ShallowCopy(horizon)
+    text = vtkStringArray()
+    text.SetName(name)
+    text.InsertNextValue(value)
+    copy.GetFieldData().AddArray(text)
+    return copy
+
+
+class LayersTest(unittest.TestCase):
+    def check(self, made, horizons, error, moved=()):
+        """What holds for all layers, given the points that were read. Gives the share of these that are beside them."""
+        cells = vtkCellSizeFilter()
+        cells.SetInputData(made.cells)
+        cells.Update()
+        volumes = vtk_to_numpy(cells.GetOutput().GetCellData().GetArray("Volume"))
+        data = made.cells.GetCellData()
+        own = vtk_to_numpy(data.GetArray("Volume"))
+        layer = vtk_to_numpy(data.GetArray("Layer"))
+        self.assertGreater(own.min(), 0.0)
+        np.testing.assert_allclose(own, volumes, rtol=1e-6)  # large coordinates
+        self.assertEqual(len(np.unique(mesh_checks.coordinates(made.cells), axis=0)), made.cells.GetNumberOfPoints())
+        names = sh.details(made.cells).layer_names
+        names = [names] if isinstance(names, str) else names
+        self.assertEqual(names, list(made.figures))
+        for number, name in enumerate(names):
+            figures = made.figures[name]
+            self.assertAlmostEqual(figures.volume, own[layer == number].sum(), delta=1e-9 * figures.volume)
+            if name in made.bodies:
+                self.check_body(made.bodies[name], figures)
+            self.assertAlmostEqual(made.curve[name][-1], figures.volume, delta=1e-9 * figures.volume)
+            self.assertEqual(made.curve[name][0], 0.0)
+            self.assertTrue(np.all(np.diff(made.curve[name]) >= -1e-9 * figures.volume))
+        self.assertTrue(np.all(np.diff(made.curve["contact"]) < 0.0))
+        beside = 0
+        for name, points in horizons.items():
+            places = lattice_places(points, made.horizons[name])
+            off = surface_heights(made.horizons[name], places) - places[:, 2]
+            beside += np.count_nonzero(np.isnan(off)) / len(off) / len(horizons)
+            if name not in moved:
+                self.assertLessEqual(np.nanmax(np.abs(off)), error + 1e-6, name)
+            self.assertLessEqual(sh.details(made.horizons[name]).largest_error, error + 1e-9)
+        return beside
+
+    def check_body(self, body, figures):
+        """Closed, facing outwards, with upright walls."""
+        points = mesh_checks.coordinates(body)
+        points = points - points.mean(axis=0)
+        triangles = mesh_checks.triangles(body)
+        edges = np.concatenate((triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]))
+        self.assertEqual(len(np.unique(edges, axis=0)), len(edges))
+        self.assertEqual({tuple(edge) for edge in edges}, {tuple(edge) for edge in edges[:, ::-1]})
+        a, b, c = points[triangles].transpose(1, 0, 2)
+        self.assertAlmostEqual(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6.0 / figures.volume, 1.0, delta=1e-9)
+        upwards = np.cross(b - a, c - a)[:, 2] / 2.0
+        face = vtk_to_numpy(body.GetCellData().GetArray("Face"))
+        self.assertAlmostEqual(upwards[face == TOP].sum() / figures.area, 1.0, delta=1e-9)
+        self.assertAlmostEqual(upwards[face == BASE].sum() / figures.area, -1.0, delta=1e-9)
+        self.assertLess(np.abs(upwards[face >= OUTLINE]).max(), 1e-6 * figures.area)
+
+    def test_sample(self):
+        """Horizons with holes, on a turned lattice; both domains."""
+        horizons = sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 6.0))
+        each = sh.layers(horizons)
+        self.check(each, horizons, 0.75)
+        common = sh.layers(horizons, largest_error=1.5, domain="Common")
+        self.assertLess(self.check(common, horizons, 1.5), 0.05)
+        self.assertLess(common.cells.GetNumberOfCells(), each.cells.GetNumberOfCells())
+        kept = sh.layers(horizons, domain="Common", keep_outlines=True, fit_heights=False, effort="Fast")
+        self.check(kept, horizons, 0.75)
+        for mesh in kept.horizons.values():
+            self.assertIsNotNone(mesh.GetPointData().GetArray("Amplitude"))
+
+    def test_planes(self):
+        """Exact volumes, whichever way rows turn and z counts; from the uppermost on in any order."""
+        depths = {"Base": 150.0 + 0.25 * X, "Top": 100.0 + 0.5 * Y, "Middle": 120.0 + 0.25 * X}
+        area = 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1)
+        expected = [area * (20.0 + 0.25 * (COLUMNS - 1) / 2 - 0.5 * (ROWS - 1) / 2), area * 30.0]
+        for spacing in ((25.0, 12.5), (25.0, -12.5)):
+            for sign, direction in ((1.0, "Down"), (-1.0, "Up")):
+                horizons = {name: on_grid(sign * z, spacing=spacing, vertical_direction=direction)
+                            for name, z in depths.items()}
+                made = sh.layers(horizons, largest_error=0.1)
+                self.check(made, horizons, 0.1)
+                self.assertEqual(list(made.figures), ["Top to Middle", "Middle to Base"])
+                np.testing.assert_allclose([own.volume for own in made.figures.values()], expected, rtol=1e-9)
+        contact = sh.layers(horizons, contact=-1e6).figures["Middle to Base"]
+        self.assertAlmostEqual(contact.volume_above_contact, contact.volume, delta=1e-9 * contact.volume)
+
+    def test_pinch_out(self):
+        """A layer that ends on a line through columns."""
+        top = {"Top": on_grid(np.full(X.shape, 100.0)), "Base": on_grid(100.0 + np.maximum(0.0, X - 15.0))}
+        made = sh.layers(top, largest_error=0.2)
+        self.check(made, top, 0.2)
+        figures = made.figures["Top to Base"]
+        self.assertAlmostEqual(figures.area, 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1 - 15), delta=1e-6)
+        self.assertAlmostEqual(figures.volume, 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1 - 15) ** 2 / 2, delta=0.5)
+        self.assertGreater(figures.tetrahedra + figures.pyramids, 0)
+
+    def test_crossings(self):
+        """A basement through two horizons: each policy moves the horizons that it should."""
+        horizons = {"Top": on_grid(np.full(X.shape, 100.0)), "Fill": on_grid(np.full(X.shape, 110.0)),
+                    "Basement": on_grid(80.0 + 2.0 * X)}
+        moves = {}
+        for policy, moved in (("UpperWins", ("Basement",)), ("LowerWins", ("Top", "Fill")), ("Mean UpperWins", ("Basement",))):
+            chosen = {"crossings_by_layer": policy} if " " in policy else {"crossings": policy}
+            made = sh.layers(horizons, order="AsGiven", **chosen)
+            self.check(made, horizons, 0.75, moved)
+            moves[policy] = {name: sh.details(mesh).moved_columns for name, mesh in made.horizons.items()}
+        self.assertEqual(moves["UpperWins"], {"Top": 0, "Fill": 0, "Basement": 15 * ROWS})
+        self.assertEqual(moves["LowerWins"], {"Top": 10 * ROWS, "Fill": 15 * ROWS, "Basement": 0})
+        self.assertEqual(moves["Mean UpperWins"], moves["UpperWins"])
+        with self.assertRaisesRegex(ValueError, "Fill and Basement cross in 450 columns, by up to 30 lattice units, expected none"):
+            sh.layers(horizons, order="AsGiven", crossings_by_layer="Mean Stop")
+        with self.assertWarnsRegex(UserWarning, "Fill and Basement cross by up to 30, expected no more than their noise makes"):
+            sh.layers(horizons, order="AsGiven")
+        with self.assertRaisesRegex(ValueError, "Fill is above Basement in 6. % of their columns and below in 3. %, expected an order"):
+            sh.layers(horizons)
+
+    def test_faults(self):
+        """Thrown down along a line that ends inside, in the lower horizon alone: a wall on both sides, in all layers."""
+        lower = 150.0 + np.where((X > 19.5) & (Y < 20.5), 12.0, 0.0)
+        faulted = sh.faults(on_grid(lower), smallest_throw=5.0)
+        horizons = {"Top": on_grid(np.full(X.shape, 100.0)), "Base": faulted}
+        made = sh.layers(horizons)
+        self.check(made, horizons, 0.75)
+        figures = made.figures["Top to Base"]
+        cut = 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1) - figures.area
+        self.assertGreaterEqual(figures.area_at_faults, 25.0 * 12.5 * 20)
+        self.assertAlmostEqual(figures.area_at_faults, cut, delta=1e-6)
+        self.assertGreater(figures.volume_at_faults / figures.area_at_faults, 50.0)
+        self.assertLess(figures.volume_at_faults / figures.area_at_faults, 62.0)
+        body = made.bodies["Top to Base"]
+        face = vtk_to_numpy(body.GetCellData().GetArray("Face"))
+        columns = lattice_places(body)[mesh_checks.triangles(body)][face == FAULT][:, :, 0]
+        self.assertGreaterEqual(np.count_nonzero(face == FAULT), 4)
+        self.assertTrue(np.all((columns >= 19.0) & (columns <= 20.0)) or figures.area_at_faults > 25.0 * 12.5 * 21)
+        whole = sh.layers(horizons, use_cuts=False)
+        self.assertEqual(whole.figures["Top to Base"].area_at_faults, 0.0)
+        self.check(whole, horizons, 0.75)
+
+    def test_two_lattices(self):
+        """Every second line of one horizon, and another window of the survey."""
+        fine = on_grid(100.0 + 0.5 * Y)
+        coarse = on_grid((120.0 + 0.5 * Y)[::2, ::2], spacing=(50.0, 25.0))
+        made = sh.layers({"Coarse": coarse, "Fine": fine}, largest_error=0.1)
+        self.check(made, {"Coarse": coarse, "Fine": fine}, 0.1)
+        figures = made.figures["Fine to Coarse"]
+        self.assertAlmostEqual(figures.volume / figures.area, 20.0, delta=1e-9)
+        step = fine.GetPoint(3 * COLUMNS + 5)
+        window = on_grid((120.0 + 0.5 * (Y + 3))[:, :30], origin=step[:2])
+        made = sh.layers({"Window": window, "All": fine}, largest_error=0.1)
+        self.check(made, {"Window": window, "All": fine}, 0.1)
+        self.assertAlmostEqual(made.figures["All to Window"].area, 25.0 * 12.5 * 26 * 29, delta=1e-6)
+        with self.assertRaisesRegex(ValueError, "a point of Between at .*, which is on no column of Fine, expected points on "
+                                                "one lattice"):
+            sh.layers({"Fine": fine, "Between": on_grid(150.0 + Y, origin=(5e5 + 3.0, 6e6))})
+
+    def test_errors(self):
+        top, base = on_grid(np.full(X.shape, 100.0)), on_grid(np.full(X.shape, 120.0))
+        for wrong, message in (({"Top": top}, "one horizon with points, expected at least 2"),
+                               ({"Top": top, "Far": on_grid(np.full(X.shape, 120.0), origin=(5e5 - 2500.0 * np.sqrt(3) / 2, 6e6 + 1250.0))},
+                                "Top and Far have no column in common|which is on no column")):
+            with self.assertRaisesRegex(ValueError, message):
+                sh.layers(wrong)
+        pair = {"Top": top, "Base": base}
+        for keywords, message in (({"crossings_by_layer": "Middle"}, 'crossings "Middle", expected Mean, UpperWins, LowerWins or Stop'),
+                                  ({"crossings_by_layer": "Mean Stop"}, "crossings of 2 layers, expected 1, from the uppermost on"),
+                                  ({"maximum_error": -1.0}, "maximum_error -1|maximum error -1, expected at least 0"),
+                                  ({"minimum_thickness": float("nan")}, "minimum thickness nan, expected a finite number, at least 0"),
+                                  ({"smallest_pinch": 0}, "smallest pinch 0, expected at least 1"),
+                                  ({"smallest_angle": 70.0}, "smallest angle 70, expected .*60")):
+            with self.assertRaisesRegex(ValueError, message):
+                sh.layers(pair, **keywords)
+        with self.assertRaisesRegex(ValueError, 'Base of the VerticalDomain "time", expected "depth" as of Top'):
+            sh.layers({"Top": described(top, "VerticalDomain", "depth"), "Base": described(base, "VerticalDomain", "time")})
+        with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):
+            sh.layers({name: described(points, "VerticalDomain", "time") for name, points in pair.items()})
+        mesh = sh.surface(on_grid(100.0 + np.sin(X)), largest_error=2.0)
+        with self.assertRaisesRegex(ValueError, "stand"):
+            sh.layers({"Top": mesh, "Base": base})
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            sh.layers(pair)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volumes between horizons as a function."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import calls, making, reading
+from .stage import make
+
+FILTER = "vtkHorizonLayers"
+
+
+class Layers(types.SimpleNamespace):
+    """What `layers` made. `cells` has the wedges of all layers with the arrays Layer, Thickness and Volume, `bodies` their
+    closed surfaces and `horizons` the horizons on the same plan, by names; `figures` tells of each layer `volume`, `area`,
+    `thickness_mean` and the like, and `curve` has arrays of `contact` and of the volume of each layer above it."""
+
+    def __repr__(self):
+        return "Layers(%s)" % ", ".join("%r: %.6g" % (name, own.volume) for name, own in self.figures.items())
+
+
+def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_error: float | str | None = None,
+           contact: float | None = None, **keywords: Any) -> Layers:
+    """Closed volumes of the layers between horizons.
+
+    Parameters
+    ----------
+    horizons : dict of str to vtkPolyData, or list of vtkPolyData
+        points of at least two horizons of one survey, as `read`, `horizon` and `extract` give them.
+    largest_error : float or str, optional
+        how far a point may be from the layers, vertically: in vertical indices, or with a unit, as "2 ms". 0.75 by default.
+    contact : float, optional
+        a level, as world z, above which volumes are measured too.
+    **keywords
+        properties of HorizonLayers: `crossings`, `crossings_by_layer`, `domain`, `order` and the like.
+
+    Returns
+    -------
+    Layers
+
+    Raises
+    ------
+    TypeError, ValueError
+        fewer than two horizons, horizons of different lattices, in no order or without a common column.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> flat = sh.horizon(np.full((20, 30), 100.0), vertical_step=1.0)
+    >>> deep = sh.horizon(np.full((20, 30), 110.0), vertical_step=1.0)
+    >>> sh.layers({"Top": flat, "Base": deep})
+    Layers('Top to Base': 5510)
+    """
+    named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
+    for data in named.values():
+        calls.require_data(data, "a horizon")
+    maker = make(FILTER)
+    target = {} if largest_error is None else {"maximum_error": largest_error}
+    level = {} if contact is None else {"measure_above_contact": True, "contact": contact}
+    calls.set_keywords(maker, {**target, **level, **keywords}, next(iter(named.values()), None))
+    if isinstance(horizons, Mapping):
+        maker.SetInputDataObject(0, making.collect_picks(horizons))
+    else:
+        for data in named.values():
+            maker.AddInputDataObject(0, data)
+    calls.run(maker, "layers")
+    cells, bodies, meshes, figures, curve = (maker.GetOutputDataObject(port) for port in range(5))
+    rows = {figures.GetValueByName(row, "Name").ToString(): types.SimpleNamespace(**{
+        calls.snake(figures.GetColumnName(column)): _value(figures.GetValue(row, column))
+        for column in range(figures.GetNumberOfColumns())}) for row in range(figures.GetNumberOfRows())}
+    return Layers(
+        cells=calls.wrap(cells), figures=rows,
+        bodies={name: calls.wrap(body) for name, body in reading.list_horizons(bodies)},
+        horizons={name: calls.wrap(mesh) for name, mesh in reading.list_horizons(meshes)},
+        curve={curve.GetColumnName(column) if column else "contact": vtk_to_numpy(curve.GetColumn(column))
+               for column in range(curve.GetNumberOfColumns())})
+
+
+def _value(variant):
+    return variant.ToString() if variant.IsString() else variant.ToDouble() if variant.IsDouble() else variant.ToInt()
