@@ -20,6 +20,7 @@
 #include "Marshalling/HorizonStack.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/LayerOutput.h"
+#include "Surface/Surface.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -297,6 +298,17 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
   options.BoundThickness = this->BoundThickness;
   const bool isCommon = this->Domain == Common || stack.Size() == 2;
   options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;
+  for (std::size_t n = 0; n < stack.Size() && !isCommon; ++n)
+  {
+    const int radius = ChooseRadius(stack[n].Placed.Columns);
+    if (radius > 1)
+    {
+      throw InputError(stack[n].Name + " with steps of " + std::to_string(radius) +
+        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or fill gaps by Horizon "
+        "Hole "
+        "Filling before");
+    }
+  }
   if (isCommon && this->KeepOutlines)
   {
     options.OutlineTolerance = 0.0;

@@ -6,6 +6,7 @@
 #include "Common/ColumnIndex.h"
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
+#include "Common/PlaneGeometry.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
 #include "HeightUnit.h"
@@ -32,6 +33,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -98,6 +100,26 @@ vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<st
     array->InsertNextValue(text);
   }
   return array;
+}
+
+/// A point of a horizon in one of the squares of columns around one, the smallest that has some.
+PointId FindNearest(const ColumnIndex& index, const PlaneBox& box, const PlanePoint& column)
+{
+  for (std::int32_t radius = 1;; ++radius)
+  {
+    for (std::int32_t y = column.Y - radius; y <= column.Y + radius; ++y)
+    {
+      const bool isWhole = std::abs(y - column.Y) == radius;
+      for (std::int32_t x = column.X - radius; x <= column.X + radius; x += isWhole ? 1 : 2 * radius)
+      {
+        const PointId point = box.Contains({ x, y }) ? index[index.Place({ x, y })] : NoPoint;
+        if (point != NoPoint)
+        {
+          return point;
+        }
+      }
+    }
+  }
 }
 
 /// The columns of a table, filled row by row.
@@ -210,6 +232,8 @@ void WriteLayerHorizon(
   const LayerPlan& plan = layers.Plan;
   const std::vector<PointId>& pointAt = cells.PointsOfHorizons[horizon]; // of cells, by vertex
   const ColumnIndex index(stack[horizon].Placed.Columns);
+  const PlaneBox box(stack[horizon].Placed.Columns);
+  std::vector<unsigned char> isFilled;
   std::vector<PointId> vertices; // that the horizon has
   vtkNew<vtkIdList> from;
   std::vector<PointId> numbers(plan.Columns.size(), NoPoint);
@@ -219,7 +243,9 @@ void WriteLayerHorizon(
     {
       numbers[vertex] = PointId(vertices.size());
       vertices.push_back(PointId(vertex));
-      from->InsertNextId(index[index.Place(plan.Columns[vertex])]);
+      const PointId point = box.Contains(plan.Columns[vertex]) ? index[index.Place(plan.Columns[vertex])] : NoPoint;
+      isFilled.push_back(point == NoPoint ? 1 : 0);
+      from->InsertNextId(point == NoPoint ? FindNearest(index, box, plan.Columns[vertex]) : point);
     }
   }
   output->SetPoints(MakePoints(vertices.size(), stack.Grid(),
@@ -267,6 +293,11 @@ void WriteLayerHorizon(
     columns->SetTypedTuple(vtkIdType(n), tuple.data());
   }
   output->GetPointData()->AddArray(columns);
+  if (std::find(isFilled.begin(), isFilled.end(), 1) != isFilled.end())
+  {
+    output->GetPointData()->RemoveArray(PointArray::Filled);
+    AddArray<vtkUnsignedCharArray>(output->GetPointData(), PointArray::Filled, isFilled);
+  }
   ActivateHeight(output);
   vtkFieldData* const figures = output->GetFieldData();
   stack.WriteFields(figures);

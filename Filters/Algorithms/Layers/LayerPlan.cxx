@@ -7,14 +7,12 @@
 #include "LayerPlan.h"
 
 #include "Boundary/ExteriorBoundary.h"
-#include "BoundarySimplification/BoundarySimplification.h"
 #include "Common/BoundedHorizon.h"
 #include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
 #include "Common/KeptPoints.h"
 #include "Common/MeshChecker.h"
 #include "Common/Parameters.h"
-#include "Common/SpacePoints.h"
 #include "Decimation/HeightFit.h"
 #include "Decimation/HeightMesh.h"
 #include "Decimation/KeptSides.h"
@@ -22,6 +20,7 @@
 #include "Decimation/MeshRefiner.h"
 #include "FaultClosing/FaultClosing.h"
 #include "FittedOrder.h"
+#include "LayerOutline.h"
 #include "LayerRegions.h"
 #include "PinchOuts.h"
 #include "Surface/Surface.h"
@@ -39,177 +38,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- The outline ---------------------------------------------------------------------------------------------------
-struct Outline
-{
-  Loops Boundary;
-  std::vector<std::int32_t> Patch; // by point: NoPatch for those outside
-};
-
-/// The fewest points for the first horizon; the others make loops keep more: of each edge that one of them is too far
-/// from, the point where it is farthest.
-class OutlineMaker
-{
-public:
-  /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all do.
-  OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
-    const std::vector<HorizonView>& horizons, double error, double tolerance)
-    : Columns(columns)
-    , Heights(heights)
-    , Known(known)
-    , Horizons(horizons)
-  {
-    this->Options.Method = OutlineMethod::FewestPoints;
-    this->Options.DistanceThreshold = error;
-    this->Options.OutlineTolerance = tolerance;
-    if (tolerance > 0.0) // else outlines pass over no other columns
-    {
-      this->Index.emplace(columns);
-      this->Box = PlaneBox(columns);
-      for (const HorizonView& horizon : horizons)
-      {
-        this->Indices.emplace_back(ColumnIndex(horizon.Columns), PlaneBox(horizon.Columns));
-      }
-    }
-  }
-
-  /// `fixed` points stay, and so do the ends of cracks.
-  Outline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
-  {
-    this->Options.Fixed = fixed;
-    const std::vector<PointId> ends = boundary.OpenCracks.EndsOfMouths();
-    this->Options.Fixed.insert(this->Options.Fixed.end(), ends.begin(), ends.end());
-    BoundarySimplification simplified;
-    const SpacePoints points(this->Columns, this->Heights.front(), 1);
-    std::vector<PointId> far;
-    Monitor step = monitor;
-    do
-    {
-      this->Options.Fixed.insert(this->Options.Fixed.end(), far.begin(), far.end());
-      simplified = SimplifyBoundary(points, boundary.Boundary, this->Options, step);
-      step = monitor.Step(1.0, 1.0);
-      far = this->FindFar(boundary.Boundary, simplified.Boundary.MarkPoints(this->Columns.size()));
-    } while (!far.empty());
-    Outline outline;
-    outline.Boundary = std::move(simplified.Boundary);
-    outline.Patch = boundary.Patch;
-    for (const DroppedPoint& dropped : simplified.Dropped)
-    {
-      outline.Patch[std::size_t(dropped.Point)] = NoPatch;
-    }
-    return outline;
-  }
-
-private:
-  /// Points to be kept, given the loops and a mark for each point that is.
-  std::vector<PointId> FindFar(const Loops& loops, const std::vector<unsigned char>& isKept) const
-  {
-    std::vector<PointId> far;
-    for (std::size_t loop = 0; loop < loops.Size(); ++loop)
-    {
-      const PointId* const points = loops.begin(loop);
-      const std::size_t length = loops.Length(loop);
-      const auto at = [&](std::size_t n) { return points[n % length]; };
-      const auto first = std::size_t(
-        std::find_if(points, points + length, [&](PointId point) { return isKept[std::size_t(point)] != 0; }) - points);
-      for (std::size_t from = first; from < first + length && first < length;)
-      {
-        std::size_t to = from + 1;
-        while (isKept[std::size_t(at(to))] == 0)
-        {
-          ++to;
-        }
-        std::size_t farthest = this->FindFarthest(at, from, to);
-        farthest = farthest == from ? this->FindBesidePassed(at, from, to) : farthest;
-        if (farthest != from)
-        {
-          far.push_back(at(farthest));
-        }
-        from = to;
-      }
-    }
-    return far;
-  }
-
-  /// Of the points of a loop between two that are kept, the one that a horizon but the first is farthest at from the
-  /// edge, where that is too far; else the first one.
-  template <typename PointAt>
-  std::size_t FindFarthest(const PointAt& at, std::size_t from, std::size_t to) const
-  {
-    std::size_t farthest = from;
-    double largest = this->Options.DistanceThreshold + this->Slack();
-    for (std::size_t n = from + 1; n < to; ++n)
-    {
-      for (std::size_t horizon = 1; horizon < this->Heights.size(); ++horizon)
-      {
-        const bool counts = this->Known.empty() || this->Known[horizon][std::size_t(at(n))] != 0;
-        const double distance = counts ? this->DistanceFrom(at(from), at(to), at(n), this->Heights[horizon]) : 0.0;
-        farthest = distance > largest ? n : farthest;
-        largest = std::max(largest, distance);
-      }
-    }
-    return farthest;
-  }
-
-  /// The same for points of horizons that the edge passes over and that are none of the stack: the point of the loop
-  /// half-way, as all are kept where edges are as short as hops.
-  template <typename PointAt>
-  std::size_t FindBesidePassed(const PointAt& at, std::size_t from, std::size_t to) const
-  {
-    const PlanePoint& a = this->Columns[std::size_t(at(from))];
-    const PlanePoint& b = this->Columns[std::size_t(at(to))];
-    const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
-    for (std::int32_t step = 1; step < steps && to > from + 1 && this->Index; ++step)
-    {
-      const PlanePoint place = { a.X + (b.X - a.X) / steps * step, a.Y + (b.Y - a.Y) / steps * step };
-      const bool isOther = !this->Box.Contains(place) || (*this->Index)[this->Index->Place(place)] == NoPoint;
-      for (std::size_t horizon = 0; isOther && horizon < this->Indices.size(); ++horizon)
-      {
-        const double start = this->Heights[horizon][std::size_t(at(from))];
-        const double end = this->Heights[horizon][std::size_t(at(to))];
-        const double height = this->HeightAt(horizon, place);
-        if (std::abs(start + (end - start) * step / steps - height) > this->Options.DistanceThreshold + this->Slack())
-        {
-          return from + (to - from) / 2;
-        }
-      }
-    }
-    return from;
-  }
-
-  /// Of a horizon as it was given; nan where it has no point.
-  double HeightAt(std::size_t horizon, const PlanePoint& column) const
-  {
-    const auto& [index, box] = this->Indices[horizon];
-    const PointId point = box.Contains(column) ? index[index.Place(column)] : NoPoint;
-    return point == NoPoint ? std::nan("") : this->Horizons[horizon].Heights[point];
-  }
-
-  /// Vertically, where the edge is nearest in plan.
-  double DistanceFrom(PointId from, PointId to, PointId point, const std::vector<double>& heights) const
-  {
-    const PlanePoint& a = this->Columns[std::size_t(from)];
-    const PlanePoint& b = this->Columns[std::size_t(to)];
-    const auto length = double(SquaredDistance(a, b));
-    const auto along = double(ScalarProduct(a, b, this->Columns[std::size_t(point)]));
-    const double part = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
-    const double start = heights[std::size_t(from)];
-    return std::abs(start + part * (heights[std::size_t(to)] - start) - heights[std::size_t(point)]);
-  }
-
-  /// What rounding may make of a distance.
-  double Slack() const { return 1e-9 * std::max(1.0, this->Options.DistanceThreshold); }
-
-  PlanePoints Columns;
-  const HeightStack& Heights;
-  const std::vector<std::vector<unsigned char>>& Known;
-  const std::vector<HorizonView>& Horizons;
-  std::optional<ColumnIndex> Index; // of the columns of the stack
-  PlaneBox Box; // of the same
-  std::vector<std::pair<ColumnIndex, PlaneBox>> Indices; // of the horizons
-  BoundarySimplificationOptions Options;
-};
-
 // ---- The plan ------------------------------------------------------------------------------------------------------
 class LayerMaker
 {
@@ -228,6 +56,10 @@ public:
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
     this->Result.LargestSideErrors.resize(this->Horizons.size());
+    for (const HorizonView& horizon : this->Horizons)
+    {
+      this->Result.PointsOutside.push_back(std::int64_t(horizon.Columns.size()));
+    }
     this->Result.LargestThicknessErrors.resize(this->Options.BoundThickness ? this->Horizons.size() - 1 : 0);
     ExteriorBoundary boundary = this->FindBoundary(monitor.Step(0.1, 0.2));
     this->Result.ColumnsOutside = std::int64_t(this->Result.Stack.Columns.size());
@@ -243,9 +75,8 @@ public:
     const std::vector<Edge> borders = this->FindBorders(boundary, lines.OnOutline);
     this->AddThickness();
     this->Fill();
-    Outline outline = OutlineMaker(this->Columns, this->MeshHeights(), this->Known, this->Horizons,
-      this->Options.MaximumError, this->Result.OutlineTolerance)
-                        .Run(boundary, lines.OnOutline, monitor.Step(0.25, 0.3));
+    LayerOutline outline = SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons, boundary,
+      { this->Options.MaximumError, this->Result.OutlineTolerance, lines.OnOutline }, monitor.Step(0.25, 0.3));
     this->AddColumnsInside(kept, outline);
     HeightMesh mesh = this->MakeMesh(std::move(outline), monitor.Step(0.3, 0.4));
     this->KeepBorders(mesh, borders);
@@ -317,7 +148,7 @@ private:
   }
 
   /// Where simplified outlines pass over points of some horizons, these count as well.
-  void AddColumnsInside(const KeptPoints& kept, Outline& outline)
+  void AddColumnsInside(const KeptPoints& kept, LayerOutline& outline)
   {
     if (this->HasRegions() || this->Result.OutlineTolerance == 0.0)
     {
@@ -511,7 +342,7 @@ private:
     }
   }
 
-  HeightMesh MakeMesh(Outline outline, const Monitor& monitor) const
+  HeightMesh MakeMesh(LayerOutline outline, const Monitor& monitor) const
   {
     BoundedHorizon horizon;
     horizon.Columns = this->Columns;
@@ -803,8 +634,10 @@ private:
     }
   }
 
+  using ColumnMarks = std::vector<std::vector<unsigned char>>; // by horizon and point: 1 for those in its mesh
+
   /// Columns that were dropped from loops may lie on their new edges, where the mesh does not count them.
-  void MeasureOutline(const HeightMesh& mesh, std::vector<unsigned char>& isInside)
+  void MeasureOutline(const HeightMesh& mesh, ColumnMarks& isInside)
   {
     const ColumnIndex index(this->Columns);
     const PlaneMesh& triangles = mesh.Triangles();
@@ -814,16 +647,17 @@ private:
       {
         if (triangles.Neighbour(triangle, side) == NoTriangle)
         {
-          this->MeasureOutlineEdge(
-            mesh, index, triangles.Corner(triangle, side), triangles.Corner(triangle, NextCorner(side)), isInside);
+          this->MeasureOutlineEdge(mesh, index, triangle, side, isInside);
         }
       }
     }
   }
 
   void MeasureOutlineEdge(
-    const HeightMesh& mesh, const ColumnIndex& index, VertexId from, VertexId to, std::vector<unsigned char>& isInside)
+    const HeightMesh& mesh, const ColumnIndex& index, TriangleId triangle, int side, ColumnMarks& isInside)
   {
+    const VertexId from = mesh.Triangles().Corner(triangle, side);
+    const VertexId to = mesh.Triangles().Corner(triangle, NextCorner(side));
     const PlanePoint& a = mesh.Raised(from).Column;
     const PlanePoint& b = mesh.Raised(to).Column;
     const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
@@ -835,10 +669,10 @@ private:
       {
         continue;
       }
-      isInside[std::size_t(point)] = 1;
       for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
       {
-        if (this->HasRegions() && this->Known[1 + horizon][std::size_t(point)] == 0)
+        if (!this->IsHorizonIn(horizon, std::size_t(triangle)) ||
+          (this->HasRegions() && this->Known[1 + horizon][std::size_t(point)] == 0))
         {
           continue; // no layer begins or ends amid an edge
         }
@@ -846,20 +680,54 @@ private:
         const double height = start + (mesh.Height(this->InMesh(horizon), to) - start) * step / steps;
         double& largest = this->LargestErrorOf(horizon);
         largest = std::max(largest, std::abs(height - this->Heights[horizon][std::size_t(point)]));
+        if (horizon < isInside.size())
+        {
+          isInside[horizon][std::size_t(point)] = 1;
+        }
       }
     }
   }
 
   void CountOutside(const HeightMesh& mesh)
   {
-    std::vector<unsigned char> isInside(this->Columns.size(), 0);
+    ColumnMarks isInside(this->Horizons.size(), std::vector<unsigned char>(this->Columns.size(), 0));
     for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
     {
-      mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
-        [&](PointId point, double, const std::array<double, 3>&) { isInside[std::size_t(point)] = 1; });
+      for (std::size_t horizon = 0; horizon < isInside.size(); ++horizon)
+      {
+        if (this->IsHorizonIn(horizon, std::size_t(triangle)))
+        {
+          mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
+            [&](PointId point, double, const std::array<double, 3>&) { isInside[horizon][std::size_t(point)] = 1; });
+        }
+      }
     }
     this->MeasureOutline(mesh, isInside);
-    this->Result.ColumnsOutside -= std::count(isInside.begin(), isInside.end(), 1);
+    for (std::size_t horizon = 0; horizon < isInside.size(); ++horizon)
+    {
+      this->CountPointsOutside(horizon, isInside[horizon]);
+    }
+    for (std::size_t point = 0; point < this->Columns.size(); ++point)
+    {
+      const bool isAny =
+        std::any_of(isInside.begin(), isInside.end(), [point](const auto& marks) { return marks[point] != 0; });
+      this->Result.ColumnsOutside -= isAny ? 1 : 0;
+    }
+  }
+
+  void CountPointsOutside(std::size_t horizon, const std::vector<unsigned char>& isInside)
+  {
+    const PlanePoints points = this->Horizons[horizon].Columns;
+    const ColumnIndex index(points);
+    const PlaneBox box(points);
+    auto outside = std::int64_t(points.size());
+    for (std::size_t point = 0; point < this->Columns.size(); ++point)
+    {
+      const PlanePoint& column = this->Columns[point];
+      const bool isOne = isInside[point] != 0 && box.Contains(column) && index[index.Place(column)] != NoPoint;
+      outside -= isOne ? 1 : 0;
+    }
+    this->Result.PointsOutside[horizon] = outside;
   }
 
   const std::vector<HorizonView>& Horizons;

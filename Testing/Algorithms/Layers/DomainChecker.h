@@ -30,6 +30,7 @@ public:
     this->ReadHorizons();
     std::string wrong = this->CheckTriangles();
     wrong = wrong.empty() ? this->CheckHeights() : wrong;
+    wrong = wrong.empty() ? this->CheckPointsOutside() : wrong;
     const LayerCells cells = MakeLayerCells(this->Plan);
     std::vector<double> largest(this->Horizons.size(), 0.0);
     for (std::size_t layer = 0; layer + 1 < this->Horizons.size(); ++layer)

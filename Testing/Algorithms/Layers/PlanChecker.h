@@ -92,6 +92,7 @@ public:
     std::string wrong = this->CheckStack();
     wrong = wrong.empty() ? this->CheckTriangles() : wrong;
     wrong = wrong.empty() ? this->CheckCompleteness() : wrong;
+    wrong = wrong.empty() ? this->CheckPointsOutside() : wrong;
     return wrong.empty() ? this->CheckBound() : wrong;
   }
 
@@ -254,6 +255,41 @@ protected:
           });
       });
     return wrong;
+  }
+
+  /// Points of horizons in columns of the stack that no triangle has, or in none of it.
+  std::string CheckPointsOutside() const
+  {
+    const ColumnNumbers numbers = this->NumberColumns();
+    for (std::size_t n = 0; n < this->Horizons.size(); ++n)
+    {
+      std::set<Column> inside;
+      std::size_t triangle = 0;
+      this->ForEachTriangle(
+        [&](const std::array<std::size_t, 3>& t)
+        {
+          const auto has = [&](std::size_t layer) {
+            return layer + 1 < this->Horizons.size() &&
+              (this->Plan.IsIn.empty() || this->Plan.IsIn[layer][triangle] != 0);
+          };
+          if (has(n) || (n > 0 && has(n - 1)))
+          {
+            this->ForEachColumnOf(t, [&](int x, int y, const std::array<double, 3>&) { inside.insert({ x, y }); });
+          }
+          ++triangle;
+        });
+      const PlanePoints points = this->Horizons[n].Columns;
+      const auto outside = std::count_if(points.begin(), points.end(),
+        [&](const PlanePoint& column) {
+          return inside.count({ column.X, column.Y }) == 0 || numbers.count({ column.X, column.Y }) == 0;
+        });
+      if (outside != this->Result.PointsOutside[n])
+      {
+        return "horizon " + std::to_string(n) + " has " + std::to_string(outside) + " points outside, said " +
+          std::to_string(this->Result.PointsOutside[n]);
+      }
+    }
+    return "";
   }
 
   /// Triangles turn to the left, fit together, and no vertex lies in another triangle or on its sides.

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayerOutline.h"
+
+#include "BoundarySimplification/BoundarySimplification.h"
+#include "Common/ColumnIndex.h"
+#include "Common/PlaneGeometry.h"
+#include "Common/SpacePoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The fewest points for the first horizon; the others make loops keep more: of each edge that one of them is too far
+/// from, the point where it is farthest.
+class OutlineMaker
+{
+public:
+  /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all do.
+  OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
+    const std::vector<HorizonView>& horizons, double error, double tolerance)
+    : Columns(columns)
+    , Heights(heights)
+    , Known(known)
+    , Horizons(horizons)
+  {
+    this->Options.Method = OutlineMethod::FewestPoints;
+    this->Options.DistanceThreshold = error;
+    this->Options.OutlineTolerance = tolerance;
+    if (tolerance > 0.0) // else outlines pass over no other columns
+    {
+      this->Index.emplace(columns);
+      this->Box = PlaneBox(columns);
+      for (const HorizonView& horizon : horizons)
+      {
+        this->Indices.emplace_back(ColumnIndex(horizon.Columns), PlaneBox(horizon.Columns));
+      }
+    }
+  }
+
+  /// `fixed` points stay, and so do the ends of cracks.
+  LayerOutline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
+  {
+    this->Options.Fixed = fixed;
+    const std::vector<PointId> ends = boundary.OpenCracks.EndsOfMouths();
+    this->Options.Fixed.insert(this->Options.Fixed.end(), ends.begin(), ends.end());
+    BoundarySimplification simplified;
+    const SpacePoints points(this->Columns, this->Heights.front(), 1);
+    std::vector<PointId> far;
+    Monitor step = monitor;
+    do
+    {
+      this->Options.Fixed.insert(this->Options.Fixed.end(), far.begin(), far.end());
+      simplified = SimplifyBoundary(points, boundary.Boundary, this->Options, step);
+      step = monitor.Step(1.0, 1.0);
+      far = this->FindFar(boundary.Boundary, simplified.Boundary.MarkPoints(this->Columns.size()));
+    } while (!far.empty());
+    LayerOutline outline;
+    outline.Boundary = std::move(simplified.Boundary);
+    outline.Patch = boundary.Patch;
+    for (const DroppedPoint& dropped : simplified.Dropped)
+    {
+      outline.Patch[std::size_t(dropped.Point)] = NoPatch;
+    }
+    return outline;
+  }
+
+private:
+  /// Points to be kept, given the loops and a mark for each point that is.
+  std::vector<PointId> FindFar(const Loops& loops, const std::vector<unsigned char>& isKept) const
+  {
+    std::vector<PointId> far;
+    for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+    {
+      const PointId* const points = loops.begin(loop);
+      const std::size_t length = loops.Length(loop);
+      const auto at = [&](std::size_t n) { return points[n % length]; };
+      const auto first = std::size_t(
+        std::find_if(points, points + length, [&](PointId point) { return isKept[std::size_t(point)] != 0; }) - points);
+      for (std::size_t from = first; from < first + length && first < length;)
+      {
+        std::size_t to = from + 1;
+        while (isKept[std::size_t(at(to))] == 0)
+        {
+          ++to;
+        }
+        std::size_t farthest = this->FindFarthest(at, from, to);
+        farthest = farthest == from ? this->FindBesidePassed(at, from, to) : farthest;
+        if (farthest != from)
+        {
+          far.push_back(at(farthest));
+        }
+        from = to;
+      }
+    }
+    return far;
+  }
+
+  /// Of the points of a loop between two that are kept, the one that a horizon but the first is farthest at from the
+  /// edge, where that is too far; else the first one.
+  template <typename PointAt>
+  std::size_t FindFarthest(const PointAt& at, std::size_t from, std::size_t to) const
+  {
+    std::size_t farthest = from;
+    double largest = this->Options.DistanceThreshold + this->Slack();
+    for (std::size_t n = from + 1; n < to; ++n)
+    {
+      for (std::size_t horizon = 1; horizon < this->Heights.size(); ++horizon)
+      {
+        const bool counts = this->Known.empty() || this->Known[horizon][std::size_t(at(n))] != 0;
+        const double distance = counts ? this->DistanceFrom(at(from), at(to), at(n), this->Heights[horizon]) : 0.0;
+        farthest = distance > largest ? n : farthest;
+        largest = std::max(largest, distance);
+      }
+    }
+    return farthest;
+  }
+
+  /// The same for points of horizons that the edge passes over and that are none of the stack: the point of the loop
+  /// half-way, as all are kept where edges are as short as hops.
+  template <typename PointAt>
+  std::size_t FindBesidePassed(const PointAt& at, std::size_t from, std::size_t to) const
+  {
+    const PlanePoint& a = this->Columns[std::size_t(at(from))];
+    const PlanePoint& b = this->Columns[std::size_t(at(to))];
+    const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
+    for (std::int32_t step = 1; step < steps && to > from + 1 && this->Index; ++step)
+    {
+      const PlanePoint place = { a.X + (b.X - a.X) / steps * step, a.Y + (b.Y - a.Y) / steps * step };
+      const bool isOther = !this->Box.Contains(place) || (*this->Index)[this->Index->Place(place)] == NoPoint;
+      for (std::size_t horizon = 0; isOther && horizon < this->Indices.size(); ++horizon)
+      {
+        const double start = this->Heights[horizon][std::size_t(at(from))];
+        const double end = this->Heights[horizon][std::size_t(at(to))];
+        const double height = this->HeightAt(horizon, place);
+        if (std::abs(start + (end - start) * step / steps - height) > this->Options.DistanceThreshold + this->Slack())
+        {
+          return from + (to - from) / 2;
+        }
+      }
+    }
+    return from;
+  }
+
+  /// Of a horizon as it was given; nan where it has no point.
+  double HeightAt(std::size_t horizon, const PlanePoint& column) const
+  {
+    const auto& [index, box] = this->Indices[horizon];
+    const PointId point = box.Contains(column) ? index[index.Place(column)] : NoPoint;
+    return point == NoPoint ? std::nan("") : this->Horizons[horizon].Heights[point];
+  }
+
+  /// Vertically, where the edge is nearest in plan.
+  double DistanceFrom(PointId from, PointId to, PointId point, const std::vector<double>& heights) const
+  {
+    const PlanePoint& a = this->Columns[std::size_t(from)];
+    const PlanePoint& b = this->Columns[std::size_t(to)];
+    const auto length = double(SquaredDistance(a, b));
+    const auto along = double(ScalarProduct(a, b, this->Columns[std::size_t(point)]));
+    const double part = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+    const double start = heights[std::size_t(from)];
+    return std::abs(start + part * (heights[std::size_t(to)] - start) - heights[std::size_t(point)]);
+  }
+
+  /// What rounding may make of a distance.
+  double Slack() const { return 1e-9 * std::max(1.0, this->Options.DistanceThreshold); }
+
+  PlanePoints Columns;
+  const HeightStack& Heights;
+  const std::vector<std::vector<unsigned char>>& Known;
+  const std::vector<HorizonView>& Horizons;
+  std::optional<ColumnIndex> Index; // of the columns of the stack
+  PlaneBox Box; // of the same
+  std::vector<std::pair<ColumnIndex, PlaneBox>> Indices; // of the horizons
+  BoundarySimplificationOptions Options;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
+  const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
+  const ExteriorBoundary& boundary, const LayerOutlineOptions& options, const Monitor& monitor)
+{
+  return OutlineMaker(columns, heights, known, horizons, options.MaximumError, options.Tolerance)
+    .Run(boundary, options.Fixed, monitor);
+}
+}
