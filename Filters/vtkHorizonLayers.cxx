@@ -19,6 +19,7 @@
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonStack.h"
 #include "Marshalling/HorizonTree.h"
+#include "Marshalling/LayerFigures.h"
 #include "Marshalling/LayerOutput.h"
 #include "Surface/Surface.h"
 
@@ -95,29 +96,6 @@ vtkPolyData* BlockOf(vtkDataObject* blocks, std::size_t n)
 {
   auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(blocks);
   return vtkPolyData::SafeDownCast(collection->GetPartitionAsDataObject(unsigned(n), 0));
-}
-
-std::string TellLayers(const Layers& layers, const HorizonStack& stack, vtkIdType cells)
-{
-  std::ostringstream text;
-  const double height = WorldPerIndex(stack.Grid());
-  const std::vector<std::string> names = NamesOfLayers(stack);
-  const std::string unit = UnitOfVolumes(stack);
-  text << names.size() << (names.size() == 1 ? " layer: " : " layers: ") << cells << " cells over "
-       << layers.Plan.NumberOfTriangles() << " triangles\n";
-  for (std::size_t layer = 0; layer < names.size(); ++layer)
-  {
-    const LayerVolume own = MeasureLayer(layers.Plan, layer);
-    text << names[layer] << "\n  volume " << own.Volume * stack.Grid().ColumnArea() * height
-         << (unit.empty() ? "" : " ") << unit << "\n  thickness " << height * own.LeastThickness << " to "
-         << height * own.LargestThickness << ", mean " << height * own.MeanThickness << '\n';
-    if (layers.Stack.Repair.Interfaces[layer].Columns > 0)
-    {
-      text << "  crossed in " << layers.Stack.Repair.Interfaces[layer].Columns << " columns, by up to "
-           << height * layers.Stack.Repair.Interfaces[layer].Deepest << '\n';
-    }
-  }
-  return text.str();
 }
 }
 
@@ -340,7 +318,7 @@ void vtkHorizonLayers::Write(
   WriteLayerTable(layers, stack, this->MeasureAboveContact ? std::optional<double>(this->Contact) : std::nullopt,
     vtkTable::SafeDownCast(outputs[TablePort]));
   WriteVolumeCurve(plan, stack, vtkTable::SafeDownCast(outputs[CurvePort]));
-  this->Results = TellLayers(layers, stack, vtkIdType(cells.Size()));
+  this->Results = TellLayers(layers, stack);
 }
 
 //------------------------------------------------------------------------------

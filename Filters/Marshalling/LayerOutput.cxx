@@ -8,10 +8,10 @@
 #include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/SurveyFields.h"
 #include "HeightUnit.h"
 #include "HorizonCells.h"
 #include "HorizonPoints.h"
+#include "LayerFigures.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -27,14 +27,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <limits>
+#include <string>
 #include <utility>
 
 namespace SeismicHorizons
@@ -42,7 +41,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
-constexpr int ContactsOfCurve = 101;
 
 /// Points in the world of places on the lattice.
 template <typename Place>
@@ -86,22 +84,6 @@ void Mirror(vtkIdType* corners, std::size_t size)
   std::swap(corners[size - 4], corners[size - 2]); // of a pyramid in its quadrangle, of a tetrahedron in its triangle
 }
 
-double VolumeOfUnit(const HorizonStack& stack)
-{
-  return stack.Grid().ColumnArea() * WorldPerIndex(stack.Grid());
-}
-
-vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts)
-{
-  auto array = vtkSmartPointer<vtkStringArray>::New();
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  return array;
-}
-
 /// A point of a horizon in one of the squares of columns around one, the smallest that has some.
 PointId FindNearest(const ColumnIndex& index, const PlaneBox& box, const PlanePoint& column)
 {
@@ -121,45 +103,6 @@ PointId FindNearest(const ColumnIndex& index, const PlaneBox& box, const PlanePo
     }
   }
 }
-
-/// The columns of a table, filled row by row.
-class TableWriter
-{
-public:
-  TableWriter(vtkTable* table, std::size_t rows)
-    : Table(table)
-    , Rows(vtkIdType(rows))
-  {
-  }
-
-  void StartRow(std::size_t row) { this->Row = vtkIdType(row); }
-
-  template <typename Array>
-  void Set(const char* name, double value)
-  {
-    if (!this->Table->GetColumnByName(name))
-    {
-      this->Table->AddColumn(NewArray<Array>(name, this->Rows));
-    }
-    Array::SafeDownCast(this->Table->GetColumnByName(name))->SetValue(this->Row, typename Array::ValueType(value));
-  }
-
-private:
-  vtkTable* Table;
-  vtkIdType Rows;
-  vtkIdType Row = 0;
-};
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> NamesOfLayers(const HorizonStack& stack)
-{
-  std::vector<std::string> names;
-  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
-  {
-    names.push_back(stack[layer].Name + " to " + stack[layer + 1].Name);
-  }
-  return names;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -304,105 +247,9 @@ void WriteLayerHorizon(
   const double height = WorldPerIndex(stack.Grid());
   const MovedHorizon& moved = layers.Stack.Repair.Horizons[horizon];
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.PointsOutside[horizon]));
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(moved.Columns));
   AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Farthest);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void WriteLayerTable(const Layers& layers, const HorizonStack& stack, std::optional<double> contact, vtkTable* table)
-{
-  const double height = WorldPerIndex(stack.Grid());
-  const double area = stack.Grid().ColumnArea();
-  const double volume = VolumeOfUnit(stack);
-  table->AddColumn(MakeTexts("Name", NamesOfLayers(stack)));
-  TableWriter writer(table, stack.Size() - 1);
-  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
-  {
-    writer.StartRow(layer);
-    const LayerVolume own = MeasureLayer(layers.Plan, layer);
-    const CrossingRepair& repair = layers.Stack.Repair;
-    writer.Set<vtkDoubleArray>("Volume", volume * own.Volume);
-    writer.Set<vtkDoubleArray>("Area", area * own.Area);
-    writer.Set<vtkDoubleArray>("ThicknessLeast", height * own.LeastThickness);
-    writer.Set<vtkDoubleArray>("ThicknessMean", height * own.MeanThickness);
-    writer.Set<vtkDoubleArray>("ThicknessLargest", height * own.LargestThickness);
-    if (contact)
-    {
-      const double level = stack.Grid().ToLattice({ 0.0, 0.0, *contact }).z();
-      writer.Set<vtkDoubleArray>("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
-    }
-    writer.Set<vtkIdTypeArray>("Crossings", double(repair.Interfaces[layer].Columns));
-    writer.Set<vtkDoubleArray>("DeepestCrossing", height * repair.Interfaces[layer].Deepest);
-    writer.Set<vtkIdTypeArray>("TopMoved", double(repair.Horizons[layer].Columns));
-    writer.Set<vtkIdTypeArray>("BaseMoved", double(repair.Horizons[layer + 1].Columns));
-    writer.Set<vtkDoubleArray>(
-      "FarthestMove", height * std::max(repair.Horizons[layer].Farthest, repair.Horizons[layer + 1].Farthest));
-    const char* const kinds[] = { "PinchedTriangles", "Tetrahedra", "Pyramids", "Wedges" };
-    for (std::size_t kind = own.Triangles.size(); kind-- > 0;)
-    {
-      writer.Set<vtkIdTypeArray>(kinds[kind], double(own.Triangles[kind]));
-    }
-    writer.Set<vtkDoubleArray>("AreaAtFaults", area * own.FaultArea);
-    writer.Set<vtkDoubleArray>("VolumeAtFaults", volume * own.FaultVolume);
-  }
-  table->AddColumn(
-    MakeTexts("VolumeUnit", std::vector<std::string>(layers.Plan.NumberOfLayers(), UnitOfVolumes(stack))));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table)
-{
-  double least = std::numeric_limits<double>::infinity();
-  double largest = -least;
-  for (const std::vector<double>& heights : plan.Heights)
-  {
-    for (const double height : heights)
-    {
-      least = std::min(least, height);
-      largest = std::max(largest, height);
-    }
-  }
-  if (!(least <= largest))
-  {
-    return;
-  }
-  const double top = plan.HeightsGrowDownwards ? least : largest;
-  const double base = plan.HeightsGrowDownwards ? largest : least;
-  const double volume = VolumeOfUnit(stack);
-  auto contacts = NewArray<vtkDoubleArray>("Contact", ContactsOfCurve);
-  table->AddColumn(contacts);
-  std::vector<double> levels;
-  for (int n = 0; n < ContactsOfCurve; ++n)
-  {
-    levels.push_back(n + 1 == ContactsOfCurve ? base : top + (base - top) * n / (ContactsOfCurve - 1));
-    contacts->SetValue(n, stack.Grid().ToWorld({ 0.0, 0.0, levels.back() }).z());
-  }
-  const std::vector<std::string> names = NamesOfLayers(stack);
-  for (std::size_t layer = 0; layer < names.size(); ++layer)
-  {
-    auto volumes = NewArray<vtkDoubleArray>(names[layer].c_str(), ContactsOfCurve);
-    ParallelFor(ContactsOfCurve, 1,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (std::int64_t n = first; n < last; ++n)
-        {
-          volumes->SetValue(n, volume * VolumeAbove(plan, layer, levels[std::size_t(n)]));
-        }
-      });
-    table->AddColumn(volumes);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::string UnitOfVolumes(const HorizonStack& stack)
-{
-  const SurveyDescription survey = ReadSurveyFields(stack[0].Points.Horizon->GetFieldData());
-  if (survey.HorizontalUnit.empty() || survey.VerticalUnit.empty())
-  {
-    return "";
-  }
-  return survey.HorizontalUnit == survey.VerticalUnit ? survey.HorizontalUnit + "3"
-                                                      : survey.HorizontalUnit + "2 " + survey.VerticalUnit;
 }
 }

@@ -634,100 +634,119 @@ private:
     }
   }
 
-  using ColumnMarks = std::vector<std::vector<unsigned char>>; // by horizon and point: 1 for those in its mesh
+  /// Of a horizon.
+  struct PointsInside
+  {
+    std::vector<unsigned char> OfStack; // by column of the stack: 1 for those in its mesh
+    std::vector<PointId> OnEdges; // points in other columns, which edges of outlines pass over
+    ColumnIndex Index; // of the horizon's own columns
+    PlaneBox Box;
+
+    PointId PointAt(const PlanePoint& column) const
+    {
+      return this->Box.Contains(column) ? this->Index[this->Index.Place(column)] : NoPoint;
+    }
+  };
 
   /// Columns that were dropped from loops may lie on their new edges, where the mesh does not count them.
-  void MeasureOutline(const HeightMesh& mesh, ColumnMarks& isInside)
+  void MeasureOutline(const HeightMesh& mesh, std::vector<PointsInside>& inside)
   {
     const ColumnIndex index(this->Columns);
+    const PlaneBox box(this->Columns);
     const PlaneMesh& triangles = mesh.Triangles();
     for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
     {
       for (int side = 0; side < 3; ++side)
       {
-        if (triangles.Neighbour(triangle, side) == NoTriangle)
+        if (triangles.Neighbour(triangle, side) != NoTriangle)
         {
-          this->MeasureOutlineEdge(mesh, index, triangle, side, isInside);
+          continue;
+        }
+        const std::array<VertexId, 2> ends = { triangles.Corner(triangle, side),
+          triangles.Corner(triangle, NextCorner(side)) };
+        const PlanePoint& a = mesh.Raised(ends[0]).Column;
+        const PlanePoint& b = mesh.Raised(ends[1]).Column;
+        const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
+        for (std::int32_t step = 1; step < steps; ++step)
+        {
+          const PlanePoint place = { a.X + step * ((b.X - a.X) / steps), a.Y + step * ((b.Y - a.Y) / steps) };
+          const PointId point = box.Contains(place) ? index[index.Place(place)] : NoPoint;
+          this->MeasureOnEdge(mesh, triangle, ends, double(step) / steps, place, point, inside);
         }
       }
     }
   }
 
-  void MeasureOutlineEdge(
-    const HeightMesh& mesh, const ColumnIndex& index, TriangleId triangle, int side, ColumnMarks& isInside)
+  /// Of a place on an outline, part of the way between two vertices; `point` is that of the stack there, or NoPoint.
+  void MeasureOnEdge(const HeightMesh& mesh, TriangleId triangle, const std::array<VertexId, 2>& ends, double part,
+    const PlanePoint& place, PointId point, std::vector<PointsInside>& inside)
   {
-    const VertexId from = mesh.Triangles().Corner(triangle, side);
-    const VertexId to = mesh.Triangles().Corner(triangle, NextCorner(side));
-    const PlanePoint& a = mesh.Raised(from).Column;
-    const PlanePoint& b = mesh.Raised(to).Column;
-    const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
-    for (std::int32_t step = 1; step < steps; ++step)
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
-      const PlanePoint place = { a.X + step * ((b.X - a.X) / steps), a.Y + step * ((b.Y - a.Y) / steps) };
-      const PointId point = index[index.Place(place)];
-      if (point == NoPoint)
+      const bool isOfLayers =
+        point == NoPoint || !this->HasRegions() || this->Known[1 + horizon][std::size_t(point)] != 0;
+      const bool isHorizon = horizon < inside.size();
+      const PointId own = point == NoPoint && isHorizon ? inside[horizon].PointAt(place) : NoPoint;
+      if (!this->IsHorizonIn(horizon, std::size_t(triangle)) || !isOfLayers || (point == NoPoint && own == NoPoint))
       {
-        continue;
+        continue; // no layer begins or ends amid an edge
       }
-      for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+      const double given =
+        own == NoPoint ? this->Heights[horizon][std::size_t(point)] : this->Horizons[horizon].Heights[own];
+      const double start = mesh.Height(this->InMesh(horizon), ends[0]);
+      const double height = start + (mesh.Height(this->InMesh(horizon), ends[1]) - start) * part;
+      double& largest = this->LargestErrorOf(horizon);
+      largest = std::max(largest, std::abs(height - given));
+      if (own != NoPoint)
       {
-        if (!this->IsHorizonIn(horizon, std::size_t(triangle)) ||
-          (this->HasRegions() && this->Known[1 + horizon][std::size_t(point)] == 0))
-        {
-          continue; // no layer begins or ends amid an edge
-        }
-        const double start = mesh.Height(this->InMesh(horizon), from);
-        const double height = start + (mesh.Height(this->InMesh(horizon), to) - start) * step / steps;
-        double& largest = this->LargestErrorOf(horizon);
-        largest = std::max(largest, std::abs(height - this->Heights[horizon][std::size_t(point)]));
-        if (horizon < isInside.size())
-        {
-          isInside[horizon][std::size_t(point)] = 1;
-        }
+        inside[horizon].OnEdges.push_back(own);
+      }
+      else if (isHorizon)
+      {
+        inside[horizon].OfStack[std::size_t(point)] = 1;
       }
     }
   }
 
   void CountOutside(const HeightMesh& mesh)
   {
-    ColumnMarks isInside(this->Horizons.size(), std::vector<unsigned char>(this->Columns.size(), 0));
+    std::vector<PointsInside> inside;
+    for (const HorizonView& horizon : this->Horizons)
+    {
+      inside.push_back({ std::vector<unsigned char>(this->Columns.size(), 0), {}, ColumnIndex(horizon.Columns),
+        PlaneBox(horizon.Columns) });
+    }
     for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
     {
-      for (std::size_t horizon = 0; horizon < isInside.size(); ++horizon)
+      for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
       {
         if (this->IsHorizonIn(horizon, std::size_t(triangle)))
         {
           mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
-            [&](PointId point, double, const std::array<double, 3>&) { isInside[horizon][std::size_t(point)] = 1; });
+            [&](PointId point, double, const std::array<double, 3>&)
+            { inside[horizon].OfStack[std::size_t(point)] = 1; });
         }
       }
     }
-    this->MeasureOutline(mesh, isInside);
-    for (std::size_t horizon = 0; horizon < isInside.size(); ++horizon)
-    {
-      this->CountPointsOutside(horizon, isInside[horizon]);
-    }
+    this->MeasureOutline(mesh, inside);
     for (std::size_t point = 0; point < this->Columns.size(); ++point)
     {
-      const bool isAny =
-        std::any_of(isInside.begin(), isInside.end(), [point](const auto& marks) { return marks[point] != 0; });
+      bool isAny = false;
+      for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
+      {
+        const bool isIn = inside[horizon].OfStack[point] != 0;
+        isAny = isAny || isIn;
+        const bool isOwn = isIn && inside[horizon].PointAt(this->Columns[point]) != NoPoint;
+        this->Result.PointsOutside[horizon] -= isOwn ? 1 : 0;
+      }
       this->Result.ColumnsOutside -= isAny ? 1 : 0;
     }
-  }
-
-  void CountPointsOutside(std::size_t horizon, const std::vector<unsigned char>& isInside)
-  {
-    const PlanePoints points = this->Horizons[horizon].Columns;
-    const ColumnIndex index(points);
-    const PlaneBox box(points);
-    auto outside = std::int64_t(points.size());
-    for (std::size_t point = 0; point < this->Columns.size(); ++point)
+    for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
     {
-      const PlanePoint& column = this->Columns[point];
-      const bool isOne = isInside[point] != 0 && box.Contains(column) && index[index.Place(column)] != NoPoint;
-      outside -= isOne ? 1 : 0;
+      std::vector<PointId>& points = inside[horizon].OnEdges;
+      std::sort(points.begin(), points.end());
+      this->Result.PointsOutside[horizon] -= std::unique(points.begin(), points.end()) - points.begin();
     }
-    this->Result.PointsOutside[horizon] = outside;
   }
 
   const std::vector<HorizonView>& Horizons;

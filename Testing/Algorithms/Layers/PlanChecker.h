@@ -91,7 +91,6 @@ public:
   {
     std::string wrong = this->CheckStack();
     wrong = wrong.empty() ? this->CheckTriangles() : wrong;
-    wrong = wrong.empty() ? this->CheckCompleteness() : wrong;
     wrong = wrong.empty() ? this->CheckPointsOutside() : wrong;
     return wrong.empty() ? this->CheckBound() : wrong;
   }
@@ -213,9 +212,9 @@ protected:
     return missing == 0 && completed == stack.Completed ? "" : "wrong number of common columns";
   }
 
-  /// Points of horizons in columns that the stack does not have are not in the plan, or on its outline and within the
-  /// error.
-  std::string CheckCompleteness() const
+  /// Of points of horizons in columns that the stack does not have: infinite for those inside the plan, and for those on
+  /// its outline how far they are from it.
+  std::vector<double> ErrorsOnEdges() const
   {
     const ColumnNumbers numbers = this->NumberColumns();
     std::map<Column, std::map<std::size_t, double>> others;
@@ -230,7 +229,7 @@ protected:
         }
       }
     }
-    std::string wrong;
+    std::vector<double> errors(this->Horizons.size(), 0.0);
     this->ForEachTriangle(
       [&](const std::array<std::size_t, 3>& t)
       {
@@ -245,22 +244,18 @@ protected:
             for (const auto& [horizon, given] : found->second)
             {
               const std::vector<double>& h = this->Plan.Heights[horizon];
-              const double error = w[0] * h[t[0]] + w[1] * h[t[1]] + w[2] * h[t[2]] - given;
-              if (std::min({ w[0], w[1], w[2] }) > 0.0 || std::abs(error) > this->Options.MaximumError + 1e-9)
-              {
-                wrong = "a point in the plan is not in the stack: " + std::to_string(x) + ", " + std::to_string(y) +
-                  ", error " + std::to_string(error);
-              }
+              const double error = std::abs(w[0] * h[t[0]] + w[1] * h[t[1]] + w[2] * h[t[2]] - given);
+              const bool isInside = std::min({ w[0], w[1], w[2] }) > 0.0;
+              errors[horizon] = std::max(errors[horizon], isInside ? HUGE_VAL : error);
             }
           });
       });
-    return wrong;
+    return errors;
   }
 
-  /// Points of horizons in columns of the stack that no triangle has, or in none of it.
+  /// Points of horizons that no triangle of theirs has.
   std::string CheckPointsOutside() const
   {
-    const ColumnNumbers numbers = this->NumberColumns();
     for (std::size_t n = 0; n < this->Horizons.size(); ++n)
     {
       std::set<Column> inside;
@@ -281,7 +276,7 @@ protected:
       const PlanePoints points = this->Horizons[n].Columns;
       const auto outside = std::count_if(points.begin(), points.end(),
         [&](const PlanePoint& column) {
-          return inside.count({ column.X, column.Y }) == 0 || numbers.count({ column.X, column.Y }) == 0;
+          return inside.count({ column.X, column.Y }) == 0;
         });
       if (outside != this->Result.PointsOutside[n])
       {
@@ -351,7 +346,7 @@ protected:
   std::string CheckBound() const
   {
     const ColumnNumbers numbers = this->NumberColumns();
-    std::vector<double> largest(this->Horizons.size(), 0.0);
+    std::vector<double> largest = this->ErrorsOnEdges();
     double thickness = 0.0;
     std::set<Column> covered;
     std::set<Column> inside;
