@@ -143,6 +143,24 @@ def reflections(amplitude_percentile):
     return together.GetOutput()
 
 
+def bodies(maximum_error):
+    """Three layers of a faulted fold, taken apart: the second one ends on the third, the first one has a fault."""
+    x, y = numpy.meshgrid(numpy.arange(90.0), numpy.arange(70.0))
+    fold = 12.0 * numpy.sin(x / 14.0) * numpy.cos(y / 25.0)
+    thrown = numpy.where((x - 0.3 * y > 50.0), 7.0, 0.0)
+    depths = {"Sea": 100.0 + 0.3 * fold, "Top": 112.0 + 0.5 * fold + thrown,
+              "Fill": numpy.minimum(135.0 + 0.2 * fold + thrown, 98.0 + 0.7 * x + 0.6 * fold + thrown), "Base": 150.0 + fold + thrown}
+    depths["Fill"] = numpy.maximum(depths["Fill"], depths["Top"])
+    horizons = {name: sh.horizon(z, spacing=(2.0, 2.0), vertical_step=1.0) for name, z in depths.items()}
+    horizons["Base"] = sh.faults(horizons["Base"], smallest_throw=4.0)
+    together = vtkAppendPolyData()
+    for number, body in enumerate(sh.layers(horizons, largest_error=maximum_error).bodies.values()):
+        numpy_support.vtk_to_numpy(body.GetPoints().GetData())[:, 2] -= 18.0 * number
+        together.AddInputData(body)
+    together.Update()
+    return together.GetOutput()
+
+
 def panel(scene, sample, changed):
     """The panel of a scene. Only what belongs to the scene is changed, not what leads to it."""
     usual, own = Parameters(False), Parameters(changed)
@@ -153,6 +171,8 @@ def panel(scene, sample, changed):
     if scene == "ExteriorBoundary":
         data = apply(sh.vtkHorizonExteriorBoundary(), read_first(sample, RowStep=own.row_step))
         return pictures.Panel("", "", data, pictures.OUTLINE)
+    if scene == "Layers":
+        return pictures.Panel("", "", bodies(own.maximum_error), pictures.BODIES)
     if scene == "Reflections":
         return pictures.Panel("", "", reflections(own.amplitude_percentile), pictures.POINTS)
     data = read_first(sample, RowStep=usual.row_step)

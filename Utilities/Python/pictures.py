@@ -19,7 +19,7 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
 from .styles import (  # noqa: F401: a panel is made with one of them
-    CELLS, DISTANCE, FAULTS, LEVELS, MESH, OUTLINE, POINTS, coordinates, distances, make_actors, rgb)
+    BODIES, CELLS, DISTANCE, FAULTS, LEVELS, MESH, OUTLINE, POINTS, coordinates, distances, make_actors, rgb)
 from .writing import write_file
 
 # What a panel shows: a title, a line below it, the horizon, and one of the styles. `behind` is a horizon whose points

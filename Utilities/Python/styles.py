@@ -21,10 +21,12 @@ CELLS = "cells"  # cells of a simplification as seen from above, in the same col
 
 DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
 FAULTS = "faults"  # lines in the colours of the size of their point data array Throw
+BODIES = "bodies"  # closed surfaces in the colours of their cell data array Layer
 
 LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
 LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
 NEAR_TO_FAR = ((0.0, "f4f2ea"), (0.12, "fee090"), (0.3, "fdae61"), (0.5, "e9693e"), (0.72, "b72842"), (1.0, "4a0c4a"))
+LAYER_COLORS = ("edc97a", "cc8052", "8cb06b", "5c94ad", "73618f", "9e9ea3")
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
@@ -67,6 +69,8 @@ def make_actors(frame, panel):
         actors.extend(_outline(panel.horizon, dots=True))
     elif panel.style == FAULTS:
         actors.append(_faults(panel.horizon))
+    elif panel.style == BODIES:
+        actors.append(_bodies(panel.horizon))
     else:
         actors.extend(_mesh(frame, panel.horizon, panel.style == DISTANCE))
     return actors
@@ -199,6 +203,20 @@ def _faults(horizon):
     actor.GetProperty().SetLineWidth(4.0)
     actor.GetProperty().LightingOff()
     _bring_forward(actor.GetMapper(), OUTLINE_OFFSET)
+    return actor
+
+
+def _bodies(horizon):
+    actor = _actor(_part(horizon, polys=horizon.GetPolys()))
+    layers = vtk_to_numpy(horizon.GetCellData().GetArray("Layer"))
+    table = np.rint([[255.0 * part for part in rgb(color)] for color in LAYER_COLORS]).astype(np.uint8)
+    actor.GetMapper().GetInput().GetCellData().SetScalars(numpy_to_vtk(table[layers % len(LAYER_COLORS)], deep=True))
+    actor.GetMapper().ScalarVisibilityOn()
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetAmbient(0.2)
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(0.25, 0.25, 0.25)
+    actor.GetProperty().SetLineWidth(0.6)
     return actor
 
 
