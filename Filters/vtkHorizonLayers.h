@@ -140,7 +140,7 @@ public:
   ///@{
   /**
    * The same for each layer where these differ: a word of Crossings for each, from the uppermost on, with spaces in
-   * between, as in "Mean LowerWins Mean". Range: as many words as layers, or none. Default: none, Crossings for all.
+   * between, as in "Mean LowerWins Mean"; empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
    */
   vtkSetStringMacro(CrossingsByLayer);
   vtkGetStringMacro(CrossingsByLayer);

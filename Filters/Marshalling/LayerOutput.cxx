@@ -103,6 +103,93 @@ PointId FindNearest(const ColumnIndex& index, const PlaneBox& box, const PlanePo
     }
   }
 }
+
+/// The vertices of the plan that a horizon has, with its points.
+struct HorizonVertices
+{
+  std::vector<PointId> Vertices; // of the plan
+  std::vector<PointId> Numbers; // of these, by vertex of the plan; NoPoint for others
+  vtkNew<vtkIdList> Points; // of the horizon, the nearest where it has none in the column
+  std::vector<unsigned char> IsFilled; // 1 there
+};
+
+void FindVertices(
+  const LayerPlan& plan, const std::vector<PointId>& pointAt, PlanePoints columns, HorizonVertices& found)
+{
+  const ColumnIndex index(columns);
+  const PlaneBox box(columns);
+  found.Numbers.assign(plan.Columns.size(), NoPoint);
+  for (std::size_t vertex = 0; vertex < pointAt.size(); ++vertex)
+  {
+    if (pointAt[vertex] != NoPoint)
+    {
+      const PlanePoint& column = plan.Columns[vertex];
+      const PointId point = box.Contains(column) ? index[index.Place(column)] : NoPoint;
+      found.Numbers[vertex] = PointId(found.Vertices.size());
+      found.Vertices.push_back(PointId(vertex));
+      found.IsFilled.push_back(point == NoPoint ? 1 : 0);
+      found.Points->InsertNextId(point == NoPoint ? FindNearest(index, box, column) : point);
+    }
+  }
+}
+
+/// Those of a horizon, by the numbers of its vertices.
+RawVector<PointId> TrianglesOf(const LayerPlan& plan, std::size_t horizon, const std::vector<PointId>& numbers)
+{
+  RawVector<PointId> triangles;
+  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
+  {
+    const bool isIn = (horizon > 0 && plan.HasLayer(horizon - 1, triangle)) ||
+      (horizon < plan.NumberOfLayers() && plan.HasLayer(horizon, triangle));
+    for (std::size_t corner = 0; isIn && corner < 3; ++corner)
+    {
+      triangles.push_back(numbers[std::size_t(plan.Triangles[3 * triangle + corner])]);
+    }
+  }
+  return triangles;
+}
+
+/// What the points of a horizon had, but for what is not so on the plan.
+void CopyArrays(vtkPointData* given, vtkIdList* points, vtkPointData* output)
+{
+  constexpr std::array<const char*, 7> others = { PointArray::Column, PointArray::PatchId, PointArray::Boundary,
+    PointArray::PointCount, PointArray::VerticalIndex, PointArray::RealZ, PointArray::Filled };
+  for (int n = 0; n < given->GetNumberOfArrays(); ++n)
+  {
+    vtkAbstractArray* const array = given->GetAbstractArray(n);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (!name.empty() && std::find(others.begin(), others.end(), name) == others.end())
+    {
+      const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+      copy->SetName(array->GetName());
+      copy->SetNumberOfComponents(array->GetNumberOfComponents());
+      copy->SetNumberOfTuples(points->GetNumberOfIds());
+      array->GetTuples(points, copy);
+      output->AddArray(copy);
+    }
+  }
+}
+
+/// The columns and vertical indices of vertices, and which of them the horizon does not have.
+void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices& own, vtkPointData* output)
+{
+  auto columns = NewArray<vtkIntArray>(PointArray::Column, vtkIdType(own.Vertices.size()), 2);
+  columns->SetComponentName(0, "I");
+  columns->SetComponentName(1, "J");
+  for (std::size_t n = 0; n < own.Vertices.size(); ++n)
+  {
+    const PlanePoint& column = plan.Columns[std::size_t(own.Vertices[n])];
+    const std::array<int, 2> tuple = { column.X, column.Y };
+    columns->SetTypedTuple(vtkIdType(n), tuple.data());
+  }
+  output->AddArray(columns);
+  AddArray<vtkDoubleArray>(output, PointArray::VerticalIndex, own.Vertices,
+    [&](PointId vertex) { return plan.Heights[horizon][std::size_t(vertex)]; });
+  if (std::find(own.IsFilled.begin(), own.IsFilled.end(), 1) != own.IsFilled.end())
+  {
+    AddArray<vtkUnsignedCharArray>(output, PointArray::Filled, own.IsFilled);
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -173,74 +260,19 @@ void WriteLayerHorizon(
   const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output)
 {
   const LayerPlan& plan = layers.Plan;
-  const std::vector<PointId>& pointAt = cells.PointsOfHorizons[horizon]; // of cells, by vertex
-  const ColumnIndex index(stack[horizon].Placed.Columns);
-  const PlaneBox box(stack[horizon].Placed.Columns);
-  std::vector<unsigned char> isFilled;
-  std::vector<PointId> vertices; // that the horizon has
-  vtkNew<vtkIdList> from;
-  std::vector<PointId> numbers(plan.Columns.size(), NoPoint);
-  for (std::size_t vertex = 0; vertex < pointAt.size(); ++vertex)
-  {
-    if (pointAt[vertex] != NoPoint)
-    {
-      numbers[vertex] = PointId(vertices.size());
-      vertices.push_back(PointId(vertex));
-      const PointId point = box.Contains(plan.Columns[vertex]) ? index[index.Place(plan.Columns[vertex])] : NoPoint;
-      isFilled.push_back(point == NoPoint ? 1 : 0);
-      from->InsertNextId(point == NoPoint ? FindNearest(index, box, plan.Columns[vertex]) : point);
-    }
-  }
-  output->SetPoints(MakePoints(vertices.size(), stack.Grid(),
+  HorizonVertices own;
+  FindVertices(plan, cells.PointsOfHorizons[horizon], stack[horizon].Placed.Columns, own);
+  output->SetPoints(MakePoints(own.Vertices.size(), stack.Grid(),
     [&](std::size_t n)
     {
-      const auto vertex = std::size_t(vertices[n]);
+      const auto vertex = std::size_t(own.Vertices[n]);
       return PlaceOf(plan.Columns[vertex], plan.Heights[horizon][vertex]);
     }));
-  RawVector<PointId> triangles;
-  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
-  {
-    const bool isIn = (horizon > 0 && plan.HasLayer(horizon - 1, triangle)) ||
-      (horizon < plan.NumberOfLayers() && plan.HasLayer(horizon, triangle));
-    for (std::size_t corner = 0; isIn && corner < 3; ++corner)
-    {
-      triangles.push_back(numbers[std::size_t(plan.Triangles[3 * triangle + corner])]);
-    }
-  }
+  RawVector<PointId> triangles = TrianglesOf(plan, horizon, own.Numbers);
   FaceUp(stack.Grid(), triangles);
   output->SetPolys(MakeTriangles(triangles));
-  vtkPointData* const given = stack[horizon].Points.Horizon->GetPointData();
-  for (int n = 0; n < given->GetNumberOfArrays(); ++n)
-  {
-    vtkAbstractArray* const array = given->GetAbstractArray(n);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (name.empty() || name == PointArray::Column || name == PointArray::PatchId || name == PointArray::Boundary ||
-      name == PointArray::PointCount)
-    {
-      continue; // these would be wrong here
-    }
-    const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-    copy->SetName(array->GetName());
-    copy->SetNumberOfComponents(array->GetNumberOfComponents());
-    copy->SetNumberOfTuples(from->GetNumberOfIds());
-    array->GetTuples(from, copy);
-    output->GetPointData()->AddArray(copy);
-  }
-  auto columns = NewArray<vtkIntArray>(PointArray::Column, vtkIdType(vertices.size()), 2);
-  columns->SetComponentName(0, "I");
-  columns->SetComponentName(1, "J");
-  for (std::size_t n = 0; n < vertices.size(); ++n)
-  {
-    const PlanePoint& column = plan.Columns[std::size_t(vertices[n])];
-    const std::array<int, 2> tuple = { column.X, column.Y };
-    columns->SetTypedTuple(vtkIdType(n), tuple.data());
-  }
-  output->GetPointData()->AddArray(columns);
-  if (std::find(isFilled.begin(), isFilled.end(), 1) != isFilled.end())
-  {
-    output->GetPointData()->RemoveArray(PointArray::Filled);
-    AddArray<vtkUnsignedCharArray>(output->GetPointData(), PointArray::Filled, isFilled);
-  }
+  CopyArrays(stack[horizon].Points.Horizon->GetPointData(), own.Points, output->GetPointData());
+  AddPlaces(plan, horizon, own, output->GetPointData());
   ActivateHeight(output);
   vtkFieldData* const figures = output->GetFieldData();
   stack.WriteFields(figures);
