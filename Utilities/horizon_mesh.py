@@ -39,6 +39,7 @@ JOININGS = ("BestFirst", "Continuous", "Components")
 POLARITIES = ("Both", "Positive", "Negative")
 STRAY_PICKS = ("Stop", "LeaveOut")
 GRIDDING = ("Plate", "Nearest")
+CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
 NOT_GIVEN = argparse.SUPPRESS
 MOST = 2**31  # more than integers of stages can be
 
@@ -124,20 +125,17 @@ def make_parser():
     parser = _Parser(
         prog=pathlib.Path(sys.argv[0]).name if IS_COMMAND else PROGRAM + ".py",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-        description="Reads files of seismic horizons (sparse voxel files, text picks of OpendTect, Petrel, OpenWorks, IESX "
-        "and the like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer, GXF and GeoTIFF; by what is in them, whatever their "
-        "extension) or finds the largest ones in seismic cubes (SEG-Y), and turns each horizon in them into a triangle "
-        "mesh with few triangles, no point of the horizon farther from it than the largest error, and holes open. Writes "
-        "one mesh per horizon and one picture per file, and prints what files were taken for, and a table. Files that "
+        description="Reads files of seismic horizons (sparse voxels, text picks of OpendTect, Petrel, OpenWorks, IESX and the "
+        "like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer, GXF and GeoTIFF; by their content) or finds the strongest "
+        "ones in seismic cubes (SEG-Y), and makes a mesh of few triangles of each, within the largest error, holes open. "
+        "Writes one mesh per horizon and one picture per file, and prints what files were taken for, and a table. Files that "
         "already exist are replaced.",
         epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv for "
-        "x.vsm or x.dat; x_dat.png where there is x.map beside it. Where files have "
-        "the same name, the names of their folders come first, as many as it takes: a_x.png for a/x.vsm, and b_x.png "
-        "for b/x.vsm. Results of a file appear all together, or not at all. Distances are in lattice units: 1 is one "
-        "column step sideways and one vertical index up or down. Heights (E, T of --despike and --cut-faults) are vertical "
-        "indices, or have a unit: 2ms, 0.002s, 5m, 16ft. The exit code is 0 when all is done, and 1 when a file, or "
-        "the report, could not be done, or the command line is wrong; the "
-        "other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
+        "x.vsm or x.dat; x_dat.png where there is x.map beside it; a_x.png for a/x.vsm where there is b/x.vsm. Results of a "
+        "file appear all together, or not at all. Distances are in lattice units: 1 is one column step sideways and one "
+        "vertical index up or down. Heights (E, T of --despike and --cut-faults) are vertical indices, or have a unit: 2ms, "
+        "0.002s, 5m, 16ft. The exit code is 0 when all is done, and 1 when a file, or the report, could not be done, or the "
+        "command line is wrong; other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path,
                         help="files of horizons, or folders of them")
     parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
@@ -150,6 +148,7 @@ def make_parser():
     _add_cube_options(parser.add_argument_group("seismic cubes"))
     _add_preparation_options(parser.add_argument_group("before meshes are made", "horizons are read as a whole then"))
     _add_mesh_options(parser.add_argument_group("meshes"))
+    _add_layer_options(parser.add_argument_group("volumes"))
     parser.stages = parser.add_argument_group("stages of the thesis", "with --stages")
     _add_stage_options(parser.stages)
     _add_error_options(parser.add_argument_group("error"))
@@ -199,10 +198,9 @@ def _add_reader_options(group):
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",
                        help="that of x and y, as EPSG:23031, for formats that have one (default: what the file says)")
     group.add_argument("--elevation", choices=ELEVATIONS, default=NOT_GIVEN,
-                       help="what the world z of a point of sparse voxel files is made from (default: VerticalIndex)")
+                       help="what world z of sparse voxels is made from (default: VerticalIndex)")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN,
-                       help="which voxel or pick stays where a horizon has several in a column, or all on sheets that are "
-                       "horizons of their own (default: StrongestAmplitude)")
+                       help="which of several points in a column stays, or all as sheets (default: StrongestAmplitude)")
     group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST",
                        help='what the columns of a text file hold, as "X,Y,-,Z,My attribute" or "Inline,Crossline,Z" '
                        "(default: what its header says, or its values are like)")
@@ -212,8 +210,8 @@ def _add_reader_options(group):
     group.add_argument("--header-lines", type=_number_at_least(int, 0), default=NOT_GIVEN, metavar="N",
                        help="how many lines at the beginning of a text file are left out, whatever is in them (default: 0)")
     group.add_argument("--stray-picks", choices=STRAY_PICKS, default=NOT_GIVEN,
-                       help="what to do about picks off the lattice, or far from all others: refuse their file, or leave "
-                       "out up to a tenth of all with a warning (default: Stop)")
+                       help="picks off the lattice, or far from all others: refuse the file, or leave out up to a tenth of "
+                       "them with a warning (default: Stop)")
     group.add_argument("--lattice-tolerance", type=_number_at_least(float, 0.0, more=True), default=NOT_GIVEN,
                        metavar="T", help="how far picks may be off their columns, as a part of a step (default: 0.1)")
     group.add_argument("--gridding", choices=GRIDDING, default=NOT_GIVEN,
@@ -226,8 +224,7 @@ def _add_reader_options(group):
     group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N",
                        help="three points of the survey, each as inline, crossline, x and y, for line numbers alone")
     group.add_argument("--origin", nargs=3, type=float, default=NOT_GIVEN, metavar=("X", "Y", "Z"),
-                       help="world position of the first voxel of the cube (default: 0 0 0), or, with z 0, of the first "
-                       "column of picks (default: found from them)")
+                       help="world position of the first voxel (default: 0 0 0) or, with z 0, column of picks (default: found)")
     group.add_argument("--column-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"),
                        help="world vector from a column to the next (default: 1 0; for picks found from them)")
     group.add_argument("--row-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"),
@@ -282,8 +279,7 @@ def _add_mesh_options(group):
     target.add_argument("--triangles", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                         help="at most N triangles in each mesh, as near to its horizon as it then can be")
     target.add_argument("--stages", action="store_true",
-                        help="by the stages of the thesis: exterior boundary, boundary simplification, rough and (with "
-                        "--elaborate) elaborate simplification, triangulation")
+                        help="by the stages of the thesis, from exterior boundary to triangulation")
     group.add_argument("--radius", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="K",
                        help="how far the outline may reach from one point to the next, and so how wide a gap it "
                        "closes; lattice units (default: chosen from the points; 1 with --stages)")
@@ -294,21 +290,25 @@ def _add_mesh_options(group):
     group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                        help="holes of fewer columns are closed (default: chosen; 1 with --stages)")
     group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
-                       help="how far the outline may move on the map when its corners are dropped; lattice units "
-                       "(default: the error; 0 with --stages)")
+                       help="how far outlines may move on the map, in columns (default: the error; 0 with --stages)")
     group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
-                       help="an outline point closer than this to the line through its neighbours is dropped; "
-                       "lattice units (default: the error; 0.4 with --stages)")
+                       help="how far outlines may move up or down (default: the error; 0.4 with --stages)")
+
+
+def _add_layer_options(group):
+    group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the horizons of a "
+                       "file, too, within the largest error: cells (.vtu), a body for each in formats of meshes, a table (.csv)")
+    group.add_argument("--crossings", nargs="+", choices=CROSSINGS, default=NOT_GIVEN, help="what is done where horizons cross, "
+                       "or a word for each layer from the uppermost on; put -- before files that follow (default: Mean)")
 
 
 def _add_stage_options(group):
     group.add_argument("--hole-boundaries", action="store_true", default=NOT_GIVEN,
                        help="give holes an outline of their own, so that they stay open in the mesh")
     group.add_argument("--fewest-outline-points", action="store_true", default=NOT_GIVEN,
-                       help="give outlines the fewest points within the outline tolerance on the map and the distance "
-                       "threshold in height")
+                       help="give outlines the fewest points within the outline tolerance and the distance threshold")
     group.add_argument("--bound-deviation", action="store_true", default=NOT_GIVEN,
-                       help="keep every dropped outline point within the distance threshold of the new outline")
+                       help="keep dropped outline points within the distance threshold of the outline")
     group.add_argument("--cell-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="S",
                        help="side of the cells that the rough simplification merges; lattice units (default: 3)")
     group.add_argument("--skip-rough", action="store_true", default=NOT_GIVEN,
@@ -318,11 +318,9 @@ def _add_stage_options(group):
     group.add_argument("--elaborate-cell-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="S",
                        help="side of the largest cells of the elaborate simplification; lattice units (default: 8)")
     group.add_argument("--flatness-threshold", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="F",
-                       help="how curved a cell of the elaborate simplification may be, from 0 (only a plane is flat) "
-                       "to 1/3 (everything is; default: 0.12)")
+                       help="how curved its cells may be, from 0 (planes) to 1/3 (anything; default: 0.12)")
     group.add_argument("--representative", choices=REPRESENTATIVES, default=NOT_GIVEN,
-                       help="what stands for the points of a cell: their mean, or the one of them nearest to it (default: "
-                       "Barycentre)")
+                       help="the mean of the points of a cell, or the nearest to it (default: Barycentre)")
 
 
 def _add_error_options(group):
@@ -332,7 +330,7 @@ def _add_error_options(group):
     group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
                        help="the unit of the arrays; the .csv file has both")
     group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N",
-                       help="how densely the faces are sampled: places on each surface for each point of the horizon")
+                       help="places on each surface for each point of the horizon")
 
 
 def tell(kind, text):
@@ -382,6 +380,8 @@ def main(arguments=None):
     for action in parser.stages._group_actions:
         if hasattr(options, action.dest) and not options.stages:
             parser.error("%s is an option of --stages" % action.option_strings[0])
+    if hasattr(options, "crossings") and not hasattr(options, "layers"):
+        parser.error("--crossings is an option of --layers")
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
         if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one

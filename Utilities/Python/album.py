@@ -8,7 +8,10 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from . import triangles
 
@@ -63,6 +66,7 @@ class Album:
     def __init__(self, with_pictures):
         self.with_pictures = with_pictures
         self.entries = []
+        self.layers = []  # pictures of bodies, or None, by file that has layers
         self._studio = None
 
     def add(self, result, rank):
@@ -76,6 +80,18 @@ class Album:
         _drop(self.entries, "mesh", None, lambda e: -len(e.mesh.content), lambda e: len(e.mesh.content), MESH_BYTES)
         _drop(self.entries, "pictures", [], lambda e: e.points, lambda e: sum(len(p.jpeg) for p in e.pictures),
               PICTURE_BYTES, MOST_PICTURED)
+
+    def add_layers(self, made):
+        """The layers of another file (volumes.Layers): their bodies, taken apart."""
+        if not self.with_pictures or len(self.layers) >= MOST_PICTURED or not made.bodies:
+            self.layers.append(None)
+            return
+        from . import pictures
+
+        self._studio = self._studio or pictures.Studio()
+        panel = pictures.Panel("", "", take_apart(list(made.bodies.values())), pictures.BODIES)
+        (image,), exaggeration, _ = pictures.draw_each([panel], PICTURE_SIZE, self._studio)
+        self.layers.append(Picture("Layers", "taken apart, heights \u00d7 %g" % exaggeration, pictures.as_jpeg(image)))
 
     def cut(self, number):
         """Leaves only so many entries, the first ones."""
@@ -109,6 +125,22 @@ def _drop(entries, name, nothing, worth, size, most_bytes, most=None):
     having = sorted((e for e in entries if getattr(e, name)), key=worth, reverse=True)
     while having and (sum(map(size, having)) > most_bytes or len(having) > (most or len(having))):
         setattr(having.pop(), name, nothing)
+
+
+def take_apart(bodies):
+    """Bodies of layers in one dataset, each below the one before by a fifth of the height of all."""
+    bounds = np.array([body.GetBounds() for body in bodies])
+    gap = 0.2 * (bounds[:, 5].max() - bounds[:, 4].min())
+    together = vtkAppendPolyData()
+    for number, body in enumerate(bodies):
+        lower = vtkPolyData()
+        lower.ShallowCopy(body)
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(vtk_to_numpy(body.GetPoints().GetData()) - (0.0, 0.0, gap * number), deep=True))
+        lower.SetPoints(points)
+        together.AddInputData(lower)
+    together.Update()
+    return together.GetOutput()
 
 
 def encode(mesh):

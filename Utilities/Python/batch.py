@@ -19,7 +19,7 @@ try:
 except ImportError:  # on Windows
     fcntl = None
 
-from . import figures, interrupt, pipeline, reading, tables, writing
+from . import figures, interrupt, pipeline, reading, tables, volumes, writing
 from .found import Found
 from .found import written as written_line
 from .memory import Budget
@@ -166,6 +166,8 @@ def process(path, label, stem, workspace, settings, with_pictures, record):
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
         results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
         lines = _write(results, names, pathlib.Path(folder))
+        if settings.layers is not None:
+            lines += _write_layers(label, results, settings, names, pathlib.Path(folder), record)
         interrupt.check()
         written = sorted(os.listdir(folder))
         for name in written:
@@ -203,6 +205,9 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             record.add_horizon(result, supply, names.meshes[name])
             results.append(result)
         result.data.pop("measured", None)
+        if not supply.is_whole and settings.layers is not None:
+            raise HorizonError("%s: layers of horizons that are larger than memory, expected more of it (--memory), or fewer "
+                               "horizons (--horizons)" % label)
         if not supply.is_whole:
             result.release()
     if not results:
@@ -218,13 +223,22 @@ class _Names:
                        for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
+        self._stem = stem
+        self.layers = ["%s_layers.%s" % (stem, form) for form in ("vtu", "csv")] if settings.layers is not None else []
+        self.body_formats = [form for form in settings.formats if form in writing.MESH_FORMATS] if self.layers else []
+        self._bodies = [self.body(number, form) for number in range(len(names) - 1) for form in self.body_formats]
         has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
         self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
                        if form in writing.MESH_FORMATS] if has_surfaces else []
 
+    def body(self, number, form):
+        """That of the body of a layer."""
+        return "%s_layer_%d.%s" % (self._stem, number + 1, form)
+
     def check(self, folder):
         """Files there will be replaced, folders can not be. Raises HorizonError."""
-        for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults]:
+        for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *self.layers,
+                     *self._bodies]:
             if len(os.fsencode(name)) > LONGEST_NAME:
                 raise HorizonError("%s... can not be written: a name of %d bytes, and %d are the most" % (
                     name[:40], len(os.fsencode(name)), LONGEST_NAME))
@@ -259,7 +273,7 @@ def _write(results, names, folder):
     for name in names.faults:
         writing.write_mesh(results[0].data["fault surfaces"], folder / name, "Faults")
     for name in names.figures:
-        writing.write_figures(results, folder / name)
+        writing.write_tables([result.figures for result in results], folder / name)
     for name in names.pictures:
         # Loads the libraries that draw, which are not needed otherwise.
         from . import overview
@@ -268,6 +282,23 @@ def _write(results, names, folder):
             lines.append("the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results)))
         overview.write(results, folder / name)
     return lines
+
+
+def _write_layers(label, results, settings, names, folder, record):
+    """Volumes between all horizons of a file. Returns what there is to print about them. Raises HorizonError."""
+    made, warnings = volumes.of_points({result.name: writing.prepared(result) for result in results}, settings, label)
+    for warning in warnings:
+        record.warn("%s: %s" % (label, warning))
+    writing.write_cells(made.cells, folder / names.layers[0])
+    writing.write_tables([made.table], folder / names.layers[1])
+    for number, (name, body) in enumerate(made.bodies.items()):
+        for form in names.body_formats:
+            for warning in writing.write_mesh(body, folder / names.body(number, form), name):
+                record.warn("%s: %s" % (names.body(number, form), warning))
+    record.add_layers(made)
+    return ["%s: volume %.6g%s, thickness %.6g to %.6g, mean %.6g" % (
+        name, own.volume, " " + own.volume_unit if own.volume_unit else "", own.thickness_least, own.thickness_largest,
+        own.thickness_mean) for name, own in made.figures.items()]
 
 
 def print_lines(lines):

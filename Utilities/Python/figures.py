@@ -57,7 +57,7 @@ def parameters(settings):
     stages = {**PREPARATIONS, **(STAGES if settings.surface is None else {})}
     given = {"reader": {**settings.reader, **({} if settings.horizons is None else {"Horizons": settings.horizons})},
              **{class_name: getattr(settings, name) for name, class_name in stages.items()},
-             SURFACE: settings.surface, "vtkHorizonSurfaceDistance": settings.error}
+             SURFACE: settings.surface, "vtkHorizonLayers": settings.layers, "vtkHorizonSurfaceDistance": settings.error}
     return {name: dict(properties) for name, properties in given.items() if properties is not None}
 
 

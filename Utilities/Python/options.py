@@ -51,6 +51,14 @@ def _surface(options, boundary, simplified):
     return surface_properties(**target, **unit, **{name: named[name] for name in names if name in named})
 
 
+def _layers(options):
+    """Properties of volumes: within the error of the meshes, where they have one."""
+    words = getattr(options, "crossings", [])
+    crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
+    error = getattr(options, "largest_error", BEST_ERROR)
+    return {"MaximumError": error, **({"ErrorUnit": "World"} if getattr(error, "unit", "") else {}), **crossings}
+
+
 def make_settings(options):
     """What the options mean for each stage."""
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
@@ -75,6 +83,8 @@ def make_settings(options):
     settings.elaborate = None if not hasattr(options, "elaborate") else given(
         options, CellSize="elaborate_cell_size", FlatnessThreshold="flatness_threshold", Representative="representative")
     settings.surface = _surface(options, settings.boundary, settings.simplified)
+    if hasattr(options, "layers"):
+        settings.layers = _layers(options)
     if options.close_faults:
         (settings.mesh if settings.surface is None else settings.surface)["CloseFaults"] = True
     settings.error_if_whole = hasattr(options, "report") and not options.measure_error

@@ -44,6 +44,7 @@ class Settings:
     """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
     defaults. None leaves a stage out. `despiked`, `torn` and `filled` are those of despiking, faults and hole filling,
     which come first; `fault_lines` are those that faults are given by. With `surface` (see surface_properties) one stage takes the place of all others.
+    `layers` are those of volumes between all horizons of a file.
     `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
     meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
@@ -61,6 +62,7 @@ class Settings:
     elaborate: Optional[dict] = None
     mesh: dict = field(default_factory=dict)
     surface: Optional[dict] = None
+    layers: Optional[dict] = None
     error: Optional[dict] = None
     error_if_whole: bool = False
     horizons: Optional[list] = None
@@ -80,11 +82,12 @@ class Settings:
         """Whether a horizon that is larger than memory can be meshed in windows."""
         by_error = self.surface is not None and self.surface.get("Target") != "NumberOfTriangles"
         can_go_without = (self.error is None or self.error_if_whole) and not writing.POINT_FORMATS.keys() & set(self.formats)
-        return by_error and can_go_without and all(getattr(self, name) is None for name in PREPARATIONS)
+        return by_error and can_go_without and all(
+            getattr(self, name) is None for name in (*PREPARATIONS, "layers"))
 
     def said_unit(self):
         """That of the heights, empty where they have none."""
-        return next((value.unit for properties in (self.despiked, self.torn, self.surface) if properties
+        return next((value.unit for properties in (self.despiked, self.torn, self.surface, self.layers) if properties
                      for value in properties.values() if getattr(value, "unit", "")), "")
 
     def plain_error(self):
@@ -95,7 +98,7 @@ class Settings:
     def in_unit_of(self, horizon):
         """The same with heights in the unit of z of a horizon. Raises HorizonError."""
         return replace(self, **{name: heights.in_unit_of(getattr(self, name), horizon)
-                                for name in ("despiked", "torn", "surface") if getattr(self, name) is not None})
+                                for name in ("despiked", "torn", "surface", "layers") if getattr(self, name) is not None})
 
     def make(self, class_name, properties):
         """A stage, or the measure."""

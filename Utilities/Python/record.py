@@ -34,7 +34,7 @@ class Record:
         self.files.append({"path": figures.plain(path), "label": figures.plain(label), "status": "failed", "error": None,
                            "bytes": os.path.getsize(path) if os.path.exists(path) else None, "format": None,
                            "description": [], "horizons_in_file": None, "survey": None, "seconds_reading": None,
-                           "horizons": [], "results": [], "warnings": []})
+                           "horizons": [], "layers": [], "results": [], "warnings": []})
 
     def add_horizon(self, result, supply, names):
         """A horizon whose mesh is written under some names."""
@@ -47,6 +47,12 @@ class Record:
         if self.album:
             sizes = sorted(supply.sizes, reverse=True)
             self.album.add(result, sizes.index(result.number_of_points))
+
+    def add_layers(self, made):
+        """Volumes between the horizons of a file (volumes.Layers)."""
+        self.files[-1]["layers"] = [vars(own) for own in made.figures.values()]
+        if self.album:
+            self.album.add_layers(made)
 
     def end_file(self, supply, results):
         """The results are complete."""

@@ -25,6 +25,16 @@ COLUMNS = (
     ("Smallest angle", "of a triangle, as seen from above, in degrees", lambda h: h["angles"] and h["angles"]["smallest"],
      "{:.1f}\u00b0"),
     ("Time", "of all stages, in seconds", lambda h: h["seconds"]["total"], "{:.2f} s"))
+LAYER_COLUMNS = (
+    ("Volume", "to the outermost columns", lambda own: own["volume"], "{:.6g}"),
+    ("Area", "seen from above", lambda own: own["area"], "{:.6g}"),
+    ("Least thickness", "vertical", lambda own: own["thickness_least"], "{:.4g}"),
+    ("Mean thickness", "vertical", lambda own: own["thickness_mean"], "{:.4g}"),
+    ("Largest thickness", "vertical", lambda own: own["thickness_largest"], "{:.4g}"),
+    ("Crossings", "columns where its horizons cross", lambda own: own["crossings"], "{:,}"),
+    ("Deepest crossing", "of these", lambda own: own["deepest_crossing"], "{:.4g}"),
+    ("Volume at faults", "of the strip that is left out between both sides of faults", lambda own: own["volume_at_faults"],
+     "{:.4g}"))
 ERROR_ROWS = (("largest (Hausdorff), at most", "largest"), ("largest found", "largest_found"), ("mean", "mean"),
               ("root mean square", "rms"), ("median", "median"), ("90 % are below", "percentile_90"),
               ("95 %", "percentile_95"), ("99 %", "percentile_99"), ("outlines, on the map", "outline"))
@@ -69,9 +79,10 @@ def tiles(run):
     return join(fill("tile", name=name, value=value) for name, value in shown)
 
 
-def links(has_horizons, has_meshes):
+def links(has_horizons, has_meshes, has_layers):
     """To the sections that there are."""
-    shown = [("files", "What was read", True), ("horizons", "Horizons", has_horizons), ("meshes", "Meshes", has_meshes),
+    shown = [("files", "What was read", True), ("horizons", "Horizons", has_horizons), ("layers", "Layers", has_layers),
+             ("meshes", "Meshes", has_meshes),
              ("details", "Horizon by horizon", has_horizons), ("parameters", "Parameters", True),
              ("again", "To do it again", True)]
     return join(fill("link", id=place, text=text) for place, text, is_there in shown if is_there)
@@ -176,6 +187,28 @@ def horizon_table(run, album):
     heads += [fill("head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in columns]
     return fill("horizons", heads=join(heads), rows=join(rows), note=_about_distances(run),
                 filter=fill("filter") if len(pairs) > FROM_HERE_FILTERED else None)
+
+
+def layers(run, album):
+    """The volumes between the horizons of each file that has some."""
+    having = [file for file in run["files"] if file["layers"]]
+    if not having:
+        return Markup()
+    heads = [fill("plain_head", kind="name", text="Layer", meaning="from its top to its base")]
+    heads += [fill("plain_head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in LAYER_COLUMNS]
+    return fill("layers", tables=join(_layer_table(file, join(heads), picture)
+                                      for file, picture in zip(having, album.layers if album else [None] * len(having))))
+
+
+def _layer_table(file, heads, picture):
+    unit = file["layers"][0]["volume_unit"]
+    width, height = albums.PICTURE_SIZE
+    shown = picture and fill("picture", uri=data_uri(picture.jpeg, "image/jpeg"), width=width, height=height, scale=None,
+                             alt="The layers of %s, taken apart" % file["label"], title=picture.title, caption=picture.caption)
+    return fill("layer_table", label=file["label"], unit="Volumes in %s. " % unit if unit else None, heads=heads,
+                rows=join(fill("layer_row", name=own["name"], cells=join(
+                    _cell(value(own), form) for _, _, value, form in LAYER_COLUMNS)) for own in file["layers"]),
+                pictures=fill("pictures", pictures=shown) if shown else None)
 
 
 def _about_distances(run):

@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import calls, making, reading
-from .stage import make
+from .stage import HorizonError, make, update
 
 FILTER = "vtkHorizonLayers"
 
@@ -20,7 +20,7 @@ FILTER = "vtkHorizonLayers"
 class Layers(types.SimpleNamespace):
     """What `layers` made. `cells` has the wedges of all layers with the arrays Layer, Thickness and Volume, `bodies` their
     closed surfaces and `horizons` the horizons on the same plan, by names; `figures` tells of each layer `volume`, `area`,
-    `thickness_mean` and the like, and `curve` has arrays of `contact` and of the volume of each layer above it."""
+    `thickness_mean` and the like, `table` has the same for programs, and `curve` arrays of `contact` and of the volume of each layer above it."""
 
     def __repr__(self):
         return "Layers(%s)" % ", ".join("%r: %.6g" % (name, own.volume) for name, own in self.figures.items())
@@ -71,14 +71,35 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
         for data in named.values():
             maker.AddInputDataObject(0, data)
     calls.run(maker, "layers")
-    cells, bodies, meshes, figures, curve = (maker.GetOutputDataObject(port) for port in range(5))
-    rows = {figures.GetValueByName(row, "Name").ToString(): types.SimpleNamespace(**{
-        calls.snake(figures.GetColumnName(column)): _value(figures.GetValue(row, column))
-        for column in range(figures.GetNumberOfColumns())}) for row in range(figures.GetNumberOfRows())}
+    made = _collect(maker)
+    made.cells = calls.wrap(made.cells)
+    made.bodies = {name: calls.wrap(body) for name, body in made.bodies.items()}
+    made.horizons = {name: calls.wrap(mesh) for name, mesh in made.horizons.items()}
+    return made
+
+
+def of_points(points, settings, label):
+    """The layers between horizons of a file, by names, and warnings. Raises HorizonError."""
+    own = settings.in_unit_of(next(iter(points.values())))
+    maker = own.make(FILTER, own.layers)
+    maker.SetInputDataObject(0, making.collect_picks(points))
+    warnings = []
+    try:
+        update(maker, "%s: layers" % label, warnings)
+    except HorizonError as error:
+        raise HorizonError("%s: %s" % (label, error)) from None
+    return _collect(maker), warnings
+
+
+def _collect(maker):
+    """What a filter made, with its `table` of figures."""
+    cells, bodies, meshes, table, curve = (maker.GetOutputDataObject(port) for port in range(5))
+    rows = {table.GetValueByName(row, "Name").ToString(): types.SimpleNamespace(**{
+        calls.snake(table.GetColumnName(column)): _value(table.GetValue(row, column))
+        for column in range(table.GetNumberOfColumns())}) for row in range(table.GetNumberOfRows())}
     return Layers(
-        cells=calls.wrap(cells), figures=rows,
-        bodies={name: calls.wrap(body) for name, body in reading.list_horizons(bodies)},
-        horizons={name: calls.wrap(mesh) for name, mesh in reading.list_horizons(meshes)},
+        cells=cells, table=table, figures=rows, bodies=dict(reading.list_horizons(bodies)),
+        horizons=dict(reading.list_horizons(meshes)),
         curve={curve.GetColumnName(column) if column else "contact": vtk_to_numpy(curve.GetColumn(column))
                for column in range(curve.GetNumberOfColumns())})
 

@@ -12,7 +12,7 @@ import math
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
 from vtkmodules.vtkCommonMisc import vtkErrorCode
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
 from . import geotiff
 from .stage import HorizonError, make, update
@@ -32,9 +32,13 @@ def write(result, path):
     form = path.suffix[1:]
     if form not in POINT_FORMATS:
         return write_mesh(result.data["mesh"], path, result.name)
-    points = next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
-    write_points(points, path, result.name)
+    write_points(prepared(result), path, result.name)
     return []
+
+
+def prepared(result):
+    """The points that a mesh was made of."""
+    return next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
 
 
 def write_points(points, path, name):
@@ -73,7 +77,10 @@ def _run(writer, data, path):
 
 def write_vtp(mesh, path):
     """Writes a mesh as a file of VTK. Raises HorizonError."""
-    writer = vtkXMLPolyDataWriter()
+    _write_xml(vtkXMLPolyDataWriter(), mesh, path)
+
+
+def _write_xml(writer, mesh, path):
     writer.WriteToOutputStringOn()
     writer.SetInputDataObject(0, mesh)
     # Not the default, which appends raw bytes: readers of VTK up to 9.2 stumble over them with a recent Expat library.
@@ -120,12 +127,16 @@ def _rounding_warnings(mesh):
     return ["coordinates are rounded to single precision, by up to %.2g; other formats keep them" % off]
 
 
-def write_figures(results, path):
-    """Writes the figures of the error of all horizons as one file of comma-separated values. Raises HorizonError."""
+def write_cells(grid, path):
+    """Writes cells of volume as a file of VTK. Raises HorizonError."""
+    _write_xml(vtkXMLUnstructuredGridWriter(), grid, path)
+
+
+def write_tables(tables, path):
+    """Writes tables of the same columns as one file of comma-separated values. Raises HorizonError."""
     text = io.StringIO()
     writer = csv.writer(text)
-    for number, result in enumerate(results):
-        table = result.figures
+    for number, table in enumerate(tables):
         columns = range(table.GetNumberOfColumns())
         if number == 0:
             writer.writerow([table.GetColumnName(column) for column in columns])
