@@ -33,7 +33,7 @@ REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 HEIGHT_UNITS = ("ms", "s", "m", "ft")
-FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm")
+FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", "msh", "inp", "disv")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS = ("BestFirst", "Continuous", "Components")
 POLARITIES = ("Both", "Positive", "Negative")
@@ -131,8 +131,8 @@ def make_parser():
         "Writes one mesh per horizon and one picture per file, and prints what files were taken for, and a table. Files that "
         "already exist are replaced.",
         epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv for "
-        "x.vsm or x.dat; x_dat.png where there is x.map beside it; a_x.png for a/x.vsm where there is b/x.vsm. Results of a "
-        "file appear all together, or not at all. Distances are in lattice units: 1 is one column step sideways and one "
+        "x.vsm or x.dat; x_dat.png where there is x.map beside it; a_x.png for a/x.vsm and b_x.png for b/x.vsm. Results of "
+        "a file appear all together, or not at all. Distances are in lattice units: 1 is one column step sideways and one "
         "vertical index up or down. Heights (E, T of --despike and --cut-faults) are vertical indices, or have a unit: 2ms, "
         "0.002s, 5m, 16ft. The exit code is 0 when all is done, and 1 when a file, or the report, could not be done, or the "
         "command line is wrong; other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
@@ -143,7 +143,8 @@ def make_parser():
     parser.add_argument("--formats", nargs="+", choices=FORMATS, default=["vtp"],
                         help="what results are written as: meshes for VTK, GOCAD TSurf, STL, PLY (single precision), OBJ "
                         "and DXF; grids of the meshes, IRAP text and binary, ZMAP+ and GeoTIFF; points of the horizons "
-                        "as picks (dat) and sparse voxels (vsm); put -- between them and files that follow")
+                        "as picks (dat) and sparse voxels (vsm); with --layers cells for Gmsh (msh), Abaqus (inp) and MODFLOW "
+                        "(disv); put -- between them and files that follow")
     _add_reader_options(parser.add_argument_group("reading"))
     _add_cube_options(parser.add_argument_group("seismic cubes"))
     _add_preparation_options(parser.add_argument_group("before meshes are made", "horizons are read as a whole then"))
@@ -215,8 +216,7 @@ def _add_reader_options(group):
     group.add_argument("--lattice-tolerance", type=_number_at_least(float, 0.0, more=True), default=NOT_GIVEN,
                        metavar="T", help="how far picks may be off their columns, as a part of a step (default: 0.1)")
     group.add_argument("--gridding", choices=GRIDDING, default=NOT_GIVEN,
-                       help="makes horizons of picks that stand on no lattice, on the one of --column-step and --row-step, or "
-                       "one with about a column for each pick: by a plate, or the nearest pick")
+                       help="grids picks off any lattice, by a plate or the nearest pick, on --column-step and --row-step")
     group.add_argument("--gridding-radius", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="R",
                        help="columns farther from all picks stay empty (default: those outside their convex hull do)")
     group.add_argument("--gridding-smoothing", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="S",
@@ -250,16 +250,14 @@ def _add_cube_options(group):
     group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN,
                        help="picks become surfaces: most alike first, whole events, or what touches (default: BestFirst)")
     group.add_argument("--amplitude-percentile", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="P",
-                       help="the part of the reflections that are too weak, in percent (default: 25)")
+                       help="percent of reflections that are too weak (default: 25)")
 
 
 def _add_preparation_options(group):
     group.add_argument("--despike", type=_Height, default=NOT_GIVEN, metavar="T",
-                       help="remove points that are more than T above or below the surface through those around them; 0 "
-                       "finds T by the noise (default: none)")
+                       help="remove points more than T off the surface around them; 0 finds T by the noise (default: none)")
     group.add_argument("--cut-faults", type=_Height, default=NOT_GIVEN, metavar="T",
-                       help="find faults that throw by T or more, and leave the mesh open there; 0 finds T by the noise "
-                       "(default: no fault is cut)")
+                       help="find faults that throw by T or more; 0 finds T by the noise (default: none)")
     lines = group.add_mutually_exclusive_group()
     lines.add_argument("--fault-lines", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE",
                        help="cut along the fault traces of a file, and leave out what is inside its fault polygons")
@@ -268,7 +266,7 @@ def _add_preparation_options(group):
     group.add_argument("--close-faults", action="store_true",
                        help="close the mesh at these faults by triangles, which have 1 in the array Fault")
     group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="fill holes of at most N columns with points that go on smoothly from their rims (default: none)")
+                       help="fill holes of at most N columns with smooth surfaces (default: none)")
 
 
 def _add_mesh_options(group):
@@ -380,8 +378,10 @@ def main(arguments=None):
     for action in parser.stages._group_actions:
         if hasattr(options, action.dest) and not options.stages:
             parser.error("%s is an option of --stages" % action.option_strings[0])
-    if hasattr(options, "crossings") and not hasattr(options, "layers"):
-        parser.error("--crossings is an option of --layers")
+    is_of_layers = "--crossings" if hasattr(options, "crossings") else next(
+        (form for form in options.formats if form in ("msh", "inp", "disv")), None)
+    if is_of_layers and not hasattr(options, "layers"):
+        parser.error("%s is of --layers" % is_of_layers)
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
         if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one

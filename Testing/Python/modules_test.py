@@ -260,7 +260,7 @@ class ResultTest(unittest.TestCase):
 
     def test_figures(self):
         path = FOLDER / "figures.csv"
-        writing.write_figures([self.result, self.result], path)
+        writing.write_tables([self.result.figures, self.result.figures], path)
         lines = path.read_text(encoding="utf-8").splitlines()
         self.assertEqual(len(lines), 1 + 2 * 9)
         self.assertEqual(lines[1:10], lines[10:])
@@ -271,7 +271,7 @@ class ResultTest(unittest.TestCase):
         image.SetDimensions(2, 2, 1)
         image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
         for write_result, data in ((writing.write_vtp, self.result.data["mesh"]),
-                                   (writing.write_figures, [self.result]), (pictures.write, image)):
+                                   (writing.write_tables, [self.result.figures]), (pictures.write, image)):
             with self.assertRaises(HorizonError) as raised:
                 write_result(data, pathlib.Path("/dev/full"))
             self.assertEqual(str(raised.exception), "full can not be written: No space left on device")

@@ -264,7 +264,7 @@ class ReportTest(unittest.TestCase):
     def test_json(self):
         """One object with the documented keys, and the figures of the meshes; nothing else is printed."""
         picks = write_picks(self.folder / "picks.dat", ["A", "B"])
-        done = self.run_program("--json", "--no-pictures", "--measure-error", "--largest-error", "0.75", picks, SAMPLE)
+        done = self.run_program("--json", "--no-pictures", "--measure-error", "--layers", "--largest-error", "0.75", picks, SAMPLE)
         self.assertEqual(done.stderr, "")
         run = json.loads(done.stdout)
         documented = set(re.findall(r"^\| `([\w.\[\]]+)` \|", PAGE.read_text(encoding="utf-8"), re.MULTILINE))

@@ -219,12 +219,14 @@ class _Names:
     """The names of the files of results."""
 
     def __init__(self, stem, names, settings, with_pictures):
-        self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats]
+        self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats
+                              if form not in writing.LAYER_FORMATS]
                        for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
         self._stem = stem
-        self.layers = ["%s_layers.%s" % (stem, form) for form in ("vtu", "csv")] if settings.layers is not None else []
+        self.layers = ["%s_layers.%s" % (stem, form) for form in ("csv", "vtu", *(
+            form for form in settings.formats if form in writing.LAYER_FORMATS))] if settings.layers is not None else []
         self.body_formats = [form for form in settings.formats if form in writing.MESH_FORMATS] if self.layers else []
         self._bodies = [self.body(number, form) for number in range(len(names) - 1) for form in self.body_formats]
         has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
@@ -287,14 +289,15 @@ def _write(results, names, folder):
 def _write_layers(label, results, settings, names, folder, record):
     """Volumes between all horizons of a file. Returns what there is to print about them. Raises HorizonError."""
     made, warnings = volumes.of_points({result.name: writing.prepared(result) for result in results}, settings, label)
-    for warning in warnings:
-        record.warn("%s: %s" % (label, warning))
-    writing.write_cells(made.cells, folder / names.layers[0])
-    writing.write_tables([made.table], folder / names.layers[1])
+    writing.write_tables([made.table], folder / names.layers[0])
+    for name in names.layers[1:]:
+        warnings += writing.write_cells(made.cells, folder / name)
     for number, (name, body) in enumerate(made.bodies.items()):
         for form in names.body_formats:
             for warning in writing.write_mesh(body, folder / names.body(number, form), name):
                 record.warn("%s: %s" % (names.body(number, form), warning))
+    for warning in warnings:
+        record.warn("%s: %s" % (label, warning))
     record.add_layers(made)
     return ["%s: volume %.6g%s, thickness %.6g to %.6g, mean %.6g" % (
         name, own.volume, " " + own.volume_unit if own.volume_unit else "", own.thickness_least, own.thickness_largest,

@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 
 from . import calls, cubes, making, reading, tsurf, writing
 from .calls import details  # noqa: F401: a function of the package
@@ -277,7 +277,7 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     ----------
     data : vtkPolyData
         a mesh for .vtp, .ts, .stl, .ply, .obj, .dxf and the grids .irap, .gri, .zmap and .tif; a horizon for .dat, .vsm
-        and .vtp.
+        and .vtp; cells of layers for .vtu, .msh, .inp and .disv.
     path : str or path
     name : str, optional
         that of the surface in the file; the name of the file without its extension by default.
@@ -297,16 +297,17 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     calls.require_data(data, "a horizon or a mesh")
     path = pathlib.Path(path)
     form = path.suffix[1:]
-    if form not in writing.FORMATS:
-        raise ValueError("%s: the extension %s, expected one of .%s" % (path, path.suffix or "is missing",
-                                                                       ", .".join(writing.FORMATS)))
-    if form not in writing.POINT_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
+    is_of_cells = isinstance(data, vtkUnstructuredGrid)
+    forms = [name for name in (*writing.FORMATS, "vtu") if (name in (*writing.LAYER_FORMATS, "vtu")) == is_of_cells]
+    if form not in forms:
+        raise ValueError("%s: the extension %s, expected one of .%s" % (path, path.suffix or "is missing", ", .".join(forms)))
+    if not is_of_cells and form not in writing.POINT_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
         raise ValueError("%s: a horizon without triangles, expected a mesh: surface(horizon) makes one" % path)
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no such folder, expected %s" % (path, path.absolute().parent))
     make_file = writing.write_points if form in writing.POINT_FORMATS else writing.write_mesh
     with calls.python_errors():
-        told = make_file(data, path, name or path.stem)
+        told = writing.write_cells(data, path) if is_of_cells else make_file(data, path, name or path.stem)
     for text in told:
         warnings.warn(text, stacklevel=2)
 

@@ -23,7 +23,8 @@ LARGEST_ROUNDING = 0.01
 MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
 GRID_FORMATS = ("irap", "gri", "zmap", "tif")  # of meshes, by the columns that they cover
 POINT_FORMATS = {"dat": "vtkHorizonTextWriter", "vsm": "vtkVerneySparseMatrixWriter"}
-FORMATS = (*MESH_FORMATS, *GRID_FORMATS, *POINT_FORMATS)
+LAYER_FORMATS = ("msh", "inp", "disv")  # of cells of layers, which .vtu has as well
+FORMATS = (*MESH_FORMATS, *GRID_FORMATS, *POINT_FORMATS, *LAYER_FORMATS)
 
 
 def write(result, path):
@@ -128,8 +129,11 @@ def _rounding_warnings(mesh):
 
 
 def write_cells(grid, path):
-    """Writes cells of volume as a file of VTK. Raises HorizonError."""
+    """Writes cells of layers in the format of the extension of a file, and returns warnings. Raises HorizonError."""
+    if path.suffix[1:] in LAYER_FORMATS:
+        return _run(make("vtkHorizonLayersWriter"), grid, path)
     _write_xml(vtkXMLUnstructuredGridWriter(), grid, path)
+    return []
 
 
 def write_tables(tables, path):

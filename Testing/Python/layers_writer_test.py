@@ -1,0 +1,219 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of layers, read back here, and by Gmsh, meshio and flopy where these are. Argument: a folder for files."""
+
+import pathlib
+import re
+import sys
+import unittest
+
+import numpy as np
+import seismichorizons as sh
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+FOLDER = pathlib.Path(sys.argv[1])
+WEDGE, PYRAMID, TETRA = 13, 14, 10
+
+
+def module(name):
+    """A reader that need not be there."""
+    try:
+        return __import__(name)
+    except ImportError:
+        raise unittest.SkipTest("no %s" % name) from None
+
+
+def volume_of(points):
+    """Of tetrahedra, pyramids and wedges whose corners are in the order of Gmsh and Abaqus, by pieces."""
+    cuts = {4: [(0, 1, 2, 3)], 5: [(0, 1, 2, 4), (0, 2, 3, 4)], 6: [(0, 1, 2, 3), (1, 2, 3, 4), (2, 3, 4, 5)]}[len(points)]
+    return [np.linalg.det(points[list(cut[1:])] - points[cut[0]]) / 6.0 for cut in cuts]
+
+
+def with_text(grid, name, value):
+    copy = vtkUnstructuredGrid()
+    copy.ShallowCopy(grid)
+    text = vtkStringArray()
+    text.SetName(name)
+    text.InsertNextValue(value)
+    copy.GetFieldData().AddArray(text)
+    return copy
+
+
+class LayersWriterTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Three layers: the second one pinches out between the others, the first one at the top."""
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        x, y = np.meshgrid(np.arange(30.0), np.arange(20.0))
+        depths = {"Top": 100.0 + np.maximum(0.0, y - 12.0), "Sand": 110.0 + 0.2 * y, "Shale": 110.0 + 0.2 * y + np.maximum(0.0, x - 9.0),
+                  "Base": 150.0 + np.sin(0.3 * x)}
+        depths["Top"][:6] = depths["Sand"][:6]
+        cls.layers = sh.layers({name: sh.horizon(z, origin=(5e5, 6e6), spacing=(25.0, 12.5), azimuth=40.0, vertical_step=1.0)
+                                for name, z in depths.items()}, largest_error=0.2)
+        cls.grid = cls.layers.cells
+        sizes = vtkCellSizeFilter()
+        sizes.SetInputData(cls.grid)
+        sizes.Update()
+        cls.volumes = vtk_to_numpy(sizes.GetOutput().GetCellData().GetArray("Volume"))
+        cls.layer = vtk_to_numpy(cls.grid.GetCellData().GetArray("Layer"))
+        types = [cls.grid.GetCellType(n) for n in range(cls.grid.GetNumberOfCells())]
+        cls.counts = {kind: types.count(kind) for kind in (WEDGE, PYRAMID, TETRA)}
+        assert min(cls.counts.values()) > 0, cls.counts
+        for form in ("msh", "inp", "disv", "vtu"):
+            sh.write(cls.grid, FOLDER / ("layers." + form))
+
+    def volume(self, layer):
+        return float(self.volumes[self.layer == layer].sum())
+
+    def test_gmsh(self):
+        gmsh = module("gmsh")
+        gmsh.initialize()
+        try:
+            gmsh.option.setNumber("General.Terminal", 0)
+            gmsh.open(str(FOLDER / "layers.msh"))
+            groups = {gmsh.model.getPhysicalName(*group): group for group in gmsh.model.getPhysicalGroups()}
+            self.assertEqual(sorted(groups), sorted(self.layers.figures))
+            found = {WEDGE: 0, PYRAMID: 0, TETRA: 0}
+            for name, (dimension, tag) in groups.items():
+                volume = 0.0
+                for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag):
+                    kinds, numbers, _ = gmsh.model.mesh.getElements(dimension, entity)
+                    for kind, tags in zip(kinds, numbers):
+                        found[{6: WEDGE, 7: PYRAMID, 4: TETRA}[kind]] += len(tags)
+                        own = np.asarray(gmsh.model.mesh.getElementQualities(tags, "volume"))
+                        self.assertGreater(own.min(), 0.0)
+                        self.assertGreater(np.min(gmsh.model.mesh.getElementQualities(tags, "minDetJac")), 0.0)
+                        volume += own.sum()
+                self.assertAlmostEqual(volume / self.volume(tag - 1), 1.0, delta=1e-6, msg=name)
+            self.assertEqual(found, self.counts)
+        finally:
+            gmsh.finalize()
+
+    def test_meshio(self):
+        meshio = module("meshio")
+        for form in ("msh", "inp"):
+            mesh = meshio.read(FOLDER / ("layers." + form))
+            counts = {WEDGE: 0, PYRAMID: 0, TETRA: 0}
+            total = 0.0
+            for block in mesh.cells:
+                counts[{"wedge": WEDGE, "pyramid": PYRAMID, "tetra": TETRA}[block.type]] += len(block.data)
+                for cell in block.data:
+                    parts = volume_of(mesh.points[cell])
+                    self.assertGreaterEqual(min(parts), -1e-6 * sum(parts), (form, block.type))
+                    self.assertGreater(sum(parts), 0.0)
+                    total += sum(parts)
+            collapsed = self.counts[PYRAMID] if form == "inp" else 0
+            self.assertEqual(counts, {WEDGE: self.counts[WEDGE] + collapsed, PYRAMID: self.counts[PYRAMID] - collapsed,
+                                      TETRA: self.counts[TETRA]})
+            self.assertAlmostEqual(total / self.volumes.sum(), 1.0, delta=1e-6)
+            if form == "inp":
+                self.assertEqual(list(mesh.cell_sets), ["L1_Top_to_Sand", "L2_Sand_to_Shale", "L3_Shale_to_Base"])
+
+    def test_flopy(self):
+        flopy = module("flopy")
+        files = {"mfsim.nam": "BEGIN OPTIONS\nEND OPTIONS\nBEGIN TIMING\n  TDIS6 flow.tdis\nEND TIMING\nBEGIN MODELS\n"
+                              "  gwf6 flow.nam flow\nEND MODELS\nBEGIN EXCHANGES\nEND EXCHANGES\nBEGIN SOLUTIONGROUP 1\n"
+                              "  ims6 flow.ims flow\nEND SOLUTIONGROUP 1\n",
+                 "flow.ims": "BEGIN OPTIONS\nEND OPTIONS\n",
+                 "flow.tdis": "BEGIN DIMENSIONS\n  NPER 1\nEND DIMENSIONS\nBEGIN PERIODDATA\n  1.0 1 1.0\nEND PERIODDATA\n",
+                 "flow.nam": "BEGIN OPTIONS\nEND OPTIONS\nBEGIN PACKAGES\n  DISV6 layers.disv disv\nEND PACKAGES\n"}
+        for name, text in files.items():
+            (FOLDER / name).write_text(text)
+        simulation = flopy.mf6.MFSimulation.load(sim_ws=str(FOLDER), verbosity_level=0)
+        package = simulation.get_model("flow").disv
+        layers, columns = package.nlay.get_data(), package.ncpl.get_data()
+        self.assertEqual((layers, columns), (3, len(np.unique(vtk_to_numpy(self.grid.GetCellData().GetArray("Triangle"))))))
+        places = {int(row[0]): (row[1], row[2]) for row in package.vertices.get_data()}
+        corners = np.array([[places[int(row[4 + n])] for n in range(3)] for row in package.cell2d.get_data()])
+        a, b, c = corners.transpose(1, 0, 2)
+        areas = -0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+        self.assertGreater(areas.min(), 0.0)  # clockwise
+        levels = np.concatenate((package.top.get_data()[None], package.botm.get_data()))
+        domain = package.idomain.get_data()
+        self.check_model(areas, levels, domain)
+
+    def test_own_reader(self):
+        """The same by an own reader of what was written."""
+        text = (FOLDER / "layers.disv").read_text()
+        size = {name: int(value) for name, value in re.findall(r"(NLAY|NCPL|NVERT) (\d+)", text)}
+
+        def block(name):
+            return re.search("BEGIN %s\n(.*?)END %s" % (name, name), text, re.DOTALL)[1]
+
+        data = re.split(r"[A-Z ]*\n    INTERNAL FACTOR 1\n", block("GRIDDATA").replace("    INTERNAL", "\n    INTERNAL", 1))
+        numbers = [np.array(part.split(), dtype=float) for part in re.findall(
+            r"INTERNAL FACTOR 1\n((?:      .*\n)+)", block("GRIDDATA"))]
+        self.assertEqual([len(part) for part in numbers], [size["NCPL"]] * 7, data[:1])
+        places = np.array([line.split()[1:] for line in block("VERTICES").splitlines()], dtype=float)
+        cells = np.array([line.split() for line in block("CELL2D").splitlines()], dtype=float)
+        self.assertEqual(len(places), size["NVERT"])
+        a, b, c = places[cells[:, 4:].astype(int) - 1].transpose(1, 0, 2)
+        areas = -0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+        self.check_model(areas, np.array(numbers[:4]), np.array(numbers[4:]).astype(int))
+
+    def check_model(self, areas, levels, domain):
+        thickness = levels[:-1] - levels[1:]
+        self.assertGreaterEqual(thickness.min(), 0.0)
+        for layer in range(3):
+            volume = (areas * thickness[layer])[domain[layer] == 1].sum()
+            self.assertAlmostEqual(volume / self.volume(layer), 1.0, delta=1e-6)
+        self.assertTrue(np.all(thickness[domain == 1] > 0.0))
+        self.assertTrue(np.all(thickness[domain == -1] == 0.0))
+        self.assertEqual(set(domain[0]), {0, 1})  # on top nothing can be passed through
+        self.assertEqual(set(domain[1]) & {-1, 1}, {-1, 1})
+        self.assertEqual(set(domain[2]), {1})
+
+    def test_errors(self):
+        """One message, and no file."""
+        few = sh.layers({"A": sh.horizon(np.zeros((3, 3))), "B": sh.horizon(np.ones((3, 3)))}).cells
+        without = vtkUnstructuredGrid()
+        without.ShallowCopy(few)
+        without.GetCellData().RemoveArray("Triangle")
+        points = vtkUnstructuredGrid()
+        points.DeepCopy(few)
+        vtk_to_numpy(points.GetPoints().GetData())[2, 1] = np.nan
+        apart = vtkUnstructuredGrid()
+        apart.DeepCopy(few)
+        vtk_to_numpy(apart.GetCellData().GetArray("Triangle"))[:] = 0
+        tilted = vtkUnstructuredGrid()
+        tilted.DeepCopy(few)
+        vtk_to_numpy(tilted.GetPoints().GetData())[:, 0] += 0.1 * np.arange(few.GetNumberOfPoints())
+        below = vtkUnstructuredGrid()
+        below.DeepCopy(few)
+        vtk_to_numpy(below.GetCellData().GetArray("Layer"))[0] = 4
+        feet = with_text(with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "m")
+        for data, form, message in (
+                (vtkUnstructuredGrid(), "msh", "no cells, expected layers as Horizon Layers makes them"),
+                (without, "inp", "no cell data array Triangle of one number, expected layers"),
+                (points, "msh", "coordinate nan of point 2, expected a finite number"),
+                (below, "msh", "layer 4 of cell 0, expected 0 to 0"),
+                (apart, "disv", "cells of triangle 0 that are not over each other, expected layers"),
+                (tilted, "disv", "whose sides are not upright, expected layers"),
+                (with_text(few, "VerticalDomain", "time"), "disv", "layers in time, expected depths: convert the horizons before"),
+                (feet, "disv", "z in ft and x and y in m, expected one unit")):
+            path = FOLDER / ("wrong." + form)
+            with self.assertRaisesRegex(ValueError, message):
+                sh.write(data, path)
+            self.assertFalse(path.exists())
+        with self.assertRaisesRegex(ValueError, "the extension .stl, expected one of .msh, .inp, .disv, .vtu"):
+            sh.write(few, FOLDER / "wrong.stl")
+        sh.write(with_text(with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "ft"), FOLDER / "feet.disv")
+        self.assertIn("  LENGTH_UNITS FEET\n", (FOLDER / "feet.disv").read_text())
+
+    def test_bodies(self):
+        """Closed in other formats, too."""
+        for name, body in self.layers.bodies.items():
+            sh.write(body, FOLDER / "body.ts", name)
+            (surface,) = sh.read(FOLDER / "body.ts").values()
+            self.assertEqual(surface.GetNumberOfPolys(), body.GetNumberOfPolys())
+            triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+            edges = np.concatenate((triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]))
+            self.assertEqual(len(np.unique(edges, axis=0)), len(edges))
+            self.assertEqual({tuple(edge) for edge in edges}, {tuple(edge) for edge in edges[:, ::-1]})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonLayersWriter.h"
+
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
+#include "Common/FileErrors.h"
+#include "Common/InputFile.h"
+#include "Common/OutputFile.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/SurveyFields.h"
+#include "LayersPrinter.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+vtkDataArray* RequireArray(vtkUnstructuredGrid* grid, const char* name)
+{
+  vtkDataArray* const array = grid->GetCellData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    throw InputError(
+      std::string("no cell data array ") + name + " of one number, expected layers as Horizon Layers makes them");
+  }
+  return array;
+}
+
+void ReadCells(vtkUnstructuredGrid* grid, VolumeCells& cells)
+{
+  vtkDataArray* const layers = RequireArray(grid, CellArray::Layer);
+  vtkDataArray* const triangles = RequireArray(grid, CellArray::Triangle);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    if (type != VTK_WEDGE && type != VTK_PYRAMID && type != VTK_TETRA)
+    {
+      throw InputError("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) +
+        ", expected wedges, pyramids and tetrahedra as Horizon Layers makes them");
+    }
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    grid->GetCells()->GetCellAtId(cell, size, corners);
+    cells.Corners.insert(cells.Corners.end(), corners, corners + size);
+    cells.Ends.push_back(std::int64_t(cells.Corners.size()));
+    cells.Layers.push_back(int(layers->GetComponent(cell, 0)));
+    cells.Triangles.push_back(std::int64_t(triangles->GetComponent(cell, 0)));
+  }
+}
+
+void ReadNames(vtkUnstructuredGrid* grid, VolumeCells& cells)
+{
+  auto* const names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(FieldArray::LayerNames));
+  for (vtkIdType n = 0; names && n < names->GetNumberOfValues(); ++n)
+  {
+    cells.Names.push_back(names->GetValue(n));
+  }
+  for (const int layer : cells.Layers)
+  {
+    while (!names && layer < (1 << 20) && layer >= int(cells.Names.size()))
+    {
+      cells.Names.push_back("Layer " + std::to_string(cells.Names.size() + 1));
+    }
+  }
+}
+
+VolumeCells ReadLayers(vtkUnstructuredGrid* grid)
+{
+  RequireTuples(grid->GetPointData(), grid->GetNumberOfPoints(), "points");
+  RequireTuples(grid->GetCellData(), grid->GetNumberOfCells(), "cells");
+  VolumeCells cells;
+  if (grid->GetNumberOfCells() > 0)
+  {
+    ReadCells(grid, cells);
+  }
+  ReadNames(grid, cells);
+  cells.Points.resize(std::size_t(grid->GetNumberOfPoints()));
+  for (std::size_t point = 0; point < cells.Points.size(); ++point)
+  {
+    grid->GetPoint(vtkIdType(point), cells.Points[point].data());
+  }
+  CheckCells(cells);
+  return cells;
+}
+
+/// Flow needs lengths along all axes.
+std::string LengthUnitOf(const SurveyDescription& survey)
+{
+  if (survey.VerticalDomain == "time")
+  {
+    throw InputError("layers in time, expected depths: convert the horizons before");
+  }
+  const std::string& unit = survey.HorizontalUnit.empty() ? survey.VerticalUnit : survey.HorizontalUnit;
+  if (!survey.HorizontalUnit.empty() && !survey.VerticalUnit.empty() && survey.HorizontalUnit != survey.VerticalUnit)
+  {
+    throw InputError(
+      "z in " + survey.VerticalUnit + " and x and y in " + survey.HorizontalUnit + ", expected one unit");
+  }
+  return unit == "m" ? "METERS" : unit == "ft" ? "FEET" : "";
+}
+}
+
+vtkStandardNewMacro(vtkHorizonLayersWriter);
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkHorizonLayersWriter::~vtkHorizonLayersWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonLayersWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int vtkHorizonLayersWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonLayersWriter::WriteData()
+{
+  const std::string file = this->FileName ? this->FileName : "";
+  const auto write = [&](std::string& subject, const Monitor& monitor)
+  {
+    if (file.empty())
+    {
+      throw FileError(FileProblem::NoName, "no FileName, expected the path of a file");
+    }
+    subject = file;
+    auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+    vtkMultiProcessController* const processes = vtkMultiProcessController::GetGlobalController();
+    if (processes && processes->GetLocalProcessId() > 0 && grid->GetNumberOfCells() == 0)
+    {
+      return; // the first one has them
+    }
+    const std::string format = ExtensionOf(file);
+    const auto print = format == "msh" ? PrintGmsh
+      : format == "inp"                ? PrintAbaqus
+      : format == "disv"               ? PrintDISV
+                                       : nullptr;
+    if (!print)
+    {
+      throw InputError("extension \"" + format + "\", expected msh, inp or disv");
+    }
+    VolumeCells cells = ReadLayers(grid);
+    if (format == "disv")
+    {
+      cells.LengthUnit = LengthUnitOf(ReadSurveyFields(grid->GetFieldData()));
+    }
+    WriteOutputFile(file, [&](std::ostream& stream) { print(cells, stream, monitor); });
+  };
+  RunRequest(this, {}, file + ": more data than memory, expected fewer layers", write, Ranks(), &this->ErrorCode);
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonLayersWriter
+ * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv)
+ *
+ * Takes the cells that vtkHorizonLayers makes. The extension of the file says the format, each with its own order of
+ * corners; coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). ParaView itself writes
+ * .vtu, which has all arrays. A file appears complete or not at all.
+ *
+ * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
+ * file; Write() returns 0 then, and GetErrorCode() gives one of vtkErrorCode. Of several processes that call it, the one
+ * that has cells writes.
+ *
+ * @sa vtkHorizonLayers
+ */
+
+#ifndef vtkHorizonLayersWriter_h
+#define vtkHorizonLayersWriter_h
+
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkWriter.h"
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayersWriter : public vtkWriter
+{
+public:
+  static vtkHorizonLayersWriter* New();
+  vtkTypeMacro(vtkHorizonLayersWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to write. Range: a path in UTF-8. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkHorizonLayersWriter() = default;
+  ~vtkHorizonLayersWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+private:
+  vtkHorizonLayersWriter(const vtkHorizonLayersWriter&) = delete;
+  void operator=(const vtkHorizonLayersWriter&) = delete;
+
+  char* FileName = nullptr;
+};
+
+#endif
