@@ -275,7 +275,9 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(sum(first["angles"]["counts"]), first["triangles"])
         self.assertEqual(sum(first["distances"]["counts"]), 6282)
         self.assertLess(first["error"]["lattice"]["mean"], first["error"]["lattice"]["largest"])
-        self.assertEqual(run["files"][1]["results"][1:], ["sample_horizon_%d.vtp" % n for n in (1, 2, 3)])
+        self.assertEqual([name for name in run["files"][1]["results"][1:] if "layer" not in name],
+                         ["sample_horizon_%d.vtp" % n for n in (1, 2, 3)])
+        self.assertEqual([own["name"] for own in run["files"][1]["layers"]], ["Horizon 1 to Horizon 2", "Horizon 2 to Horizon 3"])
         self.assertEqual(run["files"][0]["survey"]["lattice"]["columns"][:2], [12, 10])
         self.assertEqual(run["command"]["words"][1:], done.args[1:])
 

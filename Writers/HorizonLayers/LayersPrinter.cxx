@@ -4,7 +4,7 @@
 #include "LayersPrinter.h"
 
 #include "Common/Errors.h"
-#include "Common/TextPrinter.h"
+#include "LinePrinter.h"
 
 #include <algorithm>
 #include <cctype>
@@ -25,16 +25,6 @@ std::size_t KindOf(std::size_t corners)
   return 6 - corners;
 }
 
-std::int64_t FirstCorner(const VolumeCells& cells, std::size_t cell)
-{
-  return cell == 0 ? 0 : cells.Ends[cell - 1];
-}
-
-std::size_t SizeOf(const VolumeCells& cells, std::size_t cell)
-{
-  return std::size_t(cells.Ends[cell] - FirstCorner(cells, cell));
-}
-
 /// The cells of each layer, by their kinds.
 class CellGroups
 {
@@ -44,7 +34,7 @@ public:
   {
     for (std::size_t cell = 0; cell < cells.Size(); ++cell)
     {
-      this->Groups[std::size_t(cells.Layers[cell]) * Kinds + KindOf(SizeOf(cells, cell))].push_back(cell);
+      this->Groups[std::size_t(cells.Layers[cell]) * Kinds + KindOf(cells.SizeOf(cell))].push_back(cell);
     }
   }
 
@@ -66,59 +56,17 @@ private:
   std::vector<std::vector<std::size_t>> Groups;
 };
 
-/// A text file of words and numbers.
-class LinePrinter
-{
-public:
-  explicit LinePrinter(std::ostream& stream)
-    : Out(stream)
-  {
-  }
-
-  template <typename Value>
-  LinePrinter& Add(const Value& value)
-  {
-    if constexpr (std::is_same_v<Value, double>)
-    {
-      this->Out.Print(value);
-    }
-    else if constexpr (std::is_integral_v<Value>)
-    {
-      this->Out.Print(std::int64_t(value));
-    }
-    else
-    {
-      this->Out.Print(std::string_view(value));
-    }
-    return *this;
-  }
-
-  /// Values with something between them.
-  template <typename First, typename... Others>
-  void Line(std::string_view between, const First& first, const Others&... others)
-  {
-    this->Add(first);
-    (this->Add(between).Add(others), ...);
-    this->Add("\n");
-  }
-
-  void Flush() { this->Out.Flush(); }
-
-private:
-  TextPrinter Out;
-};
-
 using CellNodes = std::vector<std::int64_t>; // from 1
 
 /// As Gmsh has them: of wedges the other triangle comes first.
 CellNodes NodesOf(const VolumeCells& cells, std::size_t cell)
 {
   CellNodes nodes;
-  const std::size_t size = SizeOf(cells, cell);
+  const std::size_t size = cells.SizeOf(cell);
   for (std::size_t n = 0; n < size; ++n)
   {
     const std::size_t from = size == 6 ? (n + 3) % 6 : n;
-    nodes.push_back(1 + cells.Corners[std::size_t(FirstCorner(cells, cell)) + from]);
+    nodes.push_back(1 + cells.Corners[std::size_t(cells.FirstCorner(cell)) + from]);
   }
   return nodes;
 }
@@ -158,13 +106,6 @@ void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group,
   }
 }
 
-std::string WithoutQuotes(std::string name)
-{
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return c == '"' || std::iscntrl(static_cast<unsigned char>(c)); }, '_');
-  return name;
-}
-
 /// Of letters, digits and underscores, and each once.
 std::vector<std::string> MakeSetNames(const std::vector<std::string>& names)
 {
@@ -182,199 +123,6 @@ std::vector<std::string> MakeSetNames(const std::vector<std::string>& names)
   return sets;
 }
 
-// ---- Columns of level cells ----------------------------------------------------------------------------------------
-/// A cell over a triangle of the plan, as a level one.
-struct LevelCell
-{
-  std::int64_t Triangle;
-  int Layer;
-  std::array<std::int64_t, 3> Vertices; // ascending
-  double Top;
-  double Base;
-
-  friend bool operator<(const LevelCell& a, const LevelCell& b)
-  {
-    return a.Triangle != b.Triangle ? a.Triangle < b.Triangle : a.Layer < b.Layer;
-  }
-};
-
-class LevelGrid
-{
-public:
-  explicit LevelGrid(const VolumeCells& cells)
-    : Cells(cells)
-  {
-    this->FindVertices();
-    this->MakeCells();
-    this->MakeColumns();
-  }
-
-  std::vector<std::array<double, 2>> Vertices;
-  std::vector<std::array<std::int64_t, 3>> Triangles; // by column
-  std::vector<double> Tops;
-  std::vector<std::vector<double>> Bases; // by layer and column
-  std::vector<std::vector<int>> Domain; // the same
-
-private:
-  void FindVertices()
-  {
-    std::vector<std::size_t> order(this->Cells.Points.size());
-    for (std::size_t n = 0; n < order.size(); ++n)
-    {
-      order[n] = n;
-    }
-    const auto place = [this](std::size_t n) {
-      return std::array<double, 2>{ this->Cells.Points[n][0], this->Cells.Points[n][1] };
-    };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-    this->VertexOf.resize(order.size());
-    for (const std::size_t n : order)
-    {
-      if (this->Vertices.empty() || this->Vertices.back() != place(n))
-      {
-        this->Vertices.push_back(place(n));
-      }
-      this->VertexOf[n] = std::int64_t(this->Vertices.size()) - 1;
-    }
-  }
-
-  void MakeCells()
-  {
-    for (std::size_t cell = 0; cell < this->Cells.Size(); ++cell)
-    {
-      this->Levels.push_back(this->MakeCell(cell));
-    }
-    std::sort(this->Levels.begin(), this->Levels.end());
-  }
-
-  LevelCell MakeCell(std::size_t cell) const
-  {
-    std::vector<std::pair<std::int64_t, double>> corners; // by vertex and height
-    for (std::int64_t n = FirstCorner(this->Cells, cell); n < this->Cells.Ends[cell]; ++n)
-    {
-      const auto point = std::size_t(this->Cells.Corners[std::size_t(n)]);
-      corners.emplace_back(this->VertexOf[point], this->Cells.Points[point][2]);
-    }
-    std::sort(corners.begin(), corners.end());
-    LevelCell level = { this->Cells.Triangles[cell], this->Cells.Layers[cell], {}, 0.0, 0.0 };
-    std::size_t count = 0;
-    for (std::size_t n = 0; n < corners.size(); ++count)
-    {
-      std::size_t last = n;
-      while (last + 1 < corners.size() && corners[last + 1].first == corners[n].first)
-      {
-        ++last;
-      }
-      if (count == 3 || last > n + 1)
-      {
-        count = 4;
-        break;
-      }
-      level.Vertices[count] = corners[n].first;
-      level.Base += corners[n].second / 3.0;
-      level.Top += corners[last].second / 3.0;
-      n = last + 1;
-    }
-    if (count != 3)
-    {
-      throw InputError("cell " + std::to_string(cell) +
-        ", whose sides are not upright, expected layers as Horizon Layers "
-        "makes them");
-    }
-    return level;
-  }
-
-  void MakeColumns()
-  {
-    const std::size_t layers = this->Cells.Names.size();
-    this->Bases.resize(layers);
-    this->Domain.resize(layers);
-    for (std::size_t first = 0; first < this->Levels.size();)
-    {
-      std::size_t end = first;
-      for (; end < this->Levels.size() && this->Levels[end].Triangle == this->Levels[first].Triangle; ++end)
-      {
-        const bool isTwice = end > first && this->Levels[end].Layer == this->Levels[end - 1].Layer;
-        if (this->Levels[end].Vertices != this->Levels[first].Vertices || isTwice)
-        {
-          throw InputError("cells of triangle " + std::to_string(this->Levels[first].Triangle) +
-            " that are not over each other, expected layers as Horizon Layers makes them");
-        }
-      }
-      this->AddColumn(first, end);
-      first = end;
-    }
-  }
-
-  /// Where there is no cell, a level that closes up to the next one that there is.
-  void AddColumn(std::size_t first, std::size_t end)
-  {
-    this->Triangles.push_back(this->Levels[first].Vertices);
-    this->Tops.push_back(this->Levels[first].Top);
-    double above = this->Levels[first].Top;
-    std::size_t next = first;
-    for (std::size_t layer = 0; layer < this->Bases.size(); ++layer)
-    {
-      int domain = 0;
-      if (next < end && std::size_t(this->Levels[next].Layer) == layer)
-      {
-        domain = 1;
-        above = this->Levels[next++].Base;
-      }
-      else if (next > first && next < end && this->Levels[next].Top == above)
-      {
-        domain = -1;
-      }
-      else if (next < end && std::size_t(this->Levels[next].Layer) == layer + 1)
-      {
-        above = this->Levels[next].Top;
-      }
-      this->Bases[layer].push_back(above);
-      this->Domain[layer].push_back(domain);
-    }
-  }
-
-  const VolumeCells& Cells;
-  std::vector<std::int64_t> VertexOf; // by point
-  std::vector<LevelCell> Levels;
-};
-
-/// An array of the block of grid data, ten values on a line.
-template <typename Value>
-void PrintArray(const std::vector<Value>& values, LinePrinter& out)
-{
-  constexpr std::size_t onLine = 10;
-  out.Add("    INTERNAL FACTOR 1\n");
-  for (std::size_t n = 0; n < values.size(); ++n)
-  {
-    out.Add(n % onLine == 0 ? "      " : " ").Add(values[n]);
-    out.Add(n % onLine + 1 == onLine || n + 1 == values.size() ? "\n" : "");
-  }
-}
-
-template <typename Value>
-void PrintLayered(std::string_view name, const std::vector<std::vector<Value>>& values, LinePrinter& out)
-{
-  out.Line("", "  ", name, " LAYERED");
-  for (const std::vector<Value>& ofLayer : values)
-  {
-    PrintArray(ofLayer, out);
-  }
-}
-
-/// Clockwise, as MODFLOW wants them.
-void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
-{
-  std::array<std::int64_t, 3> corners = grid.Triangles[column];
-  const auto at = [&](std::size_t n) { return grid.Vertices[std::size_t(corners[n])]; };
-  const double turn = (at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) - (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]);
-  if (turn > 0.0)
-  {
-    std::swap(corners[1], corners[2]);
-  }
-  const auto middle = [&](std::size_t axis) { return at(0)[axis] / 3.0 + at(1)[axis] / 3.0 + at(2)[axis] / 3.0; };
-  out.Line(" ", " ", column + 1, middle(0), middle(1), 3, corners[0] + 1, corners[1] + 1, corners[2] + 1);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -496,44 +244,6 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
       }
     }
   }
-  out.Flush();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
-{
-  const LevelGrid grid(cells);
-  monitor.Progress(0.3);
-  LinePrinter out(stream);
-  for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
-  {
-    out.Line("", "# layer ", layer + 1, ": ", WithoutQuotes(cells.Names[layer]));
-  }
-  out.Add("BEGIN OPTIONS\n");
-  if (!cells.LengthUnit.empty())
-  {
-    out.Line("", "  LENGTH_UNITS ", cells.LengthUnit);
-  }
-  out.Add("END OPTIONS\n\nBEGIN DIMENSIONS\n");
-  out.Line("", "  NLAY ", cells.Names.size());
-  out.Line("", "  NCPL ", grid.Triangles.size());
-  out.Line("", "  NVERT ", grid.Vertices.size());
-  out.Add("END DIMENSIONS\n\nBEGIN GRIDDATA\n  TOP\n");
-  PrintArray(grid.Tops, out);
-  PrintLayered("BOTM", grid.Bases, out);
-  PrintLayered("IDOMAIN", grid.Domain, out);
-  monitor.Progress(0.7);
-  out.Add("END GRIDDATA\n\nBEGIN VERTICES\n");
-  for (std::size_t vertex = 0; vertex < grid.Vertices.size(); ++vertex)
-  {
-    out.Line(" ", " ", vertex + 1, grid.Vertices[vertex][0], grid.Vertices[vertex][1]);
-  }
-  out.Add("END VERTICES\n\nBEGIN CELL2D\n");
-  for (std::size_t column = 0; column < grid.Triangles.size(); ++column)
-  {
-    PrintColumn(grid, column, out);
-  }
-  out.Add("END CELL2D\n");
   out.Flush();
 }
 }

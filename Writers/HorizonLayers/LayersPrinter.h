@@ -31,6 +31,8 @@ struct VolumeCells
   std::string LengthUnit; // "METERS" or "FEET"; empty where it is not known
 
   std::size_t Size() const { return this->Ends.size(); }
+  std::int64_t FirstCorner(std::size_t cell) const { return cell == 0 ? 0 : this->Ends[cell - 1]; }
+  std::size_t SizeOf(std::size_t cell) const { return std::size_t(this->Ends[cell] - this->FirstCorner(cell)); }
 };
 
 /// Throws InputError where there is no cell, on coordinates that are not finite, and on layers without a name.

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Columns of level cells, as MODFLOW has them.
+
+#include "LayersPrinter.h"
+
+#include "Common/Errors.h"
+#include "LinePrinter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// A cell over a triangle of the plan, as a level one.
+struct LevelCell
+{
+  std::int64_t Triangle;
+  int Layer;
+  std::array<std::int64_t, 3> Vertices; // ascending
+  double Top;
+  double Base;
+
+  friend bool operator<(const LevelCell& a, const LevelCell& b)
+  {
+    return a.Triangle != b.Triangle ? a.Triangle < b.Triangle : a.Layer < b.Layer;
+  }
+};
+
+class LevelGrid
+{
+public:
+  explicit LevelGrid(const VolumeCells& cells)
+    : Cells(cells)
+  {
+    this->FindVertices();
+    this->MakeCells();
+    this->MakeColumns();
+  }
+
+  std::vector<std::array<double, 2>> Vertices;
+  std::vector<std::array<std::int64_t, 3>> Triangles; // by column
+  std::vector<double> Tops;
+  std::vector<std::vector<double>> Bases; // by layer and column
+  std::vector<std::vector<int>> Domain; // the same
+
+private:
+  void FindVertices()
+  {
+    std::vector<std::size_t> order(this->Cells.Points.size());
+    for (std::size_t n = 0; n < order.size(); ++n)
+    {
+      order[n] = n;
+    }
+    const auto place = [this](std::size_t n) {
+      return std::array<double, 2>{ this->Cells.Points[n][0], this->Cells.Points[n][1] };
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+    this->VertexOf.resize(order.size());
+    for (const std::size_t n : order)
+    {
+      if (this->Vertices.empty() || this->Vertices.back() != place(n))
+      {
+        this->Vertices.push_back(place(n));
+      }
+      this->VertexOf[n] = std::int64_t(this->Vertices.size()) - 1;
+    }
+  }
+
+  void MakeCells()
+  {
+    for (std::size_t cell = 0; cell < this->Cells.Size(); ++cell)
+    {
+      this->Levels.push_back(this->MakeCell(cell));
+    }
+    std::sort(this->Levels.begin(), this->Levels.end());
+  }
+
+  LevelCell MakeCell(std::size_t cell) const
+  {
+    std::vector<std::pair<std::int64_t, double>> corners; // by vertex and height
+    for (std::int64_t n = this->Cells.FirstCorner(cell); n < this->Cells.Ends[cell]; ++n)
+    {
+      const auto point = std::size_t(this->Cells.Corners[std::size_t(n)]);
+      corners.emplace_back(this->VertexOf[point], this->Cells.Points[point][2]);
+    }
+    std::sort(corners.begin(), corners.end());
+    LevelCell level = { this->Cells.Triangles[cell], this->Cells.Layers[cell], {}, 0.0, 0.0 };
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < corners.size(); ++count)
+    {
+      std::size_t last = n;
+      while (last + 1 < corners.size() && corners[last + 1].first == corners[n].first)
+      {
+        ++last;
+      }
+      if (count == 3 || last > n + 1)
+      {
+        count = 4;
+        break;
+      }
+      level.Vertices[count] = corners[n].first;
+      level.Base += corners[n].second / 3.0;
+      level.Top += corners[last].second / 3.0;
+      n = last + 1;
+    }
+    if (count != 3)
+    {
+      throw InputError("cell " + std::to_string(cell) +
+        ", whose sides are not upright, expected layers as Horizon Layers "
+        "makes them");
+    }
+    return level;
+  }
+
+  void MakeColumns()
+  {
+    const std::size_t layers = this->Cells.Names.size();
+    this->Bases.resize(layers);
+    this->Domain.resize(layers);
+    for (std::size_t first = 0; first < this->Levels.size();)
+    {
+      std::size_t end = first;
+      for (; end < this->Levels.size() && this->Levels[end].Triangle == this->Levels[first].Triangle; ++end)
+      {
+        const bool isTwice = end > first && this->Levels[end].Layer == this->Levels[end - 1].Layer;
+        if (this->Levels[end].Vertices != this->Levels[first].Vertices || isTwice)
+        {
+          throw InputError("cells of triangle " + std::to_string(this->Levels[first].Triangle) +
+            " that are not over each other, expected layers as Horizon Layers makes them");
+        }
+      }
+      this->AddColumn(first, end);
+      first = end;
+    }
+  }
+
+  /// Where there is no cell, a level that closes up to the next one that there is.
+  void AddColumn(std::size_t first, std::size_t end)
+  {
+    this->Triangles.push_back(this->Levels[first].Vertices);
+    this->Tops.push_back(this->Levels[first].Top);
+    double above = this->Levels[first].Top;
+    std::size_t next = first;
+    for (std::size_t layer = 0; layer < this->Bases.size(); ++layer)
+    {
+      int domain = 0;
+      if (next < end && std::size_t(this->Levels[next].Layer) == layer)
+      {
+        domain = 1;
+        above = this->Levels[next++].Base;
+      }
+      else if (next > first && next < end && this->Levels[next].Top == above)
+      {
+        domain = -1;
+      }
+      else if (next < end && std::size_t(this->Levels[next].Layer) == layer + 1)
+      {
+        above = this->Levels[next].Top;
+      }
+      this->Bases[layer].push_back(above);
+      this->Domain[layer].push_back(domain);
+    }
+  }
+
+  const VolumeCells& Cells;
+  std::vector<std::int64_t> VertexOf; // by point
+  std::vector<LevelCell> Levels;
+};
+
+/// An array of the block of grid data, ten values on a line.
+template <typename Value>
+void PrintArray(const std::vector<Value>& values, LinePrinter& out)
+{
+  constexpr std::size_t onLine = 10;
+  out.Add("    INTERNAL FACTOR 1\n");
+  for (std::size_t n = 0; n < values.size(); ++n)
+  {
+    out.Add(n % onLine == 0 ? "      " : " ").Add(values[n]);
+    out.Add(n % onLine + 1 == onLine || n + 1 == values.size() ? "\n" : "");
+  }
+}
+
+template <typename Value>
+void PrintLayered(std::string_view name, const std::vector<std::vector<Value>>& values, LinePrinter& out)
+{
+  out.Line("", "  ", name, " LAYERED");
+  for (const std::vector<Value>& ofLayer : values)
+  {
+    PrintArray(ofLayer, out);
+  }
+}
+
+/// Clockwise, as MODFLOW wants them.
+void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
+{
+  std::array<std::int64_t, 3> corners = grid.Triangles[column];
+  const auto at = [&](std::size_t n) { return grid.Vertices[std::size_t(corners[n])]; };
+  const double turn = (at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) - (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]);
+  if (turn > 0.0)
+  {
+    std::swap(corners[1], corners[2]);
+  }
+  const auto middle = [&](std::size_t axis) { return at(0)[axis] / 3.0 + at(1)[axis] / 3.0 + at(2)[axis] / 3.0; };
+  out.Line(" ", " ", column + 1, middle(0), middle(1), 3, corners[0] + 1, corners[1] + 1, corners[2] + 1);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
+{
+  const LevelGrid grid(cells);
+  monitor.Progress(0.3);
+  LinePrinter out(stream);
+  for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
+  {
+    out.Line("", "# layer ", layer + 1, ": ", WithoutQuotes(cells.Names[layer]));
+  }
+  out.Add("BEGIN OPTIONS\n");
+  if (!cells.LengthUnit.empty())
+  {
+    out.Line("", "  LENGTH_UNITS ", cells.LengthUnit);
+  }
+  out.Add("END OPTIONS\n\nBEGIN DIMENSIONS\n");
+  out.Line("", "  NLAY ", cells.Names.size());
+  out.Line("", "  NCPL ", grid.Triangles.size());
+  out.Line("", "  NVERT ", grid.Vertices.size());
+  out.Add("END DIMENSIONS\n\nBEGIN GRIDDATA\n  TOP\n");
+  PrintArray(grid.Tops, out);
+  PrintLayered("BOTM", grid.Bases, out);
+  PrintLayered("IDOMAIN", grid.Domain, out);
+  monitor.Progress(0.7);
+  out.Add("END GRIDDATA\n\nBEGIN VERTICES\n");
+  for (std::size_t vertex = 0; vertex < grid.Vertices.size(); ++vertex)
+  {
+    out.Line(" ", " ", vertex + 1, grid.Vertices[vertex][0], grid.Vertices[vertex][1]);
+  }
+  out.Add("END VERTICES\n\nBEGIN CELL2D\n");
+  for (std::size_t column = 0; column < grid.Triangles.size(); ++column)
+  {
+    PrintColumn(grid, column, out);
+  }
+  out.Add("END CELL2D\n");
+  out.Flush();
+}
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsLinePrinter_h
+#define SeismicHorizonsLinePrinter_h
+
+#include "Common/TextPrinter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace SeismicHorizons
+{
+/// A text file of words and numbers.
+class LinePrinter
+{
+public:
+  explicit LinePrinter(std::ostream& stream)
+    : Out(stream)
+  {
+  }
+
+  template <typename Value>
+  LinePrinter& Add(const Value& value)
+  {
+    if constexpr (std::is_same_v<Value, double>)
+    {
+      this->Out.Print(value);
+    }
+    else if constexpr (std::is_integral_v<Value>)
+    {
+      this->Out.Print(std::int64_t(value));
+    }
+    else
+    {
+      this->Out.Print(std::string_view(value));
+    }
+    return *this;
+  }
+
+  /// Values with something between them.
+  template <typename First, typename... Others>
+  void Line(std::string_view between, const First& first, const Others&... others)
+  {
+    this->Add(first);
+    (this->Add(between).Add(others), ...);
+    this->Add("\n");
+  }
+
+  void Flush() { this->Out.Flush(); }
+
+private:
+  TextPrinter Out;
+};
+
+/// A name that can stand between quotes, or on a line.
+inline std::string WithoutQuotes(std::string name)
+{
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return c == '"' || std::iscntrl(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
+}
+
+#endif
