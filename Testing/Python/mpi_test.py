@@ -10,6 +10,7 @@ import shutil
 import sys
 
 from paraview import servermanager, simple
+from seismichorizons import layers as make_layers
 from seismichorizons import vtkGOCADTSurfReader
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
 
@@ -54,6 +55,20 @@ def check_writers(meshes, folder):
     assert not list(folder.glob(".*")), list(folder.iterdir())
 
 
+def check_layers(horizons, folder):
+    """The first rank makes them of all horizons, and writes them; the others have the same blocks, empty."""
+    layers = simple.HorizonLayers(Input=horizons)
+    layers.UpdatePipeline()
+    points = ranks_with_points(layers, 2)
+    assert points[0] > 0 and points[1] == 0, points
+    found = gather(simple.OutputPort(layers, 1), folder / "bodies.vtpc")
+    assert len(found) == 2, list(found)
+    alone = make_layers(read(folder / (horizons.GetXMLName() + ".vtpc")))
+    assert points[0] == alone.cells.GetNumberOfPoints(), (points, alone.cells.GetNumberOfPoints())
+    simple.SaveData(str(folder / "layers.msh"), proxy=layers)
+    assert " %d 1 %d\n" % (points[0], points[0]) in (folder / "layers.msh").read_text()
+
+
 def main():
     folder = pathlib.Path(sys.argv[2])
     shutil.rmtree(folder, ignore_errors=True)
@@ -88,6 +103,7 @@ def main():
         assert len(mesh_checks.array(mesh, "Distance")) == expected.pop(name).GetNumberOfPoints()
     assert not expected, expected.keys()
     check_writers(proxies[-1], folder)
+    check_layers(proxies[0], folder)
 
 
 main()
