@@ -269,6 +269,10 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
 {
   CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
   CheckAtLeast("smallest pinch", this->SmallestPinch, 1, " column");
+  if (!std::isfinite(this->Contact))
+  {
+    throw InputError("contact " + std::to_string(this->Contact) + ", expected a finite number");
+  }
   LayerOptions options;
   options.Crossings = this->MakeCrossings(stack);
   options.MaximumError = this->MaximumError *
@@ -331,21 +335,41 @@ void vtkHorizonLayers::Warn(const Layers& layers, const HorizonStack& stack, con
     vtkWarningMacro(<< "z is time, so that volumes are areas times " << domain
                     << ", expected depths for volumes: convert the horizons to depth before");
   }
+  const std::vector<std::string> names = NamesOfLayers(stack);
   const std::vector<CrossingPolicy>& policies = options.Crossings.Policies;
-  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
+  std::size_t deep = 0; // crossings
+  std::size_t deepest = 0; // the layer of the deepest of these
+  std::vector<std::string> empty;
+  const auto depthOf = [&](std::size_t layer) { return layers.Stack.Repair.Interfaces[layer].Deepest; };
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
   {
-    const double deepest = layers.Stack.Repair.Interfaces[layer].Deepest;
-    if (deepest == 0.0 || policies[std::min(layer, policies.size() - 1)] != CrossingPolicy::Mean)
+    if (MeasureLayer(layers.Plan, layer).Volume == 0.0)
+    {
+      empty.push_back(names[layer]);
+    }
+    if (depthOf(layer) == 0.0 || policies[std::min(layer, policies.size() - 1)] != CrossingPolicy::Mean)
     {
       continue;
     }
     const double noise = std::hypot(MeasureNoise(stack[layer].Placed.Columns, stack[layer].Placed.Height),
       MeasureNoise(stack[layer + 1].Placed.Columns, stack[layer + 1].Placed.Height));
-    if (deepest > 1.0 + MostOfNoise * noise)
+    if (depthOf(layer) > 1.0 + MostOfNoise * noise)
     {
-      vtkWarningMacro(<< stack[layer].Name << " and " << stack[layer + 1].Name << " cross by up to "
-                      << deepest * WorldPerIndex(stack.Grid())
-                      << ", expected no more than their noise makes: at an unconformity choose UpperWins or LowerWins");
+      deepest = deep == 0 || depthOf(layer) > depthOf(deepest) ? layer : deepest;
+      ++deep;
     }
+  }
+  if (deep > 0)
+  {
+    vtkWarningMacro(<< stack[deepest].Name << " and " << stack[deepest + 1].Name
+                    << (deep > 1 ? ", and " + std::to_string(deep - 1) + " other pairs," : "") << " cross by up to "
+                    << depthOf(deepest) * WorldPerIndex(stack.Grid())
+                    << ", expected no more than their noise makes: at an unconformity choose UpperWins or LowerWins");
+  }
+  if (!empty.empty())
+  {
+    vtkWarningMacro(<< empty.front()
+                    << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
+                    << " without a cell, expected horizons that are apart over an area that both have");
   }
 }

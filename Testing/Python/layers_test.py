@@ -238,6 +238,14 @@ class LayersTest(unittest.TestCase):
         mesh = sh.surface(on_grid(100.0 + np.sin(X)), largest_error=2.0)
         with self.assertRaisesRegex(ValueError, "Top: a mesh of 2 triangles that was simplified, expected all points"):
             sh.layers({"Top": mesh, "Base": base})
+        line = np.full(X.shape, np.nan)
+        line[3] = 150.0
+        for thin in (top, on_grid(line)):
+            with self.assertWarnsRegex(UserWarning, "Top to Thin without a cell, expected horizons that are apart over an area"):
+                empty = sh.layers({"Top": top, "Thin": thin}, order="AsGiven")
+            self.assertEqual((empty.figures["Top to Thin"].volume, empty.bodies), (0.0, {}))
+        with self.assertRaisesRegex(ValueError, "contact nan, expected a finite number"):
+            sh.layers(pair, contact=float("nan"))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             sh.layers(pair)
