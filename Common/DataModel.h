@@ -32,6 +32,7 @@ constexpr const char* Origin = "Origin";
 constexpr const char* GuideDistance = "GuideDistance";
 constexpr const char* Isochore = "Isochore";
 constexpr const char* Isopach = "Isopach";
+constexpr const char* Moved = "Moved";
 }
 
 namespace CellArray

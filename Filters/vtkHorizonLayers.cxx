@@ -5,7 +5,6 @@
 
 #include "Common/Errors.h"
 #include "Common/Parameters.h"
-#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/NamedCollection.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
@@ -16,7 +15,6 @@
 #include "Layers/LayerCells.h"
 #include "Layers/LayerPlan.h"
 #include "Marshalling/HeightUnit.h"
-#include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonStack.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/LayerFigures.h"
@@ -44,8 +42,6 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr std::array<const char*, 4> PolicyNames = { "Mean", "UpperWins", "LowerWins", "Stop" };
-
 constexpr std::size_t LayersPort = 0;
 constexpr std::size_t BodiesPort = 1;
 constexpr std::size_t HorizonsPort = 2;
@@ -57,46 +53,6 @@ const char* TellOn(bool isOn)
   return isOn ? "on" : "off";
 }
 
-/// The policies that a text names, one for each layer.
-std::vector<CrossingPolicy> ParsePolicies(const std::string& text, std::size_t layers)
-{
-  std::vector<CrossingPolicy> policies;
-  std::istringstream words(text);
-  for (std::string word; words >> word;)
-  {
-    const auto found = std::find(PolicyNames.begin(), PolicyNames.end(), word);
-    if (found == PolicyNames.end())
-    {
-      throw InputError("crossings \"" + word + "\", expected Mean, UpperWins, LowerWins or Stop");
-    }
-    policies.push_back(static_cast<CrossingPolicy>(found - PolicyNames.begin()));
-  }
-  if (!policies.empty() && policies.size() != layers)
-  {
-    throw InputError("crossings of " + std::to_string(policies.size()) + " layers, expected " + std::to_string(layers) +
-      ", from the uppermost on");
-  }
-  return policies;
-}
-
-/// An empty mesh for each name.
-void MakeBlocks(const std::vector<std::string>& names, const char* root, vtkDataObject* output)
-{
-  const vtkSmartPointer<vtkPartitionedDataSetCollection> blocks = MakeCollection(root);
-  for (std::size_t n = 0; n < names.size(); ++n)
-  {
-    AddName(blocks, names[n]);
-    vtkNew<vtkPolyData> mesh;
-    blocks->SetPartition(unsigned(n), 0, mesh);
-  }
-  output->ShallowCopy(blocks);
-}
-
-vtkPolyData* BlockOf(vtkDataObject* blocks, std::size_t n)
-{
-  auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(blocks);
-  return vtkPolyData::SafeDownCast(collection->GetPartitionAsDataObject(unsigned(n), 0));
-}
 }
 
 vtkStandardNewMacro(vtkHorizonLayers);
@@ -108,22 +64,11 @@ vtkHorizonLayers::vtkHorizonLayers()
 }
 
 //------------------------------------------------------------------------------
-vtkHorizonLayers::~vtkHorizonLayers()
-{
-  this->SetCrossingsByLayer(nullptr);
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonLayers::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "ErrorUnit: " << (this->ErrorUnit == World ? "World" : "Lattice") << "\n";
   os << indent << "BoundThickness: " << TellOn(this->BoundThickness) << "\n";
-  os << indent << "Order: " << (this->Order == AsGiven ? "AsGiven" : "ByHeight") << "\n";
-  os << indent << "Crossings: " << PolicyNames[std::size_t(this->Crossings)] << "\n";
-  os << indent << "CrossingsByLayer: " << (this->CrossingsByLayer ? this->CrossingsByLayer : "(none)") << "\n";
-  os << indent << "MinimumThickness: " << this->MinimumThickness << "\n";
   os << indent << "PinchOutLines: " << TellOn(this->PinchOutLines) << "\n";
   os << indent << "SmallestPinch: " << this->SmallestPinch << "\n";
   os << indent << "Domain: " << (this->Domain == Common ? "Common" : "EachLayer") << "\n";
@@ -137,32 +82,11 @@ void vtkHorizonLayers::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-int vtkHorizonLayers::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonLayers::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const std::array<const char*, 5> types = { "vtkUnstructuredGrid", "vtkPartitionedDataSetCollection",
     "vtkPartitionedDataSetCollection", "vtkTable", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[std::size_t(port)]);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonLayers::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
-{
-  return 1; // the executive makes them
-}
-
-//------------------------------------------------------------------------------
-// Of several processes each reads all horizons, so that all have the same blocks; the first one makes the layers.
-int vtkHorizonLayers::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  AskForWhole(inputVector[0]);
   return 1;
 }
 
@@ -201,70 +125,6 @@ int vtkHorizonLayers::RequestData(
 }
 
 //------------------------------------------------------------------------------
-HorizonStack vtkHorizonLayers::ReadStack(vtkInformationVector* inputs, std::string& subject)
-{
-  std::vector<HorizonLeaf> leaves;
-  std::vector<std::string> names;
-  for (int n = 0; n < inputs->GetNumberOfInformationObjects(); ++n)
-  {
-    for (HorizonLeaf& leaf : ListHorizons(vtkDataObject::GetData(inputs, n), {}))
-    {
-      if (leaf.Input->GetNumberOfPoints() > 0)
-      {
-        names.push_back(leaf.Name.empty() ? "Surface " + std::to_string(names.size() + 1) : leaf.Name);
-        leaves.push_back(std::move(leaf));
-      }
-    }
-  }
-  names = MakeDistinct(std::move(names));
-  HorizonStack stack;
-  for (std::size_t n = 0; n < leaves.size(); ++n)
-  {
-    subject = names[n];
-    RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, {},
-      [&]()
-      {
-        CheckArraySizes(leaves[n].Input);
-        const vtkSmartPointer<vtkPolyData> points = WithoutHiddenPoints(leaves[n].Input);
-        if (points->GetNumberOfPoints() > 0)
-        {
-          stack.Add(names[n], points);
-        }
-      });
-  }
-  subject.clear();
-  if (stack.Size() < 2)
-  {
-    throw InputError(
-      (stack.Size() == 0 ? "no horizon" : "one horizon") + std::string(" with points, expected at least 2"));
-  }
-  stack.PlaceTogether();
-  const CrossingOptions crossings = this->MakeCrossings(stack);
-  if (this->Order == ByHeight)
-  {
-    stack.Reorder(OrderByHeight(stack.Views(), crossings));
-  }
-  return stack;
-}
-
-//------------------------------------------------------------------------------
-CrossingOptions vtkHorizonLayers::MakeCrossings(const HorizonStack& stack) const
-{
-  CrossingOptions crossings;
-  crossings.Names = stack.Names();
-  crossings.HeightsGrowDownwards = stack.HeightsGrowDownwards();
-  crossings.Policies = ParsePolicies(this->CrossingsByLayer ? this->CrossingsByLayer : "", stack.Size() - 1);
-  if (crossings.Policies.empty())
-  {
-    crossings.Policies = { static_cast<CrossingPolicy>(this->Crossings) };
-  }
-  CheckAtLeast("minimum thickness", this->MinimumThickness, 0.0, "");
-  crossings.MinimumThickness = this->MinimumThickness *
-    IndicesPerUnit(this->ErrorUnit == World ? HeightUnit::World : HeightUnit::Lattice, {}, {}, stack.Grid());
-  return crossings;
-}
-
-//------------------------------------------------------------------------------
 LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
 {
   CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
@@ -275,8 +135,7 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
   }
   LayerOptions options;
   options.Crossings = this->MakeCrossings(stack);
-  options.MaximumError = this->MaximumError *
-    IndicesPerUnit(this->ErrorUnit == World ? HeightUnit::World : HeightUnit::Lattice, {}, {}, stack.Grid());
+  options.MaximumError = this->IndicesOf(this->MaximumError, stack);
   options.BoundThickness = this->BoundThickness;
   const bool isCommon = this->Domain == Common || stack.Size() == 2;
   options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;

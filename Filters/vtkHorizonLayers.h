@@ -30,13 +30,13 @@
  * Errors: fewer than two horizons, points between the columns of another horizon, different domains or units of z, no
  * common column, and no clear order.
  *
- * @sa vtkHorizonThickness vtkHorizonSurface
+ * @sa vtkHorizonCrossings vtkHorizonThickness vtkHorizonSurface
  */
 
 #ifndef vtkHorizonLayers_h
 #define vtkHorizonLayers_h
 
-#include "vtkHorizonStage.h"
+#include "vtkHorizonStackStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <string> // for the results
@@ -45,45 +45,25 @@
 namespace SeismicHorizons
 {
 class HorizonStack;
-class Monitor;
-struct CrossingOptions;
 struct LayerOptions;
 struct Layers;
 }
 class vtkDataObject;
 
-class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStage
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStackStage
 {
 public:
   static vtkHorizonLayers* New();
-  vtkTypeMacro(vtkHorizonLayers, vtkHorizonStage);
+  vtkTypeMacro(vtkHorizonLayers, vtkHorizonStackStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
    * The largest vertical distance of a point of any horizon from the layers. Noise of several horizons adds up: three
-   * times the noise of the heights takes few cells. Unit: ErrorUnit. Range: at least 0. Default: 0.75.
+   * times the noise of the heights takes few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
-  ///@}
-
-  /// Values of ErrorUnit.
-  enum ErrorUnits
-  {
-    Lattice = 0,
-    World = 1
-  };
-
-  ///@{
-  /**
-   * The unit of MaximumError and MinimumThickness. Lattice: 1 is one vertical index, a sample. World: the unit of z.
-   * Default: Lattice.
-   */
-  vtkSetClampMacro(ErrorUnit, int, Lattice, World);
-  vtkGetMacro(ErrorUnit, int);
-  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
-  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
   ///@}
 
   ///@{
@@ -94,64 +74,6 @@ public:
   vtkSetMacro(BoundThickness, bool);
   vtkGetMacro(BoundThickness, bool);
   vtkBooleanMacro(BoundThickness, bool);
-  ///@}
-
-  /// Values of Order.
-  enum Orders
-  {
-    ByHeight = 0,
-    AsGiven = 1
-  };
-
-  ///@{
-  /**
-   * Which horizon lies above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
-   * first; for horizons of which none is above the other in most columns. Default: ByHeight.
-   */
-  vtkSetClampMacro(Order, int, ByHeight, AsGiven);
-  vtkGetMacro(Order, int);
-  void SetOrderToByHeight() { this->SetOrder(ByHeight); }
-  void SetOrderToAsGiven() { this->SetOrder(AsGiven); }
-  ///@}
-
-  /// Values of Crossings.
-  enum CrossingPolicies
-  {
-    Mean = 0,
-    UpperWins = 1,
-    LowerWins = 2,
-    Stop = 3
-  };
-
-  ///@{
-  /**
-   * What is done in columns where horizons cross. Mean: all that cross move to their mean, which suits noise. UpperWins:
-   * the lower one moves, as erosion cuts it. LowerWins: the upper one moves, as onlap ends on it. Stop: an error that
-   * says where and how deep. Default: Mean.
-   */
-  vtkSetClampMacro(Crossings, int, Mean, Stop);
-  vtkGetMacro(Crossings, int);
-  void SetCrossingsToMean() { this->SetCrossings(Mean); }
-  void SetCrossingsToUpperWins() { this->SetCrossings(UpperWins); }
-  void SetCrossingsToLowerWins() { this->SetCrossings(LowerWins); }
-  void SetCrossingsToStop() { this->SetCrossings(Stop); }
-  ///@}
-
-  ///@{
-  /**
-   * The same for each layer where these differ: a word of Crossings for each, from the uppermost on, with spaces in
-   * between, as in "Mean LowerWins Mean"; empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
-   */
-  vtkSetStringMacro(CrossingsByLayer);
-  vtkGetStringMacro(CrossingsByLayer);
-  ///@}
-
-  ///@{
-  /**
-   * Columns where a layer is thinner have none of it. Unit: ErrorUnit. Range: at least 0. Default: 0.
-   */
-  vtkSetMacro(MinimumThickness, double);
-  vtkGetMacro(MinimumThickness, double);
   ///@}
 
   ///@{
@@ -273,20 +195,15 @@ public:
 
 protected:
   vtkHorizonLayers();
-  ~vtkHorizonLayers() override;
+  ~vtkHorizonLayers() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkHorizonLayers(const vtkHorizonLayers&) = delete;
   void operator=(const vtkHorizonLayers&) = delete;
 
-  SeismicHorizons::HorizonStack ReadStack(vtkInformationVector* inputs, std::string& subject);
-  SeismicHorizons::CrossingOptions MakeCrossings(const SeismicHorizons::HorizonStack& stack) const;
   SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
   void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
     const std::vector<vtkDataObject*>& outputs);
@@ -294,12 +211,7 @@ private:
     const SeismicHorizons::LayerOptions& options);
 
   double MaximumError = 0.75;
-  int ErrorUnit = Lattice;
   bool BoundThickness = false;
-  int Order = ByHeight;
-  int Crossings = Mean;
-  char* CrossingsByLayer = nullptr;
-  double MinimumThickness = 0.0;
   bool PinchOutLines = true;
   int SmallestPinch = 25;
   int Domain = EachLayer;

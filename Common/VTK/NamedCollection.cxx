@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
 
 namespace SeismicHorizons
 {
@@ -43,5 +44,25 @@ void AddName(vtkPartitionedDataSetCollection* collection, const std::string& nam
   const int node = assembly->AddNode(NodeName(name).c_str());
   assembly->AddDataSetIndex(node, position);
   assembly->SetAttribute(node, "label", name.c_str());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MakeBlocks(const std::vector<std::string>& names, const char* rootName, vtkDataObject* output)
+{
+  const vtkSmartPointer<vtkPartitionedDataSetCollection> blocks = MakeCollection(rootName);
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    AddName(blocks, names[n]);
+    vtkNew<vtkPolyData> mesh;
+    blocks->SetPartition(unsigned(n), 0, mesh);
+  }
+  output->ShallowCopy(blocks);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkPolyData* BlockOf(vtkDataObject* collection, std::size_t number)
+{
+  auto* const blocks = vtkPartitionedDataSetCollection::SafeDownCast(collection);
+  return vtkPolyData::SafeDownCast(blocks->GetPartitionAsDataObject(unsigned(number), 0));
 }
 }

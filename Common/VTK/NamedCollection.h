@@ -8,9 +8,13 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
+class vtkDataObject;
 class vtkPartitionedDataSetCollection;
+class vtkPolyData;
 
 namespace SeismicHorizons
 {
@@ -19,6 +23,12 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> MakeCollection(const char* root
 
 /// Adds an empty partitioned dataset with a name, and a node of the assembly for it.
 void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name);
+
+/// Gives a collection an empty mesh for each name.
+void MakeBlocks(const std::vector<std::string>& names, const char* rootName, vtkDataObject* output);
+
+/// One of these.
+vtkPolyData* BlockOf(vtkDataObject* collection, std::size_t number);
 }
 
 #endif

@@ -169,6 +169,39 @@ class LayersTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "Fill is above Basement in 6. % of their columns and below in 3. %, expected an order"):
             sh.layers(horizons)
 
+    def test_repaired(self):
+        """All points of horizons, in order, by the crossings alone."""
+        spacing = {"spacing": (25.0, -12.5)}
+        horizons = {"Basement": on_grid((80.0 + 2.0 * X)[:, 3:], origin=(5e5 + 75.0 * np.cos(np.pi / 3), 6e6 + 75.0 * np.sin(np.pi / 3)), **spacing),
+                    "Top": on_grid(np.full(X.shape, 100.0), **spacing), "Fill": on_grid(np.full(X.shape, 110.0), **spacing)}
+        given = {name: mesh_checks.coordinates(points) for name, points in horizons.items()}
+        order = ["Top", "Fill", "Basement"]
+        stack = {name: horizons[name] for name in order}
+        for policy in ("UpperWins", "LowerWins", "Mean"):
+            made = sh.crossings(stack, order="AsGiven", crossings=policy)
+            self.assertEqual(list(made), order)
+            heights = np.full((3, *X.shape), np.nan)
+            for n, name in enumerate(order):
+                points = mesh_checks.coordinates(made[name])
+                np.testing.assert_array_equal(points[:, :2], given[name][:, :2])
+                moved = mesh_checks.array(made[name], "Moved")
+                np.testing.assert_allclose(points[:, 2] - given[name][:, 2], moved, atol=1e-9)
+                self.assertEqual(np.count_nonzero(moved), sh.details(made[name]).moved_columns)
+                self.assertAlmostEqual(np.abs(moved).max(), sh.details(made[name]).farthest_move, delta=1e-9)
+                columns = np.rint(lattice_places(made[name], horizons["Top"])[:, :2]).astype(int)
+                heights[n, columns[:, 1], columns[:, 0]] = points[:, 2]
+                np.testing.assert_allclose(mesh_checks.array(made[name], "VerticalIndex"), lattice_places(made[name])[:, 2],
+                                           atol=1e-9)
+            self.assertEqual(np.count_nonzero(np.isnan(heights[2])), 3 * ROWS)
+            before = np.array((np.full(X.shape, -100.0), np.full(X.shape, -110.0), -80.0 - 2.0 * (X - 0.0)))
+            before[2, :, :3] = np.nan
+            expected = {"UpperWins": np.minimum.accumulate(np.nan_to_num(before, nan=-1e9)),
+                        "LowerWins": np.maximum.accumulate(np.nan_to_num(before, nan=-1e9)[::-1])[::-1]}.get(policy)
+            known = ~np.isnan(heights)
+            if expected is not None:
+                np.testing.assert_allclose(heights[known], expected[known], atol=1e-9)
+            self.assertTrue(np.all(np.diff(np.nan_to_num(heights, nan=-1e9), axis=0) <= 1e-9))
+
     def test_faults(self):
         """Thrown down along a line that ends inside, in the lower horizon alone: a wall on both sides, in all layers."""
         lower = 150.0 + np.where((X > 19.5) & (Y < 20.5), 12.0, 0.0)

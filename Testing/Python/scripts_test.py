@@ -76,6 +76,23 @@ def test_side_by_side():
     assert "side_by_side: no property 'Size'" in said, said
 
 
+def test_layers_apart():
+    """Two bodies beside their curves."""
+    said = run(PVBATCH, "layers_apart", SAMPLE, FOLDER / "apart.png", "--crossings", "LowerWins")
+    assert "2 layers over " in said, said
+    reader = vtkPNGReader()
+    reader.SetFileName(str(FOLDER / "apart.png"))
+    reader.Update()
+    picture = reader.GetOutput()
+    assert picture.GetDimensions()[:2] == (1100, 520)
+    for first, most in ((0, 650), (670, 1100)):
+        colors = {tuple(picture.GetScalarComponentAsDouble(x, y, 0, c) for c in range(3)) for x in range(first, most, 5)
+                  for y in range(0, 520, 5)}
+        assert len(colors) > 20, colors
+    said = run(PVBATCH, "layers_apart", "none.vsm", FOLDER / "none.png", code=1)
+    assert "layers_apart: none.vsm: nothing there, expected a file" in said, said
+
+
 def test_fault_cut():
     """Across a straight fault of a throw of 12, a mesh that is cut is near with few triangles, one that is not is far."""
     picks = FOLDER / "faulted.picks"
@@ -99,6 +116,7 @@ def main():
     test_many_horizons()
     test_own_points()
     test_side_by_side()
+    test_layers_apart()
     test_fault_cut()
 
 

@@ -28,7 +28,7 @@ from .making import horizon, horizon_from_points  # noqa: F401: functions of the
 from .stage import make
 from .stages import *  # functions of the package
 from .stages import STAGES, apply
-from .volumes import layers  # noqa: F401: a function of the package
+from .volumes import crossings, layers  # noqa: F401: functions of the package
 
 DISTANCE_LABELS = ("reference to mesh", "mesh to reference", "both")
 
@@ -321,5 +321,5 @@ def _existing(path):
     return path
 
 
-__all__ = ["details", "distance", "extract", "horizon", "horizon_from_points", "layers", "read", "read_cube", "surface", "write",
+__all__ = ["crossings", "details", "distance", "extract", "horizon", "horizon_from_points", "layers", "read", "read_cube", "surface", "write",
            *STAGES]

@@ -56,7 +56,7 @@ def _layers(options):
     words = getattr(options, "crossings", [])
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     error = getattr(options, "largest_error", BEST_ERROR)
-    return {"MaximumError": error, **({"ErrorUnit": "World"} if getattr(error, "unit", "") else {}), **crossings}
+    return {"MaximumError": error, **({"HeightUnit": "World"} if getattr(error, "unit", "") else {}), **crossings}
 
 
 def make_settings(options):

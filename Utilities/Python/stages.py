@@ -15,7 +15,7 @@ from . import calls
 from .stage import make
 
 STAGE = "vtkHorizon"
-OWN = ("vtkHorizonLayers", "vtkHorizonSurface", "vtkHorizonSurfaceDistance")  # which have functions that are written (functions.py, volumes.py)
+OWN = ("vtkHorizonCrossings", "vtkHorizonLayers", "vtkHorizonSurface", "vtkHorizonSurfaceDistance")  # which have functions that are written (functions.py, volumes.py)
 INPUTS = ("horizon", "other")
 TYPES = {bool: "bool", int: "int", float: "float | str", str: "str"}  # of keywords; heights may have a unit
 

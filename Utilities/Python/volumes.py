@@ -58,24 +58,62 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
     >>> sh.layers({"Top": flat, "Base": deep})
     Layers('Top to Base': 5510)
     """
-    named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
-    for data in named.values():
-        calls.require_data(data, "a horizon")
     maker = make(FILTER)
     target = {} if largest_error is None else {"maximum_error": largest_error}
     level = {} if contact is None else {"measure_above_contact": True, "contact": contact}
-    calls.set_keywords(maker, {**target, **level, **keywords}, next(iter(named.values()), None))
-    if isinstance(horizons, Mapping):
-        maker.SetInputDataObject(0, making.collect_picks(horizons))
-    else:
-        for data in named.values():
-            maker.AddInputDataObject(0, data)
-    calls.run(maker, "layers")
+    _run(maker, horizons, {**target, **level, **keywords}, "layers")
     made = _collect(maker)
     made.cells = calls.wrap(made.cells)
     made.bodies = {name: calls.wrap(body) for name, body in made.bodies.items()}
     made.horizons = {name: calls.wrap(mesh) for name, mesh in made.horizons.items()}
     return made
+
+
+def crossings(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], **keywords: Any) -> dict[str, vtkPolyData]:
+    """Horizons that cross, in order.
+
+    Parameters
+    ----------
+    horizons : dict of str to vtkPolyData, or list of vtkPolyData
+        as `layers` takes them.
+    **keywords
+        properties of HorizonCrossings: `crossings`, `crossings_by_layer`, `order` and the like.
+
+    Returns
+    -------
+    dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
+        all points, the uppermost horizon first, with the array Moved.
+
+    Raises
+    ------
+    TypeError, ValueError
+        as those of `layers`.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> flat, tilted = sh.horizon(np.full((4, 5), 2.0)), sh.horizon(np.tile(np.arange(5.0), (4, 1)))
+    >>> ordered = sh.crossings({"Flat": flat, "Tilted": tilted}, order="AsGiven", crossings="UpperWins")
+    >>> sh.details(ordered["Tilted"]).moved_columns
+    8
+    """
+    maker = make("vtkHorizonCrossings")
+    _run(maker, horizons, keywords, "crossings")
+    return {name: calls.wrap(points) for name, points in reading.list_horizons(maker.GetOutputDataObject(0))}
+
+
+def _run(maker, horizons, keywords, label):
+    """A filter of all horizons. Raises TypeError and ValueError."""
+    named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
+    for data in named.values():
+        calls.require_data(data, "a horizon")
+    calls.set_keywords(maker, keywords, next(iter(named.values()), None))
+    if isinstance(horizons, Mapping):
+        maker.SetInputDataObject(0, making.collect_picks(horizons))
+    else:
+        for data in named.values():
+            maker.AddInputDataObject(0, data)
+    calls.run(maker, label)
 
 
 def of_points(points, settings, label):

@@ -480,6 +480,31 @@ void AddColumns(const CompletedColumns& columns, OrderedStack& stack)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+RepairedHorizons RepairHorizons(
+  const std::vector<HorizonView>& horizons, const CrossingOptions& options, const Monitor& monitor)
+{
+  CheckHorizons(horizons, options);
+  const CommonColumns columns = FindColumnsOfAny(horizons);
+  HeightStack stack = HeightsOf(horizons, columns);
+  RepairedHorizons repaired;
+  repaired.Repair = RepairCrossings(stack, options, monitor);
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    std::vector<double> heights(horizons[n].Columns.size());
+    for (std::size_t column = 0; column < columns.Columns.size(); ++column)
+    {
+      const PointId point = columns.Points[n][column];
+      if (point != NoPoint)
+      {
+        heights[std::size_t(point)] = stack[n][column];
+      }
+    }
+    repaired.Heights.push_back(std::move(heights));
+  }
+  return repaired;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, const CrossingOptions& options)
 {
   constexpr double MostBelow = 0.25;

@@ -59,6 +59,17 @@ Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first);
 /// Puts columns into a stack.
 void AddColumns(const CompletedColumns& columns, OrderedStack& stack);
 
+/// Horizons with all their points, in order.
+struct RepairedHorizons
+{
+  HeightStack Heights; // by horizon and point
+  CrossingRepair Repair;
+};
+
+/// Throws InputError as MakeStack does, but for columns in common.
+RepairedHorizons RepairHorizons(
+  const std::vector<HorizonView>& horizons, const CrossingOptions& options, const Monitor& monitor = Monitor());
+
 /// The numbers of the horizons, the uppermost first by their mean heights over the columns that all have. Throws
 /// InputError where there is no such column, and where a horizon is below the next one in more than a quarter of the
 /// columns in which the two differ.

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonCrossings.h"
+
+#include "Common/Monitor.h"
+#include "Common/VTK/NamedCollection.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/Ranks.h"
+#include "Common/VTK/VersionDifferences.h"
+#include "Layers/OrderedStack.h"
+#include "Marshalling/HorizonStack.h"
+#include "Marshalling/HorizonTree.h"
+#include "Marshalling/StackOutput.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <vector>
+
+using namespace SeismicHorizons;
+
+vtkStandardNewMacro(vtkHorizonCrossings);
+
+//------------------------------------------------------------------------------
+int vtkHorizonCrossings::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonCrossings::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
+  const Ranks ranks(this->GetController(), request, outputVector);
+  this->Results.clear();
+  const auto work = [&](std::string& subject, const Monitor& monitor)
+  {
+    const auto repair = [&]()
+    {
+      const HorizonStack stack = this->ReadStack(inputVector[0], subject);
+      monitor.Progress(0.4);
+      MakeBlocks(stack.Names(), "Horizons", outputs.front());
+      if (ranks.Own() > 0)
+      {
+        return;
+      }
+      const RepairedHorizons repaired =
+        RepairHorizons(stack.Views(), this->MakeCrossings(stack), monitor.Step(0.4, 0.8));
+      for (std::size_t horizon = 0; horizon < stack.Size(); ++horizon)
+      {
+        WriteRepaired(repaired, horizon, stack, BlockOf(outputs.front(), horizon));
+      }
+      this->Results = TellRepair(repaired.Repair, stack);
+    };
+    ranks.Together(repair);
+  };
+  const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
+  this->Results = done && !IsAborted(this) ? this->Results : std::string();
+  return done;
+}

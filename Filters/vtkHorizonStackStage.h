@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHorizonStackStage
+ * @brief   what the filters that take all horizons of a stack together have in common
+ *
+ * Input: the points of two or more horizons of one survey: composite datasets, or several connections. They stand on one
+ * lattice, or on lattices whose steps are whole multiples of the smallest one, such as every second line. Of several
+ * processes each reads all of them, and the first one has the result.
+ *
+ * @sa vtkHorizonLayers vtkHorizonCrossings
+ */
+
+#ifndef vtkHorizonStackStage_h
+#define vtkHorizonStackStage_h
+
+#include "vtkHorizonStage.h"
+#include "vtkSeismicHorizonsModule.h" // for the export macro
+
+#include <string> // for names
+
+namespace SeismicHorizons
+{
+class HorizonStack;
+struct CrossingOptions;
+}
+
+class VTKSEISMICHORIZONS_EXPORT vtkHorizonStackStage : public vtkHorizonStage
+{
+public:
+  vtkTypeMacro(vtkHorizonStackStage, vtkHorizonStage);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of Order.
+  enum Orders
+  {
+    ByHeight = 0,
+    AsGiven = 1
+  };
+
+  ///@{
+  /**
+   * Which horizon lies above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
+   * first; for horizons of which none is above the other in most columns. Default: ByHeight.
+   */
+  vtkSetClampMacro(Order, int, ByHeight, AsGiven);
+  vtkGetMacro(Order, int);
+  void SetOrderToByHeight() { this->SetOrder(ByHeight); }
+  void SetOrderToAsGiven() { this->SetOrder(AsGiven); }
+  ///@}
+
+  /// Values of Crossings.
+  enum CrossingPolicies
+  {
+    Mean = 0,
+    UpperWins = 1,
+    LowerWins = 2,
+    Stop = 3
+  };
+
+  ///@{
+  /**
+   * What is done in columns where horizons cross. Mean: all that cross move to their mean, which suits noise. UpperWins:
+   * the lower one moves, as erosion cuts it. LowerWins: the upper one moves, as onlap ends on it. Stop: an error that
+   * says where and how deep. Default: Mean.
+   */
+  vtkSetClampMacro(Crossings, int, Mean, Stop);
+  vtkGetMacro(Crossings, int);
+  void SetCrossingsToMean() { this->SetCrossings(Mean); }
+  void SetCrossingsToUpperWins() { this->SetCrossings(UpperWins); }
+  void SetCrossingsToLowerWins() { this->SetCrossings(LowerWins); }
+  void SetCrossingsToStop() { this->SetCrossings(Stop); }
+  ///@}
+
+  ///@{
+  /**
+   * The same for each layer where these differ: a word of Crossings for each, from the uppermost on, with spaces in
+   * between, as in "Mean LowerWins Mean"; empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
+   */
+  vtkSetStringMacro(CrossingsByLayer);
+  vtkGetStringMacro(CrossingsByLayer);
+  ///@}
+
+  ///@{
+  /**
+   * Columns where a layer is thinner have none of it. Unit: HeightUnit. Range: at least 0. Default: 0.
+   */
+  vtkSetMacro(MinimumThickness, double);
+  vtkGetMacro(MinimumThickness, double);
+  ///@}
+
+  /// Values of HeightUnit.
+  enum HeightUnits
+  {
+    Lattice = 0,
+    World = 1
+  };
+
+  ///@{
+  /**
+   * The unit of heights: of MinimumThickness, and of MaximumError in Horizon Layers. Lattice: 1 is one vertical index, a sample. World: the unit of z.
+   * Default: Lattice.
+   */
+  vtkSetClampMacro(HeightUnit, int, Lattice, World);
+  vtkGetMacro(HeightUnit, int);
+  void SetHeightUnitToLattice() { this->SetHeightUnit(Lattice); }
+  void SetHeightUnitToWorld() { this->SetHeightUnit(World); }
+  ///@}
+
+protected:
+  vtkHorizonStackStage() = default;
+  ~vtkHorizonStackStage() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// The horizons of all connections, in order; `subject` is the one that is read. Throws SeismicHorizons::InputError.
+  SeismicHorizons::HorizonStack ReadStack(vtkInformationVector* inputs, std::string& subject);
+  SeismicHorizons::CrossingOptions MakeCrossings(const SeismicHorizons::HorizonStack& stack) const;
+  /// How many vertical indices a height is.
+  double IndicesOf(double height, const SeismicHorizons::HorizonStack& stack) const;
+
+private:
+  vtkHorizonStackStage(const vtkHorizonStackStage&) = delete;
+  void operator=(const vtkHorizonStackStage&) = delete;
+
+  int Order = ByHeight;
+  int Crossings = Mean;
+  char* CrossingsByLayer = nullptr;
+  double MinimumThickness = 0.0;
+  int HeightUnit = Lattice;
+};
+
+#endif
