@@ -45,7 +45,7 @@ public:
 
   /// Values with something between them.
   template <typename First, typename... Others>
-  void Line(std::string_view between, const First& first, const Others&... others)
+  void Line([[maybe_unused]] std::string_view between, const First& first, const Others&... others)
   {
     this->Add(first);
     (this->Add(between).Add(others), ...);

@@ -402,6 +402,16 @@ OrderedStack MakeStack(
 CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, PlanePoints columns, const Loops& loops,
   bool withLoops, const LinkCuts* cuts, const CrossingOptions& options)
 {
+  CompletedColumns completed;
+  const bool areSame = std::all_of(horizons.begin(), horizons.end(),
+    [&columns](const HorizonView& horizon) { return horizon.Columns.size() == columns.size(); });
+  if (areSame)
+  {
+    completed.Heights.resize(horizons.size());
+    completed.Repair.Horizons.resize(horizons.size());
+    completed.Repair.Interfaces.resize(horizons.size() - 1);
+    return completed;
+  }
   CommonColumns others = FindColumnsOfAny(horizons);
   const LoopRows rows(columns, loops);
   const ColumnIndex index(columns);
@@ -418,7 +428,6 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
       const bool isThere = box.Contains(column) && index[index.Place(column)] != NoPoint;
       return !isThere && loopAt(column) != NoPoint;
     });
-  CompletedColumns completed;
   completed.Heights = HeightsOf(horizons, others);
   completed.Repair = RepairCrossings(completed.Heights, options);
   for (std::size_t n = 0; n < horizons.size() && !others.Columns.empty(); ++n)
