@@ -60,13 +60,21 @@ class Entry:
     mesh: Optional[Mesh] = None
 
 
+@dataclass
+class LayerEntry:
+    """Of the layers of a file: `bodies` to turn, by their names."""
+
+    picture: Optional[Picture] = None
+    bodies: dict = field(default_factory=dict)
+
+
 class Album:
     """The entries of all horizons in their order. Pictures need an X server."""
 
     def __init__(self, with_pictures):
         self.with_pictures = with_pictures
         self.entries = []
-        self.layers = []  # pictures of bodies, or None, by file that has layers
+        self.layers = []  # of each file that has some
         self._studio = None
 
     def add(self, result, rank):
@@ -82,16 +90,24 @@ class Album:
               PICTURE_BYTES, MOST_PICTURED)
 
     def add_layers(self, made):
-        """The layers of another file (volumes.Layers): their bodies, taken apart."""
-        if not self.with_pictures or len(self.layers) >= MOST_PICTURED or not made.bodies:
-            self.layers.append(None)
-            return
+        """The layers of another file (volumes.Layers): their bodies, taken apart in the picture, and to turn where there is
+        room for all of them."""
+        entry = LayerEntry()
+        self.layers.append(entry)
+        bodies = {name: encode(body) for name, body in made.bodies.items()}
+        taken = sum(len(mesh.content) for one in self.layers for mesh in one.bodies.values())
+        if taken + sum(len(mesh.content) for mesh in bodies.values()) <= MESH_BYTES // 2:
+            entry.bodies = bodies
+        if self.with_pictures and len(self.layers) <= MOST_PICTURED and bodies:
+            entry.picture = self._draw_bodies(list(made.bodies.values()))
+
+    def _draw_bodies(self, bodies):
         from . import pictures
 
         self._studio = self._studio or pictures.Studio()
-        panel = pictures.Panel("", "", take_apart(list(made.bodies.values())), pictures.BODIES)
+        panel = pictures.Panel("", "", take_apart(bodies), pictures.BODIES)
         (image,), exaggeration, _ = pictures.draw_each([panel], PICTURE_SIZE, self._studio)
-        self.layers.append(Picture("Layers", "taken apart, heights \u00d7 %g" % exaggeration, pictures.as_jpeg(image)))
+        return Picture("Layers", "taken apart, heights \u00d7 %g" % exaggeration, pictures.as_jpeg(image))
 
     def cut(self, number):
         """Leaves only so many entries, the first ones."""

@@ -129,11 +129,24 @@ def _viewer(run, album, three):
         "%s larger than the %d MB that there is room for, and only in the files." % (
             "1 mesh is" if left_out == 1 else "%d meshes are" % left_out, MESH_BYTES >> 20) if left_out else "")
     by_error = any(album.entries[number].mesh.error_on for number in having)
-    return fill("viewer", note=note, choices=_choices(run, having), manifest=as_json(_manifest(run, album, having)),
+    return fill("viewer", note=note, choices=join((_choices(run, having), _body_choices(run, album))), manifest=as_json(_manifest(run, album, having)),
                 by_error=fill("by_error") if by_error else None,
                 fault_color=fill("fault_color") if any(album.entries[n].mesh.fault_triangles for n in having) else None,
-                meshes=join((fill("mesh", number=number, content=_base64(album.entries[number].mesh.content))
-                             for number in having), "\n"))
+                meshes=join((fill("mesh", number=number, content=_base64(mesh.content)) for number, mesh in (
+                    *((number, album.entries[number].mesh) for number in having), *_bodies(album).items())), "\n"))
+
+
+def _bodies(album):
+    """The bodies of layers that can be turned, by their places in the page."""
+    return {"layer-%d-%d" % (place, number): mesh for place, entry in enumerate(album.layers)
+            for number, mesh in enumerate(entry.bodies.values())}
+
+
+def _body_choices(run, album):
+    having = [file for file in run["files"] if file["layers"]]
+    return join(fill("choices", label="Layers of %s" % file["label"], all=None, options=join(
+        fill("choice", value="layer-%d-%d" % (place, number), text=name) for number, name in enumerate(entry.bodies)))
+        for place, (file, entry) in enumerate(zip(having, album.layers)) if entry.bodies)
 
 
 def _base64(content):
@@ -164,13 +177,11 @@ def _manifest(run, album, having):
     """What the program in the page has to know of the meshes."""
     pairs = sections.horizons_of(run)
     units = {h["distances"]["unit"] for _, h in pairs if h["distances"]}
-    meshes = {}
-    for number in having:
-        mesh = album.entries[number].mesh
-        meshes[number] = {"center": mesh.center, "points": mesh.points, "triangles": mesh.triangles,
-                          "fault_triangles": mesh.fault_triangles,
-                          "error_on": mesh.error_on, "farthest": mesh.farthest,
-                          "unit": (pairs[number][0]["survey"] or {}).get("vertical_unit")}
+    unit_of = {number: (pairs[number][0]["survey"] or {}).get("vertical_unit") for number in having}
+    meshes = {number: {
+        "center": mesh.center, "points": mesh.points, "triangles": mesh.triangles, "fault_triangles": mesh.fault_triangles,
+        "error_on": mesh.error_on, "farthest": mesh.farthest, "unit": unit_of.get(number)} for number, mesh in (
+            *((number, album.entries[number].mesh) for number in having), *_bodies(album).items())}
     return {"meshes": meshes, "files": [[str(n) for n in group] for group in _numbers_by_file(run, having)],
             "unit": "%s units" % next(iter(units), "lattice"),
             "low_to_high": [(n / (len(LOW_TO_HIGH) - 1), *rgb(color)) for n, color in enumerate(LOW_TO_HIGH)],

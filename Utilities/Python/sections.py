@@ -196,8 +196,8 @@ def layers(run, album):
         return Markup()
     heads = [fill("plain_head", kind="name", text="Layer", meaning="from its top to its base")]
     heads += [fill("plain_head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in LAYER_COLUMNS]
-    return fill("layers", tables=join(_layer_table(file, join(heads), picture)
-                                      for file, picture in zip(having, album.layers if album else [None] * len(having))))
+    pictures = [entry.picture for entry in album.layers] if album else [None] * len(having)
+    return fill("layers", tables=join(_layer_table(file, join(heads), picture) for file, picture in zip(having, pictures)))
 
 
 def _layer_table(file, heads, picture):
