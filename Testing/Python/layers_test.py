@@ -11,8 +11,6 @@ import mesh_checks
 import numpy as np
 import seismichorizons as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
 SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
@@ -44,17 +42,6 @@ def surface_heights(mesh, places):
         inside = np.all(weights >= -1e-9, axis=0)
         heights[near[inside]] = weights.T[inside] @ np.array([a[2], b[2], c[2]])
     return heights
-
-
-def described(horizon, name, value):
-    """A horizon with a text of its survey."""
-    copy = vtkPolyData()
-    copy.ShallowCopy(horizon)
-    text = vtkStringArray()
-    text.SetName(name)
-    text.InsertNextValue(value)
-    copy.GetFieldData().AddArray(text)
-    return copy
 
 
 class LayersTest(unittest.TestCase):
@@ -265,9 +252,9 @@ class LayersTest(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, message):
                 sh.layers(pair, **keywords)
         with self.assertRaisesRegex(ValueError, 'Base of the VerticalDomain "time", expected "depth" as of Top'):
-            sh.layers({"Top": described(top, "VerticalDomain", "depth"), "Base": described(base, "VerticalDomain", "time")})
+            sh.layers({"Top": mesh_checks.with_text(top, "VerticalDomain", "depth"), "Base": mesh_checks.with_text(base, "VerticalDomain", "time")})
         with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):
-            sh.layers({name: described(points, "VerticalDomain", "time") for name, points in pair.items()})
+            sh.layers({name: mesh_checks.with_text(points, "VerticalDomain", "time") for name, points in pair.items()})
         mesh = sh.surface(on_grid(100.0 + np.sin(X)), largest_error=2.0)
         with self.assertRaisesRegex(ValueError, "Top: a mesh of 2 triangles that was simplified, expected all points"):
             sh.layers({"Top": mesh, "Base": base})

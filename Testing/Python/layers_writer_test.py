@@ -7,10 +7,10 @@ import re
 import sys
 import unittest
 
+import mesh_checks
 import numpy as np
 import seismichorizons as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
@@ -30,16 +30,6 @@ def volume_of(points):
     """Of tetrahedra, pyramids and wedges whose corners are in the order of Gmsh and Abaqus, by pieces."""
     cuts = {4: [(0, 1, 2, 3)], 5: [(0, 1, 2, 4), (0, 2, 3, 4)], 6: [(0, 1, 2, 3), (1, 2, 3, 4), (2, 3, 4, 5)]}[len(points)]
     return [np.linalg.det(points[list(cut[1:])] - points[cut[0]]) / 6.0 for cut in cuts]
-
-
-def with_text(grid, name, value):
-    copy = vtkUnstructuredGrid()
-    copy.ShallowCopy(grid)
-    text = vtkStringArray()
-    text.SetName(name)
-    text.InsertNextValue(value)
-    copy.GetFieldData().AddArray(text)
-    return copy
 
 
 class LayersWriterTest(unittest.TestCase):
@@ -184,7 +174,7 @@ class LayersWriterTest(unittest.TestCase):
         below = vtkUnstructuredGrid()
         below.DeepCopy(few)
         vtk_to_numpy(below.GetCellData().GetArray("Layer"))[0] = 4
-        feet = with_text(with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "m")
+        feet = mesh_checks.with_text(mesh_checks.with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "m")
         for data, form, message in (
                 (vtkUnstructuredGrid(), "msh", "no cells, expected layers as Horizon Layers makes them"),
                 (without, "inp", "no cell data array Triangle of one number, expected layers"),
@@ -192,7 +182,7 @@ class LayersWriterTest(unittest.TestCase):
                 (below, "msh", "layer 4 of cell 0, expected 0 to 0"),
                 (apart, "disv", "cells of triangle 0 that are not over each other, expected layers"),
                 (tilted, "disv", "whose sides are not upright, expected layers"),
-                (with_text(few, "VerticalDomain", "time"), "disv", "layers in time, expected depths: convert the horizons before"),
+                (mesh_checks.with_text(few, "VerticalDomain", "time"), "disv", "layers in time, expected depths: convert the horizons before"),
                 (feet, "disv", "z in ft and x and y in m, expected one unit")):
             path = FOLDER / ("wrong." + form)
             with self.assertRaisesRegex(ValueError, message):
@@ -200,7 +190,7 @@ class LayersWriterTest(unittest.TestCase):
             self.assertFalse(path.exists())
         with self.assertRaisesRegex(ValueError, "the extension .stl, expected one of .msh, .inp, .disv, .vtu"):
             sh.write(few, FOLDER / "wrong.stl")
-        sh.write(with_text(with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "ft"), FOLDER / "feet.disv")
+        sh.write(mesh_checks.with_text(mesh_checks.with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "ft"), FOLDER / "feet.disv")
         self.assertIn("  LENGTH_UNITS FEET\n", (FOLDER / "feet.disv").read_text())
 
     def test_bodies(self):

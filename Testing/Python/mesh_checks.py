@@ -4,6 +4,7 @@
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
@@ -26,6 +27,17 @@ def blocks(collection):
                 assert name not in found, "two parts of %s" % name
                 found[name] = horizon
     return found
+
+
+def with_text(data, name, value):
+    """A copy with a text of its survey."""
+    copy = data.NewInstance()
+    copy.ShallowCopy(data)
+    text = vtkStringArray()
+    text.SetName(name)
+    text.InsertNextValue(value)
+    copy.GetFieldData().AddArray(text)
+    return copy
 
 
 def coordinates(mesh):

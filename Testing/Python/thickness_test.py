@@ -6,10 +6,11 @@ import pathlib
 import sys
 import unittest
 
+import mesh_checks
 import numpy as np
 import seismichorizons as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
@@ -22,17 +23,6 @@ def moved(horizon, shift, rows=slice(None)):
     for place in (vtk_to_numpy(horizon.GetPoints().GetData()) + shift)[rows]:
         data.GetPoints().InsertNextPoint(place)
     return data
-
-
-def described(horizon, name, value):
-    """A horizon with a text of its survey."""
-    copy = vtkPolyData()
-    copy.ShallowCopy(horizon)
-    text = vtkStringArray()
-    text.SetName(name)
-    text.InsertNextValue(value)
-    copy.GetFieldData().AddArray(text)
-    return copy
 
 
 class ThicknessTest(unittest.TestCase):
@@ -82,7 +72,7 @@ class ThicknessTest(unittest.TestCase):
     def test_time(self):
         """Times have no true thickness and no volume."""
         top, base = self.horizons[:2]
-        copy = described(top, "VerticalDomain", "time")
+        copy = mesh_checks.with_text(top, "VerticalDomain", "time")
         found = sh.thickness(copy, base)
         self.assertIsNotNone(found.GetPointData().GetArray("Isochore"))
         self.assertIsNone(found.GetPointData().GetArray("Isopach"))
@@ -106,7 +96,7 @@ class ThicknessTest(unittest.TestCase):
         for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s")):
             with self.assertRaisesRegex(ValueError, 'an other horizon of the %s "%s", expected "%s" as of the first one'
                                         % (name, other, value)):
-                sh.thickness(described(top, name, value), described(base, name, other))
+                sh.thickness(mesh_checks.with_text(top, name, value), mesh_checks.with_text(base, name, other))
         with self.assertWarnsRegex(UserWarning, "the horizons cross in .* columns, expected few"):
             mean = np.mean(vtk_to_numpy(top.GetPoints().GetData())[:, 2] - 0.0)
             flat = moved(top, (0.0, 0.0, 0.0))
