@@ -81,7 +81,8 @@ class FirstSightTest(unittest.TestCase):
 
     def show(self, source, port=0):
         display = simple.Show(simple.OutputPort(source, port), self.view)
-        has_edges = port == 0 and source.__class__.__name__ in ("HorizonSurface", "HorizonTriangulation", "HorizonDecimation")
+        meshes = ("HorizonSurface", "HorizonTriangulation", "HorizonDecimation")
+        has_edges = source.__class__.__name__ in (meshes if port == 0 else ("HorizonLayers",))
         self.assertEqual(display.Representation, "Surface With Edges" if has_edges else "Surface")
         return display
 
@@ -263,6 +264,15 @@ class FirstSightTest(unittest.TestCase):
         surface = simple.HorizonSurface(Input=self.horizons)
         self.assertEqual(colored_by(self.show(surface)), ("POINTS", "Depth"))
         self.assertEqual(self.show(surface, 1).LineWidth, 3)
+
+    def test_layers_have_their_colours(self):
+        """Several by their numbers, one by height; the repaired horizons by how far points were moved."""
+        horizons = [self.picks("m", top) for top in (100, 140, 180)]
+        display = self.show(simple.HorizonLayers(Input=horizons), 1)
+        self.assertEqual((colored_by(display), range_of(display)), (("CELLS", "Layer"), [0, 1]))
+        self.assertEqual(colored_by(self.show(simple.HorizonLayers(Input=horizons[:2]), 1)), ("POINTS", "Depth (m)"))
+        crossings = simple.HorizonCrossings(Input=horizons[:2], MinimumThickness=1000)
+        self.assertEqual(colored_by(self.show(crossings)), ("POINTS", "Moved"))
 
     def test_distances(self):
         mesh = simple.HorizonSurface(Input=self.horizons)
