@@ -13,8 +13,8 @@ import subprocess
 import sys
 
 # Rows for one surface, by what its heading says.
-ROWS = {"The surfaces": 1, "(table 4.1)": 2, "(table 4.2)": 2, "(table 4.3)": 4, "(table 4.4)": 4, "(table 4.5)": 4,
-        "(table 4.6)": 4, "(table 5.1": 1, "What a vertex buys": 8, "Surface by surface": 8}
+ROWS = {"The surfaces": 1, "(tables 4.1, 4.2 and 4.4)": 4, "(table 4.3)": 4, "(table 4.4)": 3, "(table 4.5)": 3,
+        "(table 4.6)": 3, "(table 5.1": 1, "What a vertex buys": 8}
 MOST = {"largest": 0.02, "mean": 0.002}  # of our meshes; the thesis has up to 0.048 and 0.0007
 MOST_OUTLINE = 0.5
 
@@ -58,7 +58,7 @@ def check_partners(heads, rows):
     assert float(ours["outline, columns"]) <= MOST_OUTLINE
     for row in rows[1:]:
         partner = dict(zip(heads, row))
-        assert 0.7 < float(partner["vertices"]) / float(ours["vertices"]) < 1.4, row
+        assert 0.7 < float(partner["vertices / ours"]) < 1.4, row
         assert float(partner["time / ours"]) > 0.0, row
 
 
@@ -103,7 +103,7 @@ def main():
             if title in heading:
                 seen.add(title)
                 assert len(rows) == number, "%s has %d rows, expected %d" % (heading, len(rows), number)
-        if "Surface by surface" in heading:
+        if "What a vertex buys" in heading:
             check_partners(heads, rows)
     assert seen == set(ROWS), "no table for %s" % (set(ROWS) - seen)
     check_figures((folder / "Figures.md").read_text(encoding="utf-8"))

@@ -5,7 +5,6 @@
 from text import table
 
 from . import reported
-from .study import OURS
 from .surfaces import box_of, occupancy
 
 HEADS = ["points", "method", "left, thesis", "here", "largest, thesis", "here", "mean, thesis", "here", "ms, thesis",
@@ -58,20 +57,20 @@ def cluster_row(surface, size):
     return row(surface, "merged, %d" % size, reported.CLUSTER[surface.size][size], surface.cluster.get(size))
 
 
-def global_rows(surface, size):
-    return [row(surface, "both, flatness %.2f" % flatness, reported.GLOBAL[size][surface.size][n],
-                surface.both[size][n]) for n, flatness in enumerate(reported.FLATNESS)]
+def rough(found):
+    """Tables 4.1 and 4.2, and what table 4.4 has of merging."""
+    return table(HEADS, [make(s, size) for s in found for make in (rough_row, cluster_row) for size in (6, 8)])
 
 
-def table_4_1(found):
-    return table(HEADS, [make(s, 6) for s in found for make in (rough_row, cluster_row)])
+def both(found, size):
+    """Tables 4.4 to 4.6."""
+    return table([HEADS[0], "flatness", *HEADS[2:]], [
+        row(s, "%.2f" % flatness, reported.GLOBAL[size][s.size][n], s.both[size][n])
+        for s in found for n, flatness in enumerate(reported.FLATNESS)])
 
 
-def table_4_2(found):
-    return table(HEADS, [rough_row(s, size) for s in found for size in (6, 8)])
-
-
-def table_4_3(found):
+def elaborate(found):
+    """Table 4.3."""
     heads = ["points", "method", "left, thesis", "alone", "after rough", "largest, thesis", "alone", "after rough",
              "mean, thesis", "alone", "after rough", "ms alone, thesis", "here", "ms after rough, thesis", "here"]
     rows = []
@@ -95,14 +94,6 @@ def elaborate_row(surface, n):
             milliseconds(after.seconds)]
 
 
-def table_4_4(found):
-    return table(HEADS, [r for s in found for r in [cluster_row(s, 8)] + global_rows(s, 3)])
-
-
-def table_4_5_and_6(found, size):
-    return table(HEADS, [r for s in found for r in [rough_row(s, size)] + global_rows(s, size)])
-
-
 def table_5_1(meshings):
     heads = ["points", "triangles, thesis", "here", "CTC ms, thesis", "here", "VTS ms, thesis", "here",
              "triangles of ball pivoting, thesis", "here", "ms, thesis", "here", "vtkDelaunay2D ms"]
@@ -115,17 +106,3 @@ def table_5_1(meshings):
                      milliseconds(m.seconds["BP"]) if "BP" in m.seconds else "-",
                      milliseconds(m.seconds["vtkDelaunay2D"]) if "vtkDelaunay2D" in m.seconds else "-"])
     return table(heads, rows)
-
-
-def equal_vertices(found, name):
-    """Everybody's meshes with as many vertices as ours, surface by surface."""
-    rows = []
-    for s in found:
-        ours = s.equal[name][OURS]
-        for partner, result in s.equal[name].items():
-            w = result.worth
-            rows.append(["%d" % s.size, partner, "%d" % w.vertices, error(w.largest, 4), error(w.mean, 5),
-                         "%.1f" % w.outline, "%.2f" % w.smallest_angle, "%.2f" % w.quality,
-                         "%.3g" % (result.seconds / ours.seconds)])
-    return table(["points", "mesh", "vertices", "largest", "mean", "outline, columns", "smallest angle", "mean quality",
-                  "time / ours"], rows)

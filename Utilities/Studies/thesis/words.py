@@ -10,16 +10,10 @@ from . import reported
 from .study import OURS
 
 MESHERS = {"VTS": "Voxel traversal", "CTC": "Compactness", "BP": "Ball pivoting"}
-SAME = 1.1  # ratios nearer to 1 than this are called the same
 
 
 def ratio(value):
     return "%.0f" % value if value >= 20.0 else "%.2g" % value
-
-
-def judge(value):
-    """Of a ratio to ours in something of which less is better."""
-    return "better" if value < 1.0 / SAME else "worse" if value > SAME else "the same"
 
 
 def listing(parts):
@@ -48,21 +42,6 @@ class Against:
         return [self.partner, "%d" % self.number, "%.2f" % self.vertices, ratio(self.mean), ratio(self.largest),
                 "%.1f" % self.outline, "%.2f" % self.angle, "%.2f" % self.quality, ratio(self.seconds)]
 
-    def sentence(self):
-        verdicts = {"better": [], "worse": [], "the same": []}
-        for what, value, told in (
-                ("the mean error", self.mean, "%s times ours" % ratio(self.mean)),
-                ("the largest error", self.largest, "%s times" % ratio(self.largest)),
-                ("the outline", (self.outline + 0.01) / (self.our_outline + 0.01),
-                 "%.1f columns off, ours %.1f" % (self.outline, self.our_outline)),
-                ("the mean quality of the triangles", self.our_quality / self.quality,
-                 "%.2f, ours %.2f" % (self.quality, self.our_quality)),
-                ("time", self.seconds, "%s times ours" % ratio(self.seconds))):
-            verdicts[judge(value)].append("%s (%s)" % (what, told))
-        texts = ["%s in %s" % (verdict if verdict == "the same" else verdict + " than ours", listing(parts))
-                 for verdict, parts in verdicts.items() if parts]
-        return "- **%s** is %s." % (self.partner, "; ".join(texts))
-
 
 def per_vertex(partner, ours, name):
     def product(measured):
@@ -87,37 +66,23 @@ def partner_table(found, name):
     return table(heads, [own] + [against.row() for against in partners(found, name)])
 
 
-def partner_sentences(found, name):
-    return "\n".join(against.sentence() for against in partners(found, name)) + "\n"
-
-
 def best_sentence(found, name):
-    """Whose vertices buy most, ourselves among them."""
+    """Whose vertices buy most, of all others."""
     against = partners(found, name)
-    parts = []
-    for what, value in (("mean", lambda a: a.mean), ("largest", lambda a: a.largest)):
-        best = min(against, key=value)
-        parts.append("the least %s error per vertex is %s" % (
-            what, "that of **%s**, %s times ours" % (best.partner, ratio(value(best))) if value(best) < 1.0 else
-            "ours; next is that of **%s**, %s times ours" % (best.partner, ratio(value(best)))))
-    nearest = min(against, key=lambda a: a.outline)
-    parts.append("of the others the outline of **%s** is nearest, %.1f columns off, where ours is %.1f" % (
-        nearest.partner, nearest.outline, nearest.our_outline))
-    text = "; ".join(parts)
-    return text[0].upper() + text[1:] + ".\n"
+    mean, largest, nearest = (min(against, key=lambda a, what=what: getattr(a, what))
+                              for what in ("mean", "largest", "outline"))
+    return "of the others **%s** has the least mean error (%s times ours), **%s** the least largest error (%s " \
+        "times), **%s** the nearest outline (%.1f columns off, ours %.1f)." % (
+            mean.partner, ratio(mean.mean), largest.partner, ratio(largest.largest), nearest.partner, nearest.outline,
+            nearest.our_outline)
 
 
 def own_sentence(found):
     """Whether the vertices of the elaborate simplification buy more than those of the rough one."""
     pairs = [(s.alone[0], s.rough[3]) for s in found]
     mean, largest = (median(per_vertex(e, r, name) for e, r in pairs) for name in ("mean", "largest"))
-    return "Of our own two, a vertex of the elaborate simplification alone (s = 8, flatness 0.03) buys %s than one " \
-        "of the rough one (s = 3) in the mean error (%s times its error times vertices), and %s in the largest (%s " \
-        "times).\n" % (comparison(mean), ratio(mean), comparison(largest), ratio(largest))
-
-
-def comparison(value):
-    return {"better": "more", "worse": "less", "the same": "not more or less"}[judge(value)]
+    return "Our elaborate simplification alone (s = 8, flatness 0.03) has %s times the mean error times vertices of " \
+        "our rough one (s = 3), and %s times the largest." % (ratio(mean), ratio(largest))
 
 
 class AgainstThesis:
@@ -162,14 +127,14 @@ def thesis_sentence(found):
     for name in ("left", "largest", "mean", "speed"):
         values = [getattr(c, name) for c in comparisons]
         spans.append("%s to %s" % (ratio(min(values)), ratio(max(values))))
-    return "with %s times as many points left as in the thesis, the largest error is %s times and the mean error %s " \
-        "times that of the thesis, at %s times the speed of its computer.\n" % tuple(spans)
+    return "Here / thesis, medians by method ([table](#what-is-different-from-the-thesis)): %s for the points left, " \
+        "%s for the largest error, %s for the mean error, %s for the speed." % tuple(spans)
 
 
 def outline_sentence(found):
     """Something of the thesis that nothing was fitted to."""
     s = found[0]
-    return "The outline of the surface of %d points has %d points then; in figure 3.23 it has %d." % (
+    return "The outline of the surface of %d points then has %d points, in figure 3.23 %d." % (
         s.size, s.outline, reported.OUTLINE[s.size])
 
 
@@ -177,22 +142,20 @@ def contradiction_sentence():
     """A cell of 6 that keeps b boundary points keeps at most b + 3 points as four cells of 3, and any other at most 4
     for 1: never more than four times as many."""
     sizes = ["%d" % size for size, rough in sorted(reported.ROUGH.items()) if rough[3][0] > 4 * rough[6][0]]
-    return "On some no surface could fit all three. A cell of 6 is four cells of 3, so that the rough simplification " \
-        "leaves at most four times as many points with s = 3 as with s = 6. In the thesis it leaves more on the " \
-        "surfaces of %s points: tables 4.1 and 4.3 must have been made with different outlines, simplified differently perhaps. " \
-        "So s = 3 alone, by which these would be noise throughout, is no measure.\n" % listing(sizes)
+    return "No surface could fit all three values of s everywhere. A cell of 6 is four cells of 3, so that s = 3 " \
+        "leaves at most four times as many points as s = 6. In the thesis it leaves more on the surfaces of %s " \
+        "points: tables 4.1 and 4.3 must have been made with different outlines." % listing(sizes)
 
 
 def cluster_sentence(found):
     """How near MeshLab here is to MeshLab in the thesis: what the surfaces and the machine are worth."""
     pairs = [(s, reported.CLUSTER[s.size][size], s.cluster[size]) for s in found for size in s.cluster]
     if not pairs:
-        return "MeshLab was not run where this page was made.\n"
+        return "MeshLab was not run."
     c = AgainstThesis("", pairs)
-    return "MeshLab's merging, which is the same program there and here, leaves %s times as many points here as in " \
-        "the thesis; its largest error is %s times, its mean error %s times that in the thesis, and its speed %s " \
-        "times. What is common to these ratios and to ours is due to the surfaces and the computer, not to a " \
-        "method.\n" % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
+    return "The same for MeshLab's merging, one program there and here: %s for the points left, %s for the largest " \
+        "error, %s for the mean error, %s for the speed. What its ratios and ours have in common is due to the " \
+        "surfaces and the computer, not to a method." % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
 
 
 def meshing_sentences(meshings):
@@ -206,15 +169,15 @@ def meshing_sentences(meshings):
     for name in ("BP", "vtkDelaunay2D", "CTC"):
         ratios = [m.seconds[name] / m.seconds["VTS"] for m in meshings if name in m.seconds]
         if ratios:
-            lines.append("- *%s* takes %s to %s times the time of voxel traversal on the same points here." % (
+            lines.append("- *%s* here: %s to %s times the time of voxel traversal." % (
                 MESHERS.get(name, name), ratio(min(ratios)), ratio(max(ratios))))
     return "\n".join(lines) + "\n"
 
 
 def left_out(pace):
     if not pace.left_out:
-        return "Nobody was left out for being slow.\n"
+        return "None was left out for being slow.\n"
     lines = ["- %s on %s points" % (MESHERS.get(name, name), listing(["%d" % n for n in sorted(sizes)]))
              for name, sizes in pace.left_out.items()]
-    return "Left out, since one run would have taken longer than %g s, going by the surface before:\n\n" \
+    return "Left out, as one run was expected to take longer than %g s:\n\n" \
         "%s\n" % (pace.most_seconds, "\n".join(lines))
