@@ -18,8 +18,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkDelaunay2D, vtkProbeFilter
-from vtkmodules.vtkFiltersPoints import (vtkEllipsoidalGaussianKernel, vtkGaussianKernel, vtkGeneralizedKernel,
-                                         vtkLinearKernel, vtkPointInterpolator, vtkProbabilisticVoronoiKernel,
+from vtkmodules.vtkFiltersPoints import (vtkGaussianKernel, vtkGeneralizedKernel, vtkPointInterpolator,
                                          vtkShepardKernel, vtkVoronoiKernel)
 
 import seismichorizons as sh
@@ -29,27 +28,25 @@ from text import report, table
 MARGIN = 12  # columns that stay around each hole
 PAGE = """# How near filled holes come
 
-Root mean square errors in lattice units where columns were taken out of horizons and filled again, by
-`Utilities/Studies/hole_filling.py`; the methods are those of [hole filling](HorizonHoleFilling.md). Widths are those of
-the holes, in columns. Generated horizons have waves of all lengths, and a deviation of 12 vertical indices; their errors
-are those to the surface without noise, of deviation 1 where there is some. Others are real ones, whose noise is in their
-errors; a unit of theirs is the median of the steps from column to column that are not 0.
+`Utilities/Studies/hole_filling.py` takes columns out of horizons, fills them again ([hole
+filling](HorizonHoleFilling.md)), and lists root mean square errors in lattice units. Widths of holes are in columns.
 
-*Automatic* is the default, which chooses among plates by the roughness of the horizon. *Plate* has a RimSmoothing of 1,
-*exact plate* goes through all columns around (RimSmoothing 0), *smooth plate* has a RimSmoothing of 16 and a RimWidth of
-5. *Spline*: a thin-plate spline through the columns of the rim, six wide, and at most {most} of them (what
-`RBFInterpolator` of SciPy does by default); *smoothing spline*: with its smoothing of 10. *Triangles* is linear over the
-mesh of this project, *vtkDelaunay2D* over VTK's own. *Inverse distance*: to the power of two, from all columns of the
-rim, three wide. The others are the kernels of ParaView's point interpolator with the 32 nearest points. *Ours / best
-other* takes the automatic one.
+- **Horizons.** Generated ones have waves of all lengths and a deviation of 12 vertical indices; their errors are those to
+  the surface without noise. The others are real: their errors include noise, and their unit is the median of the
+  nonzero steps from column to column.
+- **Ours.** *Automatic*, the default, chooses among plates by the roughness of the horizon. *Plate* has RimSmoothing 1,
+  *exact plate* 0 (it passes through all columns around), *smooth plate* 16 with RimWidth 5.
+- **Others.** *Spline* is a thin-plate spline through at most {most} columns of the rim, six wide (as SciPy's
+  `RBFInterpolator`); *smoothing spline* has its smoothing of 10. *Triangles* is linear over the mesh of this project, *vtkDelaunay2D* over
+  VTK's. *Inverse distance* is squared, from the rim, three wide. *Voronoi*, *Shepard* and *Gaussian* are kernels of
+  ParaView's point interpolator with the 32 nearest points.
+- *Ours / best other* is for *automatic*.
 """
 MOST_PLACES = 4000  # that are compared: kernels take long in the middle of wide holes
 NEAREST = 32  # points that a kernel takes
 MOST_CENTRES = 3000  # of a spline, whose matrix is full
 OURS = ("automatic", "plate", "exact plate", "smooth plate", "membrane")
-KERNELS = {"Voronoi": vtkVoronoiKernel, "probabilistic Voronoi": vtkProbabilisticVoronoiKernel,
-           "Shepard": vtkShepardKernel, "linear kernel": vtkLinearKernel, "Gaussian": vtkGaussianKernel,
-           "ellipsoidal Gaussian": vtkEllipsoidalGaussianKernel}
+KERNELS = {"Voronoi": vtkVoronoiKernel, "Shepard": vtkShepardKernel, "Gaussian": vtkGaussianKernel}
 
 
 # ---- Horizons, as two arrays of one number per column: whether there is a point, and its height ----
