@@ -13,11 +13,10 @@ WIDTH = 120
 PAGE = """\
 # Figures of the thesis
 
-Made by `Utilities/Studies/reproduce_thesis.sh`, as [Tables.md](Tables.md), which says how our surfaces are made and how
-errors are measured: largest and mean, both ways, as parts of the diagonal of the bounding box. What a caption of the
-thesis says stands beside what came out here; the surfaces are others, so that sizes are to be compared, not places.
-Distances are shown where the points of the input are, from pale (0) to dark (the largest but for one in a hundred in
-the row).
+`Utilities/Studies/reproduce_thesis.sh` makes this page and [Tables.md](Tables.md), which explains the surfaces and the
+errors (largest and mean, both ways, as fractions of the diagonal of the bounding box). The table has what the captions
+of the thesis say, and ours. The surfaces differ: compare sizes, not places. Distances are shown at the points of the
+input, from pale (0) to dark (the 99th percentile of the row).
 
 {table}
 The curves of figures 3.18, 3.19 and 5.18 are in [Tables.md](Tables.md); outlines of several radii (3.20 to 3.22, 3.25

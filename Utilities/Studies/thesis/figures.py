@@ -120,19 +120,19 @@ def smoother_row(figure, what, horizon, threshold):
 
 def outline_of_surface(generator, make, folder):
     figure = Figure(["3.23"], "Outline, and less of it",
-                    "The outline of the surface of 15,626 points, as it is and simplified. Bends in plan stay, whatever t "
-                    "is: ours has more of them than the thesis left points, since noise frays it (which the surface has "
-                    "so that the rough simplification leaves as many points as in table 4.1). Without noise as large a "
-                    "part is left as in the thesis.")
+                    "The outline of the surface of 15,626 points, as it is and simplified. Bends in plan stay, "
+                    "whatever t is. Noise gives ours more bends than the thesis left points; without noise the "
+                    "fraction left is that of the thesis.")
     outline_rows(figure, make(15626).outlined, (0.4,), (1025, 660))
     smoother_row(figure, "without noise", surfaces.make_with_noise(generator, 15626, 0.0, folder), 0.4)
     return figure
 
 
 def outline_of_small_surface(generator, folder):
-    figure = Figure(["3.24"], "A short outline", "The thesis does not say of what surface, and with which t. Ours is a "
-                    "small one without noise, whose outline is nowhere straight for long: it has three times as many "
-                    "bends as the thesis left points. Of a square, which has four, a third is left.")
+    figure = Figure(["3.24"], "A short outline",
+                    "The thesis does not say which surface, and which t. Ours is small, without noise, and nowhere "
+                    "straight for long: it has three times as many bends as the thesis left points. Of a square, with "
+                    "four bends, a third is left.")
     horizon = surfaces.make_with_noise(generator, 15626, 0.0, folder, SMALL)
     outline_rows(figure, stages.outline(stages.start(horizon)), (1.0,), (118, 24))
     smoother_row(figure, "a square", surfaces.make_square(SMALL_SIDE), 1.0)
@@ -140,15 +140,17 @@ def outline_of_small_surface(generator, folder):
 
 
 def outline_of_square(square):
-    figure = Figure(["3.26"], "The outline of a square", "1024 is the length of the outline of 257 by 257 columns, "
-                    "which are the 66,049 points of figure 4.16; so we take this to be the outline of that surface.")
+    figure = Figure(["3.26"], "The outline of a square",
+                    "1024 is the length of the outline of 257 by 257 columns, the 66,049 points of figure 4.16: we "
+                    "take it for that surface.")
     outline_rows(figure, square.outlined, (0.3, 0.5), (1024, 381, 106))
     return figure
 
 
 def rough_and_merged(make, folder):
-    figure = Figure(["4.14"], "Rough simplification and merging", "With cells of 6 and a distance of 6. The thesis "
-                    "does not say of which surface; ours is that of 15,626 points.")
+    figure = Figure(["4.14"], "Rough simplification and merging",
+                    "With cells of 6 and a distance of 6. The thesis does not name the surface; ours is that of "
+                    "15,626 points.")
     surface = make(15626)
     surface.show(figure, "All")
     compare(figure, surface, folder, ("rough, s = 6", surface.rough(6), (None, 0.0142, 0.0004)),
@@ -167,8 +169,8 @@ def elaborate_and_merged(make, folder):
 
 
 def elaborate_and_merged_8(make, folder):
-    figure = Figure(["4.18"], "Elaborate simplification and merging, both with 8", "The thesis gives sizes of files. "
-                    "The surface of figure 5.21, which is that of 4.16, has 40.8 bytes for each of its points. By that "
+    figure = Figure(["4.18"], "Elaborate simplification and merging, both with 8",
+                    "The thesis gives sizes of files. At the 40.8 bytes a point of figure 5.21 (the surface of 4.16), "
                     "this one has 53,660 points.")
     surface = make(53660)
     surface.show(figure, "All")
@@ -190,10 +192,10 @@ def compare(figure, surface, folder, ours, theirs):
 
 
 def square_simplified(square):
-    figure = Figure(["4.16", "5.21"], "A square, from its outline to the inside", "66,049 points are 257 by 257, and "
-                    "both figures have the same errors: we take them to be one surface. Ours is a sum of waves, as "
-                    "high as leaves its outline as the thesis has it (3.26). All of its cubes inside are flat; that "
-                    "they are cut is up to the boundary thresholds, for which the thesis gives no values.")
+    figure = Figure(["4.16", "5.21"], "A square, from its outline to the inside",
+                    "66,049 points are 257 by 257, and both figures have the same errors: we take them to be one "
+                    "surface. Ours is a sum of waves whose height fits the outline of 3.26. All cubes inside are "
+                    "flat: only the boundary thresholds, for which the thesis gives no values, divide them.")
     simplified = stages.elaborate(square.straight, 8, 0.09)
     mesh = Simplified(square.full, stages.mesh(simplified).data)
     square.show(figure, "All")
@@ -219,9 +221,9 @@ def large_surface(make):
 
 
 def outside_triangles(make):
-    figure = Figure(["5.19"], "Triangles outside", "The thesis takes off the triangles beyond the outline once all are "
-                    "made. Ours never makes them (right); the hull, and less of it by angle, are for points without an "
-                    "outline. There are no numbers in the thesis.")
+    figure = Figure(["5.19"], "Triangles outside",
+                    "The thesis removes the triangles beyond the outline at the end; ours never makes them (right). "
+                    "The hull, also reduced by angle, is for points without an outline. The thesis gives no numbers.")
     simplified = stages.rough(make(15626).straight, 8)
     outline_panel(figure, "Points", simplified)
 
