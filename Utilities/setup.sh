@@ -13,7 +13,8 @@ packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libf
 # mkdocs-material and doxygen make the site of the documentation.
 # libjs-three turns meshes around in reports.
 # dpkg-dev and file find out what the Debian packages depend on.
-packages_of_tests="mkdocs-material doxygen libjs-three xdotool dpkg-dev file"
+# codespell checks the spelling of the pages.
+packages_of_tests="mkdocs-material doxygen libjs-three xdotool dpkg-dev file codespell"
 with_tests=ON
 with_build=yes
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
