@@ -35,7 +35,8 @@ struct VolumeCells
   std::size_t SizeOf(std::size_t cell) const { return std::size_t(this->Ends[cell] - this->FirstCorner(cell)); }
 };
 
-/// Throws InputError where there is no cell, on coordinates that are not finite, and on layers without a name.
+/// Throws InputError where there is no cell, on coordinates that are not finite, on corners that are no points, and on
+/// layers without a name.
 void CheckCells(const VolumeCells& cells);
 
 // Of cells that were checked.
