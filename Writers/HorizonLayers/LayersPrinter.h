@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints cells of layers in formats of simulators and meshers (Documentation/HorizonLayersWriter.md). Coordinates have all
-// digits of double precision.
+// Prints cells of layers in formats of simulators and meshers (Documentation/HorizonLayersWriter.md). Coordinates have
+// all digits of double precision.
 
 #ifndef SeismicHorizonsLayersPrinter_h
 #define SeismicHorizonsLayersPrinter_h
@@ -48,8 +48,8 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 
 /// The package DISV of MODFLOW 6. A cell is level: top and base are the means of their corners, which keeps its volume.
-/// Where a layer pinches out between two others it is passed through (idomain -1); elsewhere there is no cell (0). Throws
-/// InputError where cells of a triangle are not over each other.
+/// Where a layer pinches out between two others it is passed through (idomain -1); elsewhere there is no cell (0).
+/// Throws InputError where cells of a triangle are not over each other.
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 }
 
