@@ -1,16 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of layers, read back here, and by Gmsh, meshio and flopy where these are. Argument: a folder for files."""
+"""Files of layers, read back here, and by Gmsh, meshio, flopy and CalculiX where these are.
 
+Argument: a folder for files.
+"""
+
+import importlib.util
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 import unittest
 
 import mesh_checks
 import numpy as np
 import seismichorizons as sh
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
@@ -19,17 +25,21 @@ WEDGE, PYRAMID, TETRA = 13, 14, 10
 
 
 def module(name):
-    """A reader that need not be there."""
-    try:
-        return __import__(name)
-    except ImportError:
-        raise unittest.SkipTest("no %s" % name) from None
+    """A reader that need not be there; one that is there but broken fails."""
+    if importlib.util.find_spec(name) is None:
+        raise unittest.SkipTest("no %s" % name)
+    return importlib.import_module(name)
 
 
 def volume_of(points):
     """Of tetrahedra, pyramids and wedges whose corners are in the order of Gmsh and Abaqus, by pieces."""
-    cuts = {4: [(0, 1, 2, 3)], 5: [(0, 1, 2, 4), (0, 2, 3, 4)], 6: [(0, 1, 2, 3), (1, 2, 3, 4), (2, 3, 4, 5)]}[len(points)]
+    cuts = {4: [(0, 1, 2, 3)], 5: [(0, 1, 2, 4), (0, 2, 3, 4)],
+            6: [(0, 1, 2, 3), (1, 2, 3, 4), (2, 3, 4, 5)]}[len(points)]
     return [np.linalg.det(points[list(cut[1:])] - points[cut[0]]) / 6.0 for cut in cuts]
+
+
+def few_layers():
+    return sh.layers({"A": sh.horizon(np.zeros((3, 3))), "B": sh.horizon(np.ones((3, 3)))}).cells
 
 
 class LayersWriterTest(unittest.TestCase):
@@ -38,11 +48,11 @@ class LayersWriterTest(unittest.TestCase):
         """Three layers: the second one pinches out between the others, the first one at the top."""
         FOLDER.mkdir(parents=True, exist_ok=True)
         x, y = np.meshgrid(np.arange(30.0), np.arange(20.0))
-        depths = {"Top": 100.0 + np.maximum(0.0, y - 12.0), "Sand": 110.0 + 0.2 * y, "Shale": 110.0 + 0.2 * y + np.maximum(0.0, x - 9.0),
-                  "Base": 150.0 + np.sin(0.3 * x)}
+        depths = {"Top": 100.0 + np.maximum(0.0, y - 12.0), "Sand": 110.0 + 0.2 * y,
+                  "Shale": 110.0 + 0.2 * y + np.maximum(0.0, x - 9.0), "Base": 150.0 + np.sin(0.3 * x)}
         depths["Top"][:6] = depths["Sand"][:6]
-        cls.layers = sh.layers({name: sh.horizon(z, origin=(5e5, 6e6), spacing=(25.0, 12.5), azimuth=40.0, vertical_step=1.0)
-                                for name, z in depths.items()}, largest_error=0.2)
+        survey = {"origin": (5e5, 6e6), "spacing": (25.0, 12.5), "azimuth": 40.0, "vertical_step": 1.0}
+        cls.layers = sh.layers({name: sh.horizon(z, **survey) for name, z in depths.items()}, largest_error=0.2)
         cls.grid = cls.layers.cells
         sizes = vtkCellSizeFilter()
         sizes.SetInputData(cls.grid)
@@ -77,7 +87,7 @@ class LayersWriterTest(unittest.TestCase):
                         self.assertGreater(own.min(), 0.0)
                         self.assertGreater(np.min(gmsh.model.mesh.getElementQualities(tags, "minDetJac")), 0.0)
                         volume += own.sum()
-                self.assertAlmostEqual(volume / self.volume(tag - 1), 1.0, delta=1e-6, msg=name)
+                self.assertAlmostEqual(volume / self.volume(tag - 1), 1.0, delta=1e-9, msg=name)
             self.assertEqual(found, self.counts)
         finally:
             gmsh.finalize()
@@ -92,30 +102,53 @@ class LayersWriterTest(unittest.TestCase):
                 counts[{"wedge": WEDGE, "pyramid": PYRAMID, "tetra": TETRA}[block.type]] += len(block.data)
                 for cell in block.data:
                     parts = volume_of(mesh.points[cell])
-                    self.assertGreaterEqual(min(parts), -1e-6 * sum(parts), (form, block.type))
+                    self.assertGreaterEqual(min(parts), -1e-9 * sum(parts), (form, block.type))
                     self.assertGreater(sum(parts), 0.0)
                     total += sum(parts)
             collapsed = self.counts[PYRAMID] if form == "inp" else 0
             self.assertEqual(counts, {WEDGE: self.counts[WEDGE] + collapsed, PYRAMID: self.counts[PYRAMID] - collapsed,
                                       TETRA: self.counts[TETRA]})
-            self.assertAlmostEqual(total / self.volumes.sum(), 1.0, delta=1e-6)
+            self.assertAlmostEqual(total / self.volumes.sum(), 1.0, delta=1e-9)
             if form == "inp":
                 self.assertEqual(list(mesh.cell_sets), ["L1_Top_to_Sand", "L2_Sand_to_Shale", "L3_Shale_to_Base"])
+
+    def test_calculix(self):
+        """A solver takes all elements, and has the same volumes."""
+        program = shutil.which("ccx")
+        if program is None:
+            raise unittest.SkipTest("no ccx")
+        sets = ["L%d_%s" % (layer + 1, name.replace(" ", "_")) for layer, name in enumerate(self.layers.figures)]
+        (FOLDER / "weight.inp").write_text(
+            "*INCLUDE, INPUT=layers.inp\n*NSET, NSET=ALL, GENERATE\n1, %d\n*MATERIAL, NAME=ROCK\n*ELASTIC\n1e10, 0.25\n"
+            % self.grid.GetNumberOfPoints()
+            + "".join("*SOLID SECTION, ELSET=%s, MATERIAL=ROCK\n" % name for name in sets)
+            + "*BOUNDARY\nALL, 1, 2\n1, 3, 3\n*STEP\n*STATIC\n"
+            + "".join("*EL PRINT, ELSET=%s, TOTALS=ONLY\nEVOL\n" % name for name in sets) + "*END STEP\n")
+        run = subprocess.run([program, "weight"], cwd=FOLDER, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             text=True, check=False)
+        self.assertEqual((run.returncode, "ERROR" in run.stdout), (0, False), run.stdout)
+        found = re.findall(r"total volume for set (\S+) and time.*\s+(\S+)", (FOLDER / "weight.dat").read_text())
+        self.assertEqual([name for name, _ in found], [name.upper() for name in sets])
+        for layer, (_, volume) in enumerate(found):
+            self.assertAlmostEqual(float(volume) / self.volume(layer), 1.0, delta=1e-6)  # it prints 7 digits
 
     def test_flopy(self):
         flopy = module("flopy")
         files = {"mfsim.nam": "BEGIN OPTIONS\nEND OPTIONS\nBEGIN TIMING\n  TDIS6 flow.tdis\nEND TIMING\nBEGIN MODELS\n"
-                              "  gwf6 flow.nam flow\nEND MODELS\nBEGIN EXCHANGES\nEND EXCHANGES\nBEGIN SOLUTIONGROUP 1\n"
+                              "  gwf6 flow.nam flow\nEND MODELS\nBEGIN EXCHANGES\nEND EXCHANGES\n"
+                              "BEGIN SOLUTIONGROUP 1\n"
                               "  ims6 flow.ims flow\nEND SOLUTIONGROUP 1\n",
                  "flow.ims": "BEGIN OPTIONS\nEND OPTIONS\n",
-                 "flow.tdis": "BEGIN DIMENSIONS\n  NPER 1\nEND DIMENSIONS\nBEGIN PERIODDATA\n  1.0 1 1.0\nEND PERIODDATA\n",
+                 "flow.tdis": "BEGIN DIMENSIONS\n  NPER 1\nEND DIMENSIONS\n"
+                              "BEGIN PERIODDATA\n  1.0 1 1.0\nEND PERIODDATA\n",
                  "flow.nam": "BEGIN OPTIONS\nEND OPTIONS\nBEGIN PACKAGES\n  DISV6 layers.disv disv\nEND PACKAGES\n"}
         for name, text in files.items():
             (FOLDER / name).write_text(text)
         simulation = flopy.mf6.MFSimulation.load(sim_ws=str(FOLDER), verbosity_level=0)
         package = simulation.get_model("flow").disv
         layers, columns = package.nlay.get_data(), package.ncpl.get_data()
-        self.assertEqual((layers, columns), (3, len(np.unique(vtk_to_numpy(self.grid.GetCellData().GetArray("Triangle"))))))
+        triangles = np.unique(vtk_to_numpy(self.grid.GetCellData().GetArray("Triangle")))
+        self.assertEqual((layers, columns), (3, len(triangles)))
         places = {int(row[0]): (row[1], row[2]) for row in package.vertices.get_data()}
         corners = np.array([[places[int(row[4 + n])] for n in range(3)] for row in package.cell2d.get_data()])
         a, b, c = corners.transpose(1, 0, 2)
@@ -133,10 +166,9 @@ class LayersWriterTest(unittest.TestCase):
         def block(name):
             return re.search("BEGIN %s\n(.*?)END %s" % (name, name), text, re.DOTALL)[1]
 
-        data = re.split(r"[A-Z ]*\n    INTERNAL FACTOR 1\n", block("GRIDDATA").replace("    INTERNAL", "\n    INTERNAL", 1))
         numbers = [np.array(part.split(), dtype=float) for part in re.findall(
             r"INTERNAL FACTOR 1\n((?:      .*\n)+)", block("GRIDDATA"))]
-        self.assertEqual([len(part) for part in numbers], [size["NCPL"]] * 7, data[:1])
+        self.assertEqual([len(part) for part in numbers], [size["NCPL"]] * 7)
         places = np.array([line.split()[1:] for line in block("VERTICES").splitlines()], dtype=float)
         cells = np.array([line.split() for line in block("CELL2D").splitlines()], dtype=float)
         self.assertEqual(len(places), size["NVERT"])
@@ -149,7 +181,7 @@ class LayersWriterTest(unittest.TestCase):
         self.assertGreaterEqual(thickness.min(), 0.0)
         for layer in range(3):
             volume = (areas * thickness[layer])[domain[layer] == 1].sum()
-            self.assertAlmostEqual(volume / self.volume(layer), 1.0, delta=1e-6)
+            self.assertAlmostEqual(volume / self.volume(layer), 1.0, delta=1e-9)
         self.assertTrue(np.all(thickness[domain == 1] > 0.0))
         self.assertTrue(np.all(thickness[domain == -1] == 0.0))
         self.assertEqual(set(domain[0]), {0, 1})  # on top nothing can be passed through
@@ -158,7 +190,7 @@ class LayersWriterTest(unittest.TestCase):
 
     def test_errors(self):
         """One message, and no file."""
-        few = sh.layers({"A": sh.horizon(np.zeros((3, 3))), "B": sh.horizon(np.ones((3, 3)))}).cells
+        few = few_layers()
         without = vtkUnstructuredGrid()
         without.ShallowCopy(few)
         without.GetCellData().RemoveArray("Triangle")
@@ -182,7 +214,8 @@ class LayersWriterTest(unittest.TestCase):
                 (below, "msh", "layer 4 of cell 0, expected 0 to 0"),
                 (apart, "disv", "cells of triangle 0 that are not over each other, expected layers"),
                 (tilted, "disv", "whose sides are not upright, expected layers"),
-                (mesh_checks.with_text(few, "VerticalDomain", "time"), "disv", "layers in time, expected depths: convert the horizons before"),
+                (mesh_checks.with_text(few, "VerticalDomain", "time"), "disv",
+                 "layers in time, expected depths: convert the horizons before"),
                 (feet, "disv", "z in ft and x and y in m, expected one unit")):
             path = FOLDER / ("wrong." + form)
             with self.assertRaisesRegex(ValueError, message):
@@ -190,8 +223,64 @@ class LayersWriterTest(unittest.TestCase):
             self.assertFalse(path.exists())
         with self.assertRaisesRegex(ValueError, "the extension .stl, expected one of .msh, .inp, .disv, .vtu"):
             sh.write(few, FOLDER / "wrong.stl")
-        sh.write(mesh_checks.with_text(mesh_checks.with_text(few, "VerticalUnit", "ft"), "HorizontalUnit", "ft"), FOLDER / "feet.disv")
+        sh.write(mesh_checks.with_text(feet, "HorizontalUnit", "ft"), FOLDER / "feet.disv")
         self.assertIn("  LENGTH_UNITS FEET\n", (FOLDER / "feet.disv").read_text())
+        sh.write(mesh_checks.with_text(few, "VerticalDomain", "time"), FOLDER / "time.msh")
+
+    def test_other_grids(self):
+        """What Horizon Layers does not make."""
+        few = few_layers()
+        count = few.GetNumberOfPoints()
+        for kind, corners, layer, message in (
+                (12, range(8), 0, "cell 0 of VTK type 12, expected wedges, pyramids and tetrahedra"),
+                (WEDGE, range(5), 0, "cell 0 of VTK type 13 with 5 corners, expected 6"),
+                (PYRAMID, range(6), 0, "cell 0 of VTK type 14 with 6 corners, expected 5"),
+                (TETRA, (0, 1, 2, count), 0, "point id %d in cell 0, expected 0 to %d" % (count, count - 1)),
+                (TETRA, (0, 1, 2, -1), 0, "point id -1 in cell 0, expected 0 to"),
+                (TETRA, range(4), np.nan, "layer nan0* of cell 0, expected 0 to"),
+                (TETRA, range(4), -1, "layer -1.0* of cell 0, expected 0 to")):
+            grid = vtkUnstructuredGrid()
+            grid.SetPoints(few.GetPoints())
+            grid.InsertNextCell(kind, len(corners), list(corners))
+            for name, value in (("Layer", layer), ("Triangle", 0)):
+                array = numpy_to_vtk(np.array([value], dtype=float), deep=True)
+                array.SetName(name)
+                grid.GetCellData().AddArray(array)
+            for form in ("msh", "inp", "disv"):
+                with self.assertRaisesRegex(ValueError, message):
+                    sh.write(grid, FOLDER / ("other." + form))
+
+    def test_names(self):
+        """Layers have names, too, where nobody gave them any."""
+        few = few_layers()
+        few.GetFieldData().RemoveArray("LayerNames")
+        sh.write(few, FOLDER / "nameless.msh")
+        self.assertIn('\n3 1 "Layer 1"\n', (FOLDER / "nameless.msh").read_text())
+
+    def test_complete_or_not_at_all(self):
+        writer = sh.vtkHorizonLayersWriter()
+        writer.SetInputData(self.grid)
+        messages = []
+        writer.AddObserver("ErrorEvent", lambda *_: messages.append(1))
+        for name in ("layers.txt", "layers"):
+            writer.SetFileName(str(FOLDER / name))
+            self.assertEqual((writer.Write(), len(messages)), (0, 1))
+            self.assertFalse((FOLDER / name).exists())
+            messages.clear()
+        for form in ("msh", "inp", "disv"):
+            path = FOLDER / ("old." + form)
+            path.write_text("old")
+            stopped = sh.vtkHorizonLayersWriter()
+            stopped.SetInputData(self.grid)
+            stopped.SetFileName(str(path))
+            parts = []
+            stopped.AddObserver("ProgressEvent", lambda caller, _: (
+                parts.append(caller.GetProgress()), caller.SetAbortExecute(caller.GetProgress() > 0.25)))
+            stopped.Write()
+            self.assertEqual(sum(0.25 < part < 1.0 for part in parts), 1, parts)  # the end is told, too
+            self.assertEqual(path.read_text(), "old")
+        left = [path.name for path in FOLDER.iterdir() if "old" in path.name]
+        self.assertEqual(sorted(left), ["old.disv", "old.inp", "old.msh"])
 
     def test_bodies(self):
         """Closed in other formats, too."""

@@ -33,12 +33,12 @@ struct LevelCell
 class LevelGrid
 {
 public:
-  explicit LevelGrid(const VolumeCells& cells)
+  LevelGrid(const VolumeCells& cells, const Monitor& monitor)
     : Cells(cells)
   {
     this->FindVertices();
-    this->MakeCells();
-    this->MakeColumns();
+    this->MakeCells(monitor.Step(0.3, 0.6));
+    this->MakeColumns(monitor.Step(0.7, 1.0));
   }
 
   std::vector<std::array<double, 2>> Vertices;
@@ -70,12 +70,10 @@ private:
     }
   }
 
-  void MakeCells()
+  void MakeCells(const Monitor& monitor)
   {
-    for (std::size_t cell = 0; cell < this->Cells.Size(); ++cell)
-    {
-      this->Levels.push_back(this->MakeCell(cell));
-    }
+    this->Levels.reserve(this->Cells.Size());
+    ForEach(this->Cells.Size(), monitor, [this](std::size_t cell) { this->Levels.push_back(this->MakeCell(cell)); });
     std::sort(this->Levels.begin(), this->Levels.end());
   }
 
@@ -116,7 +114,7 @@ private:
     return level;
   }
 
-  void MakeColumns()
+  void MakeColumns(const Monitor& monitor)
   {
     const std::size_t layers = this->Cells.Names.size();
     this->Bases.resize(layers);
@@ -132,6 +130,10 @@ private:
           throw InputError("cells of triangle " + std::to_string(this->Levels[first].Triangle) +
             " that are not over each other, expected layers as Horizon Layers makes them");
         }
+      }
+      if (this->Tops.size() % 1024 == 0)
+      {
+        monitor.Progress(double(first) / double(this->Levels.size()));
       }
       this->AddColumn(first, end);
       first = end;
@@ -173,24 +175,27 @@ private:
 
 /// An array of the block of grid data, ten values on a line.
 template <typename Value>
-void PrintArray(const std::vector<Value>& values, LinePrinter& out)
+void PrintArray(const std::vector<Value>& values, const Monitor& monitor, LinePrinter& out)
 {
   constexpr std::size_t onLine = 10;
   out.Add("    INTERNAL FACTOR 1\n");
-  for (std::size_t n = 0; n < values.size(); ++n)
-  {
-    out.Add(n % onLine == 0 ? "      " : " ").Add(values[n]);
-    out.Add(n % onLine + 1 == onLine || n + 1 == values.size() ? "\n" : "");
-  }
+  ForEach(values.size(), monitor,
+    [&](std::size_t n)
+    {
+      out.Add(n % onLine == 0 ? "      " : " ").Add(values[n]);
+      out.Add(n % onLine + 1 == onLine || n + 1 == values.size() ? "\n" : "");
+    });
 }
 
 template <typename Value>
-void PrintLayered(std::string_view name, const std::vector<std::vector<Value>>& values, LinePrinter& out)
+void PrintLayered(
+  std::string_view name, const std::vector<std::vector<Value>>& values, const Monitor& monitor, LinePrinter& out)
 {
   out.Line("", "  ", name, " LAYERED");
-  for (const std::vector<Value>& ofLayer : values)
+  const double part = 1.0 / double(values.size());
+  for (std::size_t layer = 0; layer < values.size(); ++layer)
   {
-    PrintArray(ofLayer, out);
+    PrintArray(values[layer], monitor.Step(part * double(layer), part * double(layer + 1)), out);
   }
 }
 
@@ -212,8 +217,7 @@ void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
 //----------------------------------------------------------------------------------------------------------------------
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
-  const LevelGrid grid(cells);
-  monitor.Progress(0.3);
+  const LevelGrid grid(cells, monitor.Step(0.0, 0.3));
   LinePrinter out(stream);
   for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
   {
@@ -229,21 +233,16 @@ void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
   out.Line("", "  NCPL ", grid.Triangles.size());
   out.Line("", "  NVERT ", grid.Vertices.size());
   out.Add("END DIMENSIONS\n\nBEGIN GRIDDATA\n  TOP\n");
-  PrintArray(grid.Tops, out);
-  PrintLayered("BOTM", grid.Bases, out);
-  PrintLayered("IDOMAIN", grid.Domain, out);
-  monitor.Progress(0.7);
+  PrintArray(grid.Tops, monitor.Step(0.3, 0.4), out);
+  PrintLayered("BOTM", grid.Bases, monitor.Step(0.4, 0.6), out);
+  PrintLayered("IDOMAIN", grid.Domain, monitor.Step(0.6, 0.7), out);
   out.Add("END GRIDDATA\n\nBEGIN VERTICES\n");
-  for (std::size_t vertex = 0; vertex < grid.Vertices.size(); ++vertex)
-  {
-    out.Line(" ", " ", vertex + 1, grid.Vertices[vertex][0], grid.Vertices[vertex][1]);
-  }
+  ForEach(grid.Vertices.size(), monitor.Step(0.7, 0.8),
+    [&](std::size_t vertex) { out.Line(" ", " ", vertex + 1, grid.Vertices[vertex][0], grid.Vertices[vertex][1]); });
   out.Add("END VERTICES\n\nBEGIN CELL2D\n");
-  for (std::size_t column = 0; column < grid.Triangles.size(); ++column)
-  {
-    PrintColumn(grid, column, out);
-  }
+  ForEach(grid.Triangles.size(), monitor.Step(0.8, 1.0), [&](std::size_t column) { PrintColumn(grid, column, out); });
   out.Add("END CELL2D\n");
   out.Flush();
+  monitor.Progress(1.0);
 }
 }

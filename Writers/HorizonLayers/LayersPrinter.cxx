@@ -17,7 +17,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t Kinds = 3;
-constexpr std::array<std::size_t, Kinds> SizeOfKind = { 6, 5, 4 };
+constexpr int GmshVolume = 3; // the dimension
 constexpr std::size_t BetweenReports = 1 << 14; // cells
 
 std::size_t KindOf(std::size_t corners)
@@ -123,6 +123,64 @@ std::vector<std::string> MakeSetNames(const std::vector<std::string>& names)
   return sets;
 }
 
+void CheckCorners(const VolumeCells& cells, std::size_t cell)
+{
+  for (std::int64_t n = cells.FirstCorner(cell); n < cells.Ends[cell]; ++n)
+  {
+    const std::int64_t point = cells.Corners[std::size_t(n)];
+    if (point < 0 || std::size_t(point) >= cells.Points.size())
+    {
+      throw InputError("point id " + std::to_string(point) + " in cell " + std::to_string(cell) + ", expected 0 to " +
+        std::to_string(std::int64_t(cells.Points.size()) - 1));
+    }
+  }
+}
+
+/// The physical volumes and the entities that they consist of, one for each layer that has cells.
+void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& layers, LinePrinter& out)
+{
+  std::array<double, 6> box = { HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+  for (const std::array<double, 3>& point : cells.Points)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box[axis] = std::min(box[axis], point[axis]);
+      box[3 + axis] = std::max(box[3 + axis], point[axis]);
+    }
+  }
+  out.Add("$PhysicalNames\n").Add(layers.size()).Add("\n");
+  for (const std::size_t layer : layers)
+  {
+    out.Line(" ", GmshVolume, layer + 1, '"' + WithoutQuotes(cells.Names[layer]) + '"');
+  }
+  out.Add("$EndPhysicalNames\n$Entities\n");
+  out.Line(" ", 0, 0, 0, layers.size());
+  for (const std::size_t layer : layers) // the box is that of all
+  {
+    out.Line(" ", layer + 1, box[0], box[1], box[2], box[3], box[4], box[5], 1, layer + 1, 0);
+  }
+  out.Add("$EndEntities\n");
+}
+
+/// Gmsh knows the owner of each point, which need not be the only one that has cells there.
+void PrintGmshNodes(const VolumeCells& cells, std::size_t owner, const Monitor& monitor, LinePrinter& out)
+{
+  const std::size_t count = cells.Points.size();
+  out.Add("$Nodes\n");
+  out.Line(" ", 1, count, 1, count);
+  out.Line(" ", GmshVolume, owner + 1, 0, count);
+  for (std::size_t point = 1; point <= count; ++point)
+  {
+    out.Line("", point);
+  }
+  ForEach(count, monitor,
+    [&](std::size_t point)
+    {
+      const std::array<double, 3>& place = cells.Points[point];
+      out.Line(" ", place[0], place[1], place[2]);
+    });
+  out.Add("$EndNodes\n");
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -145,6 +203,7 @@ void CheckCells(const VolumeCells& cells)
   }
   for (std::size_t cell = 0; cell < cells.Size(); ++cell)
   {
+    CheckCorners(cells, cell);
     if (cells.Layers[cell] < 0 || std::size_t(cells.Layers[cell]) >= cells.Names.size())
     {
       throw InputError("layer " + std::to_string(cells.Layers[cell]) + " of cell " + std::to_string(cell) +
@@ -157,7 +216,6 @@ void CheckCells(const VolumeCells& cells)
 void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
   constexpr std::array<int, Kinds> types = { 6, 7, 4 };
-  constexpr int volume = 3;
   const CellGroups groups(cells);
   std::vector<std::size_t> layers;
   for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
@@ -167,39 +225,11 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
       layers.push_back(layer);
     }
   }
-  std::array<double, 6> box = { HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-  for (const std::array<double, 3>& point : cells.Points)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      box[axis] = std::min(box[axis], point[axis]);
-      box[3 + axis] = std::max(box[3 + axis], point[axis]);
-    }
-  }
   LinePrinter out(stream);
-  out.Add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n").Add(layers.size()).Add("\n");
-  for (const std::size_t layer : layers)
-  {
-    out.Line(" ", volume, layer + 1, '"' + WithoutQuotes(cells.Names[layer]) + '"');
-  }
-  out.Add("$EndPhysicalNames\n$Entities\n");
-  out.Line(" ", 0, 0, 0, layers.size());
-  for (const std::size_t layer : layers) // the box is that of all
-  {
-    out.Line(" ", layer + 1, box[0], box[1], box[2], box[3], box[4], box[5], 1, layer + 1, 0);
-  }
-  out.Add("$EndEntities\n$Nodes\n");
-  out.Line(" ", 1, cells.Points.size(), 1, cells.Points.size());
-  out.Line(" ", volume, layers.front() + 1, 0, cells.Points.size());
-  for (std::size_t point = 1; point <= cells.Points.size(); ++point)
-  {
-    out.Line("", point);
-  }
-  for (const std::array<double, 3>& point : cells.Points)
-  {
-    out.Line(" ", point[0], point[1], point[2]);
-  }
-  out.Add("$EndNodes\n$Elements\n");
+  out.Add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+  PrintGmshVolumes(cells, layers, out);
+  PrintGmshNodes(cells, layers.front(), monitor.Step(0.0, 0.4), out);
+  out.Add("$Elements\n");
   out.Line(" ", groups.Size(), cells.Size(), 1, cells.Size());
   std::int64_t printed = 0;
   for (const std::size_t layer : layers)
@@ -209,13 +239,14 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
       const std::vector<std::size_t>& group = groups.Of(layer, kind);
       if (!group.empty())
       {
-        out.Line(" ", volume, layer + 1, types[kind], group.size());
-        PrintCells(cells, group, " ", NodesOf, printed, out, monitor);
+        out.Line(" ", GmshVolume, layer + 1, types[kind], group.size());
+        PrintCells(cells, group, " ", NodesOf, printed, out, monitor.Step(0.4, 1.0));
       }
     }
   }
   out.Add("$EndElements\n");
   out.Flush();
+  monitor.Progress(1.0);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -226,11 +257,12 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
   const std::vector<std::string> names = MakeSetNames(cells.Names);
   LinePrinter out(stream);
   out.Add("*HEADING\nLayers between seismic horizons\n*NODE\n");
-  for (std::size_t point = 0; point < cells.Points.size(); ++point)
-  {
-    const std::array<double, 3>& place = cells.Points[point];
-    out.Line(", ", point + 1, place[0], place[1], place[2]);
-  }
+  ForEach(cells.Points.size(), monitor.Step(0.0, 0.4),
+    [&](std::size_t point)
+    {
+      const std::array<double, 3>& place = cells.Points[point];
+      out.Line(", ", point + 1, place[0], place[1], place[2]);
+    });
   std::int64_t printed = 0;
   for (std::size_t layer = 0; layer < names.size(); ++layer)
   {
@@ -240,10 +272,11 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
       if (!group.empty())
       {
         out.Line("", "*ELEMENT, TYPE=", types[kind], ", ELSET=", names[layer]);
-        PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor);
+        PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor.Step(0.4, 1.0));
       }
     }
   }
   out.Flush();
+  monitor.Progress(1.0);
 }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints cells of layers in formats of simulators and meshers (Documentation/HorizonLayersWriter.md). Coordinates have all
-// digits of double precision.
+// Prints cells of layers in formats of simulators and meshers (Documentation/HorizonLayersWriter.md). Coordinates have
+// all digits of double precision.
 
 #ifndef SeismicHorizonsLayersPrinter_h
 #define SeismicHorizonsLayersPrinter_h
@@ -35,7 +35,8 @@ struct VolumeCells
   std::size_t SizeOf(std::size_t cell) const { return std::size_t(this->Ends[cell] - this->FirstCorner(cell)); }
 };
 
-/// Throws InputError where there is no cell, on coordinates that are not finite, and on layers without a name.
+/// Throws InputError where there is no cell, on coordinates that are not finite, on corners that are no points, and on
+/// layers without a name.
 void CheckCells(const VolumeCells& cells);
 
 // Of cells that were checked.
@@ -47,8 +48,8 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 
 /// The package DISV of MODFLOW 6. A cell is level: top and base are the means of their corners, which keeps its volume.
-/// Where a layer pinches out between two others it is passed through (idomain -1); elsewhere there is no cell (0). Throws
-/// InputError where cells of a triangle are not over each other.
+/// Where a layer pinches out between two others it is passed through (idomain -1); elsewhere there is no cell (0).
+/// Throws InputError where cells of a triangle are not over each other.
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 }
 

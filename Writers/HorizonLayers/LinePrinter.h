@@ -4,10 +4,12 @@
 #ifndef SeismicHorizonsLinePrinter_h
 #define SeismicHorizonsLinePrinter_h
 
+#include "Common/Monitor.h"
 #include "Common/TextPrinter.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -57,6 +59,21 @@ public:
 private:
   TextPrinter Out;
 };
+
+/// Calls work(n) for each n below `count`, and tells progress now and then.
+template <typename Work>
+void ForEach(std::size_t count, const Monitor& monitor, Work&& work)
+{
+  constexpr std::size_t betweenReports = 1 << 14;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    if (n % betweenReports == 0)
+    {
+      monitor.Progress(double(n) / double(count));
+    }
+    work(n);
+  }
+}
 
 /// A name that can stand between quotes, or on a line.
 inline std::string WithoutQuotes(std::string name)

@@ -7,6 +7,7 @@
 #include "Common/Errors.h"
 #include "Common/FileErrors.h"
 #include "Common/InputFile.h"
+#include "Common/Monitor.h"
 #include "Common/OutputFile.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -31,6 +32,8 @@ using namespace SeismicHorizons;
 
 namespace
 {
+constexpr int MostLayers = 1 << 20; // no array of numbers that mean something else
+
 vtkDataArray* RequireArray(vtkUnstructuredGrid* grid, const char* name)
 {
   vtkDataArray* const array = grid->GetCellData()->GetArray(name);
@@ -42,24 +45,48 @@ vtkDataArray* RequireArray(vtkUnstructuredGrid* grid, const char* name)
   return array;
 }
 
-void ReadCells(vtkUnstructuredGrid* grid, VolumeCells& cells)
+/// Adds the corners of a cell. VTK itself takes any number of them.
+void AddCorners(vtkUnstructuredGrid* grid, vtkIdType cell, VolumeCells& cells)
 {
+  const int type = grid->GetCellType(cell);
+  const vtkIdType expected = type == VTK_WEDGE ? 6 : type == VTK_PYRAMID ? 5 : type == VTK_TETRA ? 4 : 0;
+  if (expected == 0)
+  {
+    throw InputError("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) +
+      ", expected wedges, pyramids and tetrahedra as Horizon Layers makes them");
+  }
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  grid->GetCells()->GetCellAtId(cell, size, corners);
+  if (size != expected)
+  {
+    throw InputError("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) + " with " +
+      std::to_string(size) + " corners, expected " + std::to_string(expected));
+  }
+  cells.Corners.insert(cells.Corners.end(), corners, corners + size);
+  cells.Ends.push_back(std::int64_t(cells.Corners.size()));
+}
+
+void ReadCells(vtkUnstructuredGrid* grid, VolumeCells& cells, const Monitor& monitor)
+{
+  constexpr vtkIdType betweenReports = 1 << 16;
   vtkDataArray* const layers = RequireArray(grid, CellArray::Layer);
   vtkDataArray* const triangles = RequireArray(grid, CellArray::Triangle);
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  const vtkIdType size = grid->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    const int type = grid->GetCellType(cell);
-    if (type != VTK_WEDGE && type != VTK_PYRAMID && type != VTK_TETRA)
+    if (cell % betweenReports == 0)
     {
-      throw InputError("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) +
-        ", expected wedges, pyramids and tetrahedra as Horizon Layers makes them");
+      monitor.Progress(double(cell) / double(size));
     }
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    grid->GetCells()->GetCellAtId(cell, size, corners);
-    cells.Corners.insert(cells.Corners.end(), corners, corners + size);
-    cells.Ends.push_back(std::int64_t(cells.Corners.size()));
-    cells.Layers.push_back(int(layers->GetComponent(cell, 0)));
+    AddCorners(grid, cell, cells);
+    const double layer = layers->GetComponent(cell, 0);
+    if (!(layer >= 0.0 && layer < MostLayers))
+    {
+      throw InputError("layer " + std::to_string(layer) + " of cell " + std::to_string(cell) + ", expected 0 to " +
+        std::to_string(MostLayers - 1));
+    }
+    cells.Layers.push_back(int(layer));
     cells.Triangles.push_back(std::int64_t(triangles->GetComponent(cell, 0)));
   }
 }
@@ -73,21 +100,21 @@ void ReadNames(vtkUnstructuredGrid* grid, VolumeCells& cells)
   }
   for (const int layer : cells.Layers)
   {
-    while (!names && layer < (1 << 20) && layer >= int(cells.Names.size()))
+    while (!names && layer >= int(cells.Names.size()))
     {
       cells.Names.push_back("Layer " + std::to_string(cells.Names.size() + 1));
     }
   }
 }
 
-VolumeCells ReadLayers(vtkUnstructuredGrid* grid)
+VolumeCells ReadLayers(vtkUnstructuredGrid* grid, const Monitor& monitor)
 {
   RequireTuples(grid->GetPointData(), grid->GetNumberOfPoints(), "points");
   RequireTuples(grid->GetCellData(), grid->GetNumberOfCells(), "cells");
   VolumeCells cells;
   if (grid->GetNumberOfCells() > 0)
   {
-    ReadCells(grid, cells);
+    ReadCells(grid, cells, monitor);
   }
   ReadNames(grid, cells);
   cells.Points.resize(std::size_t(grid->GetNumberOfPoints()));
@@ -164,12 +191,12 @@ void vtkHorizonLayersWriter::WriteData()
     {
       throw InputError("extension \"" + format + "\", expected msh, inp or disv");
     }
-    VolumeCells cells = ReadLayers(grid);
+    VolumeCells cells = ReadLayers(grid, monitor.Step(0.0, 0.2));
     if (format == "disv")
     {
       cells.LengthUnit = LengthUnitOf(ReadSurveyFields(grid->GetFieldData()));
     }
-    WriteOutputFile(file, [&](std::ostream& stream) { print(cells, stream, monitor); });
+    WriteOutputFile(file, [&](std::ostream& stream) { print(cells, stream, monitor.Step(0.2, 1.0)); });
   };
   RunRequest(this, {}, file + ": more data than memory, expected fewer layers", write, Ranks(), &this->ErrorCode);
 }

@@ -5,12 +5,12 @@
  * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv)
  *
  * Takes the cells that vtkHorizonLayers makes. The extension of the file says the format, each with its own order of
- * corners; coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). ParaView itself writes
- * .vtu, which has all arrays. A file appears complete or not at all.
+ * corners; coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). ParaView itself
+ * writes .vtu, which has all arrays. A file appears complete or not at all.
  *
  * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
- * file; Write() returns 0 then, and GetErrorCode() gives one of vtkErrorCode. Of several processes that call it, the one
- * that has cells writes.
+ * file; Write() returns 0 then, and GetErrorCode() gives one of vtkErrorCode. Of several processes that call it, the
+ * one that has cells writes.
  *
  * @sa vtkHorizonLayers
  */
