@@ -269,7 +269,7 @@ Extraction](SeismicReflectionExtraction.md) finds them with its defaults (compon
   1.5 columns to each side of it;
 - *error*: of the places found, in samples; *surfaces*: how many of 10 picks or more there are for each reflector, two
   at least, as the fault cuts each; *twice*: picks dropped as their surface had another one in the column; *channel*:
-  columns where the channel cut the reflector away that its surface goes on through.
+  columns where the channel cut the reflector away that its surface continues through.
 
 ## What bounds it
 
