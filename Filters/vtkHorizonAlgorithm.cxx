@@ -35,6 +35,9 @@ vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 }
 
 //------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ProcessOutputs(const std::vector<vtkDataObject*>&) {}
+
+//------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port > 0)
@@ -58,7 +61,7 @@ int vtkHorizonAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVect
 int vtkHorizonAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  for (int port = 0; port < this->GetNumberOfHorizonPorts(); ++port)
   {
     MakeOutputLike(vtkDataObject::GetData(inputVector[0], 0), outputVector->GetInformationObject(port));
   }
@@ -79,7 +82,8 @@ int vtkHorizonAlgorithm::RequestData(
   const auto work = [this, input, &outputs, &ranks, &report](std::string& subject, const Monitor& monitor)
   {
     std::vector<HorizonLeaf> horizons;
-    ranks.Together([&]() { horizons = ListHorizons(input, outputs); });
+    const auto end = outputs.begin() + this->GetNumberOfHorizonPorts();
+    ranks.Together([&]() { horizons = ListHorizons(input, { outputs.begin(), end }); });
     ListOnRanks(horizons, ranks); // throws when one is on several
     ranks.Together(
       [&]()
@@ -109,6 +113,8 @@ int vtkHorizonAlgorithm::RequestData(
             report.Add(horizon.Position, horizon.Name, horizon.Input, horizon.Outputs.front());
           }
         }
+        subject.clear();
+        this->ProcessOutputs(outputs);
       });
     report.Join(ranks);
   };

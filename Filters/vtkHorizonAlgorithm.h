@@ -66,6 +66,12 @@ protected:
   /// SeismicHorizons::InputError on input that breaks the contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
+  /// How many of the outputs have horizons, from the first on. All of them by default.
+  virtual int GetNumberOfHorizonPorts() { return this->GetNumberOfOutputPorts(); }
+
+  /// Fills the other outputs, of all ports, once each horizon is processed. Does nothing by default.
+  virtual void ProcessOutputs(const std::vector<vtkDataObject*>& outputs);
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -6,24 +6,36 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/KeptPoints.h"
+#include "Common/Survey/ImageFrame.h"
+#include "Common/VTK/ColumnImage.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/SurveyFields.h"
+#include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/LatticePoints.h"
 #include "Marshalling/PlacedPoints.h"
 #include "Thickness/Thickness.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,7 +43,8 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr int OtherPort = 1;
+constexpr int OtherPort = 1; // of the input
+constexpr int MapPort = 1; // of the output
 constexpr std::int64_t Few = 20; // one column of so many may be a crossing without a warning
 
 /// Of what has points, the one that is not the horizon itself, on the lattice of that.
@@ -63,6 +76,28 @@ LatticeScale ScaleOf(const Lattice& grid)
   return scale;
 }
 
+/// The map of a horizon with thickness. Throws InputError where steps are not perpendicular.
+void MakeMap(vtkPolyData* horizon, vtkImageData* map)
+{
+  map->GetFieldData()->PassData(horizon->GetFieldData());
+  if (horizon->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  LatticeMatrix toWorld;
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(toWorld.data()) = ReadLatticeMap(horizon);
+  PlaceImage(map, MakeMapFrame(toWorld));
+  const ColumnPixels pixels(ColumnsOf(horizon), map);
+  for (const char* const name : { PointArray::Isochore, PointArray::Isopach })
+  {
+    if (auto* const values = vtkDoubleArray::SafeDownCast(horizon->GetPointData()->GetArray(name)))
+    {
+      pixels.Add<vtkDoubleArray>(name, values->GetPointer(0), std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  map->GetPointData()->SetActiveScalars(PointArray::Isochore);
+}
+
 /// Whether lengths along z and across it can be told together.
 bool HasLengths(const SurveyDescription& survey)
 {
@@ -77,6 +112,21 @@ vtkStandardNewMacro(vtkHorizonThickness);
 vtkHorizonThickness::vtkHorizonThickness()
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkHorizonThickness::GetMap()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(MapPort));
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonThickness::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  MakeOutputLike<vtkImageData>(vtkDataObject::GetData(inputVector[0], 0), outputVector->GetInformationObject(MapPort));
+  return this->Superclass::RequestDataObject(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -115,5 +165,27 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
     const std::string name = NameBySurfaceId(horizon);
     vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << "the horizons cross in " << found.Crossings << " of "
                     << found.Columns << " columns, expected few: their thickness is negative there");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonThickness::ProcessOutputs(const std::vector<vtkDataObject*>& outputs)
+{
+  const auto make = [this](vtkDataObject* points, vtkImageData* map)
+  { RunPart(this, true, "the map", { map }, [&]() { MakeMap(vtkPolyData::SafeDownCast(points), map); }); };
+  auto* const tree = vtkDataObjectTree::SafeDownCast(outputs.front());
+  if (!tree)
+  {
+    make(outputs.front(), vtkImageData::SafeDownCast(outputs[MapPort]));
+    return;
+  }
+  auto* const maps = vtkDataObjectTree::SafeDownCast(outputs[MapPort]);
+  maps->CopyStructure(tree);
+  auto place = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
+  {
+    vtkNew<vtkImageData> map;
+    make(place->GetCurrentDataObject(), map);
+    maps->SetDataSet(place, map);
   }
 }

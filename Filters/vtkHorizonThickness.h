@@ -6,8 +6,10 @@
  *
  * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1: the other
  * horizon, whose points stand on columns of the lattice of the first one; a window of the survey, or every second line,
- * is enough. Without it, the other one of two horizons at input 0 is meant. Output: the points of input 0 in columns where the other horizon has one, with a vertex cell each, all
- * arrays but PatchId and Boundary of an outline before, and the point arrays
+ * is enough. Without it, the other one of two horizons at input 0 is meant.
+ *
+ * Output 0: the points of input 0 in columns where the other horizon has one, with a vertex cell each, all arrays but
+ * PatchId and Boundary of an outline before, and the point arrays
  *  - Isochore (double): the vertical thickness, in the unit of z; negative where the horizons cross
  *  - Isopach (double): the true thickness, at a right angle to the surface half-way between the horizons: the isochore
  *    times the cosine of its dip; nan where the dip is not known. Left out where VerticalDomain is time, or the units of
@@ -15,6 +17,10 @@
  * Field data (double): IsochoreLeast, IsochoreMean, IsochoreLargest, IsochoreVolume (with Isopach only): the sum over
  * columns, each with the area of a whole bin, crossings as 0; and IsochoreCrossings (vtkIdType), columns where they
  * cross. Which horizon is the upper one does not matter: crossings are where the order is not that of most columns.
+ *
+ * Output 1, the map: a vtkImageData in place of each horizon, with a pixel at z = 0 for each column of the bounding box,
+ * the same arrays, and blanked pixels and nan where there is no thickness. Empty, with a warning, where the steps of
+ * the lattice are not perpendicular, as images have no shear.
  *
  * A warning where more than one column in twenty is a crossing. Errors: another number of other horizons than one, a
  * point of it between columns, two in one column, no common column.
@@ -27,6 +33,8 @@
 
 #include "vtkHorizonAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
+
+class vtkImageData;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonThickness : public vtkHorizonAlgorithm
 {
@@ -44,11 +52,18 @@ public:
   void RemoveOther() { this->SetInputConnection(1, nullptr); }
   ///@}
 
+  /// The map of a single horizon; null when it is a composite dataset.
+  vtkImageData* GetMap();
+
 protected:
   vtkHorizonThickness();
   ~vtkHorizonThickness() override = default;
 
   void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  int GetNumberOfHorizonPorts() override { return 1; }
+  void ProcessOutputs(const std::vector<vtkDataObject*>& outputs) override;
+
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkHorizonThickness(const vtkHorizonThickness&) = delete;

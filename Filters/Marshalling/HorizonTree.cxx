@@ -13,16 +13,13 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -209,18 +206,6 @@ void CheckArraySizes(vtkPolyData* horizon)
   {
     throw InputError("point array " + std::string(ghosts->GetName()) + " with " +
       std::to_string(ghosts->GetNumberOfComponents()) + " components, expected 1");
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
-{
-  vtkDataObject* const output = vtkDataObject::GetData(outputPort);
-  const bool isTree = vtkDataObjectTree::SafeDownCast(input) != nullptr;
-  if (input && (!output || !output->IsA(isTree ? input->GetClassName() : "vtkPolyData")))
-  {
-    auto made = vtkSmartPointer<vtkDataObject>::Take(isTree ? input->NewInstance() : vtkPolyData::New());
-    outputPort->Set(vtkDataObject::DATA_OBJECT(), made);
   }
 }
 

@@ -6,15 +6,15 @@
 #ifndef SeismicHorizonsHorizonTree_h
 #define SeismicHorizonsHorizonTree_h
 
+#include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
 
-class vtkDataObject;
-class vtkInformation;
 class vtkInformationVector;
-class vtkPolyData;
 
 namespace SeismicHorizons
 {
@@ -28,9 +28,19 @@ void AcceptHorizons(vtkInformation* port);
 /// horizons asks this first: nothing behind it looks at the sizes of arrays.
 void CheckArraySizes(vtkPolyData* horizon);
 
-/// Gives an output port a composite dataset of the class of `input`, or a vtkPolyData for any other input, unless it
-/// has one. Does nothing without an input.
-void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort);
+/// Gives an output port a composite dataset of the class of `input`, or a dataset of the class Single for any other
+/// input, unless it has one. Does nothing without an input.
+template <typename Single = vtkPolyData>
+void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
+{
+  vtkDataObject* const output = vtkDataObject::GetData(outputPort);
+  const bool isTree = vtkDataObjectTree::SafeDownCast(input) != nullptr;
+  if (input && (isTree ? !output || !output->IsA(input->GetClassName()) : !Single::SafeDownCast(output)))
+  {
+    auto made = vtkSmartPointer<vtkDataObject>::Take(isTree ? input->NewInstance() : Single::New());
+    outputPort->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+}
 
 /// The data objects of all output ports.
 std::vector<vtkDataObject*> ListOutputs(vtkInformationVector* outputPorts);

@@ -20,6 +20,7 @@ from unittest import mock
 
 import mesh_checks
 import numpy as np
+import seismichorizons as sh
 from seismichorizons import album, batch, charts, figures, markup, memory, pipeline, record, report
 
 PROGRAM, GENERATOR, DATA, PAGE, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:6])
@@ -228,6 +229,27 @@ class ReportTest(unittest.TestCase):
         self.assertAlmostEqual(errors.max(), mesh.GetFieldData().GetArray("LargestError").GetValue(0), 5)
         corners = np.frombuffer(coded.content, "<u2", -1, 12 * coded.points + 4 * coded.triangles)
         np.testing.assert_array_equal(corners.reshape(-1, 3), mesh_checks.triangles(mesh))
+
+    def test_maps_of_layers(self):
+        """The volume below a map is that of the layer, of wedges, pyramids and tetrahedra; its picture names both ends."""
+        rows, columns = np.mgrid[:30, :40].astype(float)
+        made = sh.layers({"Top": sh.horizon(100.0 + 0 * rows, vertical_step=1.0),
+                          "Base": sh.horizon(95.0 + np.hypot(rows - 12.3, columns - 21.7) * 0.8, vertical_step=1.0)},
+                         0.5, order="AsGiven", crossings="UpperWins")
+        self.assertGreater(made.figures["Top to Base"].tetrahedra, 0)
+        self.assertGreater(made.figures["Top to Base"].pyramids, 0)
+        plan = album.plan_of(made.cells, 0)
+        thickness = mesh_checks.vtk_to_numpy(plan.GetPointData().GetArray("Thickness")).reshape(-1, 3)
+        sides = np.diff(mesh_checks.coordinates(plan).reshape(-1, 3, 3)[:, :, :2], axis=1)
+        areas = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0]) / 2.0
+        self.assertEqual(len(areas), made.cells.GetNumberOfCells())
+        self.assertAlmostEqual(np.sum(areas * thickness.mean(axis=1)), made.figures["Top to Base"].volume, 6)
+        self.assertEqual(album.plan_of(made.cells, 1).GetNumberOfPoints(), 0)
+        pictured = album.Album(True)
+        pictured.add_layers(made)
+        (bodies, map_of_layer), = (entry.pictures for entry in pictured.layers)
+        self.assertIsNone(bodies.scale_ends)
+        np.testing.assert_allclose(map_of_layer.scale_ends, (0.0, made.figures["Top to Base"].thickness_largest))
 
     def test_angles(self):
         """Their smallest is what the mesh itself tells, and each triangle is counted."""

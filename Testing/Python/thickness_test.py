@@ -56,6 +56,32 @@ class ThicknessTest(unittest.TestCase):
         np.testing.assert_allclose(vtk_to_numpy(sh.thickness(top, moved(top, (0.0, 0.0, -7.5))).GetPointData().GetArray("Isochore")),
                                    7.5)
 
+    def test_map(self):
+        """An image of the same, in its place; none of a lattice that is sheared."""
+        top, base = self.horizons[:2]
+        filter = sh.vtkHorizonThickness()
+        filter.SetInputDataObject(0, top)
+        filter.SetInputDataObject(1, base)
+        filter.Update()
+        points, made = filter.GetPolyDataOutput(), filter.GetMap()
+        known = {(round(x, 3), round(y, 3)): pair for (x, y, _), pair in zip(
+            vtk_to_numpy(points.GetPoints().GetData()), zip(*(vtk_to_numpy(points.GetPointData().GetArray(name))
+                                                              for name in ("Isochore", "Isopach"))))}
+        isochore, isopach, ghosts = (vtk_to_numpy(made.GetPointData().GetArray(name)) for name in (
+            "Isochore", "Isopach", "vtkGhostType"))
+        shown = np.flatnonzero(ghosts == 0)
+        self.assertEqual(len(shown), len(known))
+        for pixel in shown:
+            x, y, z = made.GetPoint(pixel)
+            np.testing.assert_array_equal((isochore[pixel], isopach[pixel]), known[round(x, 3), round(y, 3)])
+            self.assertEqual(z, 0.0)
+        self.assertTrue(np.all(np.isnan(isochore[ghosts != 0])))
+        self.assertEqual(filter.GetPolyDataOutput().GetFieldData().GetArray("IsochoreMean").GetTuple1(0),
+                         made.GetFieldData().GetArray("IsochoreMean").GetTuple1(0))
+        sheared = list(sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 7.0)).values())
+        with self.assertWarnsRegex(UserWarning, "the map is left out: ColumnStep and RowStep that are not perpendicular"):
+            self.assertGreater(sh.thickness(*sheared[:2]).GetNumberOfPoints(), 1000)
+
     def test_two_at_one_input(self):
         reader = sh.vtkVerneySparseMatrixReader()
         reader.SetFileName(SAMPLE)
@@ -65,6 +91,9 @@ class ThicknessTest(unittest.TestCase):
         filter.SetInputConnection(reader.GetOutputPort())
         filter.Update()
         self.assertEqual(filter.GetOutputDataObject(0).GetNumberOfPartitionedDataSets(), 2)
+        maps = [filter.GetOutputDataObject(1).GetPartition(n, 0) for n in range(2)]
+        self.assertEqual([made.GetClassName() for made in maps], ["vtkImageData"] * 2)
+        np.testing.assert_array_equal(*(vtk_to_numpy(made.GetPointData().GetArray("Isochore")) for made in maps))
         self.assertIn("mean thickness", filter.GetResults())
         collection = filter.GetOutputDataObject(0)
         self.assertGreater(sum(collection.GetPartition(n, 0).GetNumberOfPoints() for n in range(2)), 2000)

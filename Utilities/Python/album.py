@@ -25,12 +25,13 @@ THUMBNAIL_SIZE = (208, 136)
 
 @dataclass
 class Picture:
-    """`title` and `caption` are words about it; of an error map, `farthest` is the distance of the last colour."""
+    """`title` and `caption` are words about it; of a map of errors or thickness, `scale_ends` are the values of the first
+    and the last colour."""
 
     title: str
     caption: str
     jpeg: bytes
-    farthest: Optional[float] = None
+    scale_ends: Optional[tuple] = None
 
 
 @dataclass
@@ -62,9 +63,9 @@ class Entry:
 
 @dataclass
 class LayerEntry:
-    """Of the layers of a file: `bodies` to turn, by their names."""
+    """Of the layers of a file: a picture of all, a map of each, and `bodies` to turn, by their names."""
 
-    picture: Optional[Picture] = None
+    pictures: list = field(default_factory=list)
     bodies: dict = field(default_factory=dict)
 
 
@@ -99,7 +100,9 @@ class Album:
         if taken + sum(len(mesh.content) for mesh in bodies.values()) <= MESH_BYTES // 2:
             entry.bodies = bodies
         if self.with_pictures and len(self.layers) <= MOST_PICTURED and bodies:
-            entry.picture = self._draw_bodies(list(made.bodies.values()))
+            entry.pictures = [self._draw_bodies(list(made.bodies.values())), *(
+                self._draw_thickness(name, plan_of(made.cells, number))
+                for number, name in enumerate(made.figures) if number < MOST_PICTURED and name in bodies)]
 
     def _draw_bodies(self, bodies):
         from . import pictures
@@ -108,6 +111,12 @@ class Album:
         panel = pictures.Panel("", "", take_apart(bodies), pictures.BODIES)
         (image,), exaggeration, _ = pictures.draw_each([panel], PICTURE_SIZE, self._studio)
         return Picture("Layers", "taken apart, heights \u00d7 %g" % exaggeration, pictures.as_jpeg(image))
+
+    def _draw_thickness(self, name, plan):
+        from . import pictures
+
+        (image,), _, ends = pictures.draw_each([pictures.Panel("", "", plan, pictures.THICKNESS)], PICTURE_SIZE, self._studio)
+        return Picture(name, "thickness, seen from above", pictures.as_jpeg(image), ends)
 
     def cut(self, number):
         """Leaves only so many entries, the first ones."""
@@ -123,11 +132,11 @@ class Album:
             measured = result.data.get("measured")
             if measured is not None and measured.GetNumberOfPoints():
                 panels.append(pictures.Panel("Error", "distance of each point from the mesh", measured, pictures.DISTANCE))
-            images, entry.exaggeration, farthest = pictures.draw_each(panels, PICTURE_SIZE, self._studio)
+            images, entry.exaggeration, ends = pictures.draw_each(panels, PICTURE_SIZE, self._studio)
             # The first panel of a row has the name of the horizon as its title.
             first = "Points" if panels[0].style == pictures.POINTS else "Mesh"
             entry.pictures = [Picture(panel.title if number else first, panel.caption, pictures.as_jpeg(image),
-                                      farthest if panel.style == pictures.DISTANCE else None)
+                                      ends if panel.style == pictures.DISTANCE else None)
                               for number, (panel, image) in enumerate(zip(panels, images))]
         if sum(e.thumbnail is not None for e in self.entries) < MOST_THUMBNAILS:
             panel = pictures.Panel(result.name, "", result.data["mesh"], pictures.MESH)
@@ -141,6 +150,31 @@ def _drop(entries, name, nothing, worth, size, most_bytes, most=None):
     having = sorted((e for e in entries if getattr(e, name)), key=worth, reverse=True)
     while having and (sum(map(size, having)) > most_bytes or len(having) > (most or len(having))):
         setattr(having.pop(), name, nothing)
+
+
+def plan_of(cells, layer):
+    """The triangles of a layer on the plane z = 0, each with corners of its own, and the point data array Thickness."""
+    chosen = vtk_to_numpy(cells.GetCellData().GetArray("Layer")) == layer
+    starts = vtk_to_numpy(cells.GetCells().GetOffsetsArray())
+    numbers = vtk_to_numpy(cells.GetCells().GetConnectivityArray())
+    places = vtk_to_numpy(cells.GetPoints().GetData())
+    corners, thickness = [np.zeros((0, 3))], [np.zeros(0)]
+    for size in (6, 5, 4):  # wedges, pyramids, tetrahedra: three columns, of one or two points each
+        first = starts[:-1][chosen & (np.diff(starts) == size)]
+        own = places[numbers[first[:, None] + np.arange(size)]]
+        is_above_or_below = np.all(own[:, :, None, :2] == own[:, None, :, :2], axis=3)
+        heights = np.where(is_above_or_below, own[:, None, :, 2], np.nan)
+        is_top = own[:, :, 2] == np.nanmax(heights, axis=2, initial=-np.inf)
+        corners.append(own[is_top])
+        thickness.append((np.nanmax(heights, axis=2, initial=-np.inf) - np.nanmin(heights, axis=2, initial=np.inf))[is_top])
+    plan = vtkPolyData()
+    plan.SetPoints(vtkPoints())
+    plan.GetPoints().SetData(numpy_to_vtk(np.concatenate(corners) * (1.0, 1.0, 0.0), deep=True))
+    array = numpy_to_vtk(np.concatenate(thickness), deep=True)
+    array.SetName("Thickness")
+    plan.GetPointData().AddArray(array)
+    plan.SetPolys(triangles.cells_of(np.arange(plan.GetNumberOfPoints()).reshape(-1, 3)))
+    return plan
 
 
 def take_apart(bodies):

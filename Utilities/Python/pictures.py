@@ -19,7 +19,7 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
 from .styles import (  # noqa: F401: a panel is made with one of them
-    BODIES, CELLS, DISTANCE, FAULTS, LEVELS, MESH, OUTLINE, POINTS, coordinates, distances, make_actors, rgb)
+    BODIES, CELLS, DISTANCE, FAULTS, LEVELS, MESH, OUTLINE, POINTS, THICKNESS, coordinates, make_actors, rgb, values)
 from .writing import write_file
 
 # What a panel shows: a title, a line below it, the horizon, and one of the styles. `behind` is a horizon whose points
@@ -50,7 +50,7 @@ def draw(rows, text=True, panel_size=PANEL_SIZE):
 
 def draw_each(row, panel_size, studio):
     """Draws panels of a row without text, and returns a picture of each, as vtkImageData, and what they have in common: by
-    how much heights are exaggerated, and the distance that has the last colour."""
+    how much heights are exaggerated, and the values of the first and last colours of distances or of thickness."""
     frame = _Frame(row, panel_size)
     renderers = [_renderer(frame, panel, text=False) for panel in row]
     for column, renderer in enumerate(renderers):
@@ -63,7 +63,7 @@ def draw_each(row, panel_size, studio):
         cut.SetVOI(column * panel_size[0], (column + 1) * panel_size[0] - 1, 0, panel_size[1] - 1, 0, 0)
         cut.Update()
         images.append(cut.GetOutput())
-    return images, frame.exaggeration, frame.farthest
+    return images, frame.exaggeration, frame.scale_ends
 
 
 def render(renderers, size):
@@ -133,8 +133,12 @@ class _Frame:
         # A few extreme points should not eat up the colours.
         low, high = np.percentile(self.points[:, 2], (1.0, 99.0))
         self.color_range = (low, max(high, low + 1e-9))
-        self.farthest = max([1e-9] + [np.percentile(distances(panel.horizon), 99.0) for panel in row
-                                      if panel.style == DISTANCE])
+        self.scale_ends = (0.0, max([1e-9] + [np.percentile(values(panel.horizon, "Distance"), 99.0) for panel in row
+                                              if panel.style == DISTANCE]))
+        self.is_plan = all(panel.style == THICKNESS for panel in row)
+        if self.is_plan:
+            thickness = np.concatenate([values(panel.horizon, "Thickness") for panel in row])
+            self.scale_ends = (thickness.min(), max(thickness.max(), thickness.min() + 1e-9))
         extent = self.high - self.low
         width = max(extent[0], extent[1], 1e-9)
         # Rounded, as the caption names it.
@@ -152,12 +156,12 @@ class _Frame:
         return max(1.5, min(6.0, 0.9 * math.sqrt(0.45 * self.pixels() / self.count)))
 
     def place_camera(self, camera):
-        """Looks at the horizon from above and aside, and fills the panel with it."""
+        """Looks at the horizon from above and aside, on a plan from above, and fills the panel with it."""
+        azimuth, elevation = (-math.pi / 2.0, math.pi / 2.0) if self.is_plan else (VIEW_AZIMUTH, VIEW_ELEVATION)
         toward = np.array([
-            math.cos(VIEW_ELEVATION) * math.cos(VIEW_AZIMUTH),
-            math.cos(VIEW_ELEVATION) * math.sin(VIEW_AZIMUTH),
-            math.sin(VIEW_ELEVATION)])
-        right = np.cross([0.0, 0.0, 1.0], toward)
+            math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation)])
+        up = [0.0, 1.0, 0.0] if self.is_plan else [0.0, 0.0, 1.0]
+        right = np.cross(up, toward)
         right /= np.linalg.norm(right)
         axes = np.column_stack([right, np.cross(toward, right), toward])
         seen = (self.points * self.scale()) @ axes
@@ -168,10 +172,10 @@ class _Frame:
         camera.ParallelProjectionOn()
         camera.SetFocalPoint(*center)
         camera.SetPosition(*(center + 2.0 * depth * toward))
-        camera.SetViewUp(0.0, 0.0, 1.0)
+        camera.SetViewUp(*up)
         # A little lower than the middle, for the text above it.
-        camera.SetWindowCenter(0.0, 0.08)
-        camera.SetParallelScale(max(0.65 * (high - low)[1], 0.53 * (high - low)[0] * height / width, 1e-9))
+        camera.SetWindowCenter(0.0, 0.0 if self.is_plan else 0.08)
+        camera.SetParallelScale(max((0.53 if self.is_plan else 0.65) * (high - low)[1], 0.53 * (high - low)[0] * height / width, 1e-9))
         camera.SetClippingRange(0.5 * depth, 4.0 * depth)
 
 

@@ -196,19 +196,19 @@ def layers(run, album):
         return Markup()
     heads = [fill("plain_head", kind="name", text="Layer", meaning="from its top to its base")]
     heads += [fill("plain_head", kind="number", text=text, meaning=meaning) for text, meaning, _, _ in LAYER_COLUMNS]
-    pictures = [entry.picture for entry in album.layers] if album else [None] * len(having)
-    return fill("layers", tables=join(_layer_table(file, join(heads), picture) for file, picture in zip(having, pictures)))
+    pictures = [entry.pictures for entry in album.layers] if album else [[]] * len(having)
+    return fill("layers", tables=join(_layer_table(file, join(heads), own) for file, own in zip(having, pictures)))
 
 
-def _layer_table(file, heads, picture):
+def _layer_table(file, heads, pictures):
     unit = file["layers"][0]["volume_unit"]
-    width, height = albums.PICTURE_SIZE
-    shown = picture and fill("picture", uri=data_uri(picture.jpeg, "image/jpeg"), width=width, height=height, scale=None,
-                             alt="The layers of %s, taken apart" % file["label"], title=picture.title, caption=picture.caption)
+    vertical = (file["survey"] or {}).get("vertical_unit")
+    shown = [_picture(picture, "%s of %s: %s" % (picture.title, file["label"], picture.caption), "%.3g", vertical)
+             for picture in pictures]
     return fill("layer_table", label=file["label"], unit="Volumes in %s. " % unit if unit else None, heads=heads,
                 rows=join(fill("layer_row", name=own["name"], cells=join(
                     _cell(value(own), form) for _, _, value, form in LAYER_COLUMNS)) for own in file["layers"]),
-                pictures=fill("pictures", pictures=shown) if shown else None)
+                pictures=fill("pictures", pictures=join(shown)) if shown else None)
 
 
 def _about_distances(run):
@@ -261,16 +261,18 @@ def _details(number, horizon, survey, entry, label):
 def _pictures(name, entry, unit):
     if not entry.pictures:
         return None
+    return fill("pictures", pictures=join(_picture(picture, "%s of %s: %s; seen from above and aside, heights \u00d7 %g" % (
+        picture.title, name, picture.caption, entry.exaggeration), "%.3g and more", unit) for picture in entry.pictures))
+
+
+def _picture(picture, alt, last, unit):
+    """A picture, with its scale where it has one, whose last value is shown as `last`."""
     width, height = albums.PICTURE_SIZE
-    shown = []
-    for picture in entry.pictures:
-        scale = None if picture.farthest is None else fill("scale", farthest="%.3g and more" % picture.farthest)
-        caption = picture.caption if scale is None else "%s, %s" % (picture.caption, unit)
-        alt = "%s of %s: %s; seen from above and aside, heights \u00d7 %g" % (
-            picture.title, name, picture.caption, entry.exaggeration)
-        shown.append(fill("picture", uri=data_uri(picture.jpeg, "image/jpeg"), width=width, height=height, alt=alt,
-                          title=picture.title, caption=caption, scale=scale))
-    return fill("pictures", pictures=join(shown))
+    ends = picture.scale_ends
+    scale = None if ends is None else fill("scale", first="%.3g" % ends[0], last=last % ends[1])
+    caption = picture.caption if scale is None or not unit else "%s, %s" % (picture.caption, unit)
+    return fill("picture", uri=data_uri(picture.jpeg, "image/jpeg"), width=width, height=height, alt=alt,
+                title=picture.title, caption=caption, scale=scale)
 
 
 def _charts(horizon, unit):

@@ -5,7 +5,7 @@
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
@@ -22,6 +22,7 @@ CELLS = "cells"  # cells of a simplification as seen from above, in the same col
 DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
 FAULTS = "faults"  # lines in the colours of the size of their point data array Throw
 BODIES = "bodies"  # closed surfaces in the colours of their cell data array Layer
+THICKNESS = "thickness"  # triangles of a plan, seen from above, in the colours of their point data array Thickness
 
 LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
 LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
@@ -51,8 +52,8 @@ def coordinates(horizon):
     return vtk_to_numpy(points.GetData())
 
 
-def distances(horizon):
-    return vtk_to_numpy(horizon.GetPointData().GetArray("Distance"))
+def values(horizon, name):
+    return vtk_to_numpy(horizon.GetPointData().GetArray(name))
 
 
 def make_actors(frame, panel):
@@ -71,6 +72,8 @@ def make_actors(frame, panel):
         actors.append(_faults(panel.horizon))
     elif panel.style == BODIES:
         actors.append(_bodies(panel.horizon))
+    elif panel.style == THICKNESS:
+        actors.append(_thickness(frame, panel.horizon))
     else:
         actors.extend(_mesh(frame, panel.horizon, panel.style == DISTANCE))
     return actors
@@ -115,9 +118,9 @@ def _color_by_height(frame, actor):
         (low + (high - low) * number / (len(LOW_TO_HIGH) - 1), color) for number, color in enumerate(LOW_TO_HIGH)])
 
 
-def _color_by_distance(frame, horizon, actor):
-    _color_by(actor, horizon.GetPointData().GetArray("Distance"),
-              [(part * frame.farthest, color) for part, color in NEAR_TO_FAR])
+def _color_by_array(frame, horizon, name, actor):
+    low, high = frame.scale_ends
+    _color_by(actor, horizon.GetPointData().GetArray(name), [(low + part * (high - low), color) for part, color in NEAR_TO_FAR])
     actor.GetMapper().InterpolateScalarsBeforeMappingOn()
 
 
@@ -220,6 +223,13 @@ def _bodies(horizon):
     return actor
 
 
+def _thickness(frame, plan):
+    actor = _actor(_part(plan, polys=plan.GetPolys()))
+    actor.GetProperty().LightingOff()
+    _color_by_array(frame, plan, "Thickness", actor)
+    return actor
+
+
 def _bring_forward(mapper, offset):
     """Before what lies at the same place, but still behind what is clearly nearer."""
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -241,17 +251,9 @@ def _first_point(cells, cell):
     return int(cells.GetConnectivityArray().GetTuple1(int(offsets.GetTuple1(cell))))
 
 
-def _cells_of(corners):
-    """Triangles by the numbers of their corners."""
-    cells = vtkCellArray()
-    cells.SetData(numpy_to_vtkIdTypeArray(3 * np.arange(len(corners) + 1, dtype=np.int64), deep=True),
-                  numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
-    return cells
-
-
 def _fault_walls(horizon, color):
     """Triangles that close faults, in a colour of their own and without the normals of what is beside them."""
-    walls = _actor(_part(horizon, polys=_cells_of(triangles.at_faults(horizon))))
+    walls = _actor(_part(horizon, polys=triangles.cells_of(triangles.at_faults(horizon))))
     walls.GetProperty().SetColor(*rgb(color))
     walls.GetProperty().SetInterpolationToFlat()
     walls.GetProperty().SetAmbient(0.35)
@@ -264,13 +266,13 @@ def _mesh(frame, horizon, by_distance=False):
     is_closed = triangles.count_at_faults(horizon) > 0
     normals = vtkPolyDataNormals()
     normals.SetInputData(
-        _part(horizon, polys=_cells_of(triangles.of_surface(horizon))) if is_closed else everything)
+        _part(horizon, polys=triangles.cells_of(triangles.of_surface(horizon))) if is_closed else everything)
     normals.SplittingOff()
     normals.ConsistencyOff()
     normals.Update()
     shaded = _actor(normals.GetOutput())
     if by_distance:
-        _color_by_distance(frame, horizon, shaded)
+        _color_by_array(frame, horizon, "Distance", shaded)
     elif horizon.GetNumberOfPoints():
         _color_by_height(frame, shaded)
     shaded.GetProperty().SetAmbient(0.15)

@@ -4,7 +4,8 @@
 which no figure counts."""
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 
 def of_surface(mesh):
@@ -33,6 +34,14 @@ def values_on_surface(mesh, name):
     values = _values(mesh, name)
     marks = _marks(mesh)
     return values if values is None or marks is None else values[~marks]
+
+
+def cells_of(corners):
+    """Triangles by the numbers of their corners."""
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(3 * np.arange(len(corners) + 1, dtype=np.int64), deep=True),
+                  numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
+    return cells
 
 
 def _corners(mesh):

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Maps: images with a pixel for each column of a bounding box.
+
+#ifndef SeismicHorizonsColumnImage_h
+#define SeismicHorizonsColumnImage_h
+
+#include "Common/PlaneGeometry.h"
+#include "Common/Types.h"
+#include "DataArrays.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Where columns are in an image.
+class ColumnPixels
+{
+public:
+  /// Gives the image the extent of the box of some columns, at least one, and blanks all other pixels.
+  ColumnPixels(PlanePoints columns, vtkImageData* image)
+    : Image(image)
+  {
+    const PlaneBox box(columns);
+    image->SetExtent(box.Least.X, box.Greatest.X, box.Least.Y, box.Greatest.Y, 0, 0);
+    const vtkIdType width = vtkIdType(box.Greatest.X) - box.Least.X + 1;
+    this->Pixels.reserve(columns.size());
+    for (const PlanePoint& column : columns)
+    {
+      this->Pixels.push_back((vtkIdType(column.Y) - box.Least.Y) * width + column.X - box.Least.X);
+    }
+    const std::vector<unsigned char> shown(columns.size(), 0);
+    this->Add<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), shown, vtkDataSetAttributes::HIDDENPOINT);
+  }
+
+  /// Adds a point array with the values of the columns, and another value where there is none.
+  template <typename Array, typename Values>
+  void Add(const char* name, const Values& values, typename Array::ValueType missing) const
+  {
+    auto array = NewArray<Array>(name, this->Image->GetNumberOfPoints());
+    array->FillValue(missing);
+    for (std::size_t n = 0; n < this->Pixels.size(); ++n)
+    {
+      array->SetValue(this->Pixels[n], values[n]);
+    }
+    this->Image->GetPointData()->AddArray(array);
+  }
+
+private:
+  vtkImageData* Image;
+  std::vector<vtkIdType> Pixels;
+};
+}
+
+#endif
