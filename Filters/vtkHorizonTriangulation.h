@@ -127,9 +127,9 @@ public:
 
   ///@{
   /**
-   * Whether cracks at faults are closed by steep triangles between their two sides, with 1 in the array Fault. The rest
-   * of the mesh is as without them; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles.
-   * See "Closed meshes" in HorizonFaults.md. Default: off.
+   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
+   * change; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles. See "Closed meshes" in
+   * HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.
