@@ -88,7 +88,7 @@ public:
 
   ///@{
   /**
-   * Smaller areas without a layer have no such line. Unit: columns. Range: at least 1. Default: 25.
+   * The smallest area without a layer that has a pinch-out line. Unit: columns. Range: at least 1. Default: 25.
    */
   vtkSetMacro(SmallestPinch, int);
   vtkGetMacro(SmallestPinch, int);

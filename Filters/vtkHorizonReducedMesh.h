@@ -120,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not change;
-   * gaps of missing points stay open. See "Closed meshes" in HorizonFaults.md. Default: off.
+   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
+   * change; gaps of missing points stay open. See "Closed meshes" in HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure or array counts them; the new FaultTriangleCount (vtkIdType) has their number.
