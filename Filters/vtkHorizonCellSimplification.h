@@ -52,11 +52,10 @@ public:
 
   ///@{
   /**
-   * At most so many points are left: the rough simplification then looks for the smallest cell size with which that
-   * holds, the elaborate one a FlatnessThreshold that leaves nearly as many, with larger or smaller cells where no
-   * threshold does (thesis 6.2). What was chosen is in the field data (ChosenCellSize, ChosenFlatnessThreshold). 0:
-   * CellSize and FlatnessThreshold as given. Outline points are always kept. Unit: points. Range: at least 0. Default:
-   * 0.
+   * The largest number of points. The rough simplification uses the smallest cell size for it, the elaborate one a
+   * FlatnessThreshold that leaves nearly as many, with larger or smaller cells if needed (thesis 6.2). The field data
+   * have the choice (ChosenCellSize, ChosenFlatnessThreshold). 0: CellSize and FlatnessThreshold as given. Outline
+   * points are always kept. Unit: points. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);
@@ -71,9 +70,9 @@ public:
 
   ///@{
   /**
-   * What represents the points of a cell. Barycentre: their mean, attributes included, as in the thesis. NearestPoint:
-   * the one of them nearest to it on the map, with its own attributes, so that every point of the output is one of the
-   * input. Default: Barycentre.
+   * The representative of the points of a cell. Barycentre: their mean, with mean attributes, as in the thesis.
+   * NearestPoint: the point nearest to it on the map, with its own attributes, so that every output point is one of
+   * the input. Default: Barycentre.
    */
   vtkSetClampMacro(Representative, int, Barycentre, NearestPoint);
   vtkGetMacro(Representative, int);
@@ -83,9 +82,8 @@ public:
 
   ///@{
   /**
-   * Whether the output is the cells as wireframe, to look at, in place of the points: squares at the mean height of
-   * their points, or cubes. The cell data array CellOrigin says how often a cell was halved and in which ring it is.
-   * Default: off.
+   * For inspection: the output is the cells as wireframe, squares at the mean height of their points, or cubes. The
+   * cell data array CellOrigin has the halvings and the ring of each cell. Default: off.
    */
   vtkSetMacro(ShowCells, bool);
   vtkGetMacro(ShowCells, bool);

@@ -66,7 +66,7 @@ public:
 
   ///@{
   /**
-   * What decides how many points are left. LargestError: MaximumError. NumberOfPoints: MaximumNumberOfPoints.
+   * What limits the number of points. LargestError: MaximumError. NumberOfPoints: MaximumNumberOfPoints.
    * Reduction: TargetReduction. Default: LargestError.
    */
   vtkSetClampMacro(Target, int, LargestError, Reduction);
@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * How many points each horizon has at most, those of its outlines included, which are never dropped. Unit: points.
-   * Range: at least 1. Default: 10000.
+   * The largest number of points of each horizon, including its outlines, which are never dropped. Unit: points. Range:
+   * at least 1. Default: 10000.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);
@@ -87,8 +87,8 @@ public:
 
   ///@{
   /**
-   * The fraction of the points of each horizon that is dropped; 0.95 leaves one in twenty. Outlines are kept in any
-   * case. Unit: fraction of the points. Range: 0 to 1. Default: 0.95.
+   * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Outlines are always kept. Unit:
+   * fraction of the points. Range: 0 to 1. Default: 0.95.
    */
   vtkSetMacro(TargetReduction, double);
   vtkGetMacro(TargetReduction, double);

@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * What is done with spikes and threads. Remove: they are left out. Flag: all points stay, and the array Spike is 1 at
-   * spikes, 2 on threads. Default: Remove.
+   * What happens to spikes and spurs. Remove: they are left out. Flag: all points stay, and the array Spike is 1 at
+   * spikes, 2 on spurs. Default: Remove.
    */
   vtkSetClampMacro(Action, int, Remove, Flag);
   vtkGetMacro(Action, int);
@@ -58,8 +58,9 @@ public:
 
   ///@{
   /**
-   * How far a point may be above or below the surface through the points around it. 0: four times the noise, which is
-   * measured on each horizon, and four times the deviations around. Unit: ThresholdUnit. Range: at least 0. Default: 0.
+   * The largest distance of a point above or below the surface through the points around it. 0: four times the noise,
+   * measured on each horizon, and four times the deviations around. Unit: ThresholdUnit. Range: at least 0. Default:
+   * 0.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -85,8 +86,8 @@ public:
 
   ///@{
   /**
-   * How far around a point others are looked at, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes
-   * are found if they cover less than half of the square. Unit: columns. Range: 1 to 16. Default: 2.
+   * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes are found if
+   * they cover less than half of it. Unit: columns. Range: 1 to 16. Default: 2.
    */
   vtkSetMacro(NeighborhoodRadius, int);
   vtkGetMacro(NeighborhoodRadius, int);
@@ -94,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Strips and spurs of at most this width are threads; 0 looks for none. Unit: columns. Range: 0 to 64. Default: 0.
+   * The largest width of strips and spurs to remove; 0: none. Unit: columns. Range: 0 to 64. Default: 0.
    */
   vtkSetMacro(ThreadWidth, int);
   vtkGetMacro(ThreadWidth, int);

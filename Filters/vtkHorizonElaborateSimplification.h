@@ -48,8 +48,8 @@ public:
 
   ///@{
   /**
-   * How curved the points of a cell may be: the least eigenvalue of their covariance divided by the sum of the three
-   * (thesis, eq. 4.5). 0: only a plane is flat; 1/3: everything is. Smaller values keep more points; the thesis uses
+   * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points divided by the sum of
+   * the three (thesis, eq. 4.5). 0: only planes; 1/3: everything. Smaller values keep more points; the thesis uses
    * 0.03 to 0.20. Range: 0 to 1/3. Default: 0.12.
    */
   vtkSetMacro(FlatnessThreshold, double);
@@ -58,9 +58,9 @@ public:
 
   ///@{
   /**
-   * A cell with outline points is halved unless it has more of them than this for each lattice unit of its side (PD of
-   * the thesis, eq. 4.2), and BoundaryExtentThreshold is exceeded too. Unit: points per lattice unit. Range: at least
-   * 0. Default: 0.25.
+   * A cell with outline points is halved unless it has more of them than this for each unit of its side (PD of the
+   * thesis, eq. 4.2), and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default:
+   * 0.25.
    */
   vtkSetMacro(BoundaryDensityThreshold, double);
   vtkGetMacro(BoundaryDensityThreshold, double);
@@ -69,7 +69,7 @@ public:
   ///@{
   /**
    * A cell with outline points is halved unless two of them are farther apart than this (d_max of the thesis, eq. 4.1
-   * and 4.2), and BoundaryDensityThreshold is exceeded too. Unit: lattice units. Range: at least 0. Default: 2.
+   * and 4.2), and it exceeds BoundaryDensityThreshold. Unit: lattice units. Range: at least 0. Default: 2.
    */
   vtkSetMacro(BoundaryExtentThreshold, double);
   vtkGetMacro(BoundaryExtentThreshold, double);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * A cell with outline points that is not halved keeps these; one larger than this keeps one point for all its others
-   * as well. Unit: lattice units. Range: at least 0. Default: 2.
+   * A cell with outline points that is not halved keeps these; a larger one than this also keeps one point for all its
+   * others. Unit: lattice units. Range: at least 0. Default: 2.
    */
   vtkSetMacro(BoundaryCellSizeThreshold, double);
   vtkGetMacro(BoundaryCellSizeThreshold, double);
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * No cell is halved to a side below this; one that would need it stays as it is. Where it is more than half of
-   * CellSize, no cell is halved at all. Unit: lattice units. Range: at least 1. Default: 1.
+   * No cell is halved to a smaller side. With more than half of CellSize, no cell is halved. Unit: lattice units.
+   * Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestCellSize, double);
   vtkGetMacro(SmallestCellSize, double);
@@ -103,8 +103,8 @@ public:
   ///@{
   /**
    * What the mean size of the neighbours one ring further out is taken over. OverCubes: each neighbouring cube counts
-   * once, with the mean size of the cells it was cut into (thesis, eq. 4.3). OverPieces: each of these cells counts, so
-   * that cubes in many small cells count more, and cells are smaller further inside. Default: OverCubes.
+   * once, with the mean size of its cells (thesis, eq. 4.3). OverPieces: each of these cells counts, so that cells are
+   * smaller further inside. Default: OverCubes.
    */
   vtkSetClampMacro(NeighbourMean, int, OverCubes, OverPieces);
   vtkGetMacro(NeighbourMean, int);
@@ -114,9 +114,9 @@ public:
 
   ///@{
   /**
-   * How many times as large as the mean of its neighbours one ring further out a cell may be. 1: sizes stay as they are
-   * at the outline, or shrink, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1.
-   * Default: 1.
+   * The largest size of a cell divided by the mean of its neighbours one ring further out. 1: sizes stay as at the
+   * outline, or shrink, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default:
+   * 1.
    *
    * Up to the nearest size that halving gives.
    */

@@ -64,9 +64,9 @@ public:
 
   ///@{
   /**
-   * What counts as boundary. Exterior: the outline of every patch, as set below. Topological4: every point with an
-   * empty column on one of its four sides, at the outside and at every hole. Topological8: also points with an empty
-   * column at one of their corners. See "Topological boundaries" in HorizonExteriorBoundary.md. Default: Exterior.
+   * What counts as boundary. Exterior: the outline of every patch. Topological4: every point with an empty column on
+   * one of its four sides, at the outside and at every hole. Topological8: also points with an empty column at a
+   * corner. See "Topological boundaries" in HorizonExteriorBoundary.md. Default: Exterior.
    *
    * Topological4 is Def. 3.2 of the thesis: loops run through just these points, around patches of neighbouring columns
    * and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are. With Topological8 the
@@ -81,9 +81,9 @@ public:
 
   ///@{
   /**
-   * How far the outline may hop from one point to the next along each axis (k of the thesis). Gaps of up to Radius - 1
-   * missing columns do not break a horizon into patches: 1 follows neighbouring points only, 2 spans one missing
-   * column. Larger values give fewer patches and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
+   * The largest hop from one point of the outline to the next along each axis (k of the thesis). Up to Radius - 1
+   * missing columns do not break a horizon into patches. Larger values give fewer patches and coarser outlines. Unit:
+   * columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -92,8 +92,8 @@ public:
   ///@{
   /**
    * How the outline continues where the radius leaves a choice. Distance: from neighbour to neighbour, with single
-   * bridges over gaps; every detail stays. Clockwise: by the outermost hop; narrow bays and gaps are cut short. With a
-   * Radius of 1 they are the same. Default: Clockwise.
+   * bridges over gaps; every detail stays. Clockwise: by the outermost hop; narrow bays and gaps are cut short. The
+   * same for a Radius of 1. Default: Clockwise.
    *
    * Thesis, Alg. 3.1 and 3.2. Clockwise takes the first hop of a clockwise sweep.
    */
@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * Whether holes have an outline, and stay open in the mesh; all others are closed by it. Default: off.
+   * Whether holes have an outline and stay open in the mesh; otherwise the mesh closes them. Default: off.
    *
    * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Holes with fewer columns strictly inside are closed, as single missing points are no holes. 1 keeps every hole
-   * open. Unit: columns. Range: at least 1. Default: 1.
+   * Holes with fewer columns strictly inside are closed. 1 keeps every hole open. Unit: columns. Range: at least 1.
+   * Default: 1.
    *
    * Columns of islands in the hole count.
    */
@@ -127,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Holes smaller than this area are closed; 0 sets no limit. A hole must pass both limits to stay open. Unit: square
-   * units of the world. Range: at least 0. Default: 0.
+   * Holes with a smaller area are closed; 0: no limit. A hole must pass both limits to stay open. Unit: square units
+   * of the world. Range: at least 0. Default: 0.
    *
    * The area is that of the columns strictly inside.
    */
@@ -138,7 +138,7 @@ public:
 
   ///@{
   /**
-   * Patches of fewer points are dropped. 1 keeps every patch. Unit: points. Range: at least 1. Default: 1.
+   * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);
@@ -146,9 +146,9 @@ public:
 
   ///@{
   /**
-   * Whether the horizon is split along the faults that it carries (field data CutLinks). A fault that ends inside is a
-   * crack: an outline around both of its sides, which stays open in the mesh whatever its size. Off: faults are ignored
-   * from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   * Whether faults (field data CutLinks) split the horizon. A fault that ends inside is a crack, with an outline
+   * around both of its cutoffs, which stays open in the mesh whatever its size. Off: faults are ignored from here on.
+   * See "Faults" in HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the output has no CutLinks.
    */

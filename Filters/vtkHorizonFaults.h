@@ -78,7 +78,7 @@ public:
 
   ///@{
   /**
-   * Whether the surfaces of Sticks go on at both ends by as much as there is between the last two sticks. Default: off.
+   * Whether surfaces of Sticks continue at both ends by the distance of the last two sticks. Default: off.
    */
   vtkSetMacro(ExtendSticks, bool);
   vtkGetMacro(ExtendSticks, bool);
@@ -87,9 +87,9 @@ public:
 
   ///@{
   /**
-   * What closed lines among Traces do: fault polygons, as mapping programs draw them around the gap of a fault. Blank:
-   * points inside, where values are made up, are left out, and links are cut where a polygon is too narrow for a gap.
-   * Cut: points inside stay, as islands. Leave: nothing. Default: Blank.
+   * What closed lines among Traces, fault polygons around the gap of a fault, do. Blank: points inside, where values
+   * are made up, are left out, and links are cut where a polygon is too narrow for a gap. Cut: points inside stay, as
+   * islands. Leave: nothing. Default: Blank.
    */
   vtkSetClampMacro(Polygons, int, Blank, Leave);
   vtkGetMacro(Polygons, int);
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Whether faults are detected in the heights. Off: only the lines that you supply cut. Default: on.
+   * Whether faults are detected in the heights. Off: only lines that you supply cut. Default: on.
    */
   vtkSetMacro(Detect, bool);
   vtkGetMacro(Detect, bool);
@@ -109,9 +109,8 @@ public:
 
   ///@{
   /**
-   * Only faults whose throw reaches this somewhere are found; their ends, with throws down to half of it, are found
-   * with them. 0: eight times the noise of the heights, which is measured on each horizon. Unit: ThrowUnit. Range: at
-   * least 0. Default: 0.
+   * Faults are found if their throw reaches this somewhere, with their ends down to half of it. 0: eight times the
+   * noise of the heights, measured on each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(SmallestThrow, double);
   vtkGetMacro(SmallestThrow, double);
@@ -119,9 +118,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of height differences between neighbouring columns due to noise alone; 0 measures it on each
-   * horizon. Only throws of several times the noise can be told from it. Unit: ThrowUnit. Range: at least 0. Default:
-   * 0.
+   * Standard deviation of height differences between neighbouring columns due to noise alone; 0: measured on each
+   * horizon. Only throws of several times the noise are found. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
@@ -147,7 +145,7 @@ public:
 
   ///@{
   /**
-   * How many columns a fault spans at least, along i or j. Unit: columns. Range: at least 0. Default: 20.
+   * The least extent of a fault along i or j. Unit: columns. Range: at least 0. Default: 20.
    */
   vtkSetMacro(SmallestExtent, int);
   vtkGetMacro(SmallestExtent, int);
@@ -155,7 +153,7 @@ public:
 
   ///@{
   /**
-   * Branches of a fault that cut fewer links are left out. Unit: links. Range: at least 0. Default: 10.
+   * Branches of a fault with fewer cut links are dropped. Unit: links. Range: at least 0. Default: 10.
    */
   vtkSetMacro(SmallestBranch, int);
   vtkGetMacro(SmallestBranch, int);
@@ -163,8 +161,8 @@ public:
 
   ///@{
   /**
-   * A fault is followed through gaps of at most this many missing columns in a row; planes through the points on both
-   * sides give the throw. 0 follows none. Unit: columns. Range: at least 0. Default: 5.
+   * Faults are followed across up to this many missing columns in a row; planes fitted on both sides give the throw.
+   * 0: across none. Unit: columns. Range: at least 0. Default: 5.
    */
   vtkSetMacro(LargestGap, int);
   vtkGetMacro(LargestGap, int);
@@ -172,9 +170,9 @@ public:
 
   ///@{
   /**
-   * Faults are also found that bend the surface over at most this many columns instead of tearing it: where it was
-   * smoothed, tracked across a fault, or interpolated between lines. They are cut in the middle. 0 finds none of these.
-   * Unit: columns. Range: 0 to 10. Default: 7.
+   * Also finds faults that bend the surface over up to this many columns instead of tearing it, where it was smoothed,
+   * tracked across a fault, or interpolated between lines. They are cut in the middle. 0: none. Unit: columns. Range:
+   * 0 to 10. Default: 7.
    */
   vtkSetMacro(LargestRamp, int);
   vtkGetMacro(LargestRamp, int);
@@ -182,8 +180,8 @@ public:
 
   ///@{
   /**
-   * Whether two fault lines that end at a hole become one when each points to the end of the other, their throws are
-   * alike, and at least half of the columns between them are missing. Default: on.
+   * Whether two fault lines that end at a hole become one if each points to the end of the other, their throws are
+   * similar, and at least half of the columns between them are missing. Default: on.
    */
   vtkSetMacro(JoinThroughHoles, bool);
   vtkGetMacro(JoinThroughHoles, bool);
@@ -211,9 +209,9 @@ public:
 
   ///@{
   /**
-   * What the fault lines are. Traces: they run along the horizon, seen from above, as fault traces and polygons do.
-   * Sticks: they run down faults, in any order; the horizon is cut where it meets the surface between them, which is
-   * the third output. Default: Traces.
+   * What the fault lines are. Traces: fault traces or polygons, along the horizon as seen from above. Sticks: lines
+   * down faults, in any order; the horizon is cut where it meets the surface between them, the third output. Default:
+   * Traces.
    *
    * Sticks of one fault agree in all words of the cell array FaultName but the last.
    */
@@ -225,9 +223,9 @@ public:
 
   ///@{
   /**
-   * Fault traces, polygons or sticks in the coordinates of the horizon, such as those of vtkFaultLinesReader; optional.
-   * Links are cut where lines pass between two columns, seen from above; polygons are cut all around. Unit: world
-   * units. Range: lines, polygons. Default: none.
+   * Fault traces, polygons or sticks in the coordinates of the horizon, as of vtkFaultLinesReader; optional. Links are
+   * cut where lines pass between two columns, seen from above; polygons are cut all around. Unit: world units. Range:
+   * lines, polygons. Default: none.
    *
    * Input 1.
    */

@@ -35,9 +35,9 @@ public:
 
   ///@{
   /**
-   * Numbers that stand for no value, besides nan, infinity, and numbers of 1e20 and more. Points without z are left
-   * out, and counted in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas.
-   * Default: empty.
+   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out, and
+   * counted in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default:
+   * empty.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);

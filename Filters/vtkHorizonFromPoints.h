@@ -31,8 +31,8 @@ public:
 
   ///@{
   /**
-   * The array with x. Empty: the coordinates of points, or an array with a usual name, such as x or easting. Range: a
-   * name. Default: empty.
+   * The array with x. Empty: the coordinates of points, or an array with a usual name, as x or easting. Range: a name.
+   * Default: empty.
    *
    * An array that is named has to be there; this holds for all of these.
    */
@@ -42,8 +42,7 @@ public:
 
   ///@{
   /**
-   * The array with y. Empty: the coordinates of points, or an array with a usual name, such as y or northing. Range: a
-   * name. Default: empty.
+   * The array with y. Empty: the coordinates, or a usual name, as y or northing. Range: a name. Default: empty.
    */
   vtkSetStringMacro(YArray);
   vtkGetStringMacro(YArray);
@@ -51,8 +50,7 @@ public:
 
   ///@{
   /**
-   * The array with z. Empty: the coordinates of points, or an array with a usual name, such as z, depth or time. Range:
-   * a name. Default: empty.
+   * The array with z. Empty: the coordinates, or a usual name, as z, depth or time. Range: a name. Default: empty.
    */
   vtkSetStringMacro(ZArray);
   vtkGetStringMacro(ZArray);
@@ -60,8 +58,8 @@ public:
 
   ///@{
   /**
-   * The array with inline numbers. Empty: one with a usual name, such as inline or il, if there is one. Range: a name.
-   * Default: empty.
+   * The array with inline numbers. Empty: a usual name, as inline or il, if there is one. Range: a name. Default:
+   * empty.
    */
   vtkSetStringMacro(InlineArray);
   vtkGetStringMacro(InlineArray);
@@ -69,8 +67,8 @@ public:
 
   ///@{
   /**
-   * The array with crossline numbers. Empty: one with a usual name, such as crossline or xl, if there is one. Range: a
-   * name. Default: empty.
+   * The array with crossline numbers. Empty: a usual name, as crossline or xl, if there is one. Range: a name.
+   * Default: empty.
    */
   vtkSetStringMacro(CrosslineArray);
   vtkGetStringMacro(CrosslineArray);
@@ -79,7 +77,7 @@ public:
   ///@{
   /**
    * The array with the names of horizons, numbers or texts. Empty: one called name or horizon; without it all points
-   * are one horizon, Horizon 1. Range: a name. Default: empty.
+   * are Horizon 1. Range: a name. Default: empty.
    */
   vtkSetStringMacro(NameArray);
   vtkGetStringMacro(NameArray);
@@ -87,9 +85,9 @@ public:
 
   ///@{
   /**
-   * Numbers that stand for no value, besides nan, infinity, and numbers of 1e20 and more. Points without z are left
-   * out, and counted in the field data DroppedNulls; attributes become nan. Unit: that of z. Range: numbers, separated
-   * by blanks or commas. Default: empty.
+   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out, and
+   * counted in the field data DroppedNulls; attributes become nan. Unit: that of z. Range: numbers, separated by
+   * blanks or commas. Default: empty.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);

@@ -68,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Whether the thickness of each layer is within MaximumError too. Off: its error is at most twice that, and takes fewer
+   * Whether the thickness of each layer is within MaximumError, too. Off: its error is at most twice that, with fewer
    * cells. Default: off.
    */
   vtkSetMacro(BoundThickness, bool);
@@ -78,7 +78,7 @@ public:
 
   ///@{
   /**
-   * Whether layers end along lines through the outermost columns that have none of them. Off: they end in thin feathers,
+   * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers,
    * somewhere beyond. Default: on.
    */
   vtkSetMacro(PinchOutLines, bool);
@@ -88,7 +88,7 @@ public:
 
   ///@{
   /**
-   * Smaller areas without a layer have no such line. Unit: columns. Range: at least 1. Default: 25.
+   * The smallest area without a layer that has a pinch-out line. Unit: columns. Range: at least 1. Default: 25.
    */
   vtkSetMacro(SmallestPinch, int);
   vtkGetMacro(SmallestPinch, int);
@@ -103,9 +103,9 @@ public:
 
   ///@{
   /**
-   * Where layers are. EachLayer: each where both its horizons have points, to the outermost columns; with one layer as
-   * Common. Common: all of them where all horizons have points; outlines are simplified within MaximumError, and small
-   * holes closed. Default: EachLayer.
+   * Where layers are. EachLayer: where both horizons of a layer have points, to the outermost columns; the same as
+   * Common for one layer. Common: where all horizons have points; outlines are simplified within MaximumError, and
+   * small holes closed. Default: EachLayer.
    */
   vtkSetClampMacro(Domain, int, EachLayer, Common);
   vtkGetMacro(Domain, int);
@@ -115,8 +115,7 @@ public:
 
   ///@{
   /**
-   * Whether outlines of the domain Common stay as they are on the map, for volumes that differ by heights alone. Default:
-   * off.
+   * Whether outlines of the domain Common are kept on the map, for volumes that differ by heights alone. Default: off.
    */
   vtkSetMacro(KeepOutlines, bool);
   vtkGetMacro(KeepOutlines, bool);
@@ -125,7 +124,7 @@ public:
 
   ///@{
   /**
-   * Whether layers are parted along the faults that horizons carry (field data CutLinks). Default: on.
+   * Whether faults of the horizons (field data CutLinks) divide layers. Default: on.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);
@@ -141,8 +140,8 @@ public:
 
   ///@{
   /**
-   * How much is done for few cells. Fast: points are inserted where a horizon is farthest. Best: they are removed, edges
-   * flipped and heights fitted after it. Default: Best.
+   * How thoroughly the plan is optimised. Fast: points are inserted where a horizon is farthest. Best: then they are
+   * removed, edges flipped and heights fitted. Default: Best.
    */
   vtkSetClampMacro(Effort, int, Fast, Best);
   vtkGetMacro(Effort, int);
@@ -152,8 +151,8 @@ public:
 
   ///@{
   /**
-   * No edge that is flipped and no vertex that is removed makes a smaller angle on the map, unless there was a smaller
-   * one before. Unit: degrees. Range: 0 to 60. Default: 10.
+   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before. Unit: degrees. Range:
+   * 0 to 60. Default: 10.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -161,8 +160,8 @@ public:
 
   ///@{
   /**
-   * Whether heights of vertices inside are fitted to the points around them. Off: they are those of the points. Default:
-   * on.
+   * Whether heights of inner vertices are fitted to the points around them. Off: they are those of the points.
+   * Default: on.
    */
   vtkSetMacro(FitHeights, bool);
   vtkGetMacro(FitHeights, bool);

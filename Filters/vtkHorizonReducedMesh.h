@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Whether heights of vertices inside are fitted to the points around them, which takes fewer vertices for the same
-   * error; attributes are averaged. Off: every vertex is a point of the horizon, with its attributes. Default: on.
+   * Whether heights of inner vertices are fitted to the points around them: fewer vertices for the same error, and
+   * averaged attributes. Off: every vertex is a point of the horizon, with its attributes. Default: on.
    */
   vtkSetMacro(FitHeights, bool);
   vtkGetMacro(FitHeights, bool);
@@ -79,10 +79,10 @@ public:
 
   ///@{
   /**
-   * How much is done for few points. Fast: points are inserted where the mesh is farthest from the horizon, and for a
-   * number of points edges are then flipped once. Best: vertices are removed, edges flipped and heights fitted after
-   * it, which takes two to three times as long and a quarter to a half fewer points for the same error, or gives a
-   * smaller mean error for a number of points. Default: Best.
+   * How thoroughly the mesh is optimised. Fast: points are inserted where the mesh is farthest from the horizon. Best:
+   * then vertices are removed, edges flipped and heights fitted. Best takes two to three times as long; it needs a
+   * quarter to a half fewer points for the same error, or has a smaller mean error for a number of points. Default:
+   * Best.
    */
   vtkSetClampMacro(Effort, int, Fast, Best);
   vtkGetMacro(Effort, int);
@@ -99,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Which error is minimised where the target is not LargestError. LargestErrors: the largest one. SumOfSquares: the
-   * sum of the squares of all errors, and with it their mean. Default: SumOfSquares.
+   * Which error is minimised if the target is not LargestError. LargestErrors: the largest one. SumOfSquares: the sum
+   * of squares, and with it the mean. Default: SumOfSquares.
    */
   vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
   vtkGetMacro(Priority, int);
@@ -110,9 +110,9 @@ public:
 
   ///@{
   /**
-   * No edge that is flipped and no vertex that is removed makes a smaller angle, seen from above on the lattice,
-   * unless there was a smaller one before. Where a number of points can not be met so, the angle is halved until it
-   * is. Large values take more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before.
+   * For a number of points the angle is halved until the number is reached. Larger values need more points: 5 one in
+   * twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -120,9 +120,8 @@ public:
 
   ///@{
   /**
-   * Whether cracks at faults are closed by steep triangles between their two sides, with 1 in the array Fault. The rest
-   * of the mesh is as without them; gaps of missing points stay open. See "Closed meshes" in HorizonFaults.md. Default:
-   * off.
+   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
+   * change; gaps of missing points stay open. See "Closed meshes" in HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure or array counts them; the new FaultTriangleCount (vtkIdType) has their number.

@@ -40,8 +40,8 @@ public:
 
   ///@{
   /**
-   * Which horizon lies above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
-   * first; for horizons of which none is above the other in most columns. Default: ByHeight.
+   * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the
+   * uppermost first; for horizons without a clear order in most columns. Default: ByHeight.
    */
   vtkSetClampMacro(Order, int, ByHeight, AsGiven);
   vtkGetMacro(Order, int);
@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * What is done in columns where horizons cross. Mean: all that cross move to their mean, which suits noise. UpperWins:
-   * the lower one moves, as erosion cuts it. LowerWins: the upper one moves, as onlap ends on it. Stop: an error that
+   * What happens in columns where horizons cross. Mean: all that cross move to their mean, which suits noise.
+   * UpperWins: the lower one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that
    * says where and how deep. Default: Mean.
    */
   vtkSetClampMacro(Crossings, int, Mean, Stop);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * The same for each layer where these differ: a word of Crossings for each, from the uppermost on, with spaces in
-   * between, as in "Mean LowerWins Mean"; empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
+   * Crossings for each layer, from the uppermost on, as words separated by spaces, such as "Mean LowerWins Mean";
+   * empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
    */
   vtkSetStringMacro(CrossingsByLayer);
   vtkGetStringMacro(CrossingsByLayer);
@@ -83,7 +83,7 @@ public:
 
   ///@{
   /**
-   * Columns where a layer is thinner have none of it. Unit: HeightUnit. Range: at least 0. Default: 0.
+   * Where a layer is thinner, it is absent. Unit: HeightUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MinimumThickness, double);
   vtkGetMacro(MinimumThickness, double);

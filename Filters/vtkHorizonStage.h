@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * What to do about a horizon that cannot be processed. Stop: an error and no output. LeaveOut: a warning, and an
-   * empty horizon in its place. Default: Stop.
+   * How a horizon that cannot be processed is treated. Stop: an error, and no output. LeaveOut: a warning, and an
+   * empty horizon. Default: Stop.
    */
   vtkSetClampMacro(InvalidHorizons, int, Stop, LeaveOut);
   vtkGetMacro(InvalidHorizons, int);

@@ -64,8 +64,8 @@ public:
 
   ///@{
   /**
-   * What decides how many triangles the mesh has. LargestError: MaximumError. NumberOfTriangles:
-   * MaximumNumberOfTriangles. Default: LargestError.
+   * What limits the number of triangles. LargestError: MaximumError. NumberOfTriangles: MaximumNumberOfTriangles.
+   * Default: LargestError.
    */
   vtkSetClampMacro(Target, int, LargestError, NumberOfTriangles);
   vtkGetMacro(Target, int);
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * How many triangles each horizon has at most; fewer than its outlines take are an error. Unit: triangles. Range: at
+   * The largest number of triangles of each horizon; it must suffice for the outlines. Unit: triangles. Range: at
    * least 1. Default: 20000.
    */
   vtkSetMacro(MaximumNumberOfTriangles, int);
@@ -85,7 +85,7 @@ public:
   ///@{
   /**
    * Whether the radius is chosen: the least one that spans 95 % of the steps from point to point, along rows and along
-   * columns; 1 where points are neighbours, 2 where every second line is there. Off: Radius. Default: on.
+   * columns; 2 for every second line. Off: Radius. Default: on.
    */
   vtkSetMacro(AutomaticRadius, bool);
   vtkGetMacro(AutomaticRadius, bool);
@@ -94,9 +94,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticRadius, how far outlines may hop from one point to the next along each axis, as in
-   * vtkHorizonExteriorBoundary. Gaps that a hop can span do not break a horizon into patches. Unit: columns. Range: 1
-   * to 32. Default: 1.
+   * Without AutomaticRadius, the largest hop of outlines along each axis, as in vtkHorizonExteriorBoundary. Gaps that
+   * a hop can span do not break a horizon into patches. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -122,7 +121,7 @@ public:
 
   ///@{
   /**
-   * Whether holes stay open that are not too small. Off: all are closed. Default: on.
+   * Whether holes stay open unless too small. Off: all are closed. Default: on.
    */
   vtkSetMacro(HoleBoundaries, bool);
   vtkGetMacro(HoleBoundaries, bool);
@@ -131,9 +130,9 @@ public:
 
   ///@{
   /**
-   * Whether the horizon is split along the faults that it carries (field data CutLinks). A fault that ends inside is a
-   * crack: an outline around both of its sides, which stays open in the mesh, whatever its size, unless CloseFaults is
-   * on. Off: faults are ignored from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   * Whether faults (field data CutLinks) split the horizon. A fault that ends inside is a crack, with an outline
+   * around both of its cutoffs, which stays open in the mesh, whatever its size, unless CloseFaults is on. Off: faults
+   * are ignored from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the outputs have no CutLinks.
    */
@@ -144,8 +143,8 @@ public:
 
   ///@{
   /**
-   * Whether the smallest hole that stays open is chosen: a square whose side is twice the radius plus one, or twice the
-   * outline tolerance where that is larger. Off: SmallestHoleSize. Default: on.
+   * Whether the smallest hole that stays open is chosen: a square with a side of twice the radius plus one, or twice
+   * the outline tolerance if that is larger. Off: SmallestHoleSize. Default: on.
    */
   vtkSetMacro(AutomaticSmallestHoleSize, bool);
   vtkGetMacro(AutomaticSmallestHoleSize, bool);
@@ -163,7 +162,7 @@ public:
 
   ///@{
   /**
-   * Patches of fewer points are dropped. 1 keeps every patch. Unit: points. Range: at least 1. Default: 1.
+   * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);
@@ -171,7 +170,7 @@ public:
 
   ///@{
   /**
-   * Whether outlines may be as far off on the map, in columns, as the mesh is vertically. Off: OutlineTolerance.
+   * Whether the tolerance of outlines on the map, in columns, is the error of the mesh. Off: OutlineTolerance.
    * Default: on.
    */
   vtkSetMacro(AutomaticOutlineTolerance, bool);
@@ -181,8 +180,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticOutlineTolerance, how far a point that is dropped from an outline may be from it on the map. 0
-   * keeps the outline as it is on the map. Unit: columns. Range: at least 0. Default: 0.
+   * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. 0 keeps
+   * the outline on the map. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);
@@ -190,7 +189,7 @@ public:
 
   ///@{
   /**
-   * Whether outlines may be as far above or below the points as the mesh. Off: DistanceThreshold. Default: on.
+   * Whether the vertical tolerance of outlines is the error of the mesh. Off: DistanceThreshold. Default: on.
    */
   vtkSetMacro(AutomaticDistanceThreshold, bool);
   vtkGetMacro(AutomaticDistanceThreshold, bool);
@@ -199,7 +198,7 @@ public:
 
   ///@{
   /**
-   * Without AutomaticDistanceThreshold, how far a point that is dropped from an outline may be above or below it. Unit:
+   * Without AutomaticDistanceThreshold, the largest vertical distance of a dropped point from its outline. Unit:
    * lattice units. Range: at least 0. Default: 0.4.
    */
   vtkSetMacro(DistanceThreshold, double);
@@ -208,8 +207,8 @@ public:
 
   ///@{
   /**
-   * For a part of a horizon that vtkHorizonSurfaceJoin joins to others: the rows of the lattice where other parts
-   * continue, below and above, which have these rows too; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
+   * For a part that vtkHorizonSurfaceJoin joins to others: the rows of the lattice, below and above, where other parts
+   * continue, which have these rows too; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
    *
    * The parts on both sides have the points of such a row (j), and this part none beyond. The target is the error then,
    * not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.

@@ -87,8 +87,8 @@ public:
 
   ///@{
   /**
-   * The unit of the arrays Distance and VerticalDistance; figures come in both. Lattice: 1 is one column sideways and
-   * one vertical index up, as for all thresholds. World: the unit of the coordinates. Default: Lattice.
+   * The unit of the arrays Distance and VerticalDistance; figures are in both. Lattice: 1 is one column sideways and
+   * one vertical index up. World: the unit of the coordinates. Default: Lattice.
    */
   vtkSetClampMacro(DistanceUnit, int, Lattice, World);
   vtkGetMacro(DistanceUnit, int);
@@ -98,10 +98,9 @@ public:
 
   ///@{
   /**
-   * How many places on the faces of each surface are measured, for each point of the surface that has more points; at
-   * least 10,000 on each surface and one on each triangle. Edges are sampled at the same spacing. More take longer, and
-   * make means and percentiles more exact; 2 is about one place on each triangle at full resolution. Unit: places per
-   * point. Range: 0.01 to 1000. Default: 2.
+   * How many samples on the faces of each surface, for each point of the larger surface; at least 10,000 on each
+   * surface and one on each triangle. Edges are sampled at the same spacing. More make means and percentiles more
+   * exact. Unit: places per point. Range: 0.01 to 1000. Default: 2.
    */
   vtkSetMacro(SamplesPerPoint, double);
   vtkGetMacro(SamplesPerPoint, double);
@@ -109,8 +108,7 @@ public:
 
   ///@{
   /**
-   * The seed of the random places: another one puts them elsewhere, the same one gives the same result. Range: at least
-   * 0. Default: 1.
+   * The seed of the random samples: the same one gives the same result. Range: at least 0. Default: 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -118,8 +116,8 @@ public:
 
   ///@{
   /**
-   * For a reference with neither triangles nor outlines: how far its outline may hop from one point to the next along
-   * each axis, as in vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
+   * For a reference with neither triangles nor outlines: the largest hop of its outline along each axis, as in
+   * vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -127,9 +125,8 @@ public:
 
   ///@{
   /**
-   * Whether figures count the points that vtkHorizonHoleFilling has added (array Filled), on either surface, and the
-   * edges and triangles at them. Off: they are excluded, as nothing was known there. All points have their distances in
-   * any case. Default: off.
+   * Whether figures include points added by vtkHorizonHoleFilling (array Filled), on either surface, with the edges
+   * and triangles at them. All points have distances in any case. Default: off.
    */
   vtkSetMacro(IncludeFilledPoints, bool);
   vtkGetMacro(IncludeFilledPoints, bool);

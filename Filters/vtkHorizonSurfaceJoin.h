@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * Patches of fewer points are dropped. 1 keeps every patch. Unit: points. Range: at least 1. Default: 1.
+   * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(MinimumPatchSize, int);
   vtkGetMacro(MinimumPatchSize, int);

@@ -66,9 +66,9 @@ public:
 
   ///@{
   /**
-   * How the third point of a triangle is looked for. VoxelTraversal: along the perpendicular bisector of the edge and
-   * its dilations (thesis 5.3.6). Compactness: among all points in the square box of the edge, by how compact their
-   * triangles are (5.4). Both give the same mesh; the time differs. Default: VoxelTraversal.
+   * How the third point of a triangle is searched. VoxelTraversal: along the perpendicular bisector of the edge and
+   * its dilations (thesis 5.3.6). Compactness: among all points in the square box of the edge, by the compactness of
+   * their triangles (5.4). Both give the same mesh; the time differs. Default: VoxelTraversal.
    */
   vtkSetClampMacro(SearchStrategy, int, VoxelTraversal, Compactness);
   vtkGetMacro(SearchStrategy, int);
@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Whether the convex hull of all points of a horizon is meshed, whether it has outlines or not. Gaps between patches
-   * and bays of the outline are then closed as well. Default: off.
+   * Whether the convex hull of all points is meshed, with or without outlines. Gaps between patches and bays of the
+   * outline are closed as well. Default: off.
    *
    * The polylines of the output are then the hull, or what the limits below leave of it.
    */
@@ -90,10 +90,10 @@ public:
 
   ///@{
   /**
-   * With ConvexHull, triangles are removed from the hull, from the outside inwards, when the angle that faces their
-   * edge on the boundary is larger. 180 removes nothing; with 100, bays open that widen outwards, and below 90 those
-   * with parallel sides. All points stay in the mesh, and it stays in one piece. Not with MaximumNumberOfTriangles.
-   * Unit: degrees on the map. Range: 0 to 180. Default: 180.
+   * With ConvexHull, triangles are removed from the outside inwards if the angle opposite their boundary edge is
+   * larger. 180 removes nothing; with 100, bays that widen outwards open, and below 90 those with parallel sides. All
+   * points stay in the mesh, in one piece. Not with MaximumNumberOfTriangles. Unit: degrees on the map. Range: 0 to
+   * 180. Default: 180.
    *
    * Thesis 5.3.8. The longest edge goes first; a triangle stays when it would leave a point without one, or let the
    * boundary pass a point twice. A bay whose sides spread by some angle opens about below 90 plus half of it: below 90
@@ -105,9 +105,9 @@ public:
 
   ///@{
   /**
-   * With ConvexHull, triangles are also removed from the hull when their edge on the boundary is longer. 0 removes
-   * nothing; 1.5 opens all that is open in a horizon with a point in every column. All points stay in the mesh, and it
-   * stays in one piece. Not with MaximumNumberOfTriangles. Unit: columns. Range: at least 0. Default: 0.
+   * With ConvexHull, triangles are also removed if their boundary edge is longer. 0 removes nothing; 1.5 opens all
+   * that is open in a horizon with a point in every column. All points stay in the mesh, in one piece. Not with
+   * MaximumNumberOfTriangles. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MaximumBoundaryEdgeLength, double);
   vtkGetMacro(MaximumBoundaryEdgeLength, double);
@@ -115,9 +115,8 @@ public:
 
   ///@{
   /**
-   * For inspection: each patch stops after this many triangles, and the second output shows the voxels in which the
-   * third point of the last one was looked for, coloured by dilation. 0 makes all triangles. Unit: triangles. Range: at
-   * least 0. Default: 0.
+   * For inspection: each patch stops after this many triangles, and the second output shows the search cells of the
+   * last third point, coloured by dilation. 0 makes all triangles. Unit: triangles. Range: at least 0. Default: 0.
    *
    * Full lattices are searched as well then.
    */
@@ -127,9 +126,9 @@ public:
 
   ///@{
   /**
-   * Whether cracks at faults are closed by steep triangles between their two sides, with 1 in the array Fault. The rest
-   * of the mesh is as without them; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles.
-   * See "Closed meshes" in HorizonFaults.md. Default: off.
+   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
+   * change; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles. See "Closed meshes" in
+   * HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.

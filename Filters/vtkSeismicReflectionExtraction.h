@@ -50,8 +50,8 @@ public:
 
   ///@{
   /**
-   * By how much the phase of the wavelet is turned first. Picks stand on interfaces where it is 0 then: minus what
-   * EstimatedPhase says of the cube as it is. Unit: degrees. Range: -180 to 180. Default: 0.
+   * The angle by which the phase of the wavelet is rotated first. Picks are on interfaces if the phase is then 0:
+   * minus the EstimatedPhase of the cube as it is. Unit: degrees. Range: -180 to 180. Default: 0.
    */
   vtkSetMacro(PhaseRotation, double);
   vtkGetMacro(PhaseRotation, double);
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * Which reflections are taken: those of both signs, or of one. Default: Both.
+   * The sign of the reflections that are used. Default: Both.
    */
   vtkSetClampMacro(Polarity, int, Both, Negative);
   vtkGetMacro(Polarity, int);
@@ -87,8 +87,8 @@ public:
   ///@{
   /**
    * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold, as in the
-   * thesis. Peak: at each local maximum of the absolute amplitude, to a fraction of a sample by a parabola.
-   * ZeroCrossing: where amplitudes change their sign; positive are those that become positive downwards. Default: Peak.
+   * thesis. Peak: at each local maximum of the absolute amplitude, interpolated by a parabola. ZeroCrossing: where
+   * amplitudes change sign; positive ones become positive downwards. Default: Peak.
    */
   vtkSetClampMacro(Position, int, Middle, ZeroCrossing);
   vtkGetMacro(Position, int);
@@ -106,7 +106,7 @@ public:
 
   ///@{
   /**
-   * Whether AmplitudeThreshold or AmplitudePercentile decides which reflections are strong enough. Default: Percentile.
+   * Whether AmplitudeThreshold or AmplitudePercentile selects strong reflections. Default: Percentile.
    */
   vtkSetClampMacro(ThresholdType, int, Amplitude, Percentile);
   vtkGetMacro(ThresholdType, int);
@@ -117,7 +117,7 @@ public:
   ///@{
   /**
    * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection; at a zero crossing, the
-   * mean of the peaks beside it. Unit: that of the amplitudes. Range: at least 0. Default: 0.
+   * mean of the neighbouring peaks. Unit: that of the amplitudes. Range: at least 0. Default: 0.
    */
   vtkSetMacro(AmplitudeThreshold, double);
   vtkGetMacro(AmplitudeThreshold, double);
@@ -125,8 +125,8 @@ public:
 
   ///@{
   /**
-   * How many of the peaks of the polarity are too weak; with Middle, of the samples that are not 0. High values lose
-   * surfaces where they fade. With guides all peaks count. Unit: percent. Range: 0 to 100. Default: 25.
+   * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. High values break
+   * up surfaces that fade. With guides all peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
    */
   vtkSetMacro(AmplitudePercentile, double);
   vtkGetMacro(AmplitudePercentile, double);
@@ -142,10 +142,10 @@ public:
 
   ///@{
   /**
-   * How picks become surfaces. BestFirst: those with the most similar waveforms are linked first; parts that lie over
-   * each other, or face each other with few links, as at faults, stay apart. Continuous: surfaces grow one after the
-   * other, each from the strongest pick left as far as links lead; strong events come out whole, some across faults.
-   * Components: whatever touches. See "Three ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
+   * How picks become surfaces. BestFirst: the most similar waveforms are linked first; parts that overlap, or face
+   * each other with few links, as at faults, stay separate. Continuous: surfaces grow one after the other, each from
+   * the strongest remaining pick; strong events stay whole, some across faults. Components: all that touch. See "Three
+   * ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
    */
   vtkSetClampMacro(Joining, int, BestFirst, Components);
   vtkGetMacro(Joining, int);
@@ -163,7 +163,7 @@ public:
 
   ///@{
   /**
-   * Which columns are neighbours: those next to each other along i and j, or the diagonal ones too. Default: Four.
+   * Which columns are neighbours: the next ones along i and j, or also the diagonal ones. Default: Four.
    */
   vtkSetClampMacro(Connectivity, int, Four, Eight);
   vtkGetMacro(Connectivity, int);
@@ -173,7 +173,7 @@ public:
 
   ///@{
   /**
-   * How far a pick may be above or below the next one of its surface; faults of a larger throw end it. 0: 0.3 of the
+   * The largest vertical step between neighbouring picks of a surface; faults of a larger throw end it. 0: 0.3 of the
    * dominant period, at least 2. Unit: samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(LargestStep, double);
@@ -182,8 +182,8 @@ public:
 
   ///@{
   /**
-   * How similar the waveforms of neighbouring picks must be: their correlation, as a fraction of its median over all
-   * links. 0: any. Components ignores it. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
+   * The least correlation of the waveforms of neighbouring picks, as a fraction of its median over all links. 0: any.
+   * Not with Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
    */
   vtkSetMacro(SmallestCorrelation, double);
   vtkGetMacro(SmallestCorrelation, double);
@@ -191,8 +191,8 @@ public:
 
   ///@{
   /**
-   * With BestFirst, the fraction of the pairs of picks along which two parts of a surface face each other that must be
-   * linked. Smaller values let surfaces grow across tears. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
+   * With BestFirst, the least fraction of links among the pairs of picks along which two parts of a surface face each
+   * other. Smaller values let surfaces grow across tears. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
    */
   vtkSetMacro(SmallestContact, double);
   vtkGetMacro(SmallestContact, double);
@@ -200,7 +200,7 @@ public:
 
   ///@{
   /**
-   * Smaller surfaces are left out. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0. Default: 0.
+   * The smallest surface. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0. Default: 0.
    */
   vtkSetMacro(SmallestSize, vtkIdType);
   vtkGetMacro(SmallestSize, vtkIdType);
@@ -208,7 +208,7 @@ public:
 
   ///@{
   /**
-   * How many horizons there are at most: the first surfaces. Unit: surfaces. Range: at least 1. Default: 100.
+   * The largest number of horizons: the first surfaces. Unit: surfaces. Range: at least 1. Default: 100.
    */
   vtkSetMacro(LargestNumber, int);
   vtkGetMacro(LargestNumber, int);
@@ -223,8 +223,8 @@ public:
 
   ///@{
   /**
-   * Which surfaces come first. Strength: those with the largest sum of cubed absolute amplitudes at their picks, which
-   * are the main reflectors. Size: those with the most picks. Default: Strength.
+   * Which surfaces come first. Strength: the largest sum of cubed absolute amplitudes at picks, which are the main
+   * reflectors. Size: the most picks. Default: Strength.
    */
   vtkSetClampMacro(Order, int, Strength, Size);
   vtkGetMacro(Order, int);
@@ -234,9 +234,9 @@ public:
 
   ///@{
   /**
-   * Picks of horizons that are wanted, in the coordinates of the cube: points of lines, wells or an older horizon;
-   * optional. Each block is a horizon, named by it; the point array Horizon, of numbers or texts, parts the points of a
-   * dataset among several. Picks outside of the cube are left out. Range: points. Default: none.
+   * Some picks of each horizon wanted, in the coordinates of the cube: lines, wells or an older horizon; optional.
+   * Each block is a horizon of its name; the point array Horizon, of numbers or texts, separates several horizons in a
+   * dataset. Picks outside the cube are ignored. Range: points. Default: none.
    *
    * Input 1.
    */
@@ -246,8 +246,8 @@ public:
 
   ///@{
   /**
-   * How far a pick of a guide may be from the reflection that it means. Picks near none are not used. 0: 0.2 of the
-   * dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
+   * The largest distance of a pick of a guide from its reflection. Picks near no reflection are not used. 0: 0.2 of
+   * the dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(GuideTolerance, double);
   vtkGetMacro(GuideTolerance, double);
@@ -255,7 +255,7 @@ public:
 
   ///@{
   /**
-   * The least correlation of waveforms with which a guided horizon grows to a neighbour. Range: 0 to 1. Default: 0.6.
+   * The least correlation of waveforms for a guided horizon to grow to a neighbour. Range: 0 to 1. Default: 0.6.
    */
   vtkSetMacro(GrowthCorrelation, double);
   vtkGetMacro(GrowthCorrelation, double);
@@ -263,7 +263,7 @@ public:
 
   ///@{
   /**
-   * How far a guided horizon grows from parts that were taken and from picks. 0: not at all, which is the safest. Unit:
+   * How far a guided horizon grows from its picks and from surfaces taken. 0: no growth, which is safest. Unit:
    * columns. Range: at least 0. Default: 60.
    */
   vtkSetMacro(GrowthReach, int);
@@ -272,7 +272,7 @@ public:
 
   ///@{
   /**
-   * Whether surfaces that no guide asks for come too, behind those of guides. Range: on, off. Default: off.
+   * Whether the output also has the surfaces without a guide, after the others. Range: on, off. Default: off.
    */
   vtkSetMacro(KeepOthers, bool);
   vtkGetMacro(KeepOthers, bool);
@@ -280,8 +280,8 @@ public:
 
   ///@{
   /**
-   * One or two older horizons on the traces of the cube, to look between them, or on the side LimitSide of one;
-   * optional. On traces where a limit has no point nothing is found. Range: points. Default: none.
+   * One or two older horizons on the traces of the cube: only what lies between them, or on the LimitSide of one, is
+   * searched; optional. Traces on which a limit has no point are not searched. Range: points. Default: none.
    *
    * Input 2, of several connections.
    */
@@ -298,7 +298,7 @@ public:
 
   ///@{
   /**
-   * Where to look at a single limit. Below: at and after it, in the order of the samples. Default: Below.
+   * The side of a single limit that is searched. Below: at and after it, in the order of samples. Default: Below.
    */
   vtkSetClampMacro(LimitSide, int, Below, Above);
   vtkGetMacro(LimitSide, int);

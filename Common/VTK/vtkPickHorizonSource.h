@@ -47,10 +47,9 @@ public:
 
   ///@{
   /**
-   * Where the lattice of columns comes from. FromPoints: it is found from line numbers, from x and y, or from both.
-   * CornerPoints: from the line numbers and coordinates of three points that you know, for data with line numbers.
-   * OriginAndSteps: from the coordinates of a column and the steps to its neighbours. See "Lattice" in
-   * HorizonTextReader.md. Default: FromPoints.
+   * Where the lattice comes from. FromPoints: from line numbers, x and y, or both. CornerPoints: from the line numbers
+   * and coordinates of three known points, for data with line numbers. OriginAndSteps: from the coordinates of a
+   * column and the steps to its neighbours. See "Lattice" in HorizonTextReader.md. Default: FromPoints.
    *
    * The points have to agree with a lattice that is given.
    */
@@ -63,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Inline, crossline, x and y of a point of the survey, used with CornerPoints. Unit: line numbers, world units.
-   * Range: finite, the three corners not on one line. Default: 0, 0, 0, 0.
+   * With CornerPoints: inline, crossline, x and y of a point of the survey. Unit: line numbers, world units. Range:
+   * finite, the three corners not on one line. Default: 0, 0, 0, 0.
    */
   vtkSetVector4Macro(FirstCorner, double);
   vtkGetVector4Macro(FirstCorner, double);
@@ -72,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Inline, crossline, x and y of a second point of the survey, used with CornerPoints. Unit: line numbers, world
-   * units. Range: finite, the three corners not on one line. Default: 0, 1, 1, 0.
+   * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite, the three corners not on one
+   * line. Default: 0, 1, 1, 0.
    */
   vtkSetVector4Macro(SecondCorner, double);
   vtkGetVector4Macro(SecondCorner, double);
@@ -81,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Inline, crossline, x and y of a third point of the survey, used with CornerPoints. Unit: line numbers, world units.
-   * Range: finite, the three corners not on one line. Default: 1, 0, 0, 1.
+   * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite, the three corners not on one
+   * line. Default: 1, 0, 0, 1.
    */
   vtkSetVector4Macro(ThirdCorner, double);
   vtkGetVector4Macro(ThirdCorner, double);
@@ -90,8 +89,8 @@ public:
 
   ///@{
   /**
-   * World x and y of a column, used with OriginAndSteps: of the first inline and crossline that the data have where
-   * they have line numbers, else of any column. Unit: world units. Range: finite. Default: 0, 0.
+   * With OriginAndSteps: x and y of a column; if the data have line numbers, of their first inline and crossline.
+   * Unit: world units. Range: finite. Default: 0, 0.
    */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
@@ -99,9 +98,8 @@ public:
 
   ///@{
   /**
-   * The step in world x and y from a column to the next along i, used with OriginAndSteps; where the data have line
-   * numbers, from a crossline that they have to the next one. Unit: world units. Range: finite, not parallel to
-   * RowStep. Default: 1, 0.
+   * With OriginAndSteps: the step in x and y from a column to the next along i; with line numbers, from a crossline of
+   * the data to the next. Unit: world units. Range: finite, not parallel to RowStep. Default: 1, 0.
    */
   vtkSetVector2Macro(ColumnStep, double);
   vtkGetVector2Macro(ColumnStep, double);
@@ -109,9 +107,8 @@ public:
 
   ///@{
   /**
-   * The step in world x and y from a row to the next along j, used with OriginAndSteps; where the data have line
-   * numbers, from an inline that they have to the next one. Unit: world units. Range: finite, not parallel to
-   * ColumnStep. Default: 0, 1.
+   * With OriginAndSteps: the step in x and y from a row to the next along j; with line numbers, from an inline of the
+   * data to the next. Unit: world units. Range: finite, not parallel to ColumnStep. Default: 0, 1.
    */
   vtkSetVector2Macro(RowStep, double);
   vtkGetVector2Macro(RowStep, double);
@@ -119,8 +116,8 @@ public:
 
   ///@{
   /**
-   * How far points may be off their columns along each of the two steps, as a fraction of the step. A point farther off
-   * is an error. Unit: columns. Range: more than 0, less than 0.5. Default: 0.1.
+   * The largest distance of points from their columns along each of the two steps, as a fraction of the step; beyond
+   * it is an error. Unit: columns. Range: more than 0, less than 0.5. Default: 0.1.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
@@ -135,9 +132,8 @@ public:
 
   ///@{
   /**
-   * What to do about picks that are off the lattice, or far from all others. Stop: an error, or a warning where those
-   * far away are on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning that names them.
-   * Default: Stop.
+   * How picks off the lattice, or far from all others, are treated. Stop: an error, or a warning if those far away are
+   * on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning. Default: Stop.
    *
    * With Gridding those far from all others are an error, but a warning where the lattice is given.
    */
@@ -158,11 +154,11 @@ public:
 
   ///@{
   /**
-   * Which point is kept where a horizon has several in one column (a bin of the survey). StrongestAmplitude: the one
-   * with the largest absolute value of the attribute Amplitude; of equal ones, and without that attribute, the topmost.
-   * Topmost, Lowest: the highest, the lowest one. Sheets: all of them, as at reverse faults; what is connected in space
-   * is a sheet, and each becomes a horizon of its own. Points left out are counted in the field data DroppedDuplicates.
-   * With Gridding, of several at one place. See "Sheets" in HorizonTextReader.md. Default: StrongestAmplitude.
+   * Which of several points in one column (a bin of the survey) is kept. StrongestAmplitude: the one with the largest
+   * absolute value of the attribute Amplitude; without it, and of equal ones, the topmost. Topmost, Lowest: by height.
+   * Sheets: all, as at reverse faults; each connected sheet becomes a horizon. Points left out are counted in the
+   * field data DroppedDuplicates. With Gridding, of several at one place. See "Sheets" in HorizonTextReader.md.
+   * Default: StrongestAmplitude.
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
@@ -184,9 +180,9 @@ public:
 
   ///@{
   /**
-   * How picks that stand on no lattice, as of 2D lines, wells or scattered points, become a horizon on one.
-   * NoGridding: they have to stand on a lattice. Plate: a thin plate that comes near to all of them. Nearest: each
-   * column has the z of the pick nearest to it. See "Gridding" in HorizonTextReader.md. Default: NoGridding.
+   * How picks on no lattice, such as 2D lines, wells or scattered points, become a horizon. NoGridding: picks must be
+   * on a lattice. Plate: a thin plate near all of them. Nearest: each column has the z of the nearest pick. See
+   * "Gridding" in HorizonTextReader.md. Default: NoGridding.
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
    */
@@ -199,8 +195,8 @@ public:
 
   ///@{
   /**
-   * With Gridding, columns farther than this from all picks stay empty. 0: columns outside the convex hull of the picks
-   * stay empty. Picks with line numbers alone are so many lines apart. Unit: world units. Range: 0 to 1e12. Default: 0.
+   * With Gridding, columns farther than this from all picks stay empty. 0: columns outside the convex hull of the
+   * picks stay empty. In lines for picks with line numbers alone. Unit: world units. Range: 0 to 1e12. Default: 0.
    */
   vtkSetMacro(GriddingRadius, double);
   vtkGetMacro(GriddingRadius, double);
@@ -208,8 +204,8 @@ public:
 
   ///@{
   /**
-   * With Gridding Plate, how much the surface may differ from picks: more takes off noise, and the differences of lines
-   * where they cross. Range: 0 to 1e6. Default: 0.01.
+   * With Gridding Plate, how much the surface may differ from picks: larger values remove noise, and differences where
+   * lines cross. Range: 0 to 1e6. Default: 0.01.
    */
   vtkSetMacro(GriddingSmoothing, double);
   vtkGetMacro(GriddingSmoothing, double);

@@ -49,9 +49,9 @@ public:
 
   ///@{
   /**
-   * The length of a vertical index, in which the stages count errors and thresholds. 0: one that suits the data, the
-   * rounded median of the differences in z between neighbouring columns, for each horizon by itself. See "Vertical indices" in
-   * HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
+   * The length of a vertical index, the unit of errors and thresholds. 0: chosen for each horizon, the rounded median
+   * of the differences in z between neighbouring columns. See "Vertical indices" in HorizonTextReader.md. Unit: that
+   * of z. Range: finite, at least 0. Default: 0.
    *
    * The median is of the differences that are not 0, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where
    * there are none.
@@ -70,10 +70,9 @@ public:
 
   ///@{
   /**
-   * The direction in which z of the data increases. Down: world z decreases with it, as for time and depth, so that
-   * horizons are the right way up. Up: world z increases with it, as for elevation, which is negative below the sea.
-   * Automatic: Up where the data are elevations by their format, as images from GeoTIFF, BAG and DEM files are, else Down.
-   * Default: Automatic.
+   * The direction in which z of the data increases. Down: world z decreases with it, as for time and depth. Up: world
+   * z increases with it, as for elevation, which is negative below the sea. Automatic: Up for elevations by their
+   * format, as images from GeoTIFF, BAG and DEM files, else Down. Default: Automatic.
    *
    * Other data mostly do not say, and it is not guessed; where all z are negative and the direction is down there is a
    * warning.
@@ -87,8 +86,8 @@ public:
 
   ///@{
   /**
-   * The unit of z for the field data: ms, s, m or ft. Numbers are not converted. Empty: what the data say. Range: any
-   * text. Default: empty.
+   * The unit of z for the field data: ms, s, m or ft, without conversion. Empty: as in the data. Range: any text.
+   * Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -96,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Whether z is time or depth, for the field data. Numbers are not converted. Empty: what the data say. Range: any
-   * text. Default: empty.
+   * Whether z is time or depth, for the field data, without conversion. Empty: as in the data. Range: any text.
+   * Default: empty.
    */
   vtkSetStringMacro(VerticalDomain);
   vtkGetStringMacro(VerticalDomain);
@@ -105,8 +104,8 @@ public:
 
   ///@{
   /**
-   * The unit of x and y for the field data: m or ft. Numbers are not converted. Empty: what the data say. Range: any
-   * text. Default: empty.
+   * The unit of x and y for the field data: m or ft, without conversion. Empty: as in the data. Range: any text.
+   * Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
@@ -114,8 +113,8 @@ public:
 
   ///@{
   /**
-   * The name of the coordinate system of x and y, for the field data. Numbers are not converted. Empty: what the data
-   * say. Range: any text. Default: empty.
+   * The name of the coordinate system of x and y, for the field data, without conversion. Empty: as in the data.
+   * Range: any text. Default: empty.
    */
   vtkSetStringMacro(CoordinateSystem);
   vtkGetStringMacro(CoordinateSystem);

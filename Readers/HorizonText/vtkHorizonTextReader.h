@@ -54,9 +54,9 @@ public:
 
   ///@{
   /**
-   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), a minus sign for what is left out, or the
-   * name of an attribute. Empty: what the header says, or what the values look like. See "Columns" in
-   * HorizonTextReader.md. Range: names, separated by commas, or without any by blanks. Default: empty.
+   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), a minus sign for skipped columns, or the
+   * name of an attribute. Empty: by the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
+   * separated by commas, or without any by blanks. Default: empty.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);
@@ -64,10 +64,9 @@ public:
 
   ///@{
   /**
-   * Numbers and words that stand for no value, besides nothing, stars, nan, null, none, undef, and numbers of 1e20 and
-   * more. Points without z are left out, and counted in the field data DroppedNulls; attributes become nan. See "No
-   * value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or commas. Default: -999.25 -99999
-   * 9999900.
+   * Numbers and words that mean no value, besides nothing, stars, nan, null, none, undef, and numbers from 1e20.
+   * Points without z are left out, and counted in the field data DroppedNulls; attributes become nan. See "No value"
+   * in HorizonTextReader.md. Range: numbers and words, separated by blanks or commas. Default: -999.25 -99999 9999900.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);
@@ -75,8 +74,8 @@ public:
 
   ///@{
   /**
-   * How many lines at the beginning of the file are left out, whatever is in them; a header that is recognised may
-   * follow. 0: what is no header is found. Range: at least 0. Default: 0.
+   * How many lines at the beginning of the file are skipped; a recognised header may follow. 0: found automatically.
+   * Range: at least 0. Default: 0.
    */
   vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
   vtkGetMacro(HeaderLines, int);

@@ -83,9 +83,9 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, counted from 1, where the inline number begins, an integer of 4 bytes: 189 by the
-   * standard, 9 or 5 in many files. 0 here and for the crossline: found. -1: there is none, all traces are on one
-   * inline. Range: -1 to 237. Default: 0.
+   * The byte of the trace headers, from 1, of the inline number, a 4-byte integer: 189 by the standard, 9 or 5 in many
+   * files. 0 here and for the crossline: found automatically. -1: none, all traces are on one inline. Range: -1 to
+   * 237. Default: 0.
    */
   vtkSetMacro(InlineByte, int);
   vtkGetMacro(InlineByte, int);
@@ -93,9 +93,9 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, counted from 1, where the crossline number begins, an integer of 4 bytes: 193 by the
-   * standard, 21 or 13 in many files. 0 here and for the inline: found. -1: there is none, all traces are on one
-   * crossline. Range: -1 to 237. Default: 0.
+   * The byte of the trace headers, from 1, of the crossline number, a 4-byte integer: 193 by the standard, 21 or 13 in
+   * many files. 0 here and for the inline: found automatically. -1: none, all traces are on one crossline. Range: -1
+   * to 237. Default: 0.
    *
    * Only one of the two can be -1.
    */
@@ -105,9 +105,9 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, counted from 1, where x begins, an integer of 4 bytes with the scalar of byte 71:
-   * 181 by the standard, 73 or 81 in many files. 0 for x and y: found. -1 for both: x is the crossline, and y the
-   * inline. Range: -1 to 237. Default: 0.
+   * The byte of the trace headers, from 1, of x, a 4-byte integer with the scalar of byte 71: 181 by the standard, 73
+   * or 81 in many files. 0 for x and y: found automatically. -1 for both: x is the crossline, and y the inline. Range:
+   * -1 to 237. Default: 0.
    */
   vtkSetMacro(XByte, int);
   vtkGetMacro(XByte, int);
@@ -115,9 +115,9 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, counted from 1, where y begins, an integer of 4 bytes with the scalar of byte 71:
-   * 185 by the standard, 77 or 85 in many files. 0 for x and y: found. -1 for both: x is the crossline, and y the
-   * inline. Range: -1 to 237. Default: 0.
+   * The byte of the trace headers, from 1, of y, a 4-byte integer with the scalar of byte 71: 185 by the standard, 77
+   * or 85 in many files. 0 for x and y: found automatically. -1 for both: x is the crossline, and y the inline. Range:
+   * -1 to 237. Default: 0.
    */
   vtkSetMacro(YByte, int);
   vtkGetMacro(YByte, int);
@@ -141,8 +141,8 @@ public:
 
   ///@{
   /**
-   * The first and the last sample (k) to read; -1 stands for the last there is. Unit: vertical indices. Range: at least
-   * 0, or -1 for the end. Default: 0, -1.
+   * The first and the last sample (k) to read; -1 stands for the end. Unit: vertical indices. Range: at least 0, or -1
+   * for the end. Default: 0, -1.
    */
   vtkSetVector2Macro(SampleRange, int);
   vtkGetVector2Macro(SampleRange, int);
@@ -167,8 +167,8 @@ public:
 
   ///@{
   /**
-   * How samples are stored, for files that have another format than they state: amplitudes around 1e30, or that look
-   * like noise, are a sign of that. Default: FromFile.
+   * The format of samples, for files that state a wrong one: amplitudes are then around 1e30, or look like noise.
+   * Default: FromFile.
    */
   vtkSetMacro(SampleFormat, int);
   vtkGetMacro(SampleFormat, int);
@@ -176,8 +176,8 @@ public:
 
   ///@{
   /**
-   * The number of samples of a trace. 0: that of the file, or of the traces, where it does not fit them. Range: at
-   * least 0. Default: 0.
+   * The number of samples of a trace. 0: that of the file, or of the traces if it does not fit them. Range: at least
+   * 0. Default: 0.
    */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
@@ -185,8 +185,7 @@ public:
 
   ///@{
   /**
-   * Leave out the last trace of a file that ends within it, with a warning; otherwise such a file is an error. Default:
-   * off.
+   * Whether an incomplete last trace is left out, with a warning. Off: it is an error. Default: off.
    */
   vtkSetMacro(IgnoreIncompleteTrace, bool);
   vtkGetMacro(IgnoreIncompleteTrace, bool);
@@ -204,9 +203,9 @@ public:
 
   ///@{
   /**
-   * What counts where several traces have the same inline and crossline. Refuse: none, it is an error. First, Last: the
-   * first or the last in the file. Mean: the mean of their samples, but for traces of zeros. Dead traces never count
-   * beside others. Default: Refuse.
+   * How several traces with the same inline and crossline are treated. Refuse: an error. First, Last: the first or the
+   * last in the file. Mean: the mean of their samples, without traces of zeros. Dead traces never count beside others.
+   * Default: Refuse.
    */
   vtkSetClampMacro(DuplicatePolicy, int, Refuse, Mean);
   vtkGetMacro(DuplicatePolicy, int);
@@ -225,7 +224,7 @@ public:
 
   ///@{
   /**
-   * What is done with traces whose delay is not whole steps off that of most others; there is a warning. Interpolate:
+   * How traces are treated whose delay is not whole steps from that of most others; there is a warning. Interpolate:
    * samples at whole steps, by cubic polynomials. Nearest: samples move by up to half a step. Default: Interpolate.
    */
   vtkSetClampMacro(DelayPolicy, int, Interpolate, Nearest);
@@ -236,8 +235,8 @@ public:
 
   ///@{
   /**
-   * The step from a sample to the next. 0: a thousandth of the interval in the file, which is milliseconds for time,
-   * and metres or feet in most files of depth. Unit: that of z. Range: finite, at least 0. Default: 0.
+   * The step between samples. 0: a thousandth of the interval in the file: milliseconds for time, metres or feet in
+   * most depth cubes. Unit: that of z. Range: finite, at least 0. Default: 0.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
@@ -252,8 +251,8 @@ public:
 
   ///@{
   /**
-   * The direction in which time or depth increases. Down: world z decreases with it, so that the cube is the right way
-   * up. Up: world z increases with it. Default: Down.
+   * The direction in which time or depth increases. Down: world z decreases with it. Up: world z increases with it.
+   * Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -263,8 +262,8 @@ public:
 
   ///@{
   /**
-   * The unit of z for the field data: ms, s, m or ft. Numbers are not converted. Empty: ms, as in the standard; choose
-   * m or ft for a cube of depth. Range: any text. Default: empty.
+   * The unit of z for the field data: ms, s, m or ft, without conversion. Empty: ms, as in the standard; choose m or
+   * ft for a depth cube. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -272,8 +271,8 @@ public:
 
   ///@{
   /**
-   * Whether z is time or depth, for the field data. Numbers are not converted. Empty: what the unit says. Range: any
-   * text. Default: empty.
+   * Whether z is time or depth, for the field data, without conversion. Empty: from the unit. Range: any text.
+   * Default: empty.
    */
   vtkSetStringMacro(VerticalDomain);
   vtkGetStringMacro(VerticalDomain);
@@ -281,8 +280,8 @@ public:
 
   ///@{
   /**
-   * The unit of x and y for the field data: m or ft. Numbers are not converted. Empty: what the file says. Range: any
-   * text. Default: empty.
+   * The unit of x and y for the field data: m or ft, without conversion. Empty: as in the file. Range: any text.
+   * Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
@@ -290,8 +289,8 @@ public:
 
   ///@{
   /**
-   * The name of the coordinate system of x and y, for the field data. Numbers are not converted. Range: any text.
-   * Default: empty.
+   * The name of the coordinate system of x and y, for the field data, without conversion. Range: any text. Default:
+   * empty.
    */
   vtkSetStringMacro(CoordinateSystem);
   vtkGetStringMacro(CoordinateSystem);
@@ -299,9 +298,9 @@ public:
 
   ///@{
   /**
-   * How far x and y of traces may be off the lattice, as a fraction of the step. Up to a tenth of the traces may be
-   * farther off, with a warning; where more are, line numbers take the place of x and y. Whole metres are up to 0.1 off
-   * where lines are 6 m apart. Unit: columns. Range: more than 0, less than 0.5. Default: 0.25.
+   * The largest distance of x and y from the lattice, as a fraction of the step. Up to a tenth of the traces may be
+   * farther off, with a warning; if more are, line numbers replace x and y. Whole metres are up to 0.1 off if lines
+   * are 6 m apart. Unit: columns. Range: more than 0, less than 0.5. Default: 0.25.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
@@ -309,8 +308,8 @@ public:
 
   ///@{
   /**
-   * How far points of the image may be from their true places. Images can be rotated, but not sheared: a survey whose
-   * lines are too far from perpendicular for this is an error. Unit: columns. Range: at least 0. Default: 0.5.
+   * The largest distance of points of the image from their true places. Images can be rotated, but not sheared: lines
+   * too far from perpendicular are an error. Unit: columns. Range: at least 0. Default: 0.5.
    */
   vtkSetMacro(ImageTolerance, double);
   vtkGetMacro(ImageTolerance, double);

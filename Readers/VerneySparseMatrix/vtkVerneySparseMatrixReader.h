@@ -98,8 +98,7 @@ public:
 
   ///@{
   /**
-   * Horizons of fewer points in the ranges below are left out of the list. 1 keeps every horizon. Unit: points. Range:
-   * at least 1. Default: 1.
+   * Horizons of fewer points in the ranges below are not listed. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestHorizonSize, vtkIdType);
   vtkGetMacro(SmallestHorizonSize, vtkIdType);
@@ -107,9 +106,8 @@ public:
 
   ///@{
   /**
-   * The first and the last column (i) to load, counted from 0; -1 stands for the last there is. The lattice stays that
-   * of the whole file, and all of the file is checked. Unit: columns. Range: at least 0, or -1 for the end. Default: 0,
-   * -1.
+   * The first and the last column (i) to load, from 0; -1 stands for the end. The lattice is still that of the whole
+   * file, and the whole file is checked. Unit: columns. Range: at least 0, or -1 for the end. Default: 0, -1.
    */
   vtkSetVector2Macro(ColumnRange, int);
   vtkGetVector2Macro(ColumnRange, int);
@@ -117,8 +115,8 @@ public:
 
   ///@{
   /**
-   * The first and the last row (j) to load, counted from 0; -1 stands for the last there is. The lattice stays that of
-   * the whole file. Unit: rows. Range: at least 0, or -1 for the end. Default: 0, -1.
+   * The first and the last row (j) to load, from 0; -1 stands for the end. The lattice is still that of the whole
+   * file. Unit: rows. Range: at least 0, or -1 for the end. Default: 0, -1.
    */
   vtkSetVector2Macro(RowRange, int);
   vtkGetVector2Macro(RowRange, int);
@@ -126,9 +124,8 @@ public:
 
   ///@{
   /**
-   * Whether as little memory as possible is used, for files larger than memory: a pass over the file lists the
-   * horizons, and then only the selected ones, and only the rows asked for, are read. A volume ignores it. Default:
-   * off.
+   * For files larger than memory: one pass lists the horizons, then only the selected ones, and the rows asked for,
+   * are read. Not for volumes. Default: off.
    *
    * The list has nothing else but how many points each horizon has in each row. It takes two passes instead of one, but
    * for other rows and horizons it is kept.
@@ -159,10 +156,10 @@ public:
 
   ///@{
   /**
-   * What horizons become. Points: the points of each in space, which the stages take. Images: a map of each at z = 0,
-   * with a pixel for every column and attributes as arrays; columns without the horizon are blank. Warp it by the array
-   * Elevation to see the surface. Volume: all horizons in one image, for slices and volume rendering. For the last two,
-   * ColumnStep and RowStep must be perpendicular. Default: Points.
+   * What horizons become. Points: points in space, the input of the stages. Images: maps at z = 0, with a pixel for
+   * every column and attributes as arrays; columns without the horizon are blank. Warp them by the array Elevation.
+   * Volume: all horizons in one image, for slices and volume rendering. For the last two, ColumnStep and RowStep must
+   * be perpendicular. Default: Points.
    *
    * Points are a vtkPolyData for each horizon, images a vtkImageData for each, a volume is one vtkImageData;
    * GetOutput() gives null for that, use GetOutputDataObject(0).
@@ -183,8 +180,8 @@ public:
 
   ///@{
   /**
-   * What a volume covers. Whole: all cells of the lattice. BoundingBox: the least box with all voxels of the selected
-   * horizons. Default: Whole.
+   * What a volume covers. Whole: all cells of the lattice. BoundingBox: the smallest box with all voxels of the
+   * selected horizons. Default: Whole.
    */
   vtkSetClampMacro(VolumeExtent, int, Whole, BoundingBox);
   vtkGetMacro(VolumeExtent, int);
@@ -202,8 +199,8 @@ public:
 
   ///@{
   /**
-   * The active scalars of a volume. Its array SurfaceId has the ID of the horizon at each voxel; with Amplitude or
-   * Thickness there is an array of these as well, 0 where there is no voxel. Default: SurfaceId.
+   * The active scalars of a volume. The array SurfaceId has the ID of the horizon at each voxel; Amplitude or
+   * Thickness add an array of these, 0 without a voxel. Default: SurfaceId.
    */
   vtkSetClampMacro(VolumeArray, int, SurfaceId, Thickness);
   vtkGetMacro(VolumeArray, int);
@@ -223,8 +220,8 @@ public:
 
   ///@{
   /**
-   * The most memory that the arrays of a volume may take, on each process. A larger volume is an error that says how
-   * much it takes. Unit: MB (2^20 bytes). Range: at least 1. Default: 2048.
+   * The largest memory of the arrays of a volume, on each process; a larger volume is an error. Unit: MB (2^20 bytes).
+   * Range: at least 1. Default: 2048.
    */
   vtkSetMacro(VolumeMemoryLimit, int);
   vtkGetMacro(VolumeMemoryLimit, int);
@@ -239,10 +236,9 @@ public:
 
   ///@{
   /**
-   * World z of the points. VerticalIndex: from the vertical index, Origin and VerticalStep. RealZ: the time or depth in
-   * the file; z of Origin and VerticalStep then do not matter. VerticalDirection gives the sign. The voxels of a volume
-   * stay in their cells, and the stages measure distances and cell sizes in the lattice either way. Default:
-   * VerticalIndex.
+   * World z of the points. VerticalIndex: from the vertical index, Origin and VerticalStep. RealZ: the time or depth
+   * in the file, without Origin and VerticalStep. VerticalDirection gives the sign. Voxels of a volume stay in their
+   * cells, and stages measure distances and cell sizes in the lattice in both cases. Default: VerticalIndex.
    *
    * With RealZ, LatticeToWorld holds the straight line that fits real z over the vertical index best, for all voxels in
    * the ranges (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units is one vertical
@@ -303,7 +299,7 @@ public:
   ///@{
   /**
    * The direction in which vertical indices and real z increase. Down: world z decreases with them, as for time and
-   * depth, so that horizons are the right way up. Up: world z increases with them. Default: Down.
+   * depth. Up: world z increases with them. Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -322,11 +318,11 @@ public:
 
   ///@{
   /**
-   * Which voxel is kept where a horizon has several in one column. StrongestAmplitude: the one with the largest
-   * absolute amplitude, of equal ones the topmost. Topmost: the one with the smallest vertical index. Lowest: the one
-   * with the largest. Sheets: all of them, as at reverse faults; what is connected in space is a sheet, and each
-   * becomes a horizon of its own; not with LeastMemory. Voxels left out are counted in the field data
-   * DroppedDuplicates. See "Sheets" in VerneySparseMatrixReader.md. Default: StrongestAmplitude.
+   * Which of several voxels of a horizon in one column is kept. StrongestAmplitude: the one with the largest absolute
+   * amplitude, of equal ones the topmost. Topmost, Lowest: the one with the smallest or largest vertical index.
+   * Sheets: all, as at reverse faults; each connected sheet becomes a horizon; not with LeastMemory. Voxels left out
+   * are counted in the field data DroppedDuplicates. See "Sheets" in VerneySparseMatrixReader.md. Default:
+   * StrongestAmplitude.
    *
    * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */
