@@ -70,8 +70,11 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
 void HeightMesh::AddHorizon(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown)
 {
   OtherHorizon other;
-  other.Rasters = this->MakeRasters(heights, isKnown);
-  other.Heights = isKnown ? heights : std::vector<double>();
+  for (const HeightRaster& raster : this->Rasters)
+  {
+    other.Rasters.emplace_back(raster, heights, isKnown);
+  }
+  other.Heights = &heights;
   for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
   {
     other.Vertices.push_back({ this->Vertices[vertex].Column, heights[this->Sources[vertex]] });
@@ -149,8 +152,7 @@ void HeightMesh::AddRounding(double lowest, double highest)
 
 //----------------------------------------------------------------------------------------------------------------------
 // One for each patch: they can be far apart, and one can lie in a hole of another one.
-std::vector<HeightRaster> HeightMesh::MakeRasters(
-  const std::vector<double>& heights, const std::vector<unsigned char>* isKnown) const
+std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& heights) const
 {
   std::vector<HeightRaster> rasters;
   const std::vector<std::int32_t>& patch = this->Patches;
@@ -168,7 +170,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(
   if (patches == 1)
   {
     rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Places, heights, this->Horizon.Cuts.get(), isKnown);
+      this->Places, heights, this->Horizon.Cuts.get());
     return rasters;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -176,7 +178,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(
   for (std::int32_t number = 0; number < patches; ++number)
   {
     rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Places, heights, this->Horizon.Cuts.get(), isKnown);
+      this->Places, heights, this->Horizon.Cuts.get());
   }
   return rasters;
 }
@@ -209,9 +211,7 @@ void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<Triangle
     this->Vertices.push_back({ this->Places[point], raster.HeightAt(this->Places[point]) });
     for (OtherHorizon& other : this->Others)
     {
-      const HeightRaster& ofOther = other.Rasters[this->Patches[point]];
-      const double height = other.Heights.empty() ? ofOther.HeightAt(this->Places[point]) : other.Heights[point];
-      other.Vertices.push_back({ this->Places[point], height });
+      other.Vertices.push_back({ this->Places[point], (*other.Heights)[point] });
     }
   }
 }

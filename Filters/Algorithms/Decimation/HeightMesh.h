@@ -40,7 +40,7 @@ public:
   /// at first that of its column, and errors are the largest ones of all, which are measured without powers. What has no
   /// number of a horizon is about the first one, and so are sums.
   /// A horizon may have some of the points alone, marked as known, which others own: the heights of others are those of
-  /// vertices there, and have no errors.
+  /// vertices there, and have no errors. The heights must outlive the mesh.
   void AddHorizon(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown = nullptr);
   std::size_t NumberOfHorizons() const { return 1 + this->Others.size(); }
 
@@ -99,9 +99,7 @@ public:
   double Height(std::size_t horizon, VertexId vertex) const { return this->Raised(horizon, vertex).Height; }
   double ColumnHeight(std::size_t horizon, VertexId vertex) const
   {
-    const bool isInPart = horizon > 0 && !this->Others[horizon - 1].Heights.empty();
-    return isInPart ? this->Others[horizon - 1].Heights[this->Sources[vertex]]
-                    : this->RasterAt(horizon, vertex).HeightAt(this->Vertices[vertex].Column);
+    return horizon == 0 ? this->ColumnHeight(vertex) : (*this->Others[horizon - 1].Heights)[this->Sources[vertex]];
   }
 
   const RaisedPoint& Raised(VertexId vertex) const { return this->Vertices[vertex]; }
@@ -185,7 +183,7 @@ private:
   {
     std::vector<HeightRaster> Rasters;
     std::vector<RaisedPoint> Vertices;
-    std::vector<double> Heights; // by point, of a horizon that has some of the points alone; else empty
+    const std::vector<double>* Heights; // by point
   };
 
   const HeightRaster& RasterAt(VertexId vertex) const
@@ -193,8 +191,7 @@ private:
     return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[this->Sources[vertex]]];
   }
   void MeshLoops(const Monitor& monitor);
-  std::vector<HeightRaster> MakeRasters(
-    const std::vector<double>& heights, const std::vector<unsigned char>* isKnown = nullptr) const;
+  std::vector<HeightRaster> MakeRasters(const std::vector<double>& heights) const;
   void AddRounding(double lowest, double highest);
   void FindRange();
   std::vector<TriangleId> AllTriangles() const;

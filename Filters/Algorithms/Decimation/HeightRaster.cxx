@@ -4,8 +4,10 @@
 #include "HeightRaster.h"
 
 #include "Common/ColumnIndex.h"
+#include "Common/FixedChunks.h"
 #include "Common/Parallel.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace SeismicHorizons
@@ -44,47 +46,77 @@ constexpr double UnitsOfFloats = 16.0 * std::numeric_limits<float>::epsilon();
 
 // Below such a part of a bound, that is no matter to sums.
 constexpr double PartOfFloats = 1.0 / 64;
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-void HeightRaster::AddRange(const PlanePoint& column, double height)
+struct HeightRange
 {
-  this->Box.Add(column);
-  this->Lowest = std::min(this->Lowest, height);
-  this->Highest = std::max(this->Highest, height);
+  double Lowest = std::numeric_limits<double>::infinity();
+  double Highest = -std::numeric_limits<double>::infinity();
+
+  void Add(const HeightRange& other)
+  {
+    this->Lowest = std::min(this->Lowest, other.Lowest);
+    this->Highest = std::max(this->Highest, other.Highest);
+  }
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightRaster::MakeColumns()
+RawVector<PointId> HeightRaster::MakePlaces()
 {
   this->Width = std::int64_t(this->Box.Greatest.X) - this->Box.Least.X + 1;
   const std::int64_t rows = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
   constexpr std::int64_t Beyond = 3; // read four at a time
-  const std::int64_t size = this->Width * rows + Beyond;
-  this->Points.resize(std::size_t(size));
-  this->Heights.resize(std::size_t(size));
-  this->FloatHeights.resize(std::size_t(size));
-  ParallelFor(size, ColumnGrain,
-    [this](std::int64_t first, std::int64_t last)
-    {
-      std::fill(this->Points.begin() + first, this->Points.begin() + last, NoPoint);
-      std::fill(this->Heights.begin() + first, this->Heights.begin() + last, std::numeric_limits<double>::quiet_NaN());
-      std::fill(
-        this->FloatHeights.begin() + first, this->FloatHeights.begin() + last, std::numeric_limits<float>::quiet_NaN());
-    });
+  RawVector<PointId> points;
+  points.resize(std::size_t(this->Width * rows + Beyond));
+  ParallelFor(std::int64_t(points.size()), ColumnGrain,
+    [&points](std::int64_t first, std::int64_t last)
+    { std::fill(points.begin() + first, points.begin() + last, NoPoint); });
+  return points;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightRaster::Add(PointId point, const PlanePoint& column, double height)
+void HeightRaster::Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const
 {
-  const std::size_t place = std::size_t(this->Place(column.X, column.Y));
-  if (this->Points[place] != NoPoint)
+  PointId& place = points[std::size_t(this->Place(column.X, column.Y))];
+  if (place != NoPoint)
   {
-    throw SameColumnError(this->Points[place], point, column);
+    throw SameColumnError(place, point, column);
   }
-  this->Points[place] = point;
-  this->Heights[place] = height;
-  this->FloatHeights[place] = float(height - this->MiddleAs<float>());
+  place = point;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightRaster::SetHeights(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown)
+{
+  const RawVector<PointId>& points = *this->Points;
+  const auto size = std::int64_t(points.size());
+  const HeightRange range = AddUpChunks<HeightRange>(size, ColumnGrain, Monitor(),
+    [&](HeightRange& part, std::int64_t first, std::int64_t last)
+    {
+      for (auto place = std::size_t(first); place < std::size_t(last); ++place)
+      {
+        if (points[place] != NoPoint)
+        {
+          part.Add({ heights[points[place]], heights[points[place]] });
+        }
+      }
+    });
+  this->Lowest = range.Lowest;
+  this->Highest = range.Highest;
+  this->Heights.resize(points.size());
+  this->FloatHeights.resize(points.size());
+  const double middle = this->MiddleAs<float>();
+  ParallelFor(size, ColumnGrain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto place = std::size_t(first); place < std::size_t(last); ++place)
+      {
+        const PointId point = points[place];
+        const bool hasHeight = point != NoPoint && (!isKnown || (*isKnown)[point] != 0);
+        this->Heights[place] = hasHeight ? heights[point] : std::numeric_limits<double>::quiet_NaN();
+        this->FloatHeights[place] = float(this->Heights[place] - middle);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -162,7 +194,7 @@ PointId HeightRaster::FindPointAs(const RaisedTriangle& triangle, double error) 
         {
           ++n;
         }
-        point = this->Points[place + n];
+        point = (*this->Points)[place + n];
       }
       return point == NoPoint;
     });
@@ -223,8 +255,8 @@ HeightError HeightRaster::MeasureSide(
       if (distance > error.Largest)
       {
         const bool isFirstNear = crossing.PartOfColumn < 0.5;
-        const PointId near = this->Points[isFirstNear ? crossing.Place : crossing.Beyond];
-        const PointId far = this->Points[isFirstNear ? crossing.Beyond : crossing.Place];
+        const PointId near = (*this->Points)[isFirstNear ? crossing.Place : crossing.Beyond];
+        const PointId far = (*this->Points)[isFirstNear ? crossing.Beyond : crossing.Place];
         const PointId point = marks[near] == 0 ? near : far;
         error = marks[point] == 0 ? HeightError{ distance, point } : error;
       }

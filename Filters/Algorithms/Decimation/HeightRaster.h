@@ -22,7 +22,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -68,22 +70,28 @@ public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
   /// `columns` and `heights`, which are finite, are those of all its points. Takes 16 bytes per column of the bounding
   /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut; `cuts`, null
-  /// for none, must outlive it. Columns of points that are not marked as known, where that is given, have no point.
+  /// for none, must outlive it.
   template <typename ForEachPoint>
   HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const std::vector<double>& heights,
-    const LinkCuts* cuts = nullptr, const std::vector<unsigned char>* isKnown = nullptr)
+    const LinkCuts* cuts = nullptr)
     : Cuts(cuts)
   {
-    forEachPoint([&](PointId point) { this->AddRange(columns[point], heights[point]); });
-    this->MakeColumns();
-    forEachPoint(
-      [&](PointId point)
-      {
-        if (!isKnown || (*isKnown)[point] != 0)
-        {
-          this->Add(point, columns[point], heights[point]);
-        }
-      });
+    forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
+    RawVector<PointId> points = this->MakePlaces();
+    forEachPoint([&](PointId point) { this->Add(point, columns[point], points); });
+    this->Points = std::make_shared<const RawVector<PointId>>(std::move(points));
+    this->SetHeights(heights, nullptr);
+  }
+
+  /// Another horizon over the points of `other`, with 12 bytes per column. Columns of points that are not marked as known,
+  /// where that is given, have no height.
+  HeightRaster(const HeightRaster& other, const std::vector<double>& heights, const std::vector<unsigned char>* isKnown)
+    : Box(other.Box)
+    , Width(other.Width)
+    , Points(other.Points)
+    , Cuts(other.Cuts)
+  {
+    this->SetHeights(heights, isKnown);
   }
 
   /// Of a column with a point.
@@ -143,9 +151,9 @@ public:
 private:
   static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-  void AddRange(const PlanePoint& column, double height);
-  void MakeColumns();
-  void Add(PointId point, const PlanePoint& column, double height);
+  RawVector<PointId> MakePlaces();
+  void Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const;
+  void SetHeights(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown);
 
   /// How far an error is wrong at most that floats have, of corners no farther from their columns than a bound.
   double FloatRounding(double bound) const;
@@ -191,8 +199,8 @@ private:
 
   PlaneBox Box;
   std::int64_t Width = 0;
-  RawVector<PointId> Points; // by place
-  RawVector<double> Heights; // by place; nan where there is no point
+  std::shared_ptr<const RawVector<PointId>> Points; // by place
+  RawVector<double> Heights; // by place; nan where there is no point, or an unknown one
   RawVector<float> FloatHeights; // the same less the middle one
   double Lowest = Infinity;
   double Highest = -Infinity;
@@ -219,11 +227,11 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
       const std::int64_t end = this->Place(last, y);
       for (std::int64_t place = this->Place(first, y); place <= end; ++place)
       {
-        const PointId point = this->Points[place];
-        if (point != NoPoint)
+        const double own = this->Heights[place];
+        if (!std::isnan(own))
         {
           const double height = (weights[0] * a.Height + weights[1] * b.Height + weights[2] * c.Height) * perArea;
-          visit(point, height - this->Heights[place], weights);
+          visit((*this->Points)[place], height - own, weights);
         }
         for (std::size_t corner = 0; corner < 3; ++corner)
         {

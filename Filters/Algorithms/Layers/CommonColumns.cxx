@@ -92,6 +92,13 @@ CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
   CommonColumns common;
   for (const HorizonView& horizon : horizons)
   {
+    const bool isLikeFirst = !common.Points.empty() && common.Points.front().size() == horizon.Columns.size() &&
+      std::equal(horizon.Columns.begin(), horizon.Columns.end(), horizons.front().Columns.begin());
+    if (isLikeFirst) // as horizons of one survey often are
+    {
+      common.Points.push_back(common.Points.front());
+      continue;
+    }
     std::vector<PointId> points = SortByRows(horizon.Columns);
     if (common.Points.empty())
     {
@@ -118,7 +125,8 @@ CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
   }
   if (!horizons.empty())
   {
-    std::transform(common.Points.front().begin(), common.Points.front().end(), std::back_inserter(common.Columns),
+    common.Columns.resize(common.Points.front().size());
+    std::transform(common.Points.front().begin(), common.Points.front().end(), common.Columns.begin(),
       [&](PointId point) { return horizons.front().Columns[point]; });
   }
   return common;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -123,6 +124,10 @@ public:
 
   void Repair(std::size_t column)
   {
+    if (this->IsInOrder(column))
+    {
+      return;
+    }
     this->CountCrossings(column);
     this->Pools.clear();
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
@@ -133,7 +138,7 @@ public:
         continue;
       }
       Push(this->Pools, { depth, this->Weights[horizon], depth, 1, 1 },
-        [this](const Pool& above, const Pool& below) { return this->Overlap(above, below); });
+        [this](const Pool& above, const Pool& below) { return this->Overlap(above.Depth, below.Depth); });
     }
     std::size_t horizon = 0;
     for (const Pool& pool : this->Pools)
@@ -150,11 +155,27 @@ public:
   }
 
 private:
+  /// What most columns are.
+  bool IsInOrder(std::size_t column) const
+  {
+    double above = -std::numeric_limits<double>::infinity();
+    for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
+    {
+      const double depth = this->Depth(horizon, column);
+      if (this->Overlap(above, depth)) // not where it is nan
+      {
+        return false;
+      }
+      above = std::isnan(depth) ? above : depth;
+    }
+    return true;
+  }
+
   double Depth(std::size_t horizon, std::size_t column) const { return this->Sign * this->Heights[horizon][column]; }
 
-  bool Overlap(const Pool& above, const Pool& below) const
+  bool Overlap(double above, double below) const
   {
-    const double between = below.Depth - above.Depth;
+    const double between = below - above;
     return between < 0.0 || (between > 0.0 && between < this->Minimum);
   }
 

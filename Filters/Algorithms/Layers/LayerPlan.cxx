@@ -12,6 +12,7 @@
 #include "Common/Errors.h"
 #include "Common/KeptPoints.h"
 #include "Common/MeshChecker.h"
+#include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Decimation/HeightFit.h"
 #include "Decimation/HeightMesh.h"
@@ -637,7 +638,7 @@ private:
   /// Of a horizon.
   struct PointsInside
   {
-    std::vector<unsigned char> OfStack; // by column of the stack: 1 for those in its mesh
+    std::vector<unsigned char> OfStack; // as FindInside has it
     std::vector<PointId> OnEdges; // points in other columns, which edges of outlines pass over
     ColumnIndex Index; // of the horizon's own columns
     PlaneBox Box;
@@ -708,27 +709,46 @@ private:
     }
   }
 
+  /// By column of the stack: 1 for those in the mesh of a horizon.
+  std::vector<unsigned char> FindInside(const HeightMesh& mesh, std::size_t horizon) const
+  {
+    std::vector<unsigned char> isIn(this->Columns.size(), 0);
+    for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
+    {
+      if (this->IsHorizonIn(horizon, std::size_t(triangle)))
+      {
+        mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
+          [&](PointId point, double, const std::array<double, 3>&) { isIn[std::size_t(point)] = 1; });
+      }
+    }
+    return isIn;
+  }
+
   void CountOutside(const HeightMesh& mesh)
   {
     std::vector<PointsInside> inside;
     for (const HorizonView& horizon : this->Horizons)
     {
-      inside.push_back({ std::vector<unsigned char>(this->Columns.size(), 0), {}, ColumnIndex(horizon.Columns),
-        PlaneBox(horizon.Columns) });
+      inside.push_back({ {}, {}, ColumnIndex(horizon.Columns), PlaneBox(horizon.Columns) });
     }
-    for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
+    if (this->HasRegions())
     {
-      for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
-      {
-        if (this->IsHorizonIn(horizon, std::size_t(triangle)))
+      ParallelFor(std::int64_t(inside.size()), 1,
+        [&](std::int64_t first, std::int64_t last)
         {
-          mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
-            [&](PointId point, double, const std::array<double, 3>&)
-            { inside[horizon].OfStack[std::size_t(point)] = 1; });
-        }
-      }
+          for (auto horizon = std::size_t(first); horizon < std::size_t(last); ++horizon)
+          {
+            inside[horizon].OfStack = this->FindInside(mesh, horizon);
+          }
+        });
+    }
+    else
+    {
+      const std::vector<unsigned char> ofAll = this->FindInside(mesh, 0);
+      std::for_each(inside.begin(), inside.end(), [&ofAll](PointsInside& own) { own.OfStack = ofAll; });
     }
     this->MeasureOutline(mesh, inside);
+    const bool areOwn = !this->HasRegions() && this->Result.Stack.Completed == 0;
     for (std::size_t point = 0; point < this->Columns.size(); ++point)
     {
       bool isAny = false;
@@ -736,7 +756,7 @@ private:
       {
         const bool isIn = inside[horizon].OfStack[point] != 0;
         isAny = isAny || isIn;
-        const bool isOwn = isIn && inside[horizon].PointAt(this->Columns[point]) != NoPoint;
+        const bool isOwn = isIn && (areOwn || inside[horizon].PointAt(this->Columns[point]) != NoPoint);
         this->Result.PointsOutside[horizon] -= isOwn ? 1 : 0;
       }
       this->Result.ColumnsOutside -= isAny ? 1 : 0;

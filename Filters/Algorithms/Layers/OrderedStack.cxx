@@ -24,6 +24,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t Grain = 1 << 14; // columns that a thread takes at a time
+
 void CheckHorizons(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
 {
   if (horizons.size() < 2)
@@ -33,13 +35,17 @@ void CheckHorizons(const std::vector<HorizonView>& horizons, const CrossingOptio
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
     const double* const heights = horizons[n].Heights;
-    const double* const wrong =
-      std::find_if(heights, heights + horizons[n].Columns.size(), [](double height) { return !std::isfinite(height); });
-    if (wrong != heights + horizons[n].Columns.size())
-    {
-      throw InputError(NameOf(n, names) + ": point " + std::to_string(wrong - heights) +
-        " without a height, expected a finite number");
-    }
+    ParallelFor(std::int64_t(horizons[n].Columns.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        const double* const wrong =
+          std::find_if(heights + first, heights + last, [](double height) { return !std::isfinite(height); });
+        if (wrong != heights + last)
+        {
+          throw InputError(NameOf(n, names) + ": point " + std::to_string(wrong - heights) +
+            " without a height, expected a finite number");
+        }
+      });
   }
 }
 
@@ -67,10 +73,13 @@ HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColu
   HeightStack stack;
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
-    std::vector<double> heights;
-    heights.reserve(columns.Columns.size());
-    std::transform(columns.Points[n].begin(), columns.Points[n].end(), std::back_inserter(heights),
-      [&](PointId point) { return point == NoPoint ? std::nan("") : horizons[n].Heights[point]; });
+    std::vector<double> heights(columns.Points[n].size());
+    ParallelFor(std::int64_t(heights.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        std::transform(columns.Points[n].begin() + first, columns.Points[n].begin() + last, heights.begin() + first,
+          [&](PointId point) { return point == NoPoint ? std::nan("") : horizons[n].Heights[point]; });
+      });
     stack.push_back(std::move(heights));
   }
   return stack;
@@ -232,7 +241,7 @@ private:
   void FillOnce(std::vector<std::size_t>& waiting, bool areSides, std::vector<double>& heights) const
   {
     std::vector<double> found(waiting.size());
-    ParallelFor(std::int64_t(waiting.size()), Grain,
+    ParallelFor(std::int64_t(waiting.size()), GapGrain,
       [&](std::int64_t first, std::int64_t last)
       {
         for (auto n = std::size_t(first); n < std::size_t(last); ++n)
@@ -323,7 +332,7 @@ private:
   }
 
   static constexpr int Farthest = 256; // columns
-  static constexpr std::int64_t Grain = 1024; // columns that a thread takes at a time
+  static constexpr std::int64_t GapGrain = 1024; // columns that a thread takes at a time
 
   const HorizonView& Horizon;
   const LinkCuts* Cuts;
@@ -385,14 +394,13 @@ OrderedStack MakeStack(
   const std::vector<HorizonView>& horizons, LayerDomain domain, const CrossingOptions& options, const Monitor& monitor)
 {
   CheckHorizons(horizons, options);
-  const CommonColumns common =
-    domain == LayerDomain::Common ? FindCommonColumns(horizons) : FindColumnsOfLayers(horizons);
+  CommonColumns common = domain == LayerDomain::Common ? FindCommonColumns(horizons) : FindColumnsOfLayers(horizons);
   if (common.Columns.empty())
   {
     throw NothingInCommon(horizons, options);
   }
   OrderedStack stack;
-  stack.Columns = common.Columns;
+  stack.Columns.swap(common.Columns);
   stack.Heights = HeightsOf(horizons, common);
   stack.Repair = RepairCrossings(stack.Heights, options, monitor);
   return stack;
