@@ -24,10 +24,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSetCollection.h"
-#include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -35,8 +32,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
-#include <utility>
+#include <string>
+#include <vector>
 
 using namespace SeismicHorizons;
 
@@ -52,7 +49,6 @@ const char* TellOn(bool isOn)
 {
   return isOn ? "on" : "off";
 }
-
 }
 
 vtkStandardNewMacro(vtkHorizonLayers);
@@ -101,7 +97,7 @@ int vtkHorizonLayers::RequestData(
   {
     const auto make = [&]()
     {
-      HorizonStack stack = this->ReadStack(inputVector[0], subject);
+      const HorizonStack stack = this->ReadStack(inputVector[0], subject);
       subject.clear();
       monitor.Progress(0.1);
       MakeBlocks(NamesOfLayers(stack), "Layers", outputs[BodiesPort]);
@@ -110,12 +106,17 @@ int vtkHorizonLayers::RequestData(
       {
         return;
       }
+      if (ReadSurveyFields(stack[0].Points.Horizon->GetFieldData()).VerticalDomain == "time")
+      {
+        vtkWarningMacro(<< "z is time, so that volumes are areas times time, expected depths for volumes: convert the "
+                           "horizons to depth before");
+      }
       LayerOptions options = this->MakeOptions(stack);
       const std::optional<LinkCuts> cuts = this->UseCuts ? stack.FindCuts() : std::nullopt;
       options.Cuts = cuts ? &*cuts : nullptr;
       const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.9));
       this->Write(layers, stack, outputs);
-      this->Warn(layers, stack, options);
+      this->WarnOfCrossings(layers.Stack.Repair, options.Crossings.Policies, stack);
     };
     ranks.Together(make);
   };
@@ -145,9 +146,8 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
     if (radius > 1)
     {
       throw InputError(stack[n].Name + " with steps of " + std::to_string(radius) +
-        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or fill gaps by Horizon "
-        "Hole "
-        "Filling before");
+        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or fill gaps by "
+        "Horizon Hole Filling before");
     }
   }
   if (isCommon && this->KeepOutlines)
@@ -178,41 +178,60 @@ void vtkHorizonLayers::Write(
   {
     WriteLayerHorizon(layers, cells, horizon, stack, BlockOf(outputs[HorizonsPort], horizon));
   }
-  WriteLayerTable(layers, stack, this->MeasureAboveContact ? std::optional<double>(this->Contact) : std::nullopt,
+  std::vector<LayerVolume> volumes;
+  for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
+  {
+    volumes.push_back(MeasureLayer(plan, layer));
+  }
+  WriteLayerTable(layers, volumes, stack,
+    this->MeasureAboveContact ? std::optional<double>(this->Contact) : std::nullopt,
     vtkTable::SafeDownCast(outputs[TablePort]));
   WriteVolumeCurve(plan, stack, vtkTable::SafeDownCast(outputs[CurvePort]));
-  this->Results = TellLayers(layers, stack);
+  this->Results = TellLayers(layers, volumes, stack);
+  this->WarnOfEmpty(volumes, stack);
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonLayers::Warn(const Layers& layers, const HorizonStack& stack, const LayerOptions& options)
+void vtkHorizonLayers::WarnOfEmpty(const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
+{
+  std::vector<std::string> empty;
+  for (std::size_t layer = 0; layer < volumes.size(); ++layer)
+  {
+    if (volumes[layer].Volume == 0.0)
+    {
+      empty.push_back(NamesOfLayers(stack)[layer]);
+    }
+  }
+  if (!empty.empty())
+  {
+    vtkWarningMacro(<< empty.front()
+                    << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
+                    << " without a cell, expected horizons that are apart over an area that both have");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonLayers::WarnOfCrossings(
+  const CrossingRepair& repair, const std::vector<CrossingPolicy>& policies, const HorizonStack& stack)
 {
   constexpr double MostOfNoise = 6.0; // that noise makes horizons cross by
-  const std::string domain = ReadSurveyFields(stack[0].Points.Horizon->GetFieldData()).VerticalDomain;
-  if (domain == "time")
+  std::vector<std::optional<double>> noise(stack.Size());
+  const auto noiseOf = [&](std::size_t horizon)
   {
-    vtkWarningMacro(<< "z is time, so that volumes are areas times " << domain
-                    << ", expected depths for volumes: convert the horizons to depth before");
-  }
-  const std::vector<std::string> names = NamesOfLayers(stack);
-  const std::vector<CrossingPolicy>& policies = options.Crossings.Policies;
+    if (!noise[horizon])
+    {
+      noise[horizon] = MeasureNoise(stack[horizon].Placed.Columns, stack[horizon].Placed.Height);
+    }
+    return *noise[horizon];
+  };
+  const auto depthOf = [&](std::size_t layer) { return repair.Interfaces[layer].Deepest; };
   std::size_t deep = 0; // crossings
   std::size_t deepest = 0; // the layer of the deepest of these
-  std::vector<std::string> empty;
-  const auto depthOf = [&](std::size_t layer) { return layers.Stack.Repair.Interfaces[layer].Deepest; };
-  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  for (std::size_t layer = 0; layer < repair.Interfaces.size(); ++layer)
   {
-    if (MeasureLayer(layers.Plan, layer).Volume == 0.0)
-    {
-      empty.push_back(names[layer]);
-    }
-    if (depthOf(layer) == 0.0 || policies[std::min(layer, policies.size() - 1)] != CrossingPolicy::Mean)
-    {
-      continue;
-    }
-    const double noise = std::hypot(MeasureNoise(stack[layer].Placed.Columns, stack[layer].Placed.Height),
-      MeasureNoise(stack[layer + 1].Placed.Columns, stack[layer + 1].Placed.Height));
-    if (depthOf(layer) > 1.0 + MostOfNoise * noise)
+    const bool isMean = policies[std::min(layer, policies.size() - 1)] == CrossingPolicy::Mean;
+    if (isMean && depthOf(layer) > 1.0 &&
+      depthOf(layer) > 1.0 + MostOfNoise * std::hypot(noiseOf(layer), noiseOf(layer + 1)))
     {
       deepest = deep == 0 || depthOf(layer) > depthOf(deepest) ? layer : deepest;
       ++deep;
@@ -224,11 +243,5 @@ void vtkHorizonLayers::Warn(const Layers& layers, const HorizonStack& stack, con
                     << (deep > 1 ? ", and " + std::to_string(deep - 1) + " other pairs," : "") << " cross by up to "
                     << depthOf(deepest) * WorldPerIndex(stack.Grid())
                     << ", expected no more than their noise makes: at an unconformity choose UpperWins or LowerWins");
-  }
-  if (!empty.empty())
-  {
-    vtkWarningMacro(<< empty.front()
-                    << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
-                    << " without a cell, expected horizons that are apart over an area that both have");
   }
 }

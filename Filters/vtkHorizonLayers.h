@@ -45,8 +45,11 @@
 namespace SeismicHorizons
 {
 class HorizonStack;
+struct CrossingRepair;
 struct LayerOptions;
+struct LayerVolume;
 struct Layers;
+enum class CrossingPolicy;
 }
 class vtkDataObject;
 
@@ -206,8 +209,10 @@ private:
   SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
   void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
     const std::vector<vtkDataObject*>& outputs);
-  void Warn(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
-    const SeismicHorizons::LayerOptions& options);
+  void WarnOfEmpty(
+    const std::vector<SeismicHorizons::LayerVolume>& volumes, const SeismicHorizons::HorizonStack& stack);
+  void WarnOfCrossings(const SeismicHorizons::CrossingRepair& repair,
+    const std::vector<SeismicHorizons::CrossingPolicy>& policies, const SeismicHorizons::HorizonStack& stack);
 
   double MaximumError = 0.75;
   bool BoundThickness = false;

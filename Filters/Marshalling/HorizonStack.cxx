@@ -155,8 +155,7 @@ std::optional<LinkCuts> HorizonStack::FindCuts() const
       {
         throw InputError("faults of " + horizon.Name +
           " on a lattice that is turned, expected rows and columns along those of the others: Horizon From Points "
-          "grids "
-          "its points there");
+          "grids its points there");
       }
       if (this->Box.Contains(from) && this->Box.Contains(to))
       {

@@ -7,7 +7,6 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
 #include "HeightUnit.h"
-#include "Layers/LayerCells.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -85,7 +84,8 @@ std::vector<std::string> NamesOfLayers(const HorizonStack& stack)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLayerTable(const Layers& layers, const HorizonStack& stack, std::optional<double> contact, vtkTable* table)
+void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
+  std::optional<double> contact, vtkTable* table)
 {
   const double height = WorldPerIndex(stack.Grid());
   const double area = stack.Grid().ColumnArea();
@@ -95,7 +95,7 @@ void WriteLayerTable(const Layers& layers, const HorizonStack& stack, std::optio
   for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
   {
     writer.StartRow(layer);
-    const LayerVolume own = MeasureLayer(layers.Plan, layer);
+    const LayerVolume& own = volumes[layer];
     const CrossingRepair& repair = layers.Stack.Repair;
     writer.Set<vtkDoubleArray>("Volume", volume * own.Volume);
     writer.Set<vtkDoubleArray>("Area", area * own.Area);
@@ -182,7 +182,7 @@ std::string UnitOfVolumes(const HorizonStack& stack)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string TellLayers(const Layers& layers, const HorizonStack& stack)
+std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
 {
   std::ostringstream text;
   const double height = WorldPerIndex(stack.Grid());
@@ -192,7 +192,7 @@ std::string TellLayers(const Layers& layers, const HorizonStack& stack)
        << " triangles\n";
   for (std::size_t layer = 0; layer < names.size(); ++layer)
   {
-    const LayerVolume own = MeasureLayer(layers.Plan, layer);
+    const LayerVolume& own = volumes[layer];
     text << names[layer] << "\n  volume " << own.Volume * VolumeOfUnit(stack) << (unit.empty() ? "" : " ") << unit
          << "\n  thickness " << height * own.LeastThickness << " to " << height * own.LargestThickness << ", mean "
          << height * own.MeanThickness << '\n';

@@ -7,6 +7,7 @@
 #define SeismicHorizonsLayerFigures_h
 
 #include "HorizonStack.h"
+#include "Layers/LayerCells.h"
 #include "Layers/LayerPlan.h"
 
 #include "vtkSmartPointer.h"
@@ -31,14 +32,15 @@ std::string UnitOfVolumes(const HorizonStack& stack);
 
 vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts);
 
-/// A row for each layer. With a contact, a world z, also how much of them lies above it.
-void WriteLayerTable(const Layers& layers, const HorizonStack& stack, std::optional<double> contact, vtkTable* table);
+/// A row for each layer, whose size `volumes` has. With a contact, a world z, also how much of them lies above it.
+void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
+  std::optional<double> contact, vtkTable* table);
 
 /// The volume of each layer above contacts from the top of all to the base.
 void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table);
 
 /// The same as lines of text: of each layer volume and thickness, and of each horizon the points outside.
-std::string TellLayers(const Layers& layers, const HorizonStack& stack);
+std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack);
 }
 
 #endif
