@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace SeismicHorizons
@@ -27,6 +28,19 @@ inline std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
   const std::int64_t x = std::int64_t(b.X) - a.X;
   const std::int64_t y = std::int64_t(b.Y) - a.Y;
   return x * x + y * y;
+}
+
+/// Calls visit(column, part) for the columns between two others on the straight line through them, both left out: part is
+/// how far along it they are, from 0 to 1.
+template <typename Visit>
+void ForEachColumnBetween(const PlanePoint& from, const PlanePoint& to, Visit&& visit)
+{
+  const std::int32_t steps = std::gcd(to.X - from.X, to.Y - from.Y);
+  for (std::int32_t step = 1; step < steps; ++step)
+  {
+    visit(PlanePoint{ from.X + (to.X - from.X) / steps * step, from.Y + (to.Y - from.Y) / steps * step },
+      double(step) / steps);
+  }
 }
 
 /// The scalar product of the vectors from `origin` to a and to b.

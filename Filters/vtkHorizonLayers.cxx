@@ -8,7 +8,6 @@
 #include "Common/VTK/NamedCollection.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
-#include "Common/VTK/SurveyFields.h"
 #include "Common/VTK/VersionDifferences.h"
 #include "Despiking/Despiking.h"
 #include "Layers/LayerBody.h"
@@ -21,7 +20,6 @@
 #include "Marshalling/LayerOutput.h"
 #include "Surface/Surface.h"
 
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -106,7 +104,7 @@ int vtkHorizonLayers::RequestData(
       {
         return;
       }
-      if (ReadSurveyFields(stack[0].Points.Horizon->GetFieldData()).VerticalDomain == "time")
+      if (stack.GetSurvey().VerticalDomain == "time")
       {
         vtkWarningMacro(<< "z is time, so that volumes are areas times time, expected depths for volumes: convert the "
                            "horizons to depth before");
@@ -204,9 +202,9 @@ void vtkHorizonLayers::WarnOfEmpty(const std::vector<LayerVolume>& volumes, cons
   }
   if (!empty.empty())
   {
-    vtkWarningMacro(<< empty.front()
-                    << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
-                    << " without a cell, expected horizons that are apart over an area that both have");
+    vtkWarningMacro(
+      << empty.front() << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
+      << " without a cell, expected horizons that are apart by more than the error over an area that both have");
   }
 }
 

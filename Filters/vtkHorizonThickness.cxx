@@ -47,8 +47,8 @@ constexpr int OtherPort = 1; // of the input
 constexpr int MapPort = 1; // of the output
 constexpr std::int64_t Few = 20; // one column of so many may be a crossing without a warning
 
-/// Of what has points, the one that is not the horizon itself, on the lattice of that.
-PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& grid)
+/// Of what has points, the one that is not the horizon itself, on the lattice of that; with the survey of both.
+PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& grid, SurveyDescription& survey)
 {
   std::vector<HorizonLeaf> leaves = ListHorizons(others, {});
   leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
@@ -62,7 +62,7 @@ PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattic
   }
   vtkPolyData* const other = leaves.front().Input;
   CheckArraySizes(other);
-  CheckSameHeights(horizon, other, { "an other horizon", "the first one" });
+  survey = JoinSurveys(ReadSurveyFields(horizon->GetFieldData()), other, { "an other horizon", "the first one" });
   return PlaceOn(grid, WithoutHiddenPoints(other), { "the other horizon", "the first one" });
 }
 
@@ -134,7 +134,8 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
 {
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkDataObject* const given = this->GetInputDataObject(OtherPort, 0);
-  const PlacedPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Grid);
+  SurveyDescription survey;
+  const PlacedPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Grid, survey);
   monitor.Progress(0.4);
   const Thickness found = MeasureThickness(
     { points.Column, points.Height }, { other.Columns, other.Height }, ScaleOf(points.Grid), monitor.Step(0.4, 0.9));
@@ -150,7 +151,7 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   data->RemoveArray(PointArray::Boundary);
   AddArray<vtkDoubleArray>(data, PointArray::Isochore, kept.Select(found.Isochore));
   vtkFieldData* const figures = output->GetFieldData();
-  if (HasLengths(ReadSurveyFields(horizon->GetFieldData())))
+  if (HasLengths(survey))
   {
     AddArray<vtkDoubleArray>(data, PointArray::Isopach, kept.Select(found.Isopach));
     AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreVolume, found.Volume);

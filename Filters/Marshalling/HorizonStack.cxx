@@ -8,6 +8,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
 #include "CutData.h"
+#include "HeightUnit.h"
 #include "HorizonData.h"
 
 #include "vtkDataArray.h"
@@ -17,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +26,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr double Rounding = 1e-6; // of steps, in parts of them
+
 /// The column of a place on a lattice.
 PlanePoint ColumnAt(const Lattice& grid, const Eigen::Vector3d& world)
 {
@@ -58,15 +62,17 @@ void HorizonStack::PlaceTogether()
 {
   const auto frame = std::min_element(this->Horizons.begin(), this->Horizons.end(),
     [](const StackedHorizon& a, const StackedHorizon& b)
-    { return a.Points.Grid.ColumnArea() < (1.0 - 1e-6) * b.Points.Grid.ColumnArea(); });
+    { return a.Points.Grid.ColumnArea() < (1.0 - Rounding) * b.Points.Grid.ColumnArea(); });
   this->Frame = frame->Points.Horizon;
   this->Dimensions = ReadLatticeDimensions(this->Frame);
   this->Map = ReadLatticeMap(this->Frame);
-  this->Together = frame->Points.Grid;
+  this->Survey = ReadSurveyFields(this->Frame->GetFieldData());
+  this->RefineHeights();
+  this->Together = Lattice(this->Dimensions, this->Map);
   for (StackedHorizon& horizon : this->Horizons)
   {
     const HorizonNames names = { horizon.Name, frame->Name };
-    CheckSameHeights(this->Frame, horizon.Points.Horizon, names);
+    this->Survey = JoinSurveys(this->Survey, horizon.Points.Horizon, names);
     horizon.Placed = PlaceOn(this->Together, horizon.Points.Horizon, names);
     for (const PlanePoint& column : horizon.Placed.Columns)
     {
@@ -74,6 +80,23 @@ void HorizonStack::PlaceTogether()
     }
   }
   this->CoverAll();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Errors count vertical indices: those of the horizon that has the smallest, so that they hold for each.
+void HorizonStack::RefineHeights()
+{
+  const double step = std::abs(this->Map(2, 2));
+  double smallest = step;
+  for (const StackedHorizon& horizon : this->Horizons)
+  {
+    smallest = std::min(smallest, WorldPerIndex(horizon.Points.Grid));
+  }
+  if (smallest < (1.0 - Rounding) * step)
+  {
+    this->Dimensions[2] = int(std::min(std::ceil(this->Dimensions[2] * step / smallest), double(INT_MAX)));
+    this->Map(2, 2) *= smallest / step;
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -175,7 +198,7 @@ void HorizonStack::WriteFields(vtkFieldData* data) const
   {
     data->AddArray(direction);
   }
-  AddSurveyFields(ReadSurveyFields(given), data);
+  AddSurveyFields(this->Survey, data);
   std::array<double, 16> map = {};
   for (int n = 0; n < 16; ++n)
   {

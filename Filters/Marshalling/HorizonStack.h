@@ -40,13 +40,16 @@ public:
   /// points stand for more points than there are.
   void Add(const std::string& name, vtkPolyData* points);
 
-  /// Brings all to the lattice of the one with the smallest bins, of several the first. Throws InputError where points of
-  /// another one stand between its columns, and where z is not the same for all.
+  /// Brings all to the lattice of the one with the smallest bins, of several the first, and to the smallest vertical
+  /// index of all. Throws InputError where points of another one stand between its columns, and where z, or the
+  /// unit of x and y, is not the same for all.
   void PlaceTogether();
 
   std::size_t Size() const { return this->Horizons.size(); }
   const StackedHorizon& operator[](std::size_t n) const { return this->Horizons[n]; }
   const Lattice& Grid() const { return this->Together; }
+  /// What is known of it from any of the horizons.
+  const SurveyDescription& GetSurvey() const { return this->Survey; }
   /// Whether the uppermost horizon has the least heights in lattice units.
   bool HeightsGrowDownwards() const;
 
@@ -63,10 +66,12 @@ public:
   void WriteFields(vtkFieldData* data) const;
 
 private:
+  void RefineHeights();
   void CoverAll();
 
   std::vector<StackedHorizon> Horizons;
   vtkSmartPointer<vtkPolyData> Frame; // the one whose lattice it is
+  SurveyDescription Survey;
   PlanePoint Shift; // of the lattice since, in columns
   std::array<int, 3> Dimensions = {};
   Eigen::Matrix4d Map;

@@ -5,12 +5,10 @@
 
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/SurveyFields.h"
 #include "HeightUnit.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -172,7 +170,7 @@ void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable
 //----------------------------------------------------------------------------------------------------------------------
 std::string UnitOfVolumes(const HorizonStack& stack)
 {
-  const SurveyDescription survey = ReadSurveyFields(stack[0].Points.Horizon->GetFieldData());
+  const SurveyDescription& survey = stack.GetSurvey();
   if (survey.HorizontalUnit.empty() || survey.VerticalUnit.empty())
   {
     return "";

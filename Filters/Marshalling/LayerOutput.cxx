@@ -139,9 +139,7 @@ RawVector<PointId> TrianglesOf(const LayerPlan& plan, std::size_t horizon, const
   RawVector<PointId> triangles;
   for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
   {
-    const bool isIn = (horizon > 0 && plan.HasLayer(horizon - 1, triangle)) ||
-      (horizon < plan.NumberOfLayers() && plan.HasLayer(horizon, triangle));
-    for (std::size_t corner = 0; isIn && corner < 3; ++corner)
+    for (std::size_t corner = 0; plan.HasHorizon(horizon, triangle) && corner < 3; ++corner)
     {
       triangles.push_back(numbers[std::size_t(plan.Triangles[3 * triangle + corner])]);
     }

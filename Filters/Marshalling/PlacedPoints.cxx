@@ -18,6 +18,17 @@ namespace
 {
 constexpr double LargestDeviation = 0.05;
 constexpr double LargestColumn = 1 << 28;
+
+SurveyDescription WithDomain(SurveyDescription survey)
+{
+  const bool isTime = survey.VerticalUnit == "ms" || survey.VerticalUnit == "s";
+  const bool isLength = survey.VerticalUnit == "m" || survey.VerticalUnit == "ft";
+  if (survey.VerticalDomain.empty() && (isTime || isLength))
+  {
+    survey.VerticalDomain = isTime ? "time" : "depth";
+  }
+  return survey;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -53,19 +64,23 @@ PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonName
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckSameHeights(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names)
+SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names)
 {
-  const auto check = [&names](const std::string& name, const std::string& expected, const std::string& found)
+  const auto join = [&names](const std::string& name, std::string& known, const std::string& found)
   {
-    if (!expected.empty() && !found.empty() && expected != found)
+    if (!known.empty() && !found.empty() && known != found)
     {
       throw InputError(
-        names.Placed + " of the " + name + " \"" + found + "\", expected \"" + expected + "\" as of " + names.First);
+        names.Placed + " of the " + name + " \"" + found + "\", expected \"" + known + "\" as of " + names.First);
     }
+    known = known.empty() ? found : known;
   };
-  const SurveyDescription one = ReadSurveyFields(first->GetFieldData());
-  const SurveyDescription two = ReadSurveyFields(other->GetFieldData());
-  check("VerticalDomain", one.VerticalDomain, two.VerticalDomain);
-  check("VerticalUnit", one.VerticalUnit, two.VerticalUnit);
+  SurveyDescription joined = WithDomain(first);
+  const SurveyDescription own = WithDomain(ReadSurveyFields(other->GetFieldData()));
+  join("VerticalDomain", joined.VerticalDomain, own.VerticalDomain);
+  join("VerticalUnit", joined.VerticalUnit, own.VerticalUnit);
+  join("HorizontalUnit", joined.HorizontalUnit, own.HorizontalUnit);
+  joined.CoordinateSystem = joined.CoordinateSystem.empty() ? own.CoordinateSystem : joined.CoordinateSystem;
+  return joined;
 }
 }

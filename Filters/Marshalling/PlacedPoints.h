@@ -7,6 +7,7 @@
 #define SeismicHorizonsPlacedPoints_h
 
 #include "Common/Lattice.h"
+#include "Common/Survey/SurveyDescription.h"
 #include "Common/Types.h"
 
 #include <string>
@@ -34,8 +35,10 @@ struct HorizonNames
 /// a twentieth of a column or not finite, and on heights beyond LargestHeight.
 PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonNames& names);
 
-/// Throws InputError where both horizons say what z is, and it is not the same.
-void CheckSameHeights(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names);
+/// What the survey of several horizons is: what the first says, and the other one where that does not. A unit of time, or
+/// of length, says the domain, too. Throws InputError where both say what z is, or the unit of x and y, and it is not the
+/// same.
+SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names);
 }
 
 #endif

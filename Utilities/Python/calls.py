@@ -68,8 +68,12 @@ def set_keywords(algorithm, keywords, horizon=None):
         numbers = {name: heights.Height(text) for name, text in words.items()}
         with python_errors(algorithm):
             given.update(heights.in_unit_of(numbers, horizon))
-        if any(number.unit for number in numbers.values()):
-            given.update({name: "World" for name in known.values() if hasattr(algorithm, "Set%sToWorld" % name)})
+        units = [name for name in known.values() if hasattr(algorithm, "Set%sToWorld" % name)]
+        step = heights.step_of(horizon)
+        if step is None or any(name in given for name in units):
+            given.update({name: "World" for name in units if any(number.unit for number in numbers.values())})
+        else:  # others, given without a unit or not at all, count vertical indices
+            given.update({name: given[name] / step for name, number in numbers.items() if number.unit})
     for name, value in given.items():
         choices = _choices(algorithm, name)
         if isinstance(value, str) and choices and value not in choices:

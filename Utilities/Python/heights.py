@@ -4,6 +4,8 @@
 
 import re
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
 from .stage import HorizonError
 
 # What units measure, and the size of each.
@@ -31,6 +33,12 @@ def unit_of(horizon):
     """The unit of z, by the field data; empty where it is not known."""
     data = horizon.GetFieldData().GetAbstractArray("VerticalUnit")
     return data.GetValue(0) if data is not None and data.GetNumberOfValues() else ""
+
+
+def step_of(horizon):
+    """How much z changes from one vertical index to the next, without its sign; None where that is not known."""
+    matrix = horizon.GetFieldData().GetArray("LatticeToWorld")
+    return abs(vtk_to_numpy(matrix).ravel()[10]) or None if matrix is not None and matrix.GetNumberOfValues() == 16 else None
 
 
 def in_unit_of(properties, horizon):

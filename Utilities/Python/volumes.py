@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import types
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,7 +12,7 @@ from typing import Any
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import calls, making, reading
+from . import calls, heights, making, reading
 from .stage import HorizonError, make, update
 
 FILTER = "vtkHorizonLayers"
@@ -107,7 +108,7 @@ def _run(maker, horizons, keywords, label):
     named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
     for data in named.values():
         calls.require_data(data, "a horizon")
-    calls.set_keywords(maker, keywords, next(iter(named.values()), None))
+    calls.set_keywords(maker, keywords, min(named.values(), key=lambda data: heights.step_of(data) or math.inf, default=None))
     if isinstance(horizons, Mapping):
         maker.SetInputDataObject(0, making.collect_picks(horizons))
     else:

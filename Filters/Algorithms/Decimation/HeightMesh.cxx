@@ -184,6 +184,17 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& hei
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<VertexId> HeightMesh::VerticesByPoint() const
+{
+  std::vector<VertexId> vertices(this->Marks.size(), NoVertex);
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
+  {
+    vertices[std::size_t(this->Sources[vertex])] = vertex;
+  }
+  return vertices;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 VertexId HeightMesh::CornerOf(TriangleId triangle, PointId point) const
 {
   for (int corner = 0; corner < 3; ++corner)

@@ -71,6 +71,8 @@ public:
   void Fix(VertexId vertex) { this->AreFixed[vertex] = 1; }
   /// The point of a vertex.
   PointId SourceOf(VertexId vertex) const { return this->Sources[vertex]; }
+  /// The vertex of each point, or NoVertex.
+  std::vector<VertexId> VerticesByPoint() const;
   /// The corner of a triangle that a point is, or NoVertex.
   VertexId CornerOf(TriangleId triangle, PointId point) const;
 

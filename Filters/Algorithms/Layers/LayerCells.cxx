@@ -41,23 +41,15 @@ double MeanOf(const std::array<double, 3>& values)
   return (values[0] + values[1] + values[2]) / 3.0;
 }
 
-/// Where all three corners of what is left out at a fault are in the layer.
+/// Of what is left out at faults inside the layer.
 void MeasureFaults(const LayerPlan& plan, std::size_t layer, LayerVolume& result)
 {
-  std::vector<unsigned char> isIn(plan.Columns.size(), plan.IsIn.empty() ? 1 : 0);
-  for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
-  {
-    for (const PointId vertex : CornersOf(plan, triangle))
-    {
-      isIn[std::size_t(vertex)] |= plan.HasLayer(layer, triangle) ? 1 : 0;
-    }
-  }
   for (std::size_t triangle = 0; triangle < plan.FaultTriangles.size() / 3; ++triangle)
   {
-    const Corners corners = CornersOf(plan.FaultTriangles, triangle);
-    if (std::all_of(corners.begin(), corners.end(), [&](PointId vertex) { return isIn[std::size_t(vertex)] != 0; }))
+    if (plan.IsAround.empty() || plan.IsAround[layer][triangle] != 0)
     {
-      const double area = AreaOf(plan, corners);
+      const Corners corners = CornersOf(plan.FaultTriangles, triangle);
+      const double area = plan.FaultShare * AreaOf(plan, corners);
       result.FaultArea += area;
       result.FaultVolume += area * MeanOf(ThicknessOf(plan, layer, corners));
     }
@@ -247,10 +239,7 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
     result.MeanThickness = result.Volume / result.Area;
     result.LeastThickness = least;
   }
-  if (!plan.FaultTriangles.empty())
-  {
-    MeasureFaults(plan, layer, result);
-  }
+  MeasureFaults(plan, layer, result);
   return result;
 }
 

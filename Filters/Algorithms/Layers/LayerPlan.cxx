@@ -14,6 +14,7 @@
 #include "Common/MeshChecker.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "Common/PlaneGeometry.h"
 #include "Decimation/HeightFit.h"
 #include "Decimation/HeightMesh.h"
 #include "Decimation/KeptSides.h"
@@ -21,6 +22,7 @@
 #include "Decimation/MeshRefiner.h"
 #include "FaultClosing/FaultClosing.h"
 #include "FittedOrder.h"
+#include "KeptLines.h"
 #include "LayerOutline.h"
 #include "LayerRegions.h"
 #include "PinchOuts.h"
@@ -31,7 +33,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -72,17 +73,20 @@ public:
     this->TakeKept(kept);
     this->FindRegions();
     this->IsOnLine.assign(this->Columns.size(), 0);
-    PinchOutLines lines = this->FindLines(boundary, monitor.Step(0.2, 0.25));
-    const std::vector<Edge> borders = this->FindBorders(boundary, lines.OnOutline);
+    PinchOutLines pinchOuts = this->FindLines(boundary, monitor.Step(0.2, 0.25));
+    const std::vector<Edge> borders = this->FindBorders(boundary, pinchOuts.OnOutline);
     this->AddThickness();
     this->Fill();
     LayerOutline outline = SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons, boundary,
-      { this->Options.MaximumError, this->Result.OutlineTolerance, lines.OnOutline }, monitor.Step(0.25, 0.3));
+      { this->Options.MaximumError, this->Result.OutlineTolerance, pinchOuts.OnOutline }, monitor.Step(0.25, 0.3));
     this->AddColumnsInside(kept, outline);
     HeightMesh mesh = this->MakeMesh(std::move(outline), monitor.Step(0.3, 0.4));
     this->KeepBorders(mesh, borders);
-    this->KeepLines(mesh, lines);
-    this->Refine(mesh, monitor.Step(0.4, 0.9));
+    KeptLines lines(mesh, this->Columns, this->MeshHeights(), this->Options.MaximumError, this->IsOnLine);
+    lines.Keep(pinchOuts);
+    this->Refine(mesh, lines, monitor.Step(0.4, 0.9));
+    this->Result.PinchOutLines = lines.Size();
+    this->Result.LinesLeftOut = lines.LeftOut();
     this->Collect(mesh, boundary.OpenCracks, monitor.Step(0.9, 1.0));
     this->GiveBack(kept);
     return std::move(this->Result);
@@ -132,6 +136,12 @@ private:
     options.MinimumPatchSize = this->Options.MinimumPatchSize;
     options.Cuts = this->Options.Cuts;
     ExteriorBoundary boundary = FindExteriorBoundary(stack.Columns, options, monitor);
+    if (options.Cuts && options.Radius > 1)
+    {
+      BoundaryOptions uncut = options;
+      uncut.Cuts = nullptr;
+      this->StripArea = AreaInside(FindExteriorBoundary(stack.Columns, uncut).Boundary) - AreaInside(boundary.Boundary);
+    }
     const bool areWhole = options.Radius == 1 && options.HoleBoundaries && options.SmallestHoleSize <= 1;
     if (this->Options.Domain == LayerDomain::Common && !areWhole)
     {
@@ -146,6 +156,20 @@ private:
       }
     }
     return boundary;
+  }
+
+  /// In columns of the stack, holes left out.
+  double AreaInside(const Loops& loops) const
+  {
+    std::int64_t twice = 0;
+    loops.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        const PlanePoint& a = this->Result.Stack.Columns[std::size_t(from)];
+        const PlanePoint& b = this->Result.Stack.Columns[std::size_t(to)];
+        twice += std::int64_t(a.X) * b.Y - std::int64_t(b.X) * a.Y;
+      });
+    return 0.5 * std::abs(double(twice));
   }
 
   /// Where simplified outlines pass over points of some horizons, these count as well.
@@ -287,7 +311,7 @@ private:
       marks[std::size_t(border.To)] = 1;
     }
     MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(marks);
-    const std::vector<VertexId> vertices = this->VerticesOf(mesh);
+    const std::vector<VertexId> vertices = mesh.VerticesByPoint();
     KeptSides sides(mesh.Triangles(), std::size_t(mesh.EndOfVertices()));
     for (const Edge& border : borders)
     {
@@ -301,17 +325,6 @@ private:
       }
     }
     sides.Legalize();
-  }
-
-  /// By point.
-  std::vector<VertexId> VerticesOf(const HeightMesh& mesh) const
-  {
-    std::vector<VertexId> vertices(this->Columns.size(), NoVertex);
-    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
-    {
-      vertices[std::size_t(mesh.SourceOf(vertex))] = vertex;
-    }
-    return vertices;
   }
 
   void FindTriangles()
@@ -373,40 +386,7 @@ private:
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
   }
 
-  /// Lines whose ends are outside, as the outline was simplified, and those that cross others, are left out.
-  void KeepLines(HeightMesh& mesh, const PinchOutLines& lines)
-  {
-    if (lines.Edges.empty())
-    {
-      return;
-    }
-    for (const Edge& edge : lines.Edges)
-    {
-      this->IsOnLine[std::size_t(edge.From)] = 1;
-      this->IsOnLine[std::size_t(edge.To)] = 1;
-    }
-    MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(this->IsOnLine);
-    const std::vector<VertexId> vertices = this->VerticesOf(mesh);
-    for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
-    {
-      if (this->IsOnLine[std::size_t(mesh.SourceOf(vertex))] != 0)
-      {
-        mesh.Fix(vertex);
-      }
-    }
-    KeptSides sides(mesh.Triangles(), std::size_t(mesh.EndOfVertices()));
-    for (const Edge& edge : lines.Edges)
-    {
-      const VertexId from = vertices[std::size_t(edge.From)];
-      const VertexId to = vertices[std::size_t(edge.To)];
-      const bool isKept = from != NoVertex && to != NoVertex && sides.Keep(from, to);
-      this->Result.LinesLeftOut += isKept ? 0 : 1;
-    }
-    this->Result.PinchOutLines = lines.Edges.size();
-    sides.Legalize();
-  }
-
-  void Refine(HeightMesh& mesh, const Monitor& monitor)
+  void Refine(HeightMesh& mesh, KeptLines& lines, const Monitor& monitor)
   {
     DecimationOptions options;
     options.MaximumError = this->Options.MaximumError;
@@ -415,9 +395,9 @@ private:
     const FittedOrder order(this->Columns, this->Heights, this->Horizons.size(), this->IsOnLine,
       this->Options.Crossings.HeightsGrowDownwards);
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };
-    this->DropFarLines(mesh);
+    lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
-    while (this->DropFarLines(mesh)) // those that fitted heights have moved, or a vertex on them has cut
+    while (lines.DropFar()) // those that fitted heights have moved, or a vertex on them has cut
     {
       MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
       refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.3));
@@ -427,46 +407,6 @@ private:
     {
       ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0), rule);
     }
-  }
-
-  /// Lines that are too far from a horizon where they cross the lines between columns need not stay: that can not be
-  /// cured by points beside them. Whether there were some.
-  bool DropFarLines(HeightMesh& mesh)
-  {
-    PlaneMesh& triangles = mesh.Triangles();
-    std::size_t dropped = 0;
-    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
-    {
-      for (int side = 0; side < 3; ++side)
-      {
-        if (triangles.IsKeptSide(triangle, side) && this->IsFar(mesh, triangle, side))
-        {
-          triangles.LetGo(triangles.Corner(triangle, side), triangles.Corner(triangle, NextCorner(side)));
-          ++dropped;
-        }
-      }
-    }
-    if (dropped > 0)
-    {
-      KeptSides(triangles, std::size_t(mesh.EndOfVertices())).Legalize();
-    }
-    this->Result.LinesLeftOut += dropped;
-    return dropped > 0;
-  }
-
-  bool IsFar(const HeightMesh& mesh, TriangleId triangle, int side) const
-  {
-    for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons(); ++horizon)
-    {
-      const RaisedTriangle corners = mesh.RaisedCorners(horizon, triangle);
-      if (!mesh.RasterOf(horizon, triangle)
-             .IsSideWithin(corners[std::size_t(side)], corners[std::size_t(NextCorner(side))],
-               this->Options.MaximumError + mesh.Rounding()))
-      {
-        return true;
-      }
-    }
-    return false;
   }
 
   // ---- What is told of it ------------------------------------------------------------------------------------------
@@ -485,6 +425,7 @@ private:
       }
     }
     RawVector<PointId> ofFaults = this->CloseCracks(mesh, cracks);
+    this->MeasureStrips(mesh, ofFaults);
     std::vector<PointId> numbers(std::size_t(mesh.EndOfVertices()), NoPoint); // of the corners of triangles
     for (const RawVector<PointId>* const some : { &corners, &ofFaults })
     {
@@ -518,10 +459,35 @@ private:
     this->CountOutside(mesh);
   }
 
+  /// Where cracks are closed: in which layers, and how much of it layers without cuts would fill.
+  void MeasureStrips(const HeightMesh& mesh, const RawVector<PointId>& ofFaults)
+  {
+    const auto point = [&](std::size_t corner) { return std::size_t(mesh.SourceOf(ofFaults[corner])); };
+    for (const std::vector<unsigned char>& isIn : this->IsIn)
+    {
+      std::vector<unsigned char> isAround(ofFaults.size() / 3, 1);
+      for (std::size_t corner = 0; corner < ofFaults.size(); ++corner)
+      {
+        isAround[corner / 3] &= isIn[point(corner)];
+      }
+      this->Result.Plan.IsAround.push_back(std::move(isAround));
+    }
+    std::int64_t twice = 0;
+    for (std::size_t corner = 0; corner < ofFaults.size(); corner += 3)
+    {
+      twice +=
+        SignedArea(this->Columns[point(corner)], this->Columns[point(corner + 1)], this->Columns[point(corner + 2)]);
+    }
+    if (this->StripArea && twice != 0)
+    {
+      this->Result.Plan.FaultShare = std::clamp(2.0 * *this->StripArea / double(twice), 0.0, 1.0);
+    }
+  }
+
   /// The triangles that close cracks.
   RawVector<PointId> CloseCracks(const HeightMesh& mesh, Cracks cracks) const
   {
-    const std::vector<VertexId> vertices = this->VerticesOf(mesh);
+    const std::vector<VertexId> vertices = mesh.VerticesByPoint();
     const auto vertexOf = [&vertices](PointId point) { return PointId(vertices[std::size_t(point)]); };
     std::vector<PlanePoint> places;
     for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
@@ -585,12 +551,7 @@ private:
   {
     const LayerPlan& plan = this->Result.Plan;
     const std::size_t horizons = this->Horizons.size();
-    if (horizon >= horizons)
-    {
-      return plan.HasLayer(horizon - horizons, triangle);
-    }
-    return (horizon > 0 && plan.HasLayer(horizon - 1, triangle)) ||
-      (horizon + 1 < horizons && plan.HasLayer(horizon, triangle));
+    return horizon < horizons ? plan.HasHorizon(horizon, triangle) : plan.HasLayer(horizon - horizons, triangle);
   }
 
   void MeasureErrors(const HeightMesh& mesh, const Monitor& monitor)
@@ -667,13 +628,12 @@ private:
           triangles.Corner(triangle, NextCorner(side)) };
         const PlanePoint& a = mesh.Raised(ends[0]).Column;
         const PlanePoint& b = mesh.Raised(ends[1]).Column;
-        const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
-        for (std::int32_t step = 1; step < steps; ++step)
-        {
-          const PlanePoint place = { a.X + step * ((b.X - a.X) / steps), a.Y + step * ((b.Y - a.Y) / steps) };
-          const PointId point = box.Contains(place) ? index[index.Place(place)] : NoPoint;
-          this->MeasureOnEdge(mesh, triangle, ends, double(step) / steps, place, point, inside);
-        }
+        ForEachColumnBetween(a, b,
+          [&](const PlanePoint& place, double part)
+          {
+            const PointId point = box.Contains(place) ? index[index.Place(place)] : NoPoint;
+            this->MeasureOnEdge(mesh, triangle, ends, part, place, point, inside);
+          });
       }
     }
   }
@@ -778,7 +738,8 @@ private:
   std::optional<LayerRegions> Regions; // where each layer has a domain of its own
   HeightStack Filled; // of these: a level horizon, and then the heights above without gaps
   std::vector<std::vector<unsigned char>> Known; // for each of them 1 where it counts
-  std::vector<unsigned char> IsOnLine; // there: 1 at the ends of edges of pinch-out lines
+  std::optional<double> StripArea; // that cuts leave out, where gaps may lie along them
+  std::vector<unsigned char> IsOnLine; // there: 1 on pinch-out lines
 };
 }
 

@@ -75,10 +75,20 @@ struct LayerPlan
   std::vector<std::vector<unsigned char>> IsIn;
   /// Triangles between the two sides of cracks, alike, in which no layer is: they show what the layers leave out there.
   RawVector<PointId> FaultTriangles;
+  /// For each layer, by such triangle, 1 where it is on all sides of it. Empty where all layers are everywhere.
+  std::vector<std::vector<unsigned char>> IsAround;
+  /// How much of these triangles layers without cuts would fill: less than 1 where gaps lie along faults.
+  double FaultShare = 1.0;
 
   bool HasLayer(std::size_t layer, std::size_t triangle) const
   {
     return this->IsIn.empty() || this->IsIn[layer][triangle] != 0;
+  }
+  /// Whether a layer above or below a horizon has a triangle.
+  bool HasHorizon(std::size_t horizon, std::size_t triangle) const
+  {
+    return (horizon > 0 && this->HasLayer(horizon - 1, triangle)) ||
+      (horizon < this->NumberOfLayers() && this->HasLayer(horizon, triangle));
   }
   std::size_t NumberOfHorizons() const { return this->Heights.size(); }
   std::size_t NumberOfLayers() const { return this->Heights.empty() ? 0 : this->Heights.size() - 1; }

@@ -151,11 +151,9 @@ private:
     const bool isUp = columns[std::size_t(from)].Y <= columns[std::size_t(to)].Y;
     const PlanePoint& a = columns[std::size_t(isUp ? from : to)];
     const PlanePoint& b = columns[std::size_t(isUp ? to : from)];
-    const std::int32_t steps = std::max(1, std::gcd(b.X - a.X, b.Y - a.Y));
-    for (std::int32_t step = 0; step <= steps; ++step)
-    {
-      this->On.push_back({ { a.X + (b.X - a.X) / steps * step, a.Y + (b.Y - a.Y) / steps * step }, from });
-    }
+    this->On.push_back({ a, from });
+    this->On.push_back({ b, from });
+    ForEachColumnBetween(a, b, [&](const PlanePoint& column, double) { this->On.push_back({ column, from }); });
     for (std::int32_t y = a.Y; y < b.Y; ++y) // without the upper end
     {
       this->Crossings.push_back({ y, a.X + double(y - a.Y) * (b.X - a.X) / (b.Y - a.Y), from });
@@ -464,16 +462,16 @@ Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first)
     {
       const PlanePoint& a = columns[std::size_t(points[n])];
       const PlanePoint& b = columns[std::size_t(points[(n + 1) % loops.Length(loop)])];
-      const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
       passing.Append(points[n]);
-      for (std::int32_t step = 1; step < steps; ++step)
-      {
-        const PointId on = index[index.Place({ a.X + (b.X - a.X) / steps * step, a.Y + (b.Y - a.Y) / steps * step })];
-        if (on != NoPoint && std::size_t(on) >= first)
+      ForEachColumnBetween(a, b,
+        [&](const PlanePoint& column, double)
         {
-          passing.Append(on);
-        }
-      }
+          const PointId on = index[index.Place(column)];
+          if (on != NoPoint && std::size_t(on) >= first)
+          {
+            passing.Append(on);
+          }
+        });
     }
     passing.Close();
   }

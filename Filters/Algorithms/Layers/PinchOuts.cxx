@@ -45,7 +45,7 @@ public:
     }
     const Loops loops = this->FindLoops(monitor.Step(0.0, 0.5));
     const Loops simplified = this->Simplify(loops, monitor.Step(0.5, 1.0));
-    this->AddEdges(loops, simplified.MarkPoints(this->Pinched.size()));
+    this->AddLines(loops, simplified.MarkPoints(this->Pinched.size()));
   }
 
 private:
@@ -81,26 +81,27 @@ private:
   }
 
   /// From each point that is kept to the next one, but for those along the outline.
-  void AddEdges(const Loops& loops, const std::vector<unsigned char>& isKept)
+  void AddLines(const Loops& loops, const std::vector<unsigned char>& isKept)
   {
     for (std::size_t loop = 0; loop < loops.Size(); ++loop)
     {
-      PointId from = NoPoint; // the last one that is kept
-      bool isAlongOutline = true; // since then
+      std::vector<PointId> line; // since the last one that is kept
+      bool isAlongOutline = true;
       const std::size_t length = loops.Length(loop);
       for (std::size_t n = 0; n < 2 * length; ++n) // the second time on from the first one that is kept
       {
         const PointId point = loops.begin(loop)[n % length];
         isAlongOutline = isAlongOutline && this->IsOnOutline(point);
+        line.push_back(this->Pinched[std::size_t(point)]);
         if (isKept[std::size_t(point)] == 0)
         {
           continue;
         }
-        if (from != NoPoint && from != point && !isAlongOutline && n >= length)
+        if (line.front() != line.back() && !isAlongOutline && n >= length)
         {
-          this->Lines.Edges.push_back({ this->Pinched[std::size_t(from)], this->Pinched[std::size_t(point)] });
+          this->Lines.Lines.push_back(line);
         }
-        from = point;
+        line = { line.back() };
         isAlongOutline = this->IsOnOutline(point);
       }
     }

@@ -30,9 +30,10 @@ struct PinchOutLines
 {
   /// Points on the outline at which lines begin or end: they have to stay there.
   std::vector<PointId> OnOutline;
-  /// Between points where the layer has no thickness. Lines of one layer do not cross, those of two may. Where an area
-  /// reaches the outline, that is its border, and there is no line.
-  std::vector<Edge> Edges;
+  /// Straight lines between points where the layer has no thickness, each with all points of the area's border that it
+  /// stands for, its ends first and last. Lines of one layer do not cross, those of two may. Where an area reaches the
+  /// outline, that is its border, and there is no line.
+  std::vector<std::vector<PointId>> Lines;
 };
 
 /// The lines of all layers of an ordered stack. Columns are those of its points, row by row; `isOnLoop` has 1 for those

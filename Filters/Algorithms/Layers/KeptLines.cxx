@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "KeptLines.h"
+
+#include "Common/ColumnIndex.h"
+#include "Common/PlaneGeometry.h"
+#include "Decimation/KeptSides.h"
+#include "Decimation/MeshRefiner.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+void KeptLines::Keep(const PinchOutLines& lines)
+{
+  if (lines.Lines.empty())
+  {
+    return;
+  }
+  std::vector<Edge> edges;
+  std::transform(lines.Lines.begin(), lines.Lines.end(), std::back_inserter(edges),
+    [](const std::vector<PointId>& line) {
+      return Edge{ line.front(), line.back() };
+    });
+  this->InsertEnds(edges);
+  edges = this->SplitFar(lines);
+  this->InsertEnds(edges);
+  for (VertexId vertex = 0; vertex < this->Mesh.EndOfVertices(); ++vertex)
+  {
+    if (this->IsOnLine[std::size_t(this->Mesh.SourceOf(vertex))] != 0)
+    {
+      this->Mesh.Fix(vertex);
+    }
+  }
+  const std::vector<VertexId> vertices = this->Mesh.VerticesByPoint();
+  KeptSides sides(this->Mesh.Triangles(), std::size_t(this->Mesh.EndOfVertices()));
+  for (const Edge& edge : edges)
+  {
+    const VertexId from = vertices[std::size_t(edge.From)];
+    const VertexId to = vertices[std::size_t(edge.To)];
+    const bool isKept = from != NoVertex && to != NoVertex && sides.Keep(from, to);
+    this->Lost += isKept ? 0 : 1;
+  }
+  this->Pieces = edges.size();
+  sides.Legalize();
+  this->MarkAlong(edges);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool KeptLines::DropFar()
+{
+  PlaneMesh& triangles = this->Mesh.Triangles();
+  std::size_t dropped = 0;
+  for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      if (triangles.IsKeptSide(triangle, side) && this->IsFar(triangle, side))
+      {
+        triangles.LetGo(triangles.Corner(triangle, side), triangles.Corner(triangle, NextCorner(side)));
+        ++dropped;
+      }
+    }
+  }
+  if (dropped > 0)
+  {
+    KeptSides(triangles, std::size_t(this->Mesh.EndOfVertices())).Legalize();
+  }
+  this->Lost += dropped;
+  return dropped > 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeptLines::InsertEnds(const std::vector<Edge>& edges)
+{
+  for (const Edge& edge : edges)
+  {
+    this->IsOnLine[std::size_t(edge.From)] = 1;
+    this->IsOnLine[std::size_t(edge.To)] = 1;
+  }
+  MeshRefiner(this->Mesh, 0, DecimationPriority::LargestError).InsertMarked(this->IsOnLine);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Lines that are too far from a horizon where they cross the lines between columns get more points of the border.
+std::vector<Edge> KeptLines::SplitFar(const PinchOutLines& lines) const
+{
+  const std::vector<VertexId> vertices = this->Mesh.VerticesByPoint();
+  std::vector<Edge> edges;
+  for (const std::vector<PointId>& line : lines.Lines)
+  {
+    const VertexId vertex = vertices[std::size_t(line.front())];
+    std::vector<std::size_t> ends = { line.size() - 1 }; // of what is left, the next one last
+    for (std::size_t from = 0; !ends.empty();)
+    {
+      const std::size_t to = ends.back();
+      if (vertex != NoVertex && to > from + 1 && this->IsFar(vertex, line[from], line[to]))
+      {
+        ends.push_back(from + (to - from) / 2);
+        continue;
+      }
+      edges.push_back({ line[from], line[to] });
+      from = to;
+      ends.pop_back();
+    }
+  }
+  return edges;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Of a line between two points, of the patch of a vertex.
+bool KeptLines::IsFar(VertexId vertex, PointId from, PointId to) const
+{
+  const auto raised = [this](std::size_t horizon, PointId point) {
+    return RaisedPoint{ this->Columns[std::size_t(point)], this->Heights[horizon][std::size_t(point)] };
+  };
+  for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
+  {
+    if (!this->Mesh.RasterAt(horizon, vertex)
+           .IsSideWithin(raised(horizon, from), raised(horizon, to), this->MaximumError + this->Mesh.Rounding()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool KeptLines::IsFar(TriangleId triangle, int side) const
+{
+  for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
+  {
+    const RaisedTriangle corners = this->Mesh.RaisedCorners(horizon, triangle);
+    if (!this->Mesh.RasterOf(horizon, triangle)
+           .IsSideWithin(corners[std::size_t(side)], corners[std::size_t(NextCorner(side))],
+             this->MaximumError + this->Mesh.Rounding()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Columns on lines too, at which vertices may be inserted later.
+void KeptLines::MarkAlong(const std::vector<Edge>& edges)
+{
+  const ColumnIndex index(this->Columns);
+  for (const Edge& edge : edges)
+  {
+    ForEachColumnBetween(this->Columns[std::size_t(edge.From)], this->Columns[std::size_t(edge.To)],
+      [&](const PlanePoint& column, double)
+      {
+        const PointId point = index[index.Place(column)];
+        if (point != NoPoint)
+        {
+          this->IsOnLine[std::size_t(point)] = 1;
+        }
+      });
+  }
+}
+}
