@@ -83,7 +83,8 @@ public:
 
   ///@{
   /**
-   * Where a layer is thinner, it is absent. Unit: HeightUnit. Range: at least 0. Default: 0.
+   * Where a layer is thinner, it is absent: its horizons become one there, as Crossings says, with Stop at their mean.
+   * Unit: HeightUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MinimumThickness, double);
   vtkGetMacro(MinimumThickness, double);
@@ -98,8 +99,8 @@ public:
 
   ///@{
   /**
-   * The unit of heights: of MinimumThickness, and of MaximumError in Horizon Layers. Lattice: 1 is one vertical index, a sample. World: the unit of z.
-   * Default: Lattice.
+   * The unit of heights: of MinimumThickness, and of MaximumError in Horizon Layers. Lattice: 1 is one vertical index, a
+   * sample, the smallest of all horizons. World: the unit of z. Default: Lattice.
    */
   vtkSetClampMacro(HeightUnit, int, Lattice, World);
   vtkGetMacro(HeightUnit, int);

@@ -27,16 +27,14 @@ import sys  # noqa: E402
 
 IS_COMMAND = __name__ in ("__main__", "seismichorizons.horizon_mesh")
 PROGRAM = pathlib.Path(sys.argv[0]).stem if IS_COMMAND else "horizon_mesh"
-ELEVATIONS = ("VerticalIndex", "RealZ")
-VERTICAL_DIRECTIONS = ("Down", "Up")
+ELEVATIONS, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 HEIGHT_UNITS = ("ms", "s", "m", "ft")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", "msh", "inp", "disv")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
-JOININGS = ("BestFirst", "Continuous", "Components")
-POLARITIES = ("Both", "Positive", "Negative")
+JOININGS, POLARITIES = ("BestFirst", "Continuous", "Components"), ("Both", "Positive", "Negative")
 STRAY_PICKS = ("Stop", "LeaveOut")
 GRIDDING = ("Plate", "Nearest")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
@@ -149,7 +147,7 @@ def make_parser():
     _add_cube_options(parser.add_argument_group("seismic cubes"))
     _add_preparation_options(parser.add_argument_group("before meshes are made", "horizons are read as a whole then"))
     _add_mesh_options(parser.add_argument_group("meshes"))
-    _add_layer_options(parser.add_argument_group("volumes"))
+    parser.layers = _add_layer_options(parser.add_argument_group("volumes"))
     parser.stages = parser.add_argument_group("stages of the thesis", "with --stages")
     _add_stage_options(parser.stages)
     _add_error_options(parser.add_argument_group("error"))
@@ -296,8 +294,10 @@ def _add_mesh_options(group):
 def _add_layer_options(group):
     group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the horizons of a "
                        "file, too, within the largest error: cells (.vtu), a body for each in formats of meshes, a table (.csv)")
-    group.add_argument("--crossings", nargs="+", choices=CROSSINGS, default=NOT_GIVEN, help="what is done where horizons cross, "
-                       "or a word for each layer from the uppermost on; put -- before files that follow (default: Mean)")
+    return (group.add_argument("--crossings", nargs="+", choices=CROSSINGS, default=NOT_GIVEN, help="what is done where horizons "
+                               "cross, or a word for each layer from the uppermost on; put -- before files (default: Mean)"),
+            group.add_argument("--order", choices=("ByHeight", "AsGiven"), default=NOT_GIVEN, help="which horizon is above which "
+                               "for --layers; AsGiven: as --horizons, or the file, lists them, the uppermost first"))
 
 
 def _add_stage_options(group):
@@ -378,10 +378,10 @@ def main(arguments=None):
     for action in parser.stages._group_actions:
         if hasattr(options, action.dest) and not options.stages:
             parser.error("%s is an option of --stages" % action.option_strings[0])
-    is_of_layers = "--crossings" if hasattr(options, "crossings") else next(
-        (form for form in options.formats if form in ("msh", "inp", "disv")), None)
-    if is_of_layers and not hasattr(options, "layers"):
-        parser.error("%s is of --layers" % is_of_layers)
+    of_layers = [action.option_strings[0] for action in parser.layers if hasattr(options, action.dest)] + [
+        form for form in options.formats if form in ("msh", "inp", "disv")]
+    if of_layers and not hasattr(options, "layers"):
+        parser.error("%s is of --layers" % of_layers[0])
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
         if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one

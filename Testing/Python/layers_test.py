@@ -10,7 +10,7 @@ import warnings
 import mesh_checks
 import numpy as np
 import seismichorizons as sh
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
 SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
@@ -42,6 +42,12 @@ def surface_heights(mesh, places):
         inside = np.all(weights >= -1e-9, axis=0)
         heights[near[inside]] = weights.T[inside] @ np.array([a[2], b[2], c[2]])
     return heights
+
+
+def add_cuts(horizon, links):
+    array = numpy_to_vtk(links, deep=True)
+    array.SetName("CutLinks")
+    horizon.GetFieldData().AddArray(array)
 
 
 class LayersTest(unittest.TestCase):
@@ -235,7 +241,58 @@ class LayersTest(unittest.TestCase):
                                                 "one lattice"):
             sh.layers({"Fine": fine, "Between": on_grid(150.0 + Y, origin=(5e5 + 3.0, 6e6))})
 
+    def test_straight_line(self):
+        """A layer ends along the line through the outermost columns that have none of it, whatever the error."""
+        x, y = np.meshgrid(np.arange(61.0), np.arange(61.0))
+        top = 100.0 + 3.0 * np.sin(x / 9.0) + 2.0 * np.cos(y / 7.0)
+        wedge = {"A": sh.horizon(top, vertical_step=1.0), "B": sh.horizon(top + np.maximum(0.0, 0.1 * (x - 20.0)), vertical_step=1.0)}
+        for error in (0.3, 1.5, 3.0):
+            made = sh.layers(wedge, error, minimum_thickness=1.0, keep_outlines=True)
+            self.assertAlmostEqual(made.figures["A to B"].area, 31.0 * 60.0, 6)
+
+    def test_strips_at_faults(self):
+        """What layers leave out at faults is what they fill without them; beside gaps, too."""
+        x, y = np.meshgrid(np.arange(41.0), np.arange(41.0))
+        some = np.random.default_rng(1).random(x.shape)
+        full, sparse, half = np.ones(x.shape, bool), some < 0.3, some < 0.6
+        for known, columns, number, domain in ((full, (20,), 2, "Common"), (half, (20,), 2, "Common"), (sparse, (20,), 2, "Common"),
+                                               (full, (0,), 3, "EachLayer"), (full, (5, 6), 3, "EachLayer")):
+            links = np.array([(i, j, 0) for j in range(41) for i in columns], np.int32)
+            horizons = {}
+            for n in range(number):
+                horizons["ABC"[n]] = sh.horizon(np.where(known, 100.0 + 20.0 * n + 0.1 * x + 0.05 * y, np.nan), vertical_step=1.0)
+                add_cuts(horizons["ABC"[n]], links)
+            cut, whole = (sh.layers(horizons, 0.0, keep_outlines=domain == "Common", use_cuts=use, domain=domain).figures["A to B"]
+                          for use in (True, False))
+            self.assertAlmostEqual(cut.area_at_faults, whole.area - cut.area, 6)
+            self.assertAlmostEqual(cut.volume_at_faults, whole.volume - cut.volume, 5)
+            self.assertGreater(cut.area_at_faults, 10.0)
+
+    def test_units(self):
+        """A unit of one height leaves others as they are; what any horizon says of units counts; of vertical indices the
+        smallest."""
+        kind = {"vertical_step": 4.0, "vertical_unit": "m"}
+        pair = {"A": on_grid(400.0 + 24.0 * np.sin(X / 6.0), **kind), "B": on_grid(420.0 + 24.0 * np.sin(X / 6.0) + 4.0 * np.cos(X / 3.0), **kind)}
+        plain, mixed = (sh.layers(pair, minimum_thickness=thin) for thin in (0.25, "1 m"))
+        self.assertEqual(plain.figures, mixed.figures)
+        self.assertEqual(sh.layers(pair, "3 m").figures, plain.figures)
+        self.assertEqual(sh.layers(pair, 3.0, height_unit="World").figures, plain.figures)
+        bare = on_grid(430.0 + 0 * X)
+        for one, two in ((pair["A"], bare), (bare, pair["A"])):
+            made = sh.layers({"One": one, "Two": two})
+            self.assertEqual(sh.details(made.cells).vertical_unit, "m")
+            self.assertEqual(abs(sh.details(made.cells).lattice_to_world[2, 2]), 1.0)
+        for name, units in (("HorizontalUnit", ("ft", "m")), ("VerticalUnit", ("ms", "m"))):
+            with self.assertRaisesRegex(ValueError, 'Two of the Vertical(Domain "depth"|Unit)|Two of the HorizontalUnit "m", expected "ft" as of One'):
+                sh.layers({"One": mesh_checks.with_text(bare, name, units[0]), "Two": mesh_checks.with_text(bare, name, units[1])})
+        with self.assertWarnsRegex(UserWarning, "z is time"):
+            sh.layers({"One": bare, "Two": mesh_checks.with_text(on_grid(440.0 + 0 * X), "VerticalUnit", "ms")})
+
     def test_errors(self):
+        for wrong, message in (((None,), "NoneType, expected a dict or a list of horizons"),
+                               (([on_grid(X), on_grid(X)], 1.0, None), "largest_error and maximum_error, expected one of them")):
+            with self.assertRaisesRegex(TypeError, message):
+                sh.layers(*wrong, **({} if len(wrong) == 1 else {"maximum_error": 2.0}))
         top, base = on_grid(np.full(X.shape, 100.0)), on_grid(np.full(X.shape, 120.0))
         for wrong, message in (({"Top": top}, "one horizon with points, expected at least 2"),
                                ({"Top": top, "Far": on_grid(np.full(X.shape, 120.0), origin=(5e5 - 2500.0 * np.sqrt(3) / 2, 6e6 + 1250.0))},
@@ -261,7 +318,7 @@ class LayersTest(unittest.TestCase):
         line = np.full(X.shape, np.nan)
         line[3] = 150.0
         for thin in (top, on_grid(line)):
-            with self.assertWarnsRegex(UserWarning, "Top to Thin without a cell, expected horizons that are apart over an area"):
+            with self.assertWarnsRegex(UserWarning, "Top to Thin without a cell, expected horizons that are apart by more than the error over an area"):
                 empty = sh.layers({"Top": top, "Thin": thin}, order="AsGiven")
             self.assertEqual((empty.figures["Top to Thin"].volume, empty.bodies), (0.0, {}))
         with self.assertRaisesRegex(ValueError, "contact nan, expected a finite number"):

@@ -56,7 +56,8 @@ def _layers(options):
     words = getattr(options, "crossings", [])
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     error = getattr(options, "largest_error", BEST_ERROR)
-    return {"MaximumError": error, **({"HeightUnit": "World"} if getattr(error, "unit", "") else {}), **crossings}
+    unit = {"HeightUnit": "World"} if getattr(error, "unit", "") else {}
+    return {"MaximumError": error, **unit, **crossings, **given(options, Order="order")}
 
 
 def make_settings(options):

@@ -20,8 +20,9 @@ FILTER = "vtkHorizonLayers"
 
 class Layers(types.SimpleNamespace):
     """What `layers` made. `cells` has the wedges of all layers with the arrays Layer, Thickness and Volume, `bodies` their
-    closed surfaces and `horizons` the horizons on the same plan, by names; `figures` tells of each layer `volume`, `area`,
-    `thickness_mean` and the like, `table` has the same for programs, and `curve` arrays of `contact` and of the volume of each layer above it."""
+    closed surfaces, where there are cells, and `horizons` the horizons on the same plan, by names; `figures` has `volume`,
+    `area`, `thickness_mean` and the like of each layer, `table` the same for programs, and `curve` arrays of `contact` and of
+    the volume of each layer above it."""
 
     def __repr__(self):
         return "Layers(%s)" % ", ".join("%r: %.6g" % (name, own.volume) for name, own in self.figures.items())
@@ -60,6 +61,8 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
     Layers('Top to Base': 5510)
     """
     maker = make(FILTER)
+    if largest_error is not None and "maximum_error" in keywords:
+        raise TypeError("largest_error and maximum_error, expected one of them")
     target = {} if largest_error is None else {"maximum_error": largest_error}
     level = {} if contact is None else {"measure_above_contact": True, "contact": contact}
     _run(maker, horizons, {**target, **level, **keywords}, "layers")
@@ -105,6 +108,8 @@ def crossings(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], **key
 
 def _run(maker, horizons, keywords, label):
     """A filter of all horizons. Raises TypeError and ValueError."""
+    if not isinstance(horizons, (Mapping, Sequence)):
+        raise TypeError("%s, expected a dict or a list of horizons" % type(horizons).__name__)
     named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
     for data in named.values():
         calls.require_data(data, "a horizon")
@@ -119,6 +124,9 @@ def _run(maker, horizons, keywords, label):
 
 def of_points(points, settings, label):
     """The layers between horizons of a file, by names, and warnings. Raises HorizonError."""
+    if settings.layers.get("Order") == "AsGiven" and settings.horizons:
+        places = {reading.name_of(horizon): place for place, horizon in enumerate(settings.horizons)}
+        points = dict(sorted(points.items(), key=lambda item: places.get(item[0], len(places))))
     own = settings.in_unit_of(next(iter(points.values())))
     maker = own.make(FILTER, own.layers)
     maker.SetInputDataObject(0, making.collect_picks(points))
