@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -153,10 +152,10 @@ public:
   /// How far it is cut into a place; levees beside it are a little higher.
   double Depth(const Place& place) const
   {
-    constexpr double HalfWidth = 3.6;
+    constexpr double HalfWidth = 2.9;
     const double part = this->Distance(place) / HalfWidth;
-    const double floor = std::max(0.0, 1.0 - part * part * part * part);
-    return 19.0 * floor - 2.5 * Bell((part - 1.55) / 0.35);
+    const double inside = std::max(0.0, 1.0 - part * part);
+    return 10.0 * inside * inside - 1.2 * Bell((part - 1.5) / 0.35);
   }
 
 private:
@@ -258,7 +257,7 @@ double ErrorAt(const Place& place, int horizon, double quality)
   const double jitter = Random(seed, i, j) + Random(Mix(seed), i, j) - 1.0;
   const double wander = Noise(SeedOf(Part::Wander, horizon), place.X / 3.0, place.Y / 3.0);
   const double footprint = Random(SeedOf(Part::Footprint), 0, j) - 0.5;
-  return (0.7 * jitter + 0.9 * wander + 0.5 * footprint) * (1.0 + 2.0 * Ramp(-quality, -9.0, 0.0));
+  return (1.8 * jitter + 0.9 * wander + 0.5 * footprint) * (1.0 + 2.0 * Ramp(-quality, -9.0, 0.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -281,19 +280,14 @@ public:
   /// In whole tenths of ms.
   double TimeAt(const Place& place, int horizon) const
   {
-    double time = StructureAt(place) + this->River.Depth(place) + ErrorAt(place, 1, QualityAt(place, 1));
+    double time = StructureAt(place) + this->River.Depth(place);
     for (const Fault& fault : Faults())
     {
       time += fault.Shift(place);
     }
-    time = Round(time, 10.0);
-    if (horizon == 1)
-    {
-      return time;
-    }
-    // A cell has one pick: where the horizons meet they are a sample apart, this way or the other.
-    const double thickness = this->Thickness(place) + ErrorAt(place, 2, QualityAt(place, 2));
-    return Round(time + (thickness > 0.0 ? std::max(TimePerSample, thickness) : -TimePerSample), 10.0);
+    // Where horizon 1 has cut horizon 2 off, a tracker follows horizon 1 instead.
+    time += horizon == 2 ? std::max(0.0, this->Thickness(place)) : 0.0;
+    return Round(time + ErrorAt(place, horizon, QualityAt(place, horizon)), 10.0);
   }
 
   double AmplitudeAt(const Place& place, int horizon) const
@@ -311,7 +305,7 @@ public:
   }
 
 private:
-  static constexpr double Overrun = -9.0; // ms; a tracker stops where horizon 2 would be so far above horizon 1
+  static constexpr double Overrun = -13.0; // ms; a tracker stops where horizon 2 would be so far above horizon 1
 
   double Thickness(const Place& place) const { return WedgeAt(place) - this->River.Depth(place); }
 
@@ -341,9 +335,9 @@ std::vector<SparseMatrixVoxel> MakeColumn(const Survey& survey, const Place& pla
       column.push_back(MakeVoxel(survey, place, horizon));
     }
   }
-  if (column.size() == 2 && column[0].VerticalIndex > column[1].VerticalIndex)
+  if (column.size() == 2) // a cell has one pick: where the horizons meet the lower one is a sample below
   {
-    std::swap(column[0], column[1]);
+    column[1].VerticalIndex = std::max(column[1].VerticalIndex, column[0].VerticalIndex + 1);
   }
   return column;
 }
