@@ -80,8 +80,8 @@ double Ramp(double x, double first, double last)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// A normal fault, bent as a parabola, whose throw is largest in the middle and 0 at both ends. The hanging wall is to the
-/// left of its direction.
+/// A normal fault, bent as a parabola, whose throw is largest in the middle and 0 at both ends. The hanging wall is to
+/// the left of its direction.
 struct Fault
 {
   Place Middle;
@@ -248,7 +248,7 @@ double QualityAt(const Place& place, int horizon)
   return (horizon == 1 ? first : second) + ragged;
 }
 
-/// What is wrong with a pick: it jitters, wanders, and differs from line to line, the more the weaker the reflection is.
+/// What is wrong with a pick: it jitters, wanders, and differs from line to line, more so where the reflection is weak.
 double ErrorAt(const Place& place, int horizon, double quality)
 {
   const auto i = static_cast<std::int64_t>(place.X);
@@ -305,7 +305,7 @@ public:
   }
 
 private:
-  static constexpr double Overrun = -13.0; // ms; a tracker stops where horizon 2 would be so far above horizon 1
+  static constexpr double Overrun = -13.0; // ms; where horizon 2 would be so far above horizon 1 a tracker stops
 
   double Thickness(const Place& place) const { return WedgeAt(place) - this->River.Depth(place); }
 

@@ -5,10 +5,11 @@
 // documentation.
 //
 // Horizon 1 is an anticline with a second, smaller culmination. Two normal faults face each other across the crest;
-// their throws die out towards their ends, and picks are missing in the heave. A meandering channel is cut into it, which
-// the faults offset. The picks end at the edges of the survey, or raggedly where the reflection fades; there are holes,
-// and single missing picks. Amplitudes are bright above a flat contact. Horizon 2 follows it below, dips more steeply, and
-// is truncated by it around the crest, where a tracker runs on for a few columns, a sample above horizon 1.
+// their throws die out towards their ends, and picks are missing in the heave. A meandering channel is cut into it,
+// which the faults offset. The picks end at the edges of the survey, or raggedly where the reflection fades; there are
+// holes, and single missing picks. Amplitudes are bright above a flat contact. Horizon 2 lies below it, dips more
+// steeply, and is cut off by it around the crest, where a tracker follows horizon 1 for some columns: the two have the
+// same times there, but for noise, in cells below each other.
 //
 // As for HorizonGenerator, each number is computed from its place by operations that are the same on every machine.
 
