@@ -285,9 +285,15 @@ public:
     {
       time += fault.Shift(place);
     }
-    // Where horizon 1 has cut horizon 2 off, a tracker follows horizon 1 instead.
-    time += horizon == 2 ? std::max(0.0, this->Thickness(place)) : 0.0;
-    return Round(time + ErrorAt(place, horizon, QualityAt(place, horizon)), 10.0);
+    const double error = ErrorAt(place, 1, QualityAt(place, 1));
+    if (horizon == 1)
+    {
+      return Round(time + error, 10.0);
+    }
+    // Where horizon 1 has cut horizon 2 off, a tracker follows horizon 1 instead, with the same errors.
+    const double thickness = std::max(0.0, this->Thickness(place));
+    const double own = QualityAt(place, 1) > 0.0 ? Ramp(thickness, 0.0, 4.0) : 1.0;
+    return Round(time + thickness + (1.0 - own) * error + own * ErrorAt(place, 2, QualityAt(place, 2)), 10.0);
   }
 
   double AmplitudeAt(const Place& place, int horizon) const

@@ -9,7 +9,7 @@
 // which the faults offset. The picks end at the edges of the survey, or raggedly where the reflection fades; there are
 // holes, and single missing picks. Amplitudes are bright above a flat contact. Horizon 2 lies below it, dips more
 // steeply, and is cut off by it around the crest, where a tracker follows horizon 1 for some columns: the two have the
-// same times there, but for noise, in cells below each other.
+// same times there, in cells below each other.
 //
 // As for HorizonGenerator, each number is computed from its place by operations that are the same on every machine.
 

@@ -17,7 +17,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// Horizon 2 lies below horizon 1. Where it is cut off the two have the same times, but for their noise.
+/// Horizon 2 lies below horizon 1. Where it is cut off the two have the same times.
 void CheckTruncation(const SparseMatrix& matrix)
 {
   const LatticeHorizon& upper = matrix.Horizons.at(0);
@@ -27,7 +27,7 @@ void CheckTruncation(const SparseMatrix& matrix)
   {
     above[{ upper.Column[voxel].X, upper.Column[voxel].Y }] = voxel;
   }
-  int meeting = 0;
+  int same = 0;
   int thick = 0;
   for (std::size_t voxel = 0; voxel < lower.Column.size(); ++voxel)
   {
@@ -36,12 +36,12 @@ void CheckTruncation(const SparseMatrix& matrix)
     {
       const double thickness = lower.RealZ[voxel] - upper.RealZ[found->second]; // ms
       CHECK(lower.K[voxel] > upper.K[found->second]);
-      CHECK(thickness > -8.0 && thickness < 80.0);
-      meeting += thickness < 2.0 ? 1 : 0;
+      CHECK(thickness > -2.0 && thickness < 80.0);
+      same += thickness == 0.0 ? 1 : 0;
       thick += thickness > 20.0 ? 1 : 0;
     }
   }
-  CHECK(meeting > 1500 && meeting < 4000);
+  CHECK(same > 1500 && same < 4000);
   CHECK(thick > 8000);
 }
 
